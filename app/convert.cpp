@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp convert: CSV logs of any origin to a finger-forces file.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/paths.hpp"
+#include "core/csv.hpp"
+#include "device/csv_mapping.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct ConvertOptions {
+  std::string mapping;
+  std::string input;
+  std::string out;
+  bool json = false;
+};
+
+/// A path, or the bare name of a mapping that comes with the program.
+std::string mapping_path(const std::string& name) {
+  const auto shipped =
+      std::filesystem::path(library_folder()) / "devices" / "mappings" / (name + ".toml");
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored) && std::filesystem::exists(shipped, ignored))
+    return shipped;
+  return name;
+}
+
+Result<void> run_convert(const ConvertOptions& options) {
+  const std::string path = mapping_path(options.mapping);
+  const auto text = read_text(path);
+  if (!text) return text.error();
+  const auto mapping = parse_csv_mapping(*text, path);
+  if (!mapping) return mapping.error();
+  const auto converted = convert_csv(*mapping, options.input, options.out);
+  if (!converted) return converted.error();
+  if (options.json) {
+    const nlohmann::ordered_json document{{"out", options.out},
+                                          {"rows", converted->rows},
+                                          {"first_s", converted->first_s},
+                                          {"last_s", converted->last_s},
+                                          {"provenance", converted->comments}};
+    std::puts(document.dump(2).c_str());
+    return {};
+  }
+  std::printf("%s: %lld rows, %s s to %s s\n", options.out.c_str(),
+              static_cast<long long>(converted->rows), format_number(converted->first_s).c_str(),
+              format_number(converted->last_s).c_str());
+  for (const auto& comment : converted->comments) std::printf("  %s\n", comment.c_str());
+  return {};
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command = app.add_subcommand("convert", "Finger forces from CSV logs of any origin");
+  command
+      ->add_option("--mapping", options->mapping,
+                   "Mapping file (TOML), or the name of one in library/devices/mappings")
+      ->required();
+  command->add_option("--input", options->input,
+                      "Folder of the logs; without it the folder of the mapping file");
+  command->add_option("--out", options->out, "Finger-forces file to write (CSV)")->required();
+  command->add_flag("--json", options->json, "Print one JSON document");
+  command->footer(
+      "Example:\n  isograsp convert --mapping kth_handover --input recordings --out forces.csv");
+  command->callback([options, &action] { action = [options] { return run_convert(*options); }; });
+}
+
+}  // namespace isograsp

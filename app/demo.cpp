@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp demo: the whole way on simulated patients, in a database of its own.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/console.hpp"
+#include "app/paths.hpp"
+#include "app/report.hpp"
+#include "app/run.hpp"
+
+namespace isograsp {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPatients = 3;
+constexpr int kSessions = 4;
+constexpr int kDaysBetween = 7;
+
+std::string utc_days_ago(int days) {
+  constexpr std::time_t kSecondsPerDay = 86400;
+  const std::time_t then = std::time(nullptr) - days * kSecondsPerDay;
+  std::tm parts{};
+  gmtime_r(&then, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+/// A new, empty file under the folder of the default database; an older demonstration is replaced.
+std::string fresh_database(const std::string& name) {
+  const fs::path path = fs::path(default_database()).parent_path() / name;
+  for (const char* suffix : {"", "-wal", "-shm", "-lock"}) {
+    std::error_code ignored;
+    fs::remove(path.string() + suffix, ignored);
+  }
+  return path;
+}
+
+/// Patients who recover at different speeds: session s of patient p.
+std::string device_of(int patient, int session) {
+  const double recovery = (0.1 + 0.08 * patient) * (session + 1);
+  return "sim://paretic?seed=" + std::to_string(100 * patient + session) +
+         "&recovery=" + std::to_string(std::min(recovery, 1.0));
+}
+
+Result<std::string> make_clinic() {
+  RunOptions options;
+  options.protocol_file = library_folder() + "/protocols/short.toml";
+  options.database = fresh_database("demonstration.db");
+  options.fast = true;
+  options.quiet = true;
+  ProgressBar bar("Making the demonstration clinic");
+  int made = 0;
+  for (int patient = 0; patient < kPatients; ++patient) {
+    options.patient = "DEMO-0" + std::to_string(patient + 1);
+    for (int session = 0; session < kSessions; ++session) {
+      bar.show(static_cast<double>(made++) / (kPatients * kSessions), options.patient);
+      options.device = device_of(patient, session);
+      options.started_utc = utc_days_ago(kDaysBetween * (kSessions - session));
+      if (auto done = run_session(options); !done) return done.error();
+    }
+  }
+  return options.database;
+}
+
+Result<void> headless() {
+  RunOptions options;
+  options.protocol_file = library_folder() + "/protocols/demonstration.toml";
+  options.database = fresh_database("demonstration-session.db");
+  options.patient = "DEMO-01";
+  options.device = "sim://healthy?seed=7";
+  options.fast = true;
+  if (auto done = run_session(options); !done) return done;
+  const std::string pdf = fs::path(options.database).replace_extension(".pdf");
+  if (auto done = write_report(options.database, options.patient, pdf); !done) return done;
+  std::printf("\nDatabase: %s\nReport:   %s\n", options.database.c_str(), pdf.c_str());
+  return {};
+}
+
+Result<void> with_window() {
+  const auto database = make_clinic();
+  if (!database) return database.error();
+  return run_gui(*database, "sim://healthy?seed=7");
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, Action& action) {
+  auto without_window = std::make_shared<bool>(false);
+  auto* command = app.add_subcommand(
+      "demo", "The application on a demonstration clinic, or one whole session without a window");
+  command->add_flag("--headless", *without_window,
+                    "One complete simulated session, its scores and its report");
+  command->footer("Example:\n  isograsp demo --headless");
+  command->callback([without_window, &action] {
+    action = [without_window] { return *without_window ? headless() : with_window(); };
+  });
+}
+
+}  // namespace isograsp

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp grasp: what a scene's contacts can do, and the plan that moves its object.
+#include "grasp_model/grasp.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "core/csv.hpp"
+#include "grasp_model/plan.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct GraspOptions {
+  std::string scene;
+  std::optional<double> length_scale_m;
+  std::optional<double> torsion_scale_m;
+  bool json = false;
+};
+
+constexpr std::array<const char*, 6> kRowNames{"Fx", "Fy", "Fz", "Tx", "Ty", "Tz"};
+constexpr double kHold_s = 0.01;
+
+struct Subset {
+  std::vector<Contact> contacts;
+  Criteria criteria;
+  bool closed = false;
+  bool opposed = false;
+};
+
+/// All non-empty sets of contacts: single ones, pairs, all three, each in the order of the file.
+std::vector<Subset> subsets_of(const Scene& scene, const Scales& scales) {
+  const auto rows = rows_of(scene);
+  std::vector<unsigned> masks;
+  for (unsigned mask = 1; mask < 1u << scene.contacts.size(); ++mask) masks.push_back(mask);
+  std::stable_sort(masks.begin(), masks.end(), [](unsigned a, unsigned b) {
+    return __builtin_popcount(a) < __builtin_popcount(b);
+  });
+  std::vector<Subset> subsets;
+  for (const unsigned mask : masks) {
+    Subset subset;
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+      if ((mask >> i & 1u) != 0) subset.contacts.push_back(scene.contacts[i]);
+    subset.criteria = criteria(subset.contacts, rows, scales);
+    subset.closed = force_closure(subset.contacts, rows);
+    subset.opposed = opposition(subset.contacts);
+    subsets.push_back(std::move(subset));
+  }
+  return subsets;
+}
+
+/// Least mean time of grasp() and move() over batches of frames with all fingers pressing [ns].
+/// Each batch starts anew: a body without damper would spin up under a constant force.
+double cost_ns_per_frame(const Plan& plan) {
+  constexpr int kBatches = 500;
+  constexpr int kFrames = 20;
+  FingerWrenches forces;
+  for (auto& wrench : forces) wrench.force = Vec3(0.1, 0.3, 2.0);
+  double least_ns = std::numeric_limits<double>::infinity();
+  for (int batch = 0; batch < kBatches; ++batch) {
+    ObjectState state = plan.initial_state();
+    const auto start = std::chrono::steady_clock::now();
+    for (int frame = 0; frame < kFrames; ++frame) plan.move(plan.grasp(forces, state), state);
+    const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
+    least_ns = std::min(least_ns, took.count() / kFrames);
+  }
+  return least_ns;
+}
+
+Json as_json(const Plan& plan, const Scales& scales, const std::vector<Subset>& subsets) {
+  const Scene& scene = plan.scene();
+  Json document;
+  document["scene"] = scene.name;
+  document["rows"] = Json::array();
+  for (const auto row : rows_of(scene))
+    document["rows"].push_back(kRowNames[static_cast<std::size_t>(row)]);
+  document["columns"] = grasp_map_columns(scene.contacts);
+  const GraspMatrix G = grasp_map(scene.contacts);
+  document["G"] = Json::array();
+  for (Eigen::Index r = 0; r < 6; ++r) {
+    Json row = Json::array();
+    for (Eigen::Index c = 0; c < G.cols(); ++c) row.push_back(G(r, c) + 0.0);  // no -0
+    document["G"].push_back(std::move(row));
+  }
+  document["length_scale_m"] = scales.length_m;
+  document["torsion_scale_m"] = scales.torsion_m;
+  document["subsets"] = Json::array();
+  for (const auto& subset : subsets) {
+    Json entry;
+    entry["fingers"] = Json::array();
+    for (const auto& contact : subset.contacts) entry["fingers"].push_back(name_of(contact.finger));
+    entry["rank"] = subset.criteria.rank;
+    entry["singular_values"] = subset.criteria.singular_values;
+    entry["G_min"] = subset.criteria.G_min;
+    entry["G_det"] = subset.criteria.G_det;
+    entry["G_rat"] = subset.criteria.G_rat;
+    entry["force_closure"] = subset.closed;
+    entry["opposition"] = subset.opposed;
+    document["subsets"].push_back(std::move(entry));
+  }
+  Json choices;
+  for (const auto& [name, text] : describe(plan)) choices[name] = text;
+  choices["hold_s"] = plan.hold_s();
+  choices["cost_ns_per_frame"] = cost_ns_per_frame(plan);
+  document["plan"] = std::move(choices);
+  return document;
+}
+
+void print_table(const Plan& plan, const Scales& scales, const std::vector<Subset>& subsets) {
+  const Scene& scene = plan.scene();
+  std::printf("%s\n\nGrasp map G (object axes, force [N] then torque [N m])\n    ",
+              scene.name.empty() ? scene.file.c_str() : scene.name.c_str());
+  for (const auto& column : grasp_map_columns(scene.contacts)) std::printf("%10s", column.c_str());
+  const GraspMatrix G = grasp_map(scene.contacts);
+  for (Eigen::Index r = 0; r < 6; ++r) {
+    std::printf("\n %s ", kRowNames[static_cast<std::size_t>(r)]);
+    for (Eigen::Index c = 0; c < G.cols(); ++c) std::printf("%10.4g", G(r, c) + 0.0);
+  }
+  std::printf("\n\nFinger sets (rows");
+  for (const auto row : rows_of(scene))
+    std::printf(" %s", kRowNames[static_cast<std::size_t>(row)]);
+  std::printf("; length scale %.4g m, torsion scale %.4g m)\n", scales.length_m, scales.torsion_m);
+  std::printf(" %-20s %4s %9s %9s %9s  %-8s %s\n", "fingers", "rank", "G_min", "G_det", "G_rat",
+              "closure", "opposition");
+  for (const auto& subset : subsets) {
+    std::string fingers;
+    for (const auto& contact : subset.contacts)
+      fingers += (fingers.empty() ? "" : " ") + std::string(name_of(contact.finger));
+    std::printf(" %-20s %4d %9.4f %9.4f %9.4f  %-8s %s\n", fingers.c_str(), subset.criteria.rank,
+                subset.criteria.G_min, subset.criteria.G_det, subset.criteria.G_rat,
+                subset.closed ? "yes" : "no", subset.opposed ? "yes" : "no");
+  }
+  std::printf("\nPlan\n");
+  for (const auto& [name, text] : describe(plan))
+    std::printf(" %-13s %s\n", name.c_str(), text.c_str());
+  std::printf(" %-13s %.0f ns per frame, measured here\n", "cost", cost_ns_per_frame(plan));
+}
+
+Result<void> grasp(const GraspOptions& options) {
+  auto text = read_text(options.scene);
+  if (!text) return text.error();
+  const auto scene = parse_scene(*text, options.scene);
+  if (!scene) return scene.error();
+  const auto plan = Plan::compile(*scene, kHold_s);
+  if (!plan) return plan.error();
+  Scales scales = default_scales(scene->contacts);
+  for (const auto& [given, scale, name] :
+       {std::tuple{options.length_scale_m, &scales.length_m, "--length-scale"},
+        std::tuple{options.torsion_scale_m, &scales.torsion_m, "--torsion-scale"}}) {
+    if (!given) continue;
+    if (!(*given > 0.0) || !std::isfinite(*given))
+      return Error{Error::Code::bad_input, "is not a positive length", "give metres", "", 0, name};
+    *scale = *given;
+  }
+  const auto subsets = subsets_of(*scene, scales);
+  if (options.json)
+    std::printf("%s\n", as_json(*plan, scales, subsets).dump(2).c_str());
+  else
+    print_table(*plan, scales, subsets);
+  return {};
+}
+
+}  // namespace
+
+void add_grasp(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("grasp", "Grasp map, criteria and the compiled plan of a scene");
+  const auto options = std::make_shared<GraspOptions>();
+  command->add_option("--scene", options->scene, "Scene (TOML)")->required();
+  command->add_option(
+      "--length-scale", options->length_scale_m,
+      "Length that makes torques comparable to forces [m]; default: rms distance of "
+      "the contacts from the COM");
+  command->add_option("--torsion-scale", options->torsion_scale_m,
+                      "Length that makes torsion comparable to forces [m]; default: torsion_m / "
+                      "friction of the soft contacts");
+  command->add_flag("--json", options->json, "Print one JSON document");
+  command->footer("Example: isograsp grasp --scene library/scenes/planar_block.toml --json");
+  command->callback([options, &action] { action = [options] { return grasp(*options); }; });
+}
+
+}  // namespace isograsp

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/live_device.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+
+#include "device/frame_clock.hpp"
+#include "device/uri.hpp"
+#include "session/simulated_person.hpp"
+#include "tasks/task.hpp"
+
+namespace isograsp {
+
+namespace {
+
+std::atomic<bool> interrupt_flag{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
+
+}  // namespace
+
+void watch_for_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupt_flag = true; };
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() noexcept {
+  return interrupt_flag;
+}
+
+Stimulus press_hold_release(double t_s, double grip_N) {
+  constexpr double kCycle_s = 10.0;
+  constexpr double kPress_s = 2.0;
+  constexpr double kRelease_s = 7.0;
+  constexpr double kTarget_N = 12.0;
+  const double phase_s = std::fmod(t_s, kCycle_s);
+  Stimulus screen;
+  screen.t_s = t_s;
+  screen.force_target_shown = phase_s >= kPress_s && phase_s < kRelease_s;
+  screen.cue = screen.force_target_shown ? Cue::follow : Cue::relax;
+  screen.target_force_N = screen.force_target_shown ? kTarget_N : 0.0;
+  screen.shown_force_N = grip_N;
+  return screen;
+}
+
+Result<LiveDevice> LiveDevice::open(const std::string& text) {
+  LiveDevice live;
+  const auto uri = Uri::parse(text);
+  if (!uri) return uri.error();
+  auto person = simulated_person(*uri);
+  if (!person) return person.error();
+  live.person_ = *std::move(person);
+  auto device = open_device(text, {live.person_.get()});
+  if (!device) return device.error();
+  live.device_ = *std::move(device);
+  return live;
+}
+
+Result<void> LiveDevice::run(double duration_s,
+                             const std::function<bool(const FingerFrame&)>& on_frame) {
+  watch_for_interrupt();
+  SteadyClock clock;
+  if (auto started = device_->start(clock); !started) return started;
+  const DeviceInfo& info = device_->info();
+  FrameClock frames(info.frame_period_s, info.sample_period_s, info.on_grid, device_->now(clock));
+  FingerFrame frame;
+  SensorSample sample;
+  bool more = true;
+  while (more && !interrupted()) {
+    const ReadStatus status = device_->read(frames.deadline(), sample);
+    if (status == ReadStatus::finished) break;
+    if (status == ReadStatus::sample) frames.push(sample);
+    while (more && frames.pop(device_->now(clock), frame)) {
+      if (person_) person_->see(press_hold_release(frame.t_s, grip_force(frame.wrench_C)));
+      more = (duration_s <= 0.0 || frame.t_s < duration_s) && on_frame(frame);
+    }
+  }
+  device_->stop();
+  return {};
+}
+
+}  // namespace isograsp

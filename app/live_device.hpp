@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A device at the command line: opened by URI, with a person who presses if it is a simulated one,
+// read frame by frame on the strict grid until time is up or Ctrl-C.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/finger.hpp"
+#include "core/result.hpp"
+#include "core/stimulus.hpp"
+#include "device/force_device.hpp"
+#include "virtual_patient/virtual_patient.hpp"
+
+namespace isograsp {
+
+/// What somebody who presses, holds and releases every ten seconds sees on the screen: relax for
+/// 2 s, follow 12 N for 5 s, relax. `grip_N` is the force that the screen shows.
+[[nodiscard]] Stimulus press_hold_release(double t_s, double grip_N);
+
+class LiveDevice {
+ public:
+  [[nodiscard]] static Result<LiveDevice> open(const std::string& uri);
+
+  [[nodiscard]] ForceDevice& device() noexcept { return *device_; }
+  /// Starts the device and hands every frame on until `duration_s` is over (0: no end), the
+  /// recording ends, Ctrl-C is pressed or `on_frame` returns false; then stops it.
+  [[nodiscard]] Result<void> run(double duration_s,
+                                 const std::function<bool(const FingerFrame&)>& on_frame);
+
+ private:
+  LiveDevice() = default;
+  std::unique_ptr<VirtualPatient> person_;
+  std::unique_ptr<ForceDevice> device_;
+};
+
+/// From now on Ctrl-C and SIGTERM set a flag instead of ending the program.
+void watch_for_interrupt();
+[[nodiscard]] bool interrupted() noexcept;
+
+}  // namespace isograsp

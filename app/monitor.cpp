@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp monitor: live forces, rates and health counters of a device.
+#include <array>
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/live_device.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct MonitorOptions {
+  std::string device;
+  double duration_s = 0.0;
+  bool json = false;
+};
+
+/// What was seen so far of one finger.
+struct Seen {
+  Wrench last_C;
+  double peak_N = 0.0;  ///< largest force along z
+};
+
+void print_live(const FingerFrame& frame, const DeviceHealth& health) {
+  std::printf("%8.2f s  %-9s", frame.t_s, std::string(name_of(health.state)).c_str());
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    if ((frame.flags[f] & bit(SampleFlag::missing)) != 0)
+      std::printf("  %s %23s", std::string(kFingerNames[f]).c_str(), "no value");
+    else
+      std::printf("  %s %7.2f %7.2f %7.2f", std::string(kFingerNames[f]).c_str(),
+                  frame.wrench_C[f].force.x(), frame.wrench_C[f].force.y(),
+                  frame.wrench_C[f].force.z());
+  }
+  std::printf(" N\n");
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& health,
+                               const std::array<Seen, kFingerCount>& seen, double seconds,
+                               std::uint64_t frames, std::uint64_t missing) {
+  nlohmann::ordered_json document{
+      {"device", info.uri},
+      {"description", info.description},
+      {"simulated", info.simulated},
+      {"duration_s", seconds},
+      {"frames", frames},
+      {"frames_with_missing_values", missing},
+      {"state", name_of(health.state)},
+      {"fault", health.fault == DeviceFault::none ? nlohmann::ordered_json(nullptr)
+                                                  : nlohmann::ordered_json(describe(health.fault))},
+      {"foreign_frames", health.foreign_frames},
+      {"kernel_drops", health.kernel_drops}};
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const auto& counters = health.sensors[f];
+    const auto& w = seen[f].last_C;
+    document["sensors"].push_back(
+        {{"finger", kFingerNames[f]},
+         {"serial_number", info.serial_numbers[f]},
+         {"rate_Hz", seconds > 0.0 ? static_cast<double>(counters.good) / seconds : 0.0},
+         {"force_N", {w.force.x(), w.force.y(), w.force.z()}},
+         {"torque_Nm", {w.torque.x(), w.torque.y(), w.torque.z()}},
+         {"peak_fz_N", seen[f].peak_N},
+         {"good", counters.good},
+         {"invalid", counters.invalid},
+         {"torn", counters.torn},
+         {"lost", counters.lost},
+         {"overloaded", counters.overloaded}});
+  }
+  return document;
+}
+
+void print_summary(const DeviceInfo& info, const DeviceHealth& health, double seconds) {
+  std::printf("%s, %.2f s\n", info.description.c_str(), seconds);
+  if (health.fault != DeviceFault::none)
+    std::printf("%s\n", std::string(describe(health.fault)).c_str());
+  std::printf("%-7s %8s %8s %8s %8s %8s %10s\n", "", "rate/Hz", "good", "invalid", "torn", "lost",
+              "overloaded");
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const auto& c = health.sensors[f];
+    std::printf("%-7s %8.2f %8llu %8llu %8llu %8llu %10llu\n", std::string(kFingerNames[f]).c_str(),
+                seconds > 0.0 ? static_cast<double>(c.good) / seconds : 0.0,
+                static_cast<unsigned long long>(c.good), static_cast<unsigned long long>(c.invalid),
+                static_cast<unsigned long long>(c.torn), static_cast<unsigned long long>(c.lost),
+                static_cast<unsigned long long>(c.overloaded));
+  }
+  std::printf("foreign frames %llu, frames that the kernel dropped %llu\n",
+              static_cast<unsigned long long>(health.foreign_frames),
+              static_cast<unsigned long long>(health.kernel_drops));
+}
+
+Result<void> run_monitor(const MonitorOptions& options) {
+  auto live = LiveDevice::open(options.device);
+  if (!live) return live.error();
+  constexpr double kPrintEvery_s = 0.5;
+  std::array<Seen, kFingerCount> seen{};
+  std::uint64_t frames = 0;
+  std::uint64_t missing = 0;
+  double seconds = 0.0;
+  double next_print_s = 0.0;
+  DeviceHealth health;
+  const auto done = live->run(options.duration_s, [&](const FingerFrame& frame) {
+    health = live->device().health();
+    ++frames;
+    if (frame.any(SampleFlag::missing)) ++missing;
+    seconds = frame.t_s + live->device().info().frame_period_s;
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
+      if ((frame.flags[f] & bit(SampleFlag::missing)) != 0) continue;
+      seen[f].last_C = frame.wrench_C[f];
+      seen[f].peak_N = std::max(seen[f].peak_N, frame.wrench_C[f].force.z());
+    }
+    if (!options.json && frame.t_s >= next_print_s) {
+      print_live(frame, health);
+      next_print_s += kPrintEvery_s;
+    }
+    return true;
+  });
+  if (!done) return done.error();
+  const DeviceInfo& info = live->device().info();
+  if (options.json)
+    std::puts(as_json(info, health, seen, seconds, frames, missing).dump(2).c_str());
+  else
+    print_summary(info, health, seconds);
+  return {};
+}
+
+}  // namespace
+
+void add_monitor(CLI::App& app, Action& action) {
+  auto options = std::make_shared<MonitorOptions>();
+  CLI::App* command = app.add_subcommand("monitor", "Live forces, rates and health of a device");
+  command->add_option("--device", options->device, "Device URI (see: isograsp devices)")
+      ->required();
+  command->add_option("--duration", options->duration_s, "Seconds; without it until Ctrl-C")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--json", options->json, "Print one JSON document at the end");
+  command->footer("Example:\n  isograsp monitor --device 'can://can0?protocol=rft' --duration 10");
+  command->callback([options, &action] { action = [options] { return run_monitor(*options); }; });
+}
+
+}  // namespace isograsp

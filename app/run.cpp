@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp run: a session without a window.
+#include "app/run.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/console.hpp"
+#include "app/paths.hpp"
+#include "core/csv.hpp"
+#include "session/protocol_run.hpp"
+#include "session/session.hpp"
+
+namespace isograsp {
+
+namespace {
+
+void print_measure(const Measure& measure) {
+  std::string label = measure.name;
+  if (!measure.channel.empty()) label += " (" + measure.channel + ")";
+  if (measure.value)
+    std::printf("    %-44s %12.4g %s\n", label.c_str(), *measure.value, measure.unit.c_str());
+  else
+    std::printf("    %-44s %12s %s\n", label.c_str(), "-", measure.reason.c_str());
+}
+
+void print_trial(const TrialOutcome& outcome) {
+  const TrialRecord& trial = outcome.trial;
+  std::printf("\n  Trial %d  %s%s  [%s]\n", trial.number, trial.task_name.c_str(),
+              trial.practice ? ", practice" : "", std::string(name_of(trial.status)).c_str());
+  for (const auto& measure : outcome.measures) print_measure(measure);
+}
+
+}  // namespace
+
+Result<void> run_session(const RunOptions& options) {
+  const auto hand = hand_from_name(options.hand);
+  if (!hand)
+    return Error{Error::Code::bad_input,
+                 "'" + options.hand + "' is not a hand",
+                 "write right or left",
+                 "",
+                 0,
+                 "--hand"};
+  if (auto good = check_patient_code(options.patient); !good) return good;
+  const auto text = read_text(options.protocol_file);
+  if (!text) return text.error();
+  const auto protocol = parse_protocol(*text, options.protocol_file);
+  if (!protocol) return protocol.error();
+  {
+    auto store = SessionStore::open(options.database, SessionStore::Open::create);
+    if (!store) return store.error();
+    const auto known = (*store)->find_patient(options.patient);
+    if (!known) return known.error();
+    if (!*known && !options.quiet)
+      print_note("patient " + options.patient + " is new and will be created");
+  }
+  SessionConfig config;
+  config.database = options.database;
+  config.patient_code = options.patient;
+  config.hand = *hand;
+  config.device_uri = options.device;
+  config.library = library_folder();
+  config.protocol_name = protocol->name;
+  config.protocol_text = protocol->text;
+  config.software_version = ISOGRASP_VERSION;
+  config.virtual_time = options.fast;
+  config.started_utc = options.started_utc;
+  auto session = Session::open(config);
+  if (!session) return session.error();
+
+  if (!options.quiet) {
+    std::printf("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
+                (*session)->device().description.c_str());
+    std::fflush(stdout);
+  }
+  ProgressBar bar("Session");
+  const auto result =
+      run_protocol(**session, *protocol, config.library, [&](const ProtocolProgress& at) {
+        if (!options.quiet)
+          bar.show(static_cast<double>(at.step) / std::max(1, at.steps), at.doing);
+      });
+  (*session)->close();
+  bar.end();
+  if (!result) return result.error();
+  if (!options.quiet)
+    for (const auto& outcome : result->trials) print_trial(outcome);
+  return {};
+}
+
+void add_run(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RunOptions>();
+  auto* command = app.add_subcommand("run", "A session without a window");
+  command->add_option("--protocol-file", options->protocol_file, "Protocol (TOML)")->required();
+  command->add_option("--device", options->device, "Device URI, e.g. sim://healthy?seed=7")
+      ->required();
+  command->add_option("--db", options->database, "Database; made if it does not exist")->required();
+  command->add_option("--patient", options->patient, "Patient code; created if new")->required();
+  command->add_option("--hand", options->hand, "right or left")->capture_default_str();
+  command->add_flag("--fast", options->fast, "Simulated and replayed devices in virtual time");
+  command->footer(
+      "Example:\n  isograsp run --protocol-file library/protocols/demonstration.toml \\\n"
+      "    --device 'sim://healthy?seed=7' --db clinic.db --patient DEMO-01 --fast");
+  command->callback([options, &action] { action = [options] { return run_session(*options); }; });
+}
+
+}  // namespace isograsp

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session without a window, for `isograsp run` and `isograsp demo`.
+#pragma once
+
+#include <string>
+
+#include "core/result.hpp"
+
+namespace isograsp {
+
+struct RunOptions {
+  std::string protocol_file;
+  std::string device;
+  std::string database;
+  std::string patient;
+  std::string hand = "right";
+  bool fast = false;
+  bool quiet = false;       ///< no progress bar and no scores
+  std::string started_utc;  ///< empty: now
+};
+
+/// Runs the protocol, records it and prints the scores.
+[[nodiscard]] Result<void> run_session(const RunOptions& options);
+
+}  // namespace isograsp

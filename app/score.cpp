@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp score: the measures of one recorded trial.
+#include "tasks/score.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "core/csv.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct ScoreOptions {
+  std::string task;
+  std::string signals;
+  bool json = false;
+};
+
+std::string as_json(const std::vector<Measure>& measures) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Measure& measure : measures) {
+    nlohmann::ordered_json one;
+    one["name"] = measure.name;
+    one["channel"] = measure.channel;
+    if (measure.value)
+      one["value"] = *measure.value;
+    else
+      one["value"] = nullptr;
+    one["unit"] = measure.unit;
+    one["version"] = measure.version;
+    one["samples"] = measure.samples;
+    one["excluded"] = measure.excluded;
+    if (!measure.value) one["reason"] = measure.reason;
+    list.push_back(std::move(one));
+  }
+  return nlohmann::ordered_json{{"measures", std::move(list)}}.dump(2) + "\n";
+}
+
+std::string as_table(const std::vector<Measure>& measures) {
+  const auto number = [](double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return std::string(text);
+  };
+  std::vector<std::array<std::string, 6>> rows{
+      {"measure", "channel", "value", "unit", "samples", "excluded"}};
+  for (const Measure& measure : measures)
+    rows.push_back({measure.name, measure.channel, measure.value ? number(*measure.value) : "-",
+                    measure.value ? measure.unit : measure.reason, std::to_string(measure.samples),
+                    std::to_string(measure.excluded)});
+  std::array<std::size_t, 6> width{};
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string blanks(width[c] - row[c].size(), ' ');
+      const bool numeric = c == 2 || c >= 4;
+      line += (c == 0 ? "" : "  ") + (numeric ? blanks + row[c] : row[c] + blanks);
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+Result<void> run_score(const ScoreOptions& options) {
+  std::vector<Measure> measures;
+  if (options.task.empty()) {
+    const auto signals = read_signals(options.signals);
+    if (!signals) return signals.error();
+    measures = score_pairs(*signals);
+    if (measures.empty())
+      return Error{Error::Code::bad_input,
+                   "has no column target_X with its actual_X",
+                   "name the pairs so, with units, or say which --task it was",
+                   options.signals,
+                   0,
+                   ""};
+  } else {
+    const auto text = read_text(options.task);
+    if (!text) return text.error();
+    const auto task = parse_task(*text, options.task);
+    if (!task) return task.error();
+    const auto signals = read_signals(options.signals);
+    if (!signals) return signals.error();
+    measures = score(*task, *signals);
+  }
+  std::fputs((options.json ? as_json(measures) : as_table(measures)).c_str(), stdout);
+  return {};
+}
+
+}  // namespace
+
+void add_score(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ScoreOptions>();
+  CLI::App* command = app.add_subcommand("score", "Measures of one recorded trial");
+  command->add_option("--task", options->task,
+                      "Task file; without it every target_X is paired with its actual_X");
+  command->add_option("--signals", options->signals, "Signals of the trial (CSV)")->required();
+  command->add_flag("--json", options->json, "Print one JSON document");
+  command->footer(
+      "Example:\n  isograsp score --task library/tasks/grip_sine.toml --signals trial.csv");
+  command->callback([options, &action] { action = [options] { return run_score(*options); }; });
+}
+
+}  // namespace isograsp

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp simulate: the grasp model alone, finger forces in, trajectory out
+// (docs/file_formats.md). Streams: its memory does not grow with the recording.
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/console.hpp"
+#include "core/csv.hpp"
+#include "core/finger_forces.hpp"
+#include "core/stale.hpp"
+#include "grasp_model/plan.hpp"
+#include "grasp_model/scene.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct SimulateOptions {
+  std::string scene;
+  std::string forces;
+  std::string out;
+  std::string hand = "right";
+};
+
+constexpr std::string_view kTrajectoryHeader =
+    "t_s,x_m,y_m,z_m,qw,qx,qy,qz,vx_mps,vy_mps,vz_mps,wx_radps,wy_radps,wz_radps,"
+    "fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm,thumb_contact,index_contact,middle_contact\n";
+
+void append_row(std::string& text, double t_s, const ObjectState& state,
+                const GraspWrench& wrench) {
+  append_number(text, t_s);
+  const Quat& q = state.pose.q_WO;
+  const auto append = [&text](std::initializer_list<double> values) {
+    for (const double value : values) {
+      text += ',';
+      append_number(text, value);
+    }
+  };
+  const auto append_vector = [&append](const Vec3& v) { append({v.x(), v.y(), v.z()}); };
+  append_vector(state.pose.p_WO);
+  append({q.w(), q.x(), q.y(), q.z()});
+  append_vector(state.v_WO_W);
+  append_vector(state.w_WO_W);
+  append_vector(wrench.F_O_W.force);
+  append_vector(wrench.F_O_W.torque);
+  for (const bool touching : wrench.contact) text += touching ? ",1" : ",0";
+  text += '\n';
+}
+
+Result<void> simulate(const SimulateOptions& options) {
+  auto text = read_text(options.scene);
+  if (!text) return text.error();
+  auto scene = parse_scene(*text, options.scene);
+  if (!scene) return scene.error();
+  // A first pass over the times alone: the length of a hold depends on all of them.
+  const auto grid = read_time_grid(options.forces);
+  if (!grid) return grid.error();
+  const auto plan =
+      Plan::compile(for_hand(std::move(*scene), *hand_from_name(options.hand)), grid->hold_s);
+  if (!plan) return plan.error();
+  const auto used = plan->scene().fingers_used();
+  auto forces = FingerForcesReader::open(options.forces, used);
+  if (!forces) return forces.error();
+  auto out = FileWriter::create(options.out);
+  if (!out) return out.error();
+
+  std::string rows(kTrajectoryHeader);
+  ObjectState state = plan->initial_state();
+  GraspWrench wrench;
+  StaleRule stale;
+  bool frozen = false;
+  std::size_t holds = 0;
+  std::size_t frozen_holds = 0;
+  std::size_t inexact_holds = 0;
+  const auto move = [&](double hold_s) {
+    ++holds;
+    if (frozen)
+      ++frozen_holds;
+    else
+      plan->move(wrench, hold_s, state);
+    if (state.tolerance_exceeded && !frozen) ++inexact_holds;
+  };
+  FingerForcesRow row;
+  FingerForcesRow next;
+  if (auto first = forces->next(row); !first) return first.error();
+  double hold_s = grid->hold_s;
+  for (bool more = true; more;) {
+    const auto read = forces->next(next);
+    if (!read) return read.error();
+    more = *read;
+    // The last row holds as long as the row before it.
+    if (more && !grid->regular) hold_s = next.t_s - row.t_s;
+    frozen = stale.apply(row.wrench_C, row.present, used, hold_s) == StaleRule::Verdict::frozen;
+    if (!frozen) wrench = plan->grasp(row.wrench_C, state);
+    append_row(rows, row.t_s, state, wrench);
+    move(hold_s);
+    if (!more) append_row(rows, row.t_s + hold_s, state, wrench);
+    constexpr std::size_t kChunk = std::size_t{1} << 16;
+    if (!more || rows.size() > kChunk) {
+      out->write(rows);
+      rows.clear();
+    }
+    row = next;
+  }
+  if (const auto done = out->commit(); !done) return done.error();
+  const auto count = [holds](std::size_t n) {
+    return std::to_string(n) + " of " + std::to_string(holds) + " holds";
+  };
+  if (frozen_holds > 0)
+    print_note("the state stood still in " + count(frozen_holds) +
+               ": no valid sample for over 50 ms");
+  if (inexact_holds > 0)
+    print_note(count(inexact_holds) +
+               " were too stiff for the stated tolerance; the trajectory is "
+               "finite there but not exact");
+  return {};
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("simulate", "Run the grasp model alone on recorded forces");
+  const auto options = std::make_shared<SimulateOptions>();
+  command->add_option("--scene", options->scene, "Scene (TOML)")->required();
+  command->add_option("--forces", options->forces, "Finger forces (CSV)")->required();
+  command->add_option("--out", options->out, "Trajectory to write (CSV)")->required();
+  command->add_option("--hand", options->hand, "Which hand presses")
+      ->check(CLI::IsMember({"right", "left"}))
+      ->capture_default_str();
+  command->footer(
+      "Example: isograsp simulate --scene library/scenes/planar_block.toml --forces forces.csv "
+      "--out trajectory.csv");
+  command->callback([options, &action] { action = [options] { return simulate(*options); }; });
+}
+
+}  // namespace isograsp

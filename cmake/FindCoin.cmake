@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+find_path(COIN_INCLUDE_DIR Inventor/SoDB.h)
+find_library(COIN_LIBRARY Coin)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Coin REQUIRED_VARS COIN_INCLUDE_DIR COIN_LIBRARY)
+if(Coin_FOUND AND NOT TARGET Coin::coin)
+  add_library(Coin::coin INTERFACE IMPORTED)
+  target_include_directories(Coin::coin SYSTEM INTERFACE ${COIN_INCLUDE_DIR})
+  target_link_libraries(Coin::coin INTERFACE ${COIN_LIBRARY})
+endif()

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of numbers as text: UTF-8, comma, one header line, '.' decimal, '#' comment lines.
+#pragma once
+
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+#include "core/signals.hpp"
+
+namespace isograsp {
+
+/// Appends the shortest decimal that reads back to the same double; nothing for NaN (an empty
+/// field).
+void append_number(std::string& text, double value);
+[[nodiscard]] std::string format_number(double value);
+
+/// Reads a whole field as a finite number: no blanks, no trailing characters, no "nan" or "inf".
+[[nodiscard]] bool parse_number(std::string_view field, double& value) noexcept;
+
+/// Reads a table of numbers row by row, in constant memory. Errors name file, line and column.
+class CsvReader {
+ public:
+  /// Opens the file and reads the comments and the header. Duplicate or empty names are errors.
+  [[nodiscard]] static Result<CsvReader> open(const std::string& path);
+
+  [[nodiscard]] const std::vector<std::string>& columns() const noexcept { return columns_; }
+  /// Index of a column, or -1.
+  [[nodiscard]] int find(std::string_view name) const noexcept;
+  /// Comment lines before the header, without the '#' and surrounding blanks.
+  [[nodiscard]] const std::vector<std::string>& comments() const noexcept { return comments_; }
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// Line of the row read last, 1-based.
+  [[nodiscard]] int line() const noexcept { return line_; }
+
+  /// Reads the next row; an empty field becomes NaN. False at the end of the file.
+  /// @pre row.size() == columns().size()
+  [[nodiscard]] Result<bool> next(std::span<double> row);
+
+  /// An error at the row read last.
+  [[nodiscard]] Error error_here(std::string field, std::string what, std::string remedy) const;
+
+ private:
+  bool read_line();
+
+  std::string path_;
+  std::ifstream in_;
+  std::vector<std::string> columns_;
+  std::vector<std::string> comments_;
+  std::string text_;  ///< the current line
+  int line_ = 0;
+};
+
+/// Writes a file that appears under its name only when complete: temporary file, then rename.
+class FileWriter {
+ public:
+  [[nodiscard]] static Result<FileWriter> create(const std::string& path);
+  FileWriter(FileWriter&& other) noexcept;
+  FileWriter& operator=(FileWriter&&) = delete;
+  ~FileWriter();  ///< without commit() the temporary file is removed: nothing half-written
+
+  void write(std::string_view text);
+  /// Flushes and renames; fails if anything could not be written (full disk).
+  [[nodiscard]] Result<void> commit();
+
+ private:
+  FileWriter() = default;
+  std::string path_;
+  std::string temporary_;
+  std::ofstream out_;
+};
+
+/// A whole table in memory: a signals file. Requires `t_s`, strictly increasing, and two rows.
+[[nodiscard]] Result<Signals> read_signals(const std::string& path);
+/// Writes all columns; NaN becomes an empty field.
+[[nodiscard]] Result<void> write_signals(const Signals& signals, const std::string& path,
+                                         std::span<const std::string> comments = {});
+
+/// A whole text file. Files over 64 MiB are refused.
+[[nodiscard]] Result<std::string> read_text(const std::string& path);
+
+}  // namespace isograsp

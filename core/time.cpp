@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/time.hpp"
+
+#include <cerrno>
+#include <ctime>
+
+namespace isograsp {
+
+Timestamp SteadyClock::now() const noexcept {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return std::chrono::seconds{t.tv_sec} + std::chrono::nanoseconds{t.tv_nsec};
+}
+
+void SteadyClock::wait_until(Timestamp t) noexcept {
+  constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
+  timespec until{};
+  until.tv_sec = t.count() / kNanosecondsPerSecond;
+  until.tv_nsec = t.count() % kNanosecondsPerSecond;
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
+  }
+}
+
+}  // namespace isograsp

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A device of three six-axis force sensors, named by a URI. Wrenches leave it calibrated, in the
+// contact frames of the fingers (z into the object, pressing +z), SI units, before instrument zero.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/finger.hpp"
+#include "core/result.hpp"
+#include "core/stimulus.hpp"
+#include "core/time.hpp"
+
+namespace isograsp {
+
+/// One sample of one sensor.
+struct SensorSample {
+  Finger finger = Finger::thumb;
+  Timestamp stamp{0};  ///< when it was measured, on the clock given to start()
+  Wrench wrench_C;     ///< contact frame [N, N m]
+  RawCounts raw_counts{};
+  bool valid = true;        ///< false: the device says that there is no value
+  std::uint8_t flags = 0;   ///< SampleFlag::saturated, SampleFlag::overload
+};
+
+/// Counters of one sensor since start(); they never decrease.
+struct SensorCounters {
+  std::uint64_t good = 0;        ///< valid samples
+  std::uint64_t invalid = 0;     ///< samples that the device marked as having no value
+  std::uint64_t torn = 0;        ///< half samples
+  std::uint64_t lost = 0;        ///< samples missing by count or by time
+  std::uint64_t overloaded = 0;  ///< samples with an overload or saturation flag
+};
+
+enum class DeviceState : std::uint8_t {
+  absent, identified, configured, streaming, degraded, faulted, finished
+};
+[[nodiscard]] std::string_view name_of(DeviceState state) noexcept;
+
+/// Why a device is degraded or faulted; words for both screens come from describe().
+enum class DeviceFault : std::uint8_t {
+  none, silence, torn_samples, bus_off, interface_down, interface_gone, overload
+};
+/// One plain sentence for the therapist, with what to do.
+[[nodiscard]] std::string_view describe(DeviceFault fault) noexcept;
+
+struct DeviceHealth {
+  DeviceState state = DeviceState::absent;
+  DeviceFault fault = DeviceFault::none;
+  std::array<SensorCounters, kFingerCount> sensors{};
+  std::uint64_t foreign_frames = 0;  ///< frames on the bus that are not ours
+  std::uint64_t kernel_drops = 0;    ///< frames that the kernel had no room for
+};
+
+/// What the device is; fixed after open_device().
+struct DeviceInfo {
+  std::string uri;
+  std::string description;  ///< one line for people, e.g. "Robotous RFT on can0"
+  bool simulated = false;   ///< forces come from software: reports carry a watermark
+  bool recorded = false;    ///< forces come from a file
+  bool on_grid = false;     ///< samples lie exactly on the frame grid: never interpolate
+  double sample_period_s = 0.01;  ///< nominal, of each sensor
+  double frame_period_s = 0.01;   ///< of the grid that the frame clock should make
+  double delay_s = 0.0;           ///< known delay from force to stamp (filter)
+  std::array<std::string, kFingerCount> serial_numbers;
+  std::array<Vec6, kFingerCount> units_per_count;  ///< [N, N m] per raw count; 0: no counts
+  std::array<Vec6, kFingerCount> range;            ///< largest force and torque [N, N m]
+  std::vector<std::string> provenance;  ///< where recorded data come from, what was overridden
+};
+
+enum class ReadStatus : std::uint8_t {
+  sample,   ///< `out` holds one
+  timeout,  ///< the deadline has passed
+  finished  ///< there will be no more samples (end of a recording)
+};
+
+/// Life: open_device() -> start() -> read()… -> stop(). All calls from one thread.
+class ForceDevice {
+ public:
+  virtual ~ForceDevice() = default;
+
+  [[nodiscard]] virtual const DeviceInfo& info() const noexcept = 0;
+  [[nodiscard]] virtual DeviceHealth health() const noexcept = 0;
+
+  /// Begins to stream; stamps are on `clock`, the first not before its present time. The clock must
+  /// outlive the device.
+  [[nodiscard]] virtual Result<void> start(Clock& clock) = 0;
+  /// Waits for the next sample at most until `deadline`. Real-time safe. Samples of one sensor come
+  /// in the order of their stamps.
+  [[nodiscard]] virtual ReadStatus read(Timestamp deadline, SensorSample& out) noexcept = 0;
+  /// The present on the axis of the stamps and deadlines: what FrameClock::pop() must be given.
+  /// That of the clock, except for a replay that runs slower or faster than it was recorded.
+  /// Real-time safe.
+  [[nodiscard]] virtual Timestamp now(const Clock& clock) const noexcept { return clock.now(); }
+  virtual void stop() noexcept = 0;
+};
+
+/// Who presses a simulated device; other devices ignore it.
+struct DeviceOptions {
+  FingerSource* source = nullptr;  ///< required by sim://; must outlive the device
+};
+
+/// Opens sim://…, replay://FILE?speed=…, can://IFACE?protocol=rft&config=….
+/// Errors name the scheme, parameter or interface and what would be needed.
+[[nodiscard]] Result<std::unique_ptr<ForceDevice>> open_device(const std::string& uri,
+                                                               const DeviceOptions& options = {});
+
+}  // namespace isograsp

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/rft_codec.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace isograsp {
+
+namespace {
+
+constexpr Timestamp kLongestPair = std::chrono::milliseconds(2);
+
+// Index is the code.
+constexpr std::array<double, 9> kRates_Hz{200, 10, 20, 50, 100, 200, 333, 500, 1000};
+constexpr std::array<double, 15> kFilters_Hz{0,  500, 300, 200, 150, 100, 50, 40,
+                                             30, 20,  10,  5,   3,   2,   1};
+
+std::uint8_t high_byte(std::int32_t value) noexcept {
+  return static_cast<std::uint8_t>((static_cast<std::uint32_t>(value) >> 8) & 0xFF);
+}
+std::uint8_t low_byte(std::int32_t value) noexcept {
+  return static_cast<std::uint8_t>(static_cast<std::uint32_t>(value) & 0xFF);
+}
+
+bool is_known(std::uint8_t command) noexcept {
+  return command >= 0x01 && command <= 0x12 && command != 0x0D && command != 0x0E;
+}
+
+CanFrame frame_of(std::uint8_t id) noexcept {
+  CanFrame frame;
+  frame.id = id;
+  frame.length = 8;
+  return frame;
+}
+
+}  // namespace
+
+bool RftPacket::is_data() const noexcept {
+  return command == static_cast<std::uint8_t>(RftCommand::start) ||
+         command == static_cast<std::uint8_t>(RftCommand::read_once);
+}
+
+CanFrame encode_command(const RftIds& ids, RftCommand command,
+                        std::initializer_list<std::uint8_t> parameters) noexcept {
+  assert(parameters.size() <= 7);
+  CanFrame frame = frame_of(ids.command);
+  frame.data[0] = static_cast<std::uint8_t>(command);
+  std::copy(parameters.begin(), parameters.end(), frame.data.begin() + 1);
+  return frame;
+}
+
+std::array<CanFrame, 2> encode_packet(const RftIds& ids, std::uint8_t command,
+                                      std::span<const std::uint8_t> content) noexcept {
+  assert(content.size() <= 15);
+  std::array<CanFrame, 2> frames{frame_of(ids.first), frame_of(ids.second)};
+  frames[0].data[0] = command;
+  for (std::size_t i = 0; i < content.size(); ++i)
+    frames[(i + 1) / 8].data[(i + 1) % 8] = content[i];
+  return frames;
+}
+
+std::array<CanFrame, 2> encode_counts(const RftIds& ids, const RftCounts& counts,
+                                      RftCommand command) noexcept {
+  std::array<std::uint8_t, 13> content{};
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    const std::int32_t value = counts.raw[axis];
+    assert(value >= INT16_MIN && value <= INT16_MAX);
+    content[2 * axis] = high_byte(value);
+    content[2 * axis + 1] = low_byte(value);
+  }
+  content[12] = counts.overload;
+  return encode_packet(ids, static_cast<std::uint8_t>(command), content);
+}
+
+RftCounts decode_counts(const RftPacket& packet) noexcept {
+  assert(packet.is_data());
+  RftCounts counts;
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    const auto word =
+        static_cast<std::uint16_t>(packet.content[2 * axis] << 8 | packet.content[2 * axis + 1]);
+    counts.raw[axis] = static_cast<std::int16_t>(word);
+  }
+  constexpr std::uint8_t kOverloadBits = 0x3F;
+  counts.overload = packet.content[12] & kOverloadBits;
+  return counts;
+}
+
+Wrench wrench_of(const RftCounts& counts, const RftDivisors& divisors) noexcept {
+  Wrench wrench;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    wrench.force[axis] = counts.raw[i] / divisors.force_per_N;
+    wrench.torque[axis] = counts.raw[i + 3] / divisors.torque_per_Nm;
+  }
+  return wrench;
+}
+
+std::optional<std::uint8_t> rft_rate_code(double rate_Hz) noexcept {
+  // Code 0 also means 200 Hz; the explicit code comes first.
+  const auto found = std::find(kRates_Hz.begin() + 1, kRates_Hz.end(), rate_Hz);
+  if (found == kRates_Hz.end()) return std::nullopt;
+  return static_cast<std::uint8_t>(found - kRates_Hz.begin());
+}
+
+double rft_rate_Hz(std::uint8_t code) noexcept {
+  return code < kRates_Hz.size() ? kRates_Hz[code] : 0.0;
+}
+
+std::optional<std::uint8_t> rft_filter_code(double cutoff_Hz, RftFilterTable table) noexcept {
+  const auto found = std::find(kFilters_Hz.begin(), kFilters_Hz.end(), cutoff_Hz);
+  if (found == kFilters_Hz.end()) return std::nullopt;
+  const auto code = static_cast<std::uint8_t>(found - kFilters_Hz.begin());
+  if (table == RftFilterTable::manual || code == 0) return code;
+  return static_cast<std::uint8_t>(kFilters_Hz.size() - code);
+}
+
+double rft_filter_Hz(std::uint8_t code) noexcept {
+  return code < kFilters_Hz.size() ? kFilters_Hz[code] : 0.0;
+}
+
+bool RftPairing::repeats(const CanFrame& frame, Timestamp stamp) const noexcept {
+  return has_last_ && frame == last_ && stamp - last_stamp_ <= kLongestPair;
+}
+
+std::optional<RftPacket> RftPairing::push(const CanFrame& frame, Timestamp stamp) noexcept {
+  const bool first = frame.id == ids_.first;
+  if ((!first && frame.id != ids_.second) || frame.length != 8 || frame.extended || frame.remote ||
+      frame.error || (first && !is_known(frame.data[0]))) {
+    ++foreign_;
+    return std::nullopt;
+  }
+  if (repeats(frame, stamp)) {
+    ++duplicate_;
+    return std::nullopt;
+  }
+  const CanFrame before = last_;
+  const bool in_time = stamp >= last_stamp_ && stamp - last_stamp_ <= kLongestPair;
+  const bool was_waiting = waiting_;
+  last_ = frame;
+  last_stamp_ = stamp;
+  has_last_ = true;
+  waiting_ = first;
+  if (first || !was_waiting || !in_time) {
+    if (was_waiting) ++torn_;  // the first frame before
+    if (!first) ++torn_;       // this second frame
+    return std::nullopt;
+  }
+  RftPacket packet;
+  packet.command = before.data[0];
+  packet.stamp = stamp;
+  std::copy(before.data.begin() + 1, before.data.end(), packet.content.begin());
+  std::copy(frame.data.begin(), frame.data.end(), packet.content.begin() + 7);
+  return packet;
+}
+
+void RftPairing::finish() noexcept {
+  if (waiting_) ++torn_;
+  waiting_ = false;
+}
+
+}  // namespace isograsp

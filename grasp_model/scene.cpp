@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grasp_model/scene.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/toml_reader.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// Decimals of a file cannot hit a subspace exactly; this much is taken as meant, and made exact.
+constexpr double kAttitudeRounding = 1e-9;
+
+/// Principal moments of a homogeneous solid about its COM [kg m^2].
+Vec3 solid_inertia(Shape shape, const Vec3& size_m, double mass_kg) {
+  const Vec3 squares = size_m.cwiseAbs2();
+  if (shape == Shape::box)
+    return mass_kg / 12.0 *
+           Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y());
+  const double radius_squared = squares.x() / 4.0;
+  if (shape == Shape::sphere) return Vec3::Constant(0.4 * mass_kg * radius_squared);
+  const double across = mass_kg * (radius_squared / 4.0 + squares.y() / 12.0);
+  return {across, across, mass_kg * radius_squared / 2.0};
+}
+
+void require_not_negative(TomlReader& table, std::string_view key, double value) {
+  if (value < 0.0) table.fail(key, "is negative", "write a number that is not negative");
+}
+
+void read_object(TomlReader table, Scene& scene) {
+  scene.shape = static_cast<Shape>(table.choice("shape", {"box", "cylinder", "sphere"}));
+  const std::size_t sizes = scene.shape == Shape::box ? 3 : scene.shape == Shape::cylinder ? 2 : 1;
+  const auto size_m = table.numbers("size_m", sizes, sizes);
+  for (std::size_t i = 0; i < sizes && i < size_m.size(); ++i) {
+    scene.size_m[static_cast<Eigen::Index>(i)] = size_m[i];
+    require_not_negative(table, "size_m", size_m[i]);
+  }
+  scene.mass_kg = table.number("mass_kg");
+  require_not_negative(table, "mass_kg", scene.mass_kg);
+  scene.inertia_kg_m2 =
+      table.vec3("inertia_kg_m2", solid_inertia(scene.shape, scene.size_m, scene.mass_kg));
+  require_not_negative(table, "inertia_kg_m2", scene.inertia_kg_m2.minCoeff());
+}
+
+void read_limits(TomlReader& dynamics, Scene& scene) {
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  for (auto& table : dynamics.tables("limits")) {
+    TravelLimit limit;
+    limit.dof = static_cast<Dof>(table.choice("dof", {"x", "y", "z", "rx", "ry", "rz"}));
+    const bool linear = limit.dof <= Dof::z;
+    const std::string_view least = linear ? "min_m" : "min_rad";
+    const std::string_view most = linear ? "max_m" : "max_rad";
+    if (!table.has(least) && !table.has(most))
+      table.fail("", "the limit has no bound",
+                 "add " + std::string(least) + " or " + std::string(most));
+    limit.least = table.number(least, -kUnbounded);
+    limit.most = table.number(most, kUnbounded);
+    if (limit.least > limit.most)
+      table.fail(least, "is above " + std::string(most), "exchange the two");
+    for (const auto& other : scene.limits)
+      if (other.dof == limit.dof)
+        table.fail("dof", "has two limits", "write both bounds in one entry");
+    scene.limits.push_back(limit);
+  }
+}
+
+void read_dynamics(TomlReader table, Scene& scene) {
+  for (const auto& word : table.texts("free")) {
+    std::size_t dof = 0;
+    while (dof < kDofNames.size() && kDofNames[dof] != word) ++dof;
+    if (dof == kDofNames.size())
+      table.fail("free", "'" + word + "' is not known", "write some of: x, y, z, rx, ry, rz");
+    else if (scene.free[dof])
+      table.fail("free", "'" + word + "' appears twice", "keep one of them");
+    else
+      scene.free[dof] = true;
+  }
+  for (const auto& [key, values] :
+       {std::pair{"stiffness", &scene.stiffness}, std::pair{"damping", &scene.damping}}) {
+    const auto read = table.numbers(key, 6, 6);
+    for (std::size_t i = 0; i < 6 && i < read.size(); ++i)
+      (*values)[static_cast<Eigen::Index>(i)] = read[i];
+    require_not_negative(table, key, values->minCoeff());
+  }
+  scene.wrench_frame =
+      static_cast<WrenchFrame>(table.choice("wrench_frame", {"hand", "object"}, 0));
+  scene.gravity_m_s2 = table.vec3("gravity_m_s2", Vec3::Zero());
+  scene.anchor_m = table.vec3("anchor_m", Vec3::Zero());
+  scene.grasp_rule =
+      static_cast<GraspRule>(table.choice("grasp_rule", {"any", "opposition", "closure"}, 0));
+  read_limits(table, scene);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const double inertia = i < 3 ? scene.mass_kg : scene.inertia_kg_m2[axis - 3];
+    if (scene.free[i] && inertia == 0.0 && scene.damping[axis] == 0.0)
+      table.fail("damping",
+                 "is 0 on the free axis " + std::string(kDofNames[i]) + " that has no " +
+                     (i < 3 ? "mass" : "inertia"),
+                 "give it damping, or the object mass");
+  }
+}
+
+/// The attitude as a unit quaternion with the file's sign; exact on the axes that cannot turn.
+void read_attitude(TomlReader& table, Scene& scene) {
+  if (!table.has("quaternion_wxyz")) return;
+  const auto q = table.numbers("quaternion_wxyz", 4, 4);
+  if (q.size() != 4) return;
+  Eigen::Vector4d wxyz(q[0], q[1], q[2], q[3]);
+  const double norm = wxyz.stableNorm();
+  if (!(norm > 0.0) || !std::isfinite(norm)) {
+    table.fail("quaternion_wxyz", "has no direction", "write a unit quaternion w, x, y, z");
+    return;
+  }
+  wxyz /= norm;
+  int rotations = 0;
+  for (std::size_t i = 3; i < 6; ++i) rotations += scene.free[i] ? 1 : 0;
+  for (Eigen::Index axis = 0; axis < 3 && rotations < 2; ++axis) {
+    if (scene.free[static_cast<std::size_t>(axis) + 3]) continue;
+    if (std::abs(wxyz[axis + 1]) > kAttitudeRounding)
+      table.fail("quaternion_wxyz", "the free rotations cannot reach this attitude",
+                 "start from an attitude about the free axes, or free more rotations");
+    wxyz[axis + 1] = 0.0;
+  }
+  wxyz /= wxyz.norm();
+  scene.initial_pose.q_WO = Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+}
+
+void read_initial(TomlReader table, Scene& scene) {
+  scene.initial_pose.p_WO = table.vec3("position_m", scene.anchor_m);
+  read_attitude(table, scene);
+  scene.initial_v_WO_W = table.vec3("velocity_m_s", Vec3::Zero());
+  scene.initial_w_WO_W = table.vec3("angular_velocity_rad_s", Vec3::Zero());
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i % 3);
+    const double speed = i < 3 ? scene.initial_v_WO_W[axis] : scene.initial_w_WO_W[axis];
+    if (!scene.free[i] && speed != 0.0)
+      table.fail(i < 3 ? "velocity_m_s" : "angular_velocity_rad_s",
+                 std::string(kDofNames[i]) + " is locked but has an initial velocity",
+                 "set it to 0, or free " + std::string(kDofNames[i]));
+  }
+  for (const auto& limit : scene.limits) {
+    if (limit.dof > Dof::z) continue;
+    const double start = scene.initial_pose.p_WO[static_cast<Eigen::Index>(limit.dof)];
+    if (start < limit.least || start > limit.most)
+      table.fail("position_m",
+                 "starts outside the limit of " +
+                     std::string(kDofNames[static_cast<std::size_t>(limit.dof)]),
+                 "start inside the limit, or widen it");
+  }
+}
+
+void read_contact(TomlReader& table, Scene& scene) {
+  Contact contact;
+  contact.finger = static_cast<Finger>(table.choice("finger", {"thumb", "index", "middle"}));
+  if (scene.contact_of(contact.finger) != nullptr)
+    table.fail("finger", "has two contacts", "keep one contact per finger");
+  contact.p_OC = table.vec3("position_m");
+  const Vec3 normal = table.vec3("normal").stableNormalized();
+  const Vec3 given = table.vec3("tangent").stableNormalized();
+  constexpr double kParallel = 1e-6;  // below this the direction would be rounding
+  const Vec3 tangent = given - given.dot(normal) * normal;
+  if (normal.squaredNorm() == 0.0)
+    table.fail("normal", "is zero", "write the direction into the object");
+  else if (tangent.norm() < kParallel)
+    table.fail("tangent", "is zero or along the normal", "write a direction across the normal");
+  contact.R_OC.col(0) = tangent.stableNormalized();
+  contact.R_OC.col(1) = normal.cross(contact.R_OC.col(0));
+  contact.R_OC.col(2) = normal;
+  contact.model =
+      static_cast<ContactModel>(table.choice("model", {"frictionless", "point", "soft"}));
+  const bool needs_friction = contact.model != ContactModel::frictionless;
+  contact.friction = needs_friction ? table.number("friction") : table.number("friction", 0.0);
+  contact.torsion_m = table.number("torsion_m", 0.0);
+  contact.threshold_N = table.number("threshold_N", 0.0);
+  require_not_negative(table, "friction", contact.friction);
+  require_not_negative(table, "torsion_m", contact.torsion_m);
+  require_not_negative(table, "threshold_N", contact.threshold_N);
+  scene.contacts.push_back(contact);
+}
+
+}  // namespace
+
+const Contact* Scene::contact_of(Finger finger) const noexcept {
+  for (const auto& contact : contacts)
+    if (contact.finger == finger) return &contact;
+  return nullptr;
+}
+
+std::array<bool, kFingerCount> Scene::fingers_used() const noexcept {
+  std::array<bool, kFingerCount> used{};
+  for (const auto& contact : contacts) used[index_of(contact.finger)] = true;
+  return used;
+}
+
+Result<Scene> parse_scene(std::string_view text, const std::string& file) {
+  auto root = TomlReader::parse(text, file, "isograsp-scene-1");
+  if (!root) return root.error();
+  Scene scene;
+  scene.file = file;
+  scene.name = root->text("name", "");
+  read_object(root->table("object"), scene);
+  read_dynamics(root->table("dynamics"), scene);
+  read_initial(root->table("initial", false), scene);
+  for (auto& table : root->tables("contact")) read_contact(table, scene);
+  if (const auto done = root->finish(); !done) return done.error();
+  return scene;
+}
+
+Scene for_hand(Scene scene, Hand hand) {
+  if (hand == Hand::right) return scene;
+  const Vec3 turn(-1.0, 1.0, -1.0);  // by pi about y
+  for (auto& contact : scene.contacts) {
+    contact.p_OC = turn.asDiagonal() * contact.p_OC;
+    contact.R_OC = turn.asDiagonal() * contact.R_OC;
+  }
+  return scene;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The therapist application: both windows until the therapist closes them.
+#pragma once
+
+#include <string>
+
+#include "core/result.hpp"
+
+namespace isograsp {
+
+struct ApplicationConfig {
+  std::string database;    ///< made if absent
+  std::string device_uri;  ///< chosen at start; empty: the therapist chooses
+  std::string library;
+  std::string software_version;
+};
+
+/// Returns when the therapist window is closed. Errors: failed, if there is no display. Main
+/// thread.
+[[nodiscard]] Result<void> run_application(const ApplicationConfig& config);
+
+}  // namespace isograsp

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The devices a therapist can choose from: what is present now, in plain words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace isograsp {
+
+struct DeviceChoice {
+  std::string words;  ///< "Simulated patient, healthy"
+  std::string uri;    ///< empty: a recording is to be chosen in a file dialog
+};
+
+/// CAN interfaces of this computer, the simulated patients and "a recording". `preset` (may be
+/// empty) stands first. Reads `network_folder` (/sys/class/net) and nothing else.
+[[nodiscard]] std::vector<DeviceChoice> list_devices(
+    const std::string& preset, const std::string& network_folder = "/sys/class/net");
+
+/// replay://… of a file, with the characters escaped that a URI keeps for itself.
+[[nodiscard]] std::string recording_uri(const std::string& path);
+
+}  // namespace isograsp

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The logic of a session as a therapist lives it: which step comes next, what may be pressed now,
+// and the one sentence that says so. Pure: same facts, same view. No Qt, no clock, no thread.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "session/snapshot.hpp"
+
+namespace isograsp {
+
+/// The way from an empty chair to a result, in order.
+enum class Step : std::uint8_t { patient, hand, device, zero, rest, maximum, task };
+inline constexpr std::size_t kStepCount = 7;
+
+enum class StepState : std::uint8_t {
+  open,  ///< still to come
+  next,  ///< the sensible thing to do now
+  done
+};
+
+/// How a state light looks: each mood has its own shape and word, colour is only an addition.
+enum class Mood : std::uint8_t { off, busy, ready, attention, fault };
+[[nodiscard]] std::string word_for(Mood mood);
+
+enum class Connection : std::uint8_t { none, opening, open, closing };
+
+/// What kind of task is chosen or running; the order of TaskSpec::kind.
+enum class TaskKind : std::uint8_t { rest, maximum, force_tracking, pose_targets, observe };
+
+/// All that the flow depends on.
+struct FlowFacts {
+  bool database_open = false;
+  std::string database_error;  ///< why the database could not be opened
+  bool patient_chosen = false;
+  bool hand_chosen = false;
+  bool device_chosen = false;
+  Connection connection = Connection::none;
+  std::string connection_error;  ///< why the last attempt failed, or why the session ended
+  bool recorded = false;         ///< a replayed recording: nobody takes a hand out
+  bool frozen = false;           ///< no new frame for longer than kFrozenAfter_s
+  bool anything_arrived = false;
+  Stage stage = Stage::idle;
+  PauseCause pause_cause = PauseCause::none;
+  DeviceHealth health;
+  bool zeroed = false;
+  std::string zero_refusal;  ///< why the last zero was refused
+  bool rest_done = false;
+  int maximum_attempts = 0;
+  double maximum_force_N = 0.0;
+  bool task_done = false;  ///< a task after the maximum was completed
+  bool starting = false;   ///< a start was asked for, no frame of it has come
+  bool task_chosen = false;
+  TaskKind task_kind = TaskKind::rest;
+  std::string task_name;
+  bool task_needs_maximum = false;
+};
+
+/// Age of the newest frame from which nothing is believed to arrive any more [s]. Single silent
+/// sensors are noticed by the session after 50 ms; this catches whatever else may stand still.
+inline constexpr double kFrozenAfter_s = 0.5;
+/// The same for the first frame of a session: devices need a moment to start [s].
+inline constexpr double kFirstFrameWithin_s = 3.0;
+
+struct FlowView {
+  std::array<StepState, kStepCount> steps{};
+  std::string sentence;   ///< state and next step, in plain words
+  Mood mood = Mood::off;  ///< of the whole
+  Mood device_mood = Mood::off;
+  std::string device_words;  ///< beside the device's light
+  bool may_change_patient = false;
+  bool may_change_hand = false;
+  bool may_change_device = false;
+  bool may_connect = false;
+  bool may_disconnect = false;
+  bool may_zero = false;
+  bool may_choose_task = false;
+  bool may_start = false;
+  bool may_pause = false;
+  bool may_resume = false;
+  bool may_stop = false;
+  std::string start_hint;  ///< why Start is not possible, or what it starts
+  [[nodiscard]] std::optional<Step> next() const;
+  bool operator==(const FlowView&) const = default;
+};
+
+[[nodiscard]] FlowView decide(const FlowFacts& facts);
+
+}  // namespace isograsp

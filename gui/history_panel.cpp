@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/history_panel.hpp"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QStandardPaths>
+#include <QUrl>
+
+#include "gui/choice_box.hpp"
+#include "gui/look.hpp"
+#include "gui/words.hpp"
+#include "reports/measure_words.hpp"
+
+namespace isograsp {
+
+HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
+    : Card({}, parent), clinic_(clinic), presenter_(presenter) {
+  title_->setText(tr("&History"));
+  choice_ = new ChoiceBox;
+  choice_->setObjectName("history_measure");
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  describe(*choice_, tr("Task and measure"), tr("Which measure of the patient is shown (Alt+H)"));
+  title_->setBuddy(choice_);
+  report_ = new QPushButton(tr("Report as PD&F …"));
+  report_->setObjectName("report");
+  describe(*report_, tr("Report as PDF"),
+           tr("Write the patient's progress report (Ctrl+R, Alt+F)"));
+  auto* head = new QHBoxLayout;
+  head->setSpacing(10);
+  column_->removeWidget(title_);
+  head->addWidget(title_);
+  head->addWidget(choice_, 1);
+  head->addWidget(report_);
+  table_ = new QTableWidget(0, 3);
+  table_->setObjectName("history");
+  table_->setHorizontalHeaderLabels({tr("When"), tr("Trial"), tr("Value")});
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  for (int column = 0; column < 3; ++column)
+    table_->horizontalHeaderItem(column)->setTextAlignment(
+        (column == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->setShowGrid(false);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setTabKeyNavigation(false);
+  take_rest(*table_, 80);
+  describe(*table_, tr("Stored values"), tr("Every stored value of this measure (Alt+V)"));
+  trend_ = new TrendPlot;
+  take_rest(*trend_, 80);
+  describe(*trend_, tr("Trend"), tr("The same values in order; hollow dots are practice trials"));
+  auto* body = new QHBoxLayout;
+  body->setSpacing(12);
+  body->addWidget(table_, 4);
+  body->addWidget(trend_, 5);
+  writing_ = new QProgressBar;
+  writing_->setRange(0, 0);
+  writing_->hide();
+  describe(*writing_, tr("Writing the report"), tr("The report is being written"));
+  remark_ = new QLabel;
+  remark_->setObjectName("report_remark");
+  remark_->setProperty("role", "quiet");
+  remark_->setWordWrap(true);
+  remark_->setTextInteractionFlags(Qt::LinksAccessibleByMouse);
+  column_->addLayout(head);
+  column_->addLayout(body, 1);
+  column_->addWidget(writing_);
+  column_->addWidget(remark_);
+  nothing_ = new QLabel;
+  nothing_->setProperty("role", "quiet");
+  column_->addWidget(nothing_);
+
+  connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          &HistoryPanel::show_series);
+  connect(report_, &QPushButton::clicked, this, &HistoryPanel::ask_where);
+  connect(&clinic_, &Clinic::history_loaded, this, [this](const QString& code) {
+    if (code.toStdString() == presenter_.patient()) fill();
+  });
+  connect(&clinic_, &Clinic::report_written, this, [this](const QString& path) {
+    writing_->hide();
+    remark_->setText(tr("Report written: <a href=\"%1\">%2</a>")
+                         .arg(QUrl::fromLocalFile(path).toString(), path.toHtmlEscaped()));
+    refresh();
+  });
+  connect(&clinic_, &Clinic::report_failed, this, [this](const QString& why) {
+    writing_->hide();
+    remark_->setText(tr("No report was written: %1").arg(why.toHtmlEscaped()));
+    refresh();
+  });
+  connect(remark_, &QLabel::linkActivated, this,
+          [](const QString& link) { QDesktopServices::openUrl(QUrl(link)); });
+  connect(&presenter_, &SessionPresenter::changed, this, &HistoryPanel::refresh);
+  fill();
+}
+
+void HistoryPanel::fill() {
+  const auto shown = choice_->currentText();
+  series_ =
+      presenter_.patient().empty() ? std::vector<HistorySeries>{} : sort_history(clinic_.history());
+  {
+    const QSignalBlocker quiet(choice_);
+    choice_->clear();
+    for (const auto& one : series_) choice_->addItem(one.title);
+    // A new trial shows its own result; otherwise the therapist's choice stays.
+    const RowId newest = series_.empty() ? 0 : series_.front().points.back().trial_id;
+    const int again = newest == newest_trial_ ? choice_->findText(shown) : 0;
+    newest_trial_ = newest;
+    choice_->setCurrentIndex(series_.empty() ? -1 : std::max(0, again));
+  }
+  show_series(choice_->currentIndex());
+  refresh();
+}
+
+void HistoryPanel::show_series(int index) {
+  table_->setRowCount(0);
+  std::vector<TrendPoint> trend;
+  QString axis;
+  if (index >= 0) {
+    const auto& series = series_[static_cast<std::size_t>(index)];
+    axis = series.unit;
+    table_->setRowCount(static_cast<int>(series.points.size()));
+    // The table shows the newest first, the trend runs from old to new.
+    int row = table_->rowCount();
+    for (const auto& point : series.points) {
+      --row;
+      const auto& measure = point.measure;
+      const auto trial = point.practice ? tr("%1, practice").arg(point.trial_number)
+                                        : QString::number(point.trial_number);
+      const std::array<QString, 3> texts{local_time(point.started_utc), trial,
+                                         measure_value(measure)};
+      for (int column = 0; column < 3; ++column) {
+        auto* item = new QTableWidgetItem(texts[static_cast<std::size_t>(column)]);
+        item->setTextAlignment((column == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        item->setToolTip(measure_remark(measure));
+        table_->setItem(row, column, item);
+      }
+      if (measure.value)
+        trend.push_back({*measure.value * printed_unit(measure.unit).factor, point.practice});
+    }
+  }
+  trend_->show_trend(trend, axis);
+}
+
+void HistoryPanel::ask_where() {
+  const auto folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const auto name = QString::fromStdString(presenter_.patient()) + QStringLiteral(".pdf");
+  auto* dialog = new QFileDialog(this, tr("Write the report"), folder,
+                                 tr("Portable document (*.pdf);;Web page (*.html)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("pdf");
+  dialog->selectFile(QDir(folder).filePath(name));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    writing_->show();
+    remark_->clear();
+    report_->setEnabled(false);
+    clinic_.write_report(presenter_.patient(), path.toStdString());
+  });
+  dialog->open();
+}
+
+void HistoryPanel::refresh() {
+  report_->setEnabled(!series_.empty() && !writing_->isVisible());
+  choice_->setEnabled(!series_.empty());
+  if (!series_.empty()) {
+    nothing_->hide();
+  } else {
+    nothing_->setText(presenter_.patient().empty() ? tr("Choose a patient to see what is stored.")
+                                                   : tr("Nothing stored for this patient yet."));
+    nothing_->show();
+  }
+  remark_->setVisible(!remark_->text().isEmpty());
+}
+
+}  // namespace isograsp

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is stored about the patient: one measure at a time as table and trend, and the report.
+#pragma once
+
+#include <QComboBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include "gui/card.hpp"
+#include "gui/clinic.hpp"
+#include "gui/history.hpp"
+#include "gui/plot_view.hpp"
+#include "gui/session_presenter.hpp"
+
+namespace isograsp {
+
+class HistoryPanel final : public Card {
+  Q_OBJECT
+
+ public:
+  HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent = nullptr);
+
+ private:
+  void fill();
+  void show_series(int index);
+  void ask_where();
+  void refresh();
+
+  Clinic& clinic_;
+  SessionPresenter& presenter_;
+  std::vector<HistorySeries> series_;
+  RowId newest_trial_ = 0;
+  QComboBox* choice_;
+  QTableWidget* table_;
+  TrendPlot* trend_;
+  QPushButton* report_;
+  QProgressBar* writing_;
+  QLabel* remark_;   ///< what became of the report
+  QLabel* nothing_;  ///< why there is nothing to see
+};
+
+}  // namespace isograsp

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/live_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <algorithm>
+
+#include "gui/look.hpp"
+#include "gui/words.hpp"
+
+namespace isograsp {
+
+FingerBar::FingerBar(Finger finger, QWidget* parent) : QWidget(parent), finger_(finger) {
+  setMinimumSize(110, 46);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setToolTip(tr("%1: normal force, pressing is positive").arg(finger_title(finger)));
+  setAccessibleName(tr("%1, no force yet").arg(finger_title(finger)));
+}
+
+void FingerBar::show_force(double normal_N, double full_N, std::uint8_t flags, bool known) {
+  normal_N_ = normal_N;
+  full_N_ = full_N;
+  known_ = known;
+  remark_.clear();
+  if ((flags & bit(SampleFlag::missing)) != 0)
+    remark_ = tr("missing");
+  else if ((flags & bit(SampleFlag::overload)) != 0)
+    remark_ = tr("overload");
+  else if ((flags & bit(SampleFlag::saturated)) != 0)
+    remark_ = tr("at its limit");
+  else if ((flags & bit(SampleFlag::held)) != 0)
+    remark_ = tr("held");
+  update();
+}
+
+void FingerBar::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto& colour = look::kFingers[index_of(finger_)];
+  constexpr qreal kBar_px = 12.0;
+  const qreal bar_top = height() - kBar_px - 2.0;
+  painter.setPen(colour);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  const QRectF line(0, 0, width(), bar_top - 4.0);
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, finger_title(finger_));
+  painter.setPen(remark_.isEmpty() ? look::kText : look::kFault);
+  const auto value = known_ ? QStringLiteral("%1 N").arg(short_number(normal_N_)) : tr("–");
+  painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, remark_.isEmpty() ? value : remark_);
+
+  const QRectF trough(0, bar_top, width(), kBar_px);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0xE6, 0xEA, 0xEF));
+  painter.drawRoundedRect(trough, 4, 4);
+  // A tenth of the bar is for pulling.
+  const qreal zero = 0.1 * width();
+  if (known_) {
+    const qreal end = zero + std::clamp(normal_N_ / full_N_, -1.0 / 9.0, 1.0) * (width() - zero);
+    painter.setBrush(colour);
+    painter.drawRoundedRect(QRectF(std::min(zero, end), bar_top, std::abs(end - zero), kBar_px), 3,
+                            3);
+  }
+  painter.setBrush(look::kQuietText);
+  painter.drawRect(QRectF(zero - 0.5, bar_top - 2.0, 1.0, kBar_px + 4.0));
+}
+
+LivePanel::LivePanel(SessionPresenter& presenter, QWidget* parent)
+    : Card(tr("Live forces"), parent), presenter_(presenter) {
+  auto* head = new QHBoxLayout;
+  head->setSpacing(18);
+  for (const Finger finger : kFingers) {
+    fingers_[index_of(finger)] = new FingerBar(finger);
+    head->addWidget(fingers_[index_of(finger)], 1);
+  }
+  grip_ = new QLabel;
+  grip_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  grip_->setMinimumWidth(92);
+  grip_->setToolTip(tr("Grip: the smaller of the thumb and the two fingers together"));
+  head->addWidget(grip_);
+  plot_ = new LivePlot;
+  take_rest(*plot_, 150);
+  describe(*plot_, tr("Forces of the last 20 seconds"),
+           tr("Thumb T, index I, middle M, and the target dashed; the values stand above"));
+  health_ = new QLabel;
+  health_->setObjectName("health");
+  health_->setProperty("role", "quiet");
+  health_->setToolTip(
+      tr("Health of the stream: gaps are bridged for at most 50 ms, then the trial waits"));
+  column_->addLayout(head);
+  column_->addWidget(plot_, 1);
+  column_->addWidget(health_);
+  connect(&presenter_, &SessionPresenter::frame, this, &LivePanel::refresh);
+  refresh();
+}
+
+void LivePanel::refresh() {
+  // Thirty times a second is enough for the eye; polls come at sixty.
+  if (++polls_ % 2 == 0 || !isVisible()) return;
+  const auto& now = presenter_.snapshot();
+  const bool known = now.frames > 0;
+  const double full_N = presenter_.forces().range().most_N;
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    fingers_[f]->show_force(now.forces.wrench_C[f].force.z(), full_N, now.forces.flags[f], known);
+  grip_->setText(known ? tr("Grip  <b>%1 N</b>").arg(short_number(now.grip_N)) : tr("Grip  –"));
+  plot_->show_forces(presenter_.forces());
+  // Numbers that change thirty times a second cannot be read: twice is enough.
+  constexpr int kTextEvery = 30;
+  if (polls_ % kTextEvery != 1) return;
+  health_->setText(health_line(now, presenter_.worst_lateness_s()));
+  for (const Finger finger : kFingers) {
+    const auto f = index_of(finger);
+    fingers_[f]->setAccessibleName(
+        known ? tr("%1 %2 N").arg(finger_title(finger),
+                                  short_number(now.forces.wrench_C[f].force.z()))
+              : tr("%1, no force yet").arg(finger_title(finger)));
+  }
+}
+
+}  // namespace isograsp

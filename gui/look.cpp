@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/look.hpp"
+
+#include <QApplication>
+#include <QFont>
+#include <QPalette>
+#include <QStyle>
+#include <QStyleFactory>
+#include <QVariant>
+#include <QWidget>
+
+namespace isograsp {
+
+namespace {
+
+const char* const kStyleSheet = R"(
+QMainWindow, QWidget#page { background: #F3F5F8; }
+QFrame[card="true"] { background: #FFFFFF; border: 1px solid #D5DBE3; border-radius: 8px; }
+QFrame#header { background: #FFFFFF; border: none; border-bottom: 1px solid #D5DBE3; }
+QLabel { background: transparent; color: #1B2733; }
+QLabel[role="title"] { font-weight: bold; color: #1B2733; }
+QLabel[role="quiet"] { color: #52606D; }
+QLabel#wordmark { font-weight: bold; font-size: 15pt; color: #0B5CAD; }
+QLabel#sentence { font-size: 13pt; }
+QLabel#simulated { background: #1B2733; color: #FFFFFF; font-weight: bold; border-radius: 4px;
+  padding: 5px 10px; }
+QLabel[step="open"] { color: #52606D; padding: 5px 12px; border-radius: 13px;
+  border: 1px solid #D5DBE3; background: #FFFFFF; }
+QLabel[step="done"] { color: #1B7F4B; padding: 5px 12px; border-radius: 13px;
+  border: 1px solid #A9D3BC; background: #EDF7F1; }
+QLabel[step="next"] { color: #FFFFFF; padding: 5px 12px; border-radius: 13px; font-weight: bold;
+  border: 1px solid #0B5CAD; background: #0B5CAD; }
+QPushButton { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0; border-radius: 6px;
+  padding: 6px 12px; min-height: 18px; }
+QPushButton:hover { border-color: #0B5CAD; background: #F4F9FE; }
+QPushButton:pressed { background: #E1EEFA; }
+QPushButton:checked { background: #E1EEFA; border: 2px solid #0B5CAD; font-weight: bold; }
+QPushButton:focus { border: 2px solid #0B5CAD; }
+QPushButton:disabled { color: #7B8794; background: #F3F5F8; border-color: #DDE3EA; }
+QPushButton[next="true"]:enabled { background: #0B5CAD; color: #FFFFFF; border-color: #0B5CAD;
+  font-weight: bold; }
+QPushButton[next="true"]:enabled:hover { background: #094C90; }
+QPushButton[next="true"]:enabled:focus { border: 2px solid #062F59; }
+QPushButton#stop:enabled { color: #B3261E; border-color: #B3261E; font-weight: bold; }
+QPushButton#stop:enabled:hover { background: #FCEEED; }
+QLineEdit, QComboBox { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
+  border-radius: 6px; padding: 5px 8px; min-height: 18px; selection-background-color: #0B5CAD; }
+QLineEdit:focus, QComboBox:focus { border: 2px solid #0B5CAD; padding: 4px 7px; }
+QComboBox:disabled, QLineEdit:disabled { color: #7B8794; background: #F3F5F8;
+  border-color: #DDE3EA; }
+QComboBox::drop-down { border: none; width: 22px; }
+QComboBox QAbstractItemView { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
+  selection-background-color: #E1EEFA; selection-color: #1B2733; }
+QListWidget, QTableWidget { background: #FFFFFF; color: #1B2733; border: 1px solid #E3E8EE;
+  border-radius: 6px; outline: none; gridline-color: #EBEFF3; }
+QListWidget:focus, QTableWidget:focus { border: 1px solid #0B5CAD; }
+QListWidget[next="true"] { border: 2px solid #0B5CAD; }
+QListWidget::item { padding: 2px 8px; border-radius: 4px; }
+QListWidget::item:hover { background: #F4F9FE; }
+QListWidget::item:selected { background: #E1EEFA; color: #0A2E52; font-weight: bold; }
+QListWidget:disabled { color: #7B8794; }
+QListWidget::item:selected:disabled { background: #EBEFF3; color: #3E4C59; }
+QTableWidget::item { padding: 3px 6px; }
+QTableWidget::item:selected { background: #E1EEFA; color: #1B2733; }
+QHeaderView::section { background: #FFFFFF; color: #52606D; border: none;
+  border-bottom: 1px solid #D5DBE3; padding: 4px 6px; font-weight: normal; }
+QProgressBar { background: #E6EAEF; border: none; border-radius: 5px; max-height: 10px;
+  min-height: 10px; color: transparent; }
+QProgressBar::chunk { background: #0B5CAD; border-radius: 5px; }
+QCheckBox { color: #1B2733; spacing: 8px; padding: 2px; border: 1px solid transparent;
+  border-radius: 4px; }
+QCheckBox:focus { border-color: #0B5CAD; }
+QFrame[confirm="true"] { background: #FFF6E0; border: 1px solid #E0B252; border-radius: 6px; }
+QToolTip { background: #1B2733; color: #FFFFFF; border: none; padding: 5px; }
+QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
+QScrollBar::handle:vertical { background: #C3CCD6; border-radius: 4px; min-height: 24px; }
+QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
+)";
+
+}  // namespace
+
+QString finger_title(Finger finger) {
+  switch (finger) {
+    case Finger::thumb:
+      return QObject::tr("Thumb");
+    case Finger::index:
+      return QObject::tr("Index");
+    case Finger::middle:
+      return QObject::tr("Middle");
+  }
+  return {};
+}
+
+void dress(QApplication& application) {
+  application.setStyle(QStyleFactory::create("Fusion"));
+  QFont font("DejaVu Sans");
+  font.setPointSizeF(9.5);
+  application.setFont(font);
+  QPalette palette;
+  palette.setColor(QPalette::Window, look::kBackground);
+  palette.setColor(QPalette::WindowText, look::kText);
+  palette.setColor(QPalette::Base, look::kCard);
+  palette.setColor(QPalette::Text, look::kText);
+  palette.setColor(QPalette::Button, look::kCard);
+  palette.setColor(QPalette::ButtonText, look::kText);
+  palette.setColor(QPalette::Highlight, look::kAccent);
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::PlaceholderText, look::kQuietText);
+  application.setPalette(palette);
+  application.setStyleSheet(kStyleSheet);
+}
+
+void mark_next(QWidget& widget, bool next) {
+  if (widget.property("next").toBool() == next) return;
+  widget.setProperty("next", next);
+  widget.style()->unpolish(&widget);
+  widget.style()->polish(&widget);
+}
+
+void take_rest(QWidget& widget, int least_px) {
+  widget.setMinimumHeight(least_px);
+  widget.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+}
+
+void describe(QWidget& widget, const QString& name, const QString& tooltip) {
+  widget.setAccessibleName(name);
+  widget.setToolTip(tooltip);
+  widget.setAccessibleDescription(tooltip);
+}
+
+}  // namespace isograsp

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/session_presenter.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/csv.hpp"
+namespace isograsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kPoll_ms = 16;
+constexpr double kScoreEvery_s = 1.0;
+
+TaskKind kind_of(const TaskSpec& spec) {
+  return static_cast<TaskKind>(spec.kind.index());
+}
+
+}  // namespace
+
+SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic, QObject* parent)
+    : QObject(parent), config_(config), clinic_(clinic), device_uri_(config.device_uri) {
+  load_tasks();
+  connect(&clinic_, &Clinic::opened, this, &SessionPresenter::update);
+  connect(&clinic_, &Clinic::open_failed, this, [this](const QString& why) {
+    database_error_ = why.toStdString();
+    update();
+  });
+  connect(&timer_, &QTimer::timeout, this, &SessionPresenter::poll);
+  timer_.setTimerType(Qt::PreciseTimer);
+  timer_.start(kPoll_ms);
+  update();
+}
+
+SessionPresenter::~SessionPresenter() = default;
+
+void SessionPresenter::load_tasks() {
+  std::vector<std::string> files;
+  std::error_code unreadable;
+  for (const auto& entry : fs::directory_iterator(fs::path(config_.library) / "tasks", unreadable))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  if (files.empty()) library_problems_.push_back("No tasks in " + config_.library + "/tasks.");
+  for (const auto& file : files) {
+    const auto text = read_text(file);
+    auto spec = text ? parse_task(*text, file) : Result<TaskSpec>(text.error());
+    if (spec)
+      tasks_.push_back(*std::move(spec));
+    else
+      library_problems_.push_back(spec.error().message());
+  }
+  // The order of a session: rest, maximum, then tasks.
+  std::stable_sort(tasks_.begin(), tasks_.end(), [](const TaskSpec& a, const TaskSpec& b) {
+    return a.kind.index() < b.kind.index();
+  });
+  select_first(TaskKind::rest);
+}
+
+void SessionPresenter::select_first(TaskKind kind) {
+  const auto found = std::find_if(tasks_.begin(), tasks_.end(),
+                                  [&](const TaskSpec& spec) { return kind_of(spec) == kind; });
+  if (found != tasks_.end()) task_ = static_cast<int>(found - tasks_.begin());
+}
+
+FlowFacts SessionPresenter::facts() const {
+  FlowFacts facts;
+  facts.database_open = clinic_.is_open();
+  facts.database_error = database_error_;
+  facts.patient_chosen = !patient_.empty();
+  facts.hand_chosen = hand_.has_value();
+  facts.device_chosen = !device_uri_.empty();
+  facts.connection = connection_;
+  facts.connection_error = connection_error_;
+  facts.recorded = recorded();
+  if (session_ != nullptr) {
+    facts.anything_arrived = snapshot_.frames > 0;
+    const Timestamp now = clock_.now();
+    facts.frozen = snapshot_.stage != Stage::finished &&
+                   (facts.anything_arrived ? to_seconds(now - snapshot_.published) > kFrozenAfter_s
+                                           : to_seconds(now - opened_) > kFirstFrameWithin_s);
+    facts.stage = snapshot_.stage;
+    facts.pause_cause = snapshot_.pause_cause;
+    facts.health = snapshot_.health;
+    facts.zeroed = snapshot_.zeroed;
+    facts.maximum_force_N = session_->maximum_force_N();
+  }
+  facts.zero_refusal = zero_refusal_;
+  facts.rest_done = rest_done_;
+  facts.maximum_attempts = maximum_attempts_;
+  facts.task_done = task_done_;
+  // From the press of Start until the trial's outcome is stored, with the trial itself in between.
+  facts.starting = starting_ || (running_ != nullptr && facts.stage == Stage::idle);
+  facts.task_chosen = task_ >= 0;
+  if (task_ >= 0) {
+    const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
+    facts.task_kind = kind_of(spec);
+    facts.task_name = running_ != nullptr ? running_->name : spec.name;
+    facts.task_needs_maximum = spec.needs_maximum();
+  }
+  return facts;
+}
+
+void SessionPresenter::update() {
+  view_ = decide(facts());
+  Q_EMIT changed();
+}
+
+void SessionPresenter::refuse(const Error& error) {
+  Q_EMIT failed(QString::fromStdString(error.message()));
+}
+
+void SessionPresenter::choose_patient(const std::string& code) {
+  if (connection_ != Connection::none || code == patient_) return;
+  patient_ = code;
+  hand_.reset();  // asked for every session anew
+  connection_error_.clear();
+  last_trial_.reset();
+  live_score_.clear();
+  clinic_.load_history(code);
+  update();
+}
+
+void SessionPresenter::choose_hand(Hand hand) {
+  if (!view_.may_change_hand) return;
+  hand_ = hand;
+  update();
+}
+
+void SessionPresenter::choose_device(const std::string& uri) {
+  if (!view_.may_change_device) return;
+  device_uri_ = uri;
+  connection_error_.clear();
+  update();
+}
+
+void SessionPresenter::choose_task(int index) {
+  if (!view_.may_choose_task || index == task_) return;
+  task_ = index;
+  update();
+}
+
+void SessionPresenter::set_practice(bool practice) {
+  practice_ = practice;
+}
+
+void SessionPresenter::connect_device() {
+  if (!view_.may_connect) return;
+  SessionConfig config;
+  config.database = config_.database;
+  config.patient_code = patient_;
+  config.hand = *hand_;
+  config.device_uri = device_uri_;
+  config.library = config_.library;
+  config.software_version = config_.software_version;
+  connection_ = Connection::opening;
+  connection_error_.clear();
+  using Opened = Result<std::unique_ptr<Session>>;
+  worker_.run([config] { return Session::open(config); },
+              [this](Opened opened) {
+                if (opened) {
+                  begin_session(*std::move(opened));
+                } else {
+                  connection_ = Connection::none;
+                  connection_error_ = opened.error().message();
+                }
+                update();
+                Q_EMIT settled();
+              });
+  update();
+}
+
+void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
+  session_ = std::move(session);
+  opened_ = clock_.now();
+  connection_ = Connection::open;
+  snapshot_ = {};
+  forces_.clear();
+  worst_lateness_s_ = 0.0;
+  zero_refusal_.clear();
+  rest_done_ = task_done_ = starting_ = just_completed_ = false;
+  maximum_attempts_ = 0;
+  running_.reset();
+  last_trial_.reset();
+  live_score_.clear();
+  select_first(recorded() ? TaskKind::observe : TaskKind::rest);
+}
+
+void SessionPresenter::disconnect_device() {
+  if (view_.may_disconnect) close_session("");
+}
+
+void SessionPresenter::end_session() {
+  if (session_ != nullptr) close_session("");
+}
+
+void SessionPresenter::close_session(const std::string& why) {
+  connection_ = Connection::closing;
+  auto leaving = std::make_shared<std::unique_ptr<Session>>(std::move(session_));
+  snapshot_ = {};
+  running_.reset();
+  starting_ = false;
+  worker_.run(
+      [leaving] {
+        (*leaving)->close();
+        leaving->reset();
+        return true;
+      },
+      [this, why](bool) {
+        connection_ = Connection::none;
+        connection_error_ = why;
+        hand_.reset();  // asked for every session anew
+        clinic_.load_history(patient_);
+        update();
+        Q_EMIT settled();
+      });
+  update();
+}
+
+void SessionPresenter::set_zero() {
+  if (!view_.may_zero) return;
+  zero_refusal_.clear();
+  if (auto started = session_->start_zero(); !started) refuse(started.error());
+  update();
+}
+
+void SessionPresenter::start() {
+  if (!view_.may_start) return;
+  const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
+  if (auto started = session_->start_trial(spec, practice_); !started) {
+    refuse(started.error());
+    return;
+  }
+  starting_ = true;
+  just_completed_ = false;
+  live_score_.clear();
+  prepare_picture(spec);
+  Q_EMIT score_changed();
+  update();
+}
+
+void SessionPresenter::prepare_picture(const TaskSpec& spec) {
+  running_ = std::make_shared<TaskSpec>(spec);
+  TaskContext context;
+  context.period_s = session_->device().frame_period_s;
+  context.maximum_force_N = session_->maximum_force_N();
+  context.resting_force_N = session_->resting_force_N();
+  preview_ = std::make_shared<TargetPreview>(preview_target(spec, context));
+  scene_.reset();
+  if (spec.scene().empty()) return;
+  // The session has just read the same file: a failure here would have been refused there.
+  const auto path = find_in_library(config_.library, "scenes", spec.scene(), spec.file);
+  if (!path) return refuse(path.error());
+  const auto text = read_text(*path);
+  if (!text) return refuse(text.error());
+  auto scene = parse_scene(*text, *path);
+  if (!scene) return refuse(scene.error());
+  scene_ = std::make_shared<Scene>(for_hand(*std::move(scene), session_->record().hand));
+}
+
+void SessionPresenter::pause() {
+  if (view_.may_pause) session_->pause();
+}
+
+void SessionPresenter::resume() {
+  if (view_.may_resume) session_->resume();
+}
+
+void SessionPresenter::stop() {
+  if (view_.may_stop) session_->abort();
+}
+
+void SessionPresenter::start_pause_resume() {
+  if (view_.may_start) return start();
+  if (view_.may_pause) return pause();
+  resume();
+}
+
+void SessionPresenter::note(const std::string& text) {
+  if (session_ != nullptr && !text.empty()) session_->note(text);
+}
+
+void SessionPresenter::poll() {
+  if (session_ != nullptr) {
+    snapshot_ = session_->snapshot();
+    forces_.add(snapshot_);
+    worst_lateness_s_ = std::max(worst_lateness_s_, snapshot_.lateness_s);
+    const bool running = snapshot_.stage == Stage::trial || snapshot_.stage == Stage::paused;
+    if (running) starting_ = false;
+    for (const auto& news : session_->take_news()) {
+      take(news);
+      if (session_ == nullptr) break;
+    }
+    if (running && session_ != nullptr && to_seconds(clock_.now() - scored_) > kScoreEvery_s) {
+      scored_ = clock_.now();
+      live_score_ = session_->live_score();
+      Q_EMIT score_changed();
+    }
+  }
+  const FlowView before = view_;
+  view_ = decide(facts());
+  if (!(before == view_)) Q_EMIT changed();
+  Q_EMIT frame();
+}
+
+void SessionPresenter::take(const SessionNews& news) {
+  if (news.zero) {
+    zero_refusal_ = news.zero->accepted ? "" : news.zero->reason;
+    if (news.zero->accepted && !rest_done_) select_first(TaskKind::rest);
+    Q_EMIT changed();
+  }
+  if (news.trial) take_trial(*news.trial);
+  if (news.failure) close_session(*news.failure);
+}
+
+void SessionPresenter::take_trial(const TrialOutcome& outcome) {
+  starting_ = false;
+  last_trial_ = outcome;
+  live_score_ = outcome.measures;
+  just_completed_ = outcome.trial.status == TrialStatus::completed;
+  if (just_completed_ && running_ != nullptr) {
+    switch (kind_of(*running_)) {
+      case TaskKind::rest:
+        if (!rest_done_) select_first(TaskKind::maximum);
+        rest_done_ = true;
+        break;
+      case TaskKind::maximum:
+        ++maximum_attempts_;
+        if (!task_done_ && session_->maximum_force_N() > 0.0)
+          select_first(TaskKind::force_tracking);
+        break;
+      default:
+        task_done_ = true;
+    }
+  }
+  running_.reset();
+  clinic_.load_history(patient_);
+  Q_EMIT score_changed();
+  Q_EMIT changed();
+  Q_EMIT trial_ended();
+}
+
+bool SessionPresenter::simulated() const noexcept {
+  if (session_ != nullptr) return session_->device().simulated;
+  return device_uri_.rfind("sim://", 0) == 0;
+}
+
+bool SessionPresenter::recorded() const noexcept {
+  return session_ != nullptr && session_->device().recorded;
+}
+
+std::string SessionPresenter::device_description() const {
+  return session_ == nullptr ? "" : session_->device().description;
+}
+
+PatientPicture SessionPresenter::picture() const {
+  PatientFacts facts;
+  facts.session_open = session_ != nullptr;
+  facts.simulated = simulated();
+  facts.device_fault = session_ != nullptr && snapshot_.frames > 0 &&
+                       snapshot_.stage != Stage::finished && view_.device_mood == Mood::fault;
+  facts.snapshot = snapshot_;
+  facts.task = running_;
+  facts.scene = scene_;
+  facts.preview = preview_;
+  facts.maximum_force_N = session_ == nullptr ? 0.0 : session_->maximum_force_N();
+  facts.just_completed = just_completed_;
+  return picture_for(facts);
+}
+
+}  // namespace isograsp

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything behind both windows except their pixels: the choices made, the open session, the
+// running trial, the newest snapshot. Knows no widget; all slow work runs on a worker. GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gui/background.hpp"
+#include "gui/clinic.hpp"
+#include "gui/flow.hpp"
+#include "gui/force_history.hpp"
+#include "gui/patient_picture.hpp"
+#include "session/session.hpp"
+
+namespace isograsp {
+
+struct GuiConfig {
+  std::string database;
+  std::string device_uri;  ///< chosen at start; empty: the therapist chooses
+  std::string library;     ///< folder with tasks/ and scenes/
+  std::string software_version;
+};
+
+class SessionPresenter final : public QObject {
+  Q_OBJECT
+
+ public:
+  SessionPresenter(const GuiConfig& config, Clinic& clinic, QObject* parent = nullptr);
+  ~SessionPresenter() override;
+
+  // Choices. Ignored while the flow does not allow them.
+  void choose_patient(const std::string& code);
+  void choose_hand(Hand hand);
+  void choose_device(const std::string& uri);
+  void choose_task(int index);
+  void set_practice(bool practice);
+
+  // Acts. Each is ignored while the flow does not allow it.
+  void connect_device();
+  void disconnect_device();
+  void end_session();  ///< at once, whatever is running: the program is about to end
+  void set_zero();     ///< the operator has confirmed that the device is empty
+  void start();
+  void pause();
+  void resume();
+  void stop();
+  void start_pause_resume();  ///< the one big key
+  void note(const std::string& text);
+
+  [[nodiscard]] const FlowView& view() const noexcept { return view_; }
+  [[nodiscard]] const Snapshot& snapshot() const noexcept { return snapshot_; }
+  [[nodiscard]] const ForceHistory& forces() const noexcept { return forces_; }
+  [[nodiscard]] const std::string& patient() const noexcept { return patient_; }
+  [[nodiscard]] std::optional<Hand> hand() const noexcept { return hand_; }
+  [[nodiscard]] const std::string& device_uri() const noexcept { return device_uri_; }
+  [[nodiscard]] std::string device_description() const;
+  [[nodiscard]] const std::vector<TaskSpec>& tasks() const noexcept { return tasks_; }
+  /// Task files that could not be read, in words.
+  [[nodiscard]] const std::vector<std::string>& library_problems() const noexcept {
+    return library_problems_;
+  }
+  [[nodiscard]] int task() const noexcept { return task_; }
+  [[nodiscard]] bool practice() const noexcept { return practice_; }
+  [[nodiscard]] bool simulated() const noexcept;
+  [[nodiscard]] bool recorded() const noexcept;
+  [[nodiscard]] bool session_open() const noexcept { return session_ != nullptr; }
+  /// A session is open, or being opened or closed.
+  [[nodiscard]] bool busy() const noexcept { return connection_ != Connection::none; }
+  [[nodiscard]] const std::vector<Measure>& live_score() const noexcept { return live_score_; }
+  /// The last trial of this session; nothing: none yet.
+  [[nodiscard]] const std::optional<TrialOutcome>& last_trial() const noexcept {
+    return last_trial_;
+  }
+  [[nodiscard]] double worst_lateness_s() const noexcept { return worst_lateness_s_; }
+  /// What the patient's screen shows now.
+  [[nodiscard]] PatientPicture picture() const;
+
+  /// Takes the newest snapshot and news; called by the timer, 60 times a second.
+  void poll();
+
+ Q_SIGNALS:
+  void changed();        ///< view() or a choice
+  void frame();          ///< a poll is over: snapshot() is as new as it gets
+  void score_changed();  ///< live_score()
+  void trial_ended();    ///< last_trial()
+  void settled();        ///< busy() has ended in one way or the other: connected, refused, closed
+  void failed(const QString& why);  ///< an act was refused
+
+ private:
+  [[nodiscard]] FlowFacts facts() const;
+  void update();
+  void load_tasks();
+  void select_first(TaskKind kind);
+  void take(const SessionNews& news);
+  void take_trial(const TrialOutcome& outcome);
+  void begin_session(std::unique_ptr<Session> session);
+  void close_session(const std::string& why);
+  void prepare_picture(const TaskSpec& spec);
+  void refuse(const Error& error);
+
+  GuiConfig config_;
+  Clinic& clinic_;
+  QTimer timer_;
+  SteadyClock clock_;
+  std::string database_error_;
+  std::string patient_;
+  std::optional<Hand> hand_;
+  std::string device_uri_;
+  std::vector<TaskSpec> tasks_;
+  std::vector<std::string> library_problems_;
+  int task_ = -1;
+  bool practice_ = false;
+
+  Connection connection_ = Connection::none;
+  std::string connection_error_;
+  std::unique_ptr<Session> session_;
+  Timestamp opened_{0};
+  Snapshot snapshot_;
+  ForceHistory forces_;
+  double worst_lateness_s_ = 0.0;
+  std::string zero_refusal_;
+  bool rest_done_ = false;
+  int maximum_attempts_ = 0;
+  bool task_done_ = false;
+  bool starting_ = false;
+  bool just_completed_ = false;
+  std::shared_ptr<const TaskSpec> running_;
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const TargetPreview> preview_;
+  std::vector<Measure> live_score_;
+  Timestamp scored_{0};
+  std::optional<TrialOutcome> last_trial_;
+  FlowView view_;
+  Background worker_;  ///< last: its jobs end before anything else goes away
+};
+
+}  // namespace isograsp

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Was this session's measurement valid? Plain words from what was recorded with it. SI units.
+#pragma once
+
+#include <vector>
+
+#include "core/result.hpp"
+#include "reports/report_content.hpp"
+#include "storage/session_store.hpp"
+
+namespace isograsp {
+
+/// The data-quality box of one session. A trial whose signals cannot be read is named in it.
+[[nodiscard]] Result<std::vector<QualityLine>> assess_quality(
+    SessionStore& store, const SessionRecord& session, const std::vector<TrialRecord>& trials);
+
+}  // namespace isograsp

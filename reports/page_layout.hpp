@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Text and blocks on pages. All sizes in points (1/72 inch); `unit` is device pixels per point.
+#pragma once
+
+#include <QColor>
+#include <QRectF>
+#include <QString>
+#include <functional>
+#include <vector>
+
+class QPainter;
+class QCPPainter;
+
+namespace isograsp {
+
+struct TextStyle {
+  double size = 8.0;
+  bool bold = false;
+  QColor color = QColor(0x22, 0x26, 0x2b);
+  Qt::Alignment align = Qt::AlignLeft;
+  double line_height_percent = 125.0;
+};
+
+class TextPainter {
+ public:
+  explicit TextPainter(double unit) : unit_(unit) {}
+  /// Height of the wrapped text [points].
+  [[nodiscard]] double height(const QString& text, double width, const TextStyle& style) const;
+  /// Draws at (x, y); returns the height.
+  double draw(QPainter& painter, double x, double y, double width, const QString& text,
+              const TextStyle& style) const;
+
+ private:
+  double unit_;
+};
+
+/// Something that is not broken across pages.
+struct Block {
+  double gap_above = 0.0;  ///< left out at the top of a page
+  double height = 0.0;
+  bool keep_with_next = false;
+  std::function<void(QCPPainter&, double y)> draw;
+};
+
+/// Distributes blocks over pages of `page_height`, the first of which offers `first_height`.
+/// Returns the pages as ranges [first, last) of blocks.
+struct PageRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+[[nodiscard]] std::vector<PageRange> break_into_pages(const std::vector<Block>& blocks,
+                                                      double first_height, double page_height);
+
+}  // namespace isograsp

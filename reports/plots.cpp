@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/plots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <qcustomplot.h>
+
+#include "reports/measure_words.hpp"
+#include "reports/report_text.hpp"
+#include "tasks/task.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+// Distances from the edges of a plot to its axes [points]; equal everywhere, so that axes align.
+constexpr double kLeft = 34.0;
+constexpr double kRight = 6.0;
+constexpr double kBelow = 27.0;
+constexpr double kAboveWithKey = 14.0;
+constexpr int kMostDatedTicks = 4;
+constexpr double kDateLine = 8.0;  // a second line of tick labels [points]
+
+using Values = QVector<double>;
+
+Values scaled(std::span<const double> column, double factor) {
+  Values values;
+  values.reserve(static_cast<int>(column.size()));
+  for (const double value : column) values.push_back(value * factor);
+  return values;
+}
+
+/// Smallest range around all numbers, with some air; from zero where the values allow it.
+QCPRange range_of(std::initializer_list<const Values*> lists) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Values* list : lists)
+    for (const double value : *list)
+      if (std::isfinite(value)) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  if (!(low <= high)) return {0.0, 1.0};
+  const bool from_zero = low >= 0.0 && low < 0.6 * high;
+  if (from_zero) low = 0.0;
+  // A range far smaller than the values would blow up differences that mean nothing.
+  constexpr double kLeastSpan = 0.2;
+  const double size = std::max(std::abs(low), std::abs(high));
+  const double least = size > 0.0 ? kLeastSpan * size : 1.0;
+  const double more = std::max(0.0, least - (high - low)) / 2.0;
+  constexpr double kAir = 0.12;
+  const double air = kAir * std::max(high - low, least) + more;
+  return {from_zero ? 0.0 : low - air, high + air};
+}
+
+QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QPen& pen) {
+  QCPGraph* graph =
+      rect.parentPlot()->addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+  graph->setData(x, y, true);
+  graph->setPen(pen);
+  return *graph;
+}
+
+QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern) {
+  QPen pen(color, width);
+  pen.setDashPattern(pattern);
+  pen.setCapStyle(Qt::FlatCap);
+  return pen;
+}
+
+void add_band(QCPAxisRect& rect, const Values& x, const Values& low, const Values& high) {
+  QCPGraph& lower = add_line(rect, x, low, QPen(Qt::NoPen));
+  QCPGraph& upper = add_line(rect, x, high, QPen(Qt::NoPen));
+  upper.setBrush(Palette::tolerance());
+  upper.setChannelFillGraph(&lower);
+}
+
+/// Marks the stretches of `phase` as not scored.
+void shade_phase(PlotView& view, QCPAxisRect& rect, const Signals& curves, Phase phase,
+                 const QString& word) {
+  const auto phases = curves.column("phase");
+  const auto t_s = curves.column("t_s");
+  bool told = false;
+  for (std::size_t row = 0; row < phases.size();) {
+    std::size_t end = row;
+    while (end < phases.size() && phases[end] == static_cast<double>(phase)) ++end;
+    if (end == row) {
+      ++row;
+      continue;
+    }
+    auto* box = new QCPItemRect(rect.parentPlot());  // the plot owns it
+    for (auto* position : {box->topLeft, box->bottomRight})
+      position->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+    box->setClipAxisRect(&rect);
+    const QCPRange range = rect.axis(QCPAxis::atLeft)->range();
+    box->topLeft->setCoords(t_s[row] - t_s.front(), range.upper);
+    box->bottomRight->setCoords(t_s[std::min(end, t_s.size() - 1)] - t_s.front(), range.lower);
+    box->setPen(Qt::NoPen);
+    box->setBrush(Palette::band());
+    box->setLayer("background");
+    told = true;
+    row = end;
+  }
+  if (told) view.explain(PlotView::Mark::band, Palette::band(), word);
+}
+
+struct Channel {
+  const char* name;   ///< target_<name>, actual_<name>
+  const char* title;  ///< of the axis, with unit
+  double factor;
+};
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr Channel kForce{"force_N", "grip force [N]", 1.0};
+constexpr Channel kPose[] = {
+    {"x_m", "x [mm]", 1000.0}, {"y_m", "y [mm]", 1000.0}, {"angle_rad", "angle [°]", kDegrees}};
+
+/// Half width of the tolerance band at this target value; 0: none.
+double tolerance(const TaskSection& section, const Channel& channel, double target) {
+  if (!section.spec) return 0.0;
+  constexpr double kBand = 0.05;  // of the target: measure time_in_range
+  if (std::holds_alternative<ForceTrackingSpec>(section.spec->kind)) return kBand * target;
+  const auto* poses = std::get_if<PoseTargetsSpec>(&section.spec->kind);
+  if (poses == nullptr) return 0.0;
+  return channel.factor * (std::string_view(channel.name) == "angle_rad"
+                               ? poses->angle_tolerance_rad
+                               : poses->position_tolerance_m);
+}
+
+bool any_number(std::span<const double> column) {
+  return std::any_of(column.begin(), column.end(), [](double v) { return std::isfinite(v); });
+}
+
+Values elapsed(const Signals& curves) {
+  const auto t_s = curves.column("t_s");
+  Values elapsed_s;
+  elapsed_s.reserve(static_cast<int>(t_s.size()));
+  for (const double t : t_s) elapsed_s.push_back(t - t_s.front());
+  return elapsed_s;
+}
+
+/// Target with its tolerance, and what the patient did, in one pair of axes.
+void draw_channel(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
+                  const Channel& channel, bool first) {
+  const Signals& curves = section.last->curves;
+  const std::string name = channel.name;
+  const Values x = elapsed(curves);
+  const Values target = scaled(curves.column("target_" + name), channel.factor);
+  const Values actual = scaled(curves.column("actual_" + name), channel.factor);
+  const bool has_target = any_number(curves.column("target_" + name));
+  rect.axis(QCPAxis::atBottom)->setRange(0.0, x.back());
+  rect.axis(QCPAxis::atLeft)->setLabel(channel.title);
+
+  Values low;
+  Values high;
+  double widest = 0.0;
+  for (const double value : target) {
+    const double half = tolerance(section, channel, value);
+    if (std::isfinite(half)) widest = std::max(widest, half);
+    low.push_back(value - half);
+    high.push_back(value + half);
+  }
+  rect.axis(QCPAxis::atLeft)->setRange(range_of({&low, &high, &actual}));
+  const QColor color = Palette::of(section.hand);
+  if (has_target && widest > 0.0) add_band(rect, x, low, high);
+  if (has_target) add_line(rect, x, target, dashed(Palette::target(), view.px(0.9), {4.0, 2.5}));
+  add_line(rect, x, actual, QPen(color, view.px(1.1)));
+  if (!first) return;
+  if (!has_target) return;
+  view.explain(PlotView::Mark::dashed, Palette::target(), "target");
+  if (widest > 0.0) view.explain(PlotView::Mark::band, Palette::tolerance(), "tolerance");
+  view.explain(PlotView::Mark::line, color, "patient");
+}
+
+const Measure* find_measure(const LastTrial& last, std::string_view name) {
+  const auto found = std::find_if(last.measures.begin(), last.measures.end(),
+                                  [&](const Measure& m) { return m.name == name && m.value; });
+  return found == last.measures.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
+                    const ReportContent& content, QSizeF size, double unit) {
+  PlotView view(size, unit);
+  const int count = static_cast<int>(content.sessions.size());
+  const bool dated = count <= kMostDatedTicks;
+  QCPAxisRect& rect = view.add_axes({kLeft, 4.0, size.width() - kLeft - kRight,
+                                     size.height() - 4.0 - kBelow - (dated ? kDateLine : 0.0)});
+  const auto printed = printed_unit(series.unit);
+  Values x, mean, x_trials, trials, x_first, first, x_later, later, x_without;
+  for (const auto& value : series.values) {
+    const double session = content.sessions[value.session].number;
+    x.push_back(session);
+    mean.push_back(value.mean ? *value.mean * printed.factor : kNaN);
+    if (value.trials.size() > 1 || !value.mean)
+      for (const double trial : value.trials) {
+        x_trials.push_back(session);
+        trials.push_back(trial * printed.factor);
+      }
+    if (value.mean) {
+      (value.first_day ? x_first : x_later).push_back(session);
+      (value.first_day ? first : later).push_back(mean.back());
+    }
+    if (value.without_value > 0) x_without.push_back(session);
+  }
+  QCPRange range = range_of({&mean, &trials});
+  // "of 5": the scale is known.
+  if (series.unit.starts_with("of "))
+    range = {0.0, 1.08 * std::strtod(series.unit.c_str() + 3, nullptr)};
+  rect.axis(QCPAxis::atLeft)->setRange(range);
+  rect.axis(QCPAxis::atLeft)
+      ->setLabel(QString::fromStdString(printed.text.empty() ? "ratio" : printed.text));
+
+  constexpr int kLeastSpan = 3;  // sessions: two points side by side look like a jump otherwise
+  rect.axis(QCPAxis::atBottom)->setRange(0.5, std::max(count, kLeastSpan) + 0.5);
+  rect.axis(QCPAxis::atBottom)->setLabel("session");
+  auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  constexpr int kMostTicks = 12;
+  const int step = 1 + (count - 1) / kMostTicks;
+  for (int i = 0; i < count; i += step) {
+    const auto& session = content.sessions[static_cast<std::size_t>(i)];
+    QString label = QString::number(session.number);
+    if (dated) {
+      const auto date = QString::fromStdString(format_date(session.date));
+      label += "\n" + date.left(date.size() - 5);  // without the year
+    }
+    ticker->addTick(session.number, label);
+  }
+  rect.axis(QCPAxis::atBottom)->setTicker(ticker);
+
+  const QColor color = Palette::of(section.hand);
+  const auto shape =
+      section.hand == Hand::right ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare;
+  if (series.baseline) {
+    const double base = *series.baseline * printed.factor;
+    add_line(rect, {0.5, std::max(count, kLeastSpan) + 0.5}, {base, base},
+             dashed(Palette::quiet(), view.px(0.7), {1.5, 2.5}));
+  }
+  add_line(rect, x, mean, QPen(color, view.px(1.0)));
+  const auto add_marks = [&](const Values& keys, const Values& values,
+                             const QCPScatterStyle& style) {
+    QCPGraph& marks = add_line(rect, keys, values, QPen(Qt::NoPen));
+    marks.setLineStyle(QCPGraph::lsNone);
+    marks.setScatterStyle(style);
+  };
+  add_marks(x_trials, trials,
+            {QCPScatterStyle::ssDisc, QPen(Palette::pale(section.hand), view.px(0.5)),
+             Palette::pale(section.hand), view.px(2.6)});
+  add_marks(x_first, first, {shape, QPen(color, view.px(1.1)), Qt::white, view.px(5.0)});
+  add_marks(x_later, later, {shape, QPen(color, view.px(1.1)), color, view.px(5.0)});
+  const double floor = range.lower + 0.06 * range.size();
+  add_marks(
+      x_without, Values(x_without.size(), floor),
+      {QCPScatterStyle::ssCross, QPen(Palette::ink(), view.px(0.9)), Qt::NoBrush, view.px(4.5)});
+  return view;
+}
+
+PlotView overlay_plot(const TaskSection& section, QSizeF size, double unit) {
+  PlotView view(size, unit);
+  const Signals& curves = section.last->curves;
+  const double width = size.width() - kLeft - kRight;
+  const double height = size.height() - kAboveWithKey - kBelow;
+  if (!has_path(section)) {
+    QCPAxisRect& rect = view.add_axes({kLeft, kAboveWithKey, width, height});
+    draw_channel(view, rect, section, kForce, true);
+    rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
+    if (const Measure* best = find_measure(*section.last, "maximum_force_total")) {
+      const double end_s = rect.axis(QCPAxis::atBottom)->range().upper;
+      add_line(rect, {0.0, end_s}, {*best->value, *best->value},
+               dashed(Palette::quiet(), view.px(0.8), {1.5, 2.0}));
+      view.explain(PlotView::Mark::dotted, Palette::quiet(), "best mean");
+    }
+    shade_phase(view, rect, curves, Phase::lead_in, "not scored");
+    shade_phase(view, rect, curves, Phase::paused, "paused");
+    return view;
+  }
+  constexpr double kGap = 7.0;
+  const double each = (height - 2.0 * kGap) / 3.0;
+  double top = kAboveWithKey;
+  for (const Channel& channel : kPose) {
+    QCPAxisRect& rect = view.add_axes({kLeft, top, width, each});
+    const bool first = &channel == kPose;
+    const bool last = &channel == kPose + 2;
+    draw_channel(view, rect, section, channel, first);
+    rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+    rect.axis(QCPAxis::atBottom)->setTickLabels(last);
+    if (last) rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
+    if (first) shade_phase(view, rect, curves, Phase::paused, "paused");
+    top += each + kGap;
+  }
+  return view;
+}
+
+bool has_path(const TaskSection& section) {
+  if (!section.last) return false;
+  const Signals& curves = section.last->curves;
+  return any_number(curves.column("actual_x_m")) && any_number(curves.column("actual_y_m")) &&
+         any_number(curves.column("actual_angle_rad"));
+}
+
+PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
+  PlotView view(size, unit);
+  const double width = size.width() - kLeft - kRight;
+  const double height = size.height() - kAboveWithKey - kBelow;
+  QCPAxisRect& rect = view.add_axes({kLeft, kAboveWithKey, width, height});
+  const Signals& curves = section.last->curves;
+  constexpr double kMillimetres = 1000.0;
+  Values x = scaled(curves.column("actual_x_m"), kMillimetres);
+  Values y = scaled(curves.column("actual_y_m"), kMillimetres);
+
+  struct Spot {
+    double x_mm;
+    double y_mm;
+    QString numbers;
+  };
+  std::vector<Spot> spots;
+  double radius_mm = 0.0;
+  if (section.spec)
+    if (const auto* poses = std::get_if<PoseTargetsSpec>(&section.spec->kind)) {
+      radius_mm = kMillimetres * poses->position_tolerance_m;
+      int number = 0;
+      for (const auto& target : poses->targets) {
+        const double tx = kMillimetres * target.p_WT.x();
+        const double ty = kMillimetres * target.p_WT.y();
+        const auto text = QString::number(++number);
+        const auto same = std::find_if(spots.begin(), spots.end(), [&](const Spot& spot) {
+          return spot.x_mm == tx && spot.y_mm == ty;
+        });
+        if (same == spots.end())
+          spots.push_back({tx, ty, text});
+        else
+          same->numbers += ", " + text;
+      }
+    }
+  Values x_all = x;
+  Values y_all = y;
+  for (const Spot& spot : spots) {
+    x_all << spot.x_mm - radius_mm << spot.x_mm + radius_mm;
+    y_all << spot.y_mm - radius_mm << spot.y_mm + radius_mm;
+  }
+  // One millimetre is as long on both axes.
+  const auto extent = [](const Values& values) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double value : values)
+      if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+    return QCPRange(low, high);
+  };
+  const QCPRange x_range = extent(x_all);
+  const QCPRange y_range = extent(y_all);
+  constexpr double kAir = 1.12;
+  constexpr double kLeast_mm = 10.0;
+  const double scale =
+      kAir * std::max({x_range.size() / width, y_range.size() / height, kLeast_mm / height});
+  rect.axis(QCPAxis::atBottom)
+      ->setRange(x_range.center() - scale * width / 2.0, x_range.center() + scale * width / 2.0);
+  rect.axis(QCPAxis::atLeft)
+      ->setRange(y_range.center() - scale * height / 2.0, y_range.center() + scale * height / 2.0);
+  rect.axis(QCPAxis::atBottom)->setLabel("x [mm]");
+  rect.axis(QCPAxis::atLeft)->setLabel("y [mm]");
+  rect.axis(QCPAxis::atBottom)->grid()->setPen(QPen(Palette::line(), view.px(0.5)));
+
+  const auto add_curve = [&](const Values& xs, const Values& ys, const QPen& pen) {
+    auto* curve = new QCPCurve(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+    curve->setData(xs, ys);
+    curve->setPen(pen);
+  };
+  const double label_gap_mm = scale * 6.0;
+  for (const Spot& spot : spots) {
+    Values cx, cy;
+    constexpr int kCorners = 72;
+    for (int i = 0; i <= kCorners; ++i) {
+      const double a = 2.0 * std::numbers::pi * i / kCorners;
+      cx.push_back(spot.x_mm + radius_mm * std::cos(a));
+      cy.push_back(spot.y_mm + radius_mm * std::sin(a));
+    }
+    add_curve(cx, cy, dashed(Palette::target(), view.px(0.9), {4.0, 2.5}));
+    auto* label = new QCPItemText(rect.parentPlot());  // the plot owns it
+    label->position->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+    label->setClipToAxisRect(false);
+    const bool above = spot.y_mm > y_range.center();
+    label->position->setCoords(spot.x_mm,
+                               spot.y_mm + (above ? -1 : 1) * (radius_mm + label_gap_mm));
+    label->setText(spot.numbers);
+    label->setFont(report_font(view.px(6.8), true));
+    label->setColor(Palette::ink());
+  }
+  const QColor color = Palette::of(section.hand);
+  add_curve(x, y, QPen(color, view.px(1.0)));
+  const auto add_mark = [&](double px_mm, double py_mm, const QCPScatterStyle& style) {
+    QCPGraph& mark = add_line(rect, {px_mm}, {py_mm}, QPen(Qt::NoPen));
+    mark.setLineStyle(QCPGraph::lsNone);
+    mark.setScatterStyle(style);
+  };
+  add_mark(x.front(), y.front(),
+           {QCPScatterStyle::ssCircle, QPen(color, view.px(1.0)), Qt::white, view.px(5.0)});
+  add_mark(x.back(), y.back(),
+           {QCPScatterStyle::ssSquare, QPen(color, view.px(1.0)), color, view.px(4.5)});
+  view.explain(PlotView::Mark::ring, color, "start");
+  view.explain(PlotView::Mark::square, color, "end");
+  if (!spots.empty()) view.explain(PlotView::Mark::dashed, Palette::target(), "target");
+  return view;
+}
+
+std::string describe_overlay(const TaskSection& section) {
+  if (!has_path(section))
+    return "Grip force of the patient over time in the last trial, with the target force where "
+           "there "
+           "is one.";
+  return "Position and angle of the object over time in the last trial, with the target where "
+         "there "
+         "is one.";
+}
+
+}  // namespace isograsp

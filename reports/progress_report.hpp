@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gathers what a patient's progress report says from the database. SI units.
+#pragma once
+
+#include <string>
+
+#include "core/result.hpp"
+#include "reports/report_content.hpp"
+#include "storage/session_store.hpp"
+
+namespace isograsp {
+
+/// Everything stored about this patient, in the words of a report. The same database gives the same
+/// content. Rules of comparison:
+/// - a series holds only trials of one hand, one source, one task version with equal parameters and
+///   scene, one frame rate, device delay and measure version; the newest such group is shown and
+///   the others are named in the notes;
+/// - practice, aborted and interrupted trials are recorded but not part of any value;
+/// - the baseline is the mean of the first two assessment days once there is a later one; before
+///   that it is the first day, or the first session if all stand on one day.
+/// Errors: bad_input for an unknown patient; whatever the database reports. Reads only.
+[[nodiscard]] Result<ReportContent> gather_progress(SessionStore& store, const std::string& code);
+
+}  // namespace isograsp

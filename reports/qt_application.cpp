@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/qt_application.hpp"
+
+#include <unistd.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+
+namespace isograsp {
+
+void ensure_qt_application() {
+  if (QCoreApplication::instance() != nullptr) return;
+  const bool no_display =
+      qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+  if (no_display && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  // Without a login session (a server, a container) Qt would complain on standard error.
+  if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) {
+    const QString folder = QDir::temp().filePath(QString("isograsp-%1").arg(getuid()));
+    QDir().mkpath(folder);
+    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    qputenv("XDG_RUNTIME_DIR", QFile::encodeName(folder));
+  }
+  static int argc = 1;
+  static char name[] = "isograsp";
+  static char* argv[] = {name, nullptr};
+  static QApplication application(argc, argv);
+}
+
+}  // namespace isograsp

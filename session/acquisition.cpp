@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/acquisition.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace isograsp {
+
+namespace {
+/// Items that may wait for the recorder: every frame of `seconds`, and a few commands and events.
+std::size_t ring_capacity(double seconds, double period_s) {
+  constexpr std::size_t kCommandsAndEvents = 64;
+  return static_cast<std::size_t>(std::ceil(seconds / period_s)) + kCommandsAndEvents;
+}
+constexpr std::size_t kCommands = 64;
+}  // namespace
+
+Acquisition::Acquisition(ForceDevice& device, Clock& clock, Timestamp start, const Options& options)
+    : device_(device),
+      clock_(clock),
+      start_(start),
+      options_(options),
+      frame_clock_(device.info().frame_period_s, device.info().sample_period_s,
+                   device.info().on_grid, start),
+      commands_(kCommands),
+      records_(ring_capacity(options.ring_s, device.info().frame_period_s)) {}
+
+bool Acquisition::tick() noexcept {
+  for (Command command; commands_.pop(command);) obey(command);
+  if (!next_frame(now_.forces)) {
+    if (trial_ != nullptr) {
+      const bool whole = std::holds_alternative<ObserveSpec>(trial_->spec.kind);
+      end_trial(whole ? TrialStatus::completed : TrialStatus::aborted, "The recording ended.");
+    }
+    now_.stage = Stage::finished;
+    now_.health = device_.health();
+    push(RecordItem::Kind::finished);
+    publish(clock_.now());
+    return false;
+  }
+  const Timestamp frame_ready = clock_.now();
+  process(now_.forces);
+  publish(frame_ready);
+  show_to_viewer();
+  return true;
+}
+
+bool Acquisition::next_frame(FingerFrame& frame) noexcept {
+  while (!frame_clock_.pop(device_.now(clock_), frame)) {
+    SensorSample sample;
+    switch (device_.read(frame_clock_.deadline(), sample)) {
+      case ReadStatus::sample:
+        frame_clock_.push(sample);
+        break;
+      case ReadStatus::timeout:
+        break;
+      case ReadStatus::finished:
+        return false;
+    }
+  }
+  return true;
+}
+
+void Acquisition::obey(const Command& command) noexcept {
+  switch (command.kind) {
+    case Command::Kind::zero:
+      zeroing_ = Zeroing(frame_clock_.period_s());
+      now_.stage = Stage::zeroing;
+      break;
+    case Command::Kind::begin:
+      begin_trial(*command.setup);
+      break;
+    case Command::Kind::pause:
+      if (now_.stage == Stage::trial) pause(PauseCause::therapist);
+      break;
+    case Command::Kind::resume:
+      if (now_.stage == Stage::paused) resume();
+      break;
+    case Command::Kind::abort:
+      if (trial_ != nullptr) end_trial(TrialStatus::aborted, "Stopped by the therapist.");
+      break;
+  }
+}
+
+void Acquisition::process(FingerFrame& frame) noexcept {
+  ++now_.frames;
+  now_.session_time_s = frame.t_s;
+  now_.health = device_.health();
+  if (frame.any(SampleFlag::missing)) ++now_.frames_with_gap;
+  if (now_.stage == Stage::zeroing) add_to_zero(frame);
+  subtract_zero(frame);
+  guard(frame);
+  now_.grip_N = grip_force(frame.wrench_C);
+  if (trial_ != nullptr) run_trial(frame);
+}
+
+void Acquisition::add_to_zero(const FingerFrame& frame) noexcept {
+  zeroing_.add(frame);
+  now_.zero_progress = zeroing_.progress();
+  if (!zeroing_.complete() && !zeroing_.hopeless()) return;
+  item_.zero_refusal = ZeroRefusal{};
+  if (zeroing_.complete()) {
+    item_.zero = zeroing_.statistics();
+    item_.zero_refusal = check_zero(item_.zero, zero_);
+  }
+  if (!item_.zero_refusal) zero_ = item_.zero.mean;
+  now_.zeroed = zero_.has_value();
+  now_.stage = Stage::idle;
+  push(RecordItem::Kind::zero);
+}
+
+void Acquisition::subtract_zero(FingerFrame& frame) const noexcept {
+  if (!zero_) return;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    frame.wrench_C[f].force -= (*zero_)[f].head<3>();
+    frame.wrench_C[f].torque -= (*zero_)[f].tail<3>();
+  }
+}
+
+void Acquisition::guard(FingerFrame& frame) noexcept {
+  std::array<bool, kFingerCount> present{};
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    present[f] = (frame.flags[f] & bit(SampleFlag::missing)) == 0;
+  std::array<bool, kFingerCount> used{true, true, true};
+  if (trial_ != nullptr && trial_->plan) used = trial_->plan->scene().fingers_used();
+  const auto verdict = stale_.apply(frame.wrench_C, present, used, frame_clock_.period_s());
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    if (stale_.held(f)) frame.flags[f] = bit(SampleFlag::held);
+  if (verdict == StaleRule::Verdict::frozen) {
+    if (now_.stage == Stage::trial)
+      pause(now_.health.fault == DeviceFault::none ? PauseCause::missing_samples
+                                                   : PauseCause::device_fault);
+  } else if (now_.stage == Stage::paused && now_.pause_cause != PauseCause::therapist &&
+             options_.resume_by_itself) {
+    resume();
+  }
+}
+
+void Acquisition::run_trial(const FingerFrame& frame) noexcept {
+  TrialSetup& trial = *trial_;
+  const bool moving = now_.stage == Stage::trial;
+  if (moving) {
+    if (trial.plan) now_.grasp = trial.plan->grasp(frame.wrench_C, now_.object);
+    now_.task = trial.task->step({frame.wrench_C, trial.plan ? &now_.object : nullptr});
+  }
+  TrialSample& sample = item_.sample;
+  sample.t_s = static_cast<double>(trial_frames_++) * frame_clock_.period_s();
+  sample.forces = frame;
+  sample.task = now_.task;
+  if (!moving) sample.task.phase = Phase::paused;
+  sample.object = now_.object;
+  sample.grasp = now_.grasp;
+  sample.context = trial.context;
+  sample.compute_s = last_compute_s_;
+  sample.lateness_s = to_seconds(device_.now(clock_) - start_) - frame.t_s;
+  push(RecordItem::Kind::sample);
+  if (!moving) return;
+  if (trial.plan) trial.plan->move(now_.grasp, now_.object);
+  if (now_.task.phase == Phase::done) end_trial(TrialStatus::completed, "");
+}
+
+void Acquisition::begin_trial(TrialSetup& setup) noexcept {
+  trial_ = &setup;
+  trial_frames_ = 0;
+  dropped_before_trial_ = now_.recorder_dropped;
+  worst_lateness_s_ = 0.0;
+  worst_compute_s_ = 0.0;
+  now_.trial_number = setup.record.number;
+  now_.task = {};
+  now_.has_object = setup.plan.has_value();
+  now_.object = setup.plan ? setup.plan->initial_state() : ObjectState{};
+  now_.grasp = {};
+  now_.stage = Stage::trial;
+  now_.pause_cause = PauseCause::none;
+  // A simulated person gets acquainted with the object; nobody else is here to be disturbed.
+  if (options_.viewer != nullptr)
+    options_.viewer->meet_object(setup.plan ? std::optional(setup.plan->scene()) : std::nullopt);
+  item_.setup = &setup;
+  push(RecordItem::Kind::begin);
+}
+
+void Acquisition::end_trial(TrialStatus status, const char* reason) noexcept {
+  item_.setup = trial_;
+  item_.status = status;
+  item_.reason = reason;
+  item_.health = now_.health;
+  item_.worst_lateness_s = worst_lateness_s_;
+  item_.worst_compute_s = worst_compute_s_;
+  item_.dropped = static_cast<std::int64_t>(now_.recorder_dropped - dropped_before_trial_);
+  push(RecordItem::Kind::end);
+  trial_ = nullptr;
+  now_.trial_number = 0;
+  now_.stage = Stage::idle;
+  now_.pause_cause = PauseCause::none;
+}
+
+void Acquisition::pause(PauseCause cause) noexcept {
+  now_.stage = Stage::paused;
+  now_.pause_cause = cause;
+  push_event(cause == PauseCause::therapist ? "pause" : kFaultEvent,
+             cause == PauseCause::device_fault ? describe(now_.health.fault).data()
+                                               : describe(cause).data());
+}
+
+void Acquisition::resume() noexcept {
+  now_.stage = Stage::trial;
+  now_.pause_cause = PauseCause::none;
+  push_event("resume", "");
+}
+
+void Acquisition::push(RecordItem::Kind kind) noexcept {
+  item_.kind = kind;
+  item_.session_time_s = now_.session_time_s;
+  if (!records_.push(item_)) ++now_.recorder_dropped;
+}
+
+void Acquisition::push_event(const char* kind, const char* text) noexcept {
+  item_.event_kind = kind;
+  item_.reason = text;
+  push(RecordItem::Kind::event);
+}
+
+void Acquisition::publish(Timestamp frame_ready) noexcept {
+  const Timestamp now = clock_.now();
+  now_.published = now;
+  now_.compute_s = to_seconds(now - frame_ready);
+  now_.lateness_s = to_seconds(device_.now(clock_) - start_) - now_.session_time_s;
+  last_compute_s_ = now_.compute_s;
+  worst_compute_s_ = std::max(worst_compute_s_, now_.compute_s);
+  worst_lateness_s_ = std::max(worst_lateness_s_, now_.lateness_s);
+  snapshots_.publish(now_);
+}
+
+void Acquisition::show_to_viewer() noexcept {
+  if (options_.viewer == nullptr) return;
+  Stimulus screen;
+  screen.t_s = now_.session_time_s;
+  screen.shown_force_N = now_.grip_N;
+  if (trial_ == nullptr) {
+    screen.cue = now_.stage == Stage::zeroing || !now_.zeroed ? Cue::hand_out : Cue::relax;
+  } else {
+    screen.cue = now_.stage == Stage::paused ? Cue::relax : now_.task.cue;
+    screen.force_target_shown = now_.task.force_target_shown;
+    screen.target_force_N = now_.task.target_force_N;
+    screen.object_shown = now_.has_object;
+    screen.object = now_.object.pose;
+    screen.target = now_.task.pose_target_shown ? now_.task.target : now_.object.pose;
+    screen.contact = now_.grasp.contact;
+  }
+  options_.viewer->see(screen);
+}
+
+}  // namespace isograsp

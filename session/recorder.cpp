@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/recorder.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "core/csv.hpp"
+#include "tasks/score.hpp"
+
+namespace isograsp {
+
+namespace {
+
+std::string health_as_json(const DeviceHealth& health) {
+  std::ostringstream json;
+  json << "{\"state\": \"" << name_of(health.state) << "\"";
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const auto& s = health.sensors[f];
+    json << ", \"" << kFingerNames[f] << "\": {\"good\": " << s.good
+         << ", \"invalid\": " << s.invalid << ", \"torn\": " << s.torn << ", \"lost\": " << s.lost
+         << ", \"overloaded\": " << s.overloaded << "}";
+  }
+  json << ", \"foreign_frames\": " << health.foreign_frames
+       << ", \"kernel_drops\": " << health.kernel_drops << "}";
+  return json.str();
+}
+
+}  // namespace
+
+Recorder::Recorder(std::unique_ptr<SessionStore> store, RowId session, double rate_Hz,
+                   Ring<RecordItem>& records, bool live_score)
+    : store_(std::move(store)),
+      session_(session),
+      rows_per_block_(static_cast<std::size_t>(std::lround(rate_Hz))),
+      records_(records),
+      live_score_wanted_(live_score) {}
+
+bool Recorder::pump() {
+  while (records_.pop(item_)) take(item_);
+  std::vector<EventRecord> events;
+  {
+    const std::lock_guard lock(mutex_);
+    events.swap(events_);
+  }
+  for (auto& event : events) {
+    event.trial_id = trial_id_;
+    stored(store_->add_event(session_, event));
+  }
+  return !finished_;
+}
+
+void Recorder::take(const RecordItem& item) {
+  switch (item.kind) {
+    case RecordItem::Kind::begin:
+      begin(*item.setup);
+      break;
+    case RecordItem::Kind::sample:
+      add_sample(item.sample);
+      break;
+    case RecordItem::Kind::end:
+      end(item);
+      break;
+    case RecordItem::Kind::zero:
+      add_zero(item);
+      break;
+    case RecordItem::Kind::finished:
+      finished_ = true;
+      break;
+    case RecordItem::Kind::event:
+      add_pause(item);
+      break;
+  }
+}
+
+void Recorder::add_pause(const RecordItem& item) {
+  if (!failed_)
+    stored(store_->add_event(session_,
+                             {trial_id_, item.session_time_s, item.event_kind, item.reason}));
+  if (std::string_view(item.event_kind) != kFaultEvent) return;
+  SessionNews news;
+  news.fault = item.reason;
+  publish(std::move(news));
+}
+
+void Recorder::begin(TrialSetup& setup) {
+  trial_ = &setup;
+  has_object_ = setup.plan.has_value();
+  second_ = 0;
+  samples_ = 0;
+  setup.record.session_time_s = item_.session_time_s;
+  setup.record.zero_id = zero_id_;
+  setup.record.groups = signal_groups(has_object_);
+  std::vector<std::string> names;
+  for (const auto& group : setup.record.groups)
+    names.insert(names.end(), group.columns.begin(), group.columns.end());
+  signals_ = Signals(std::move(names));
+  block_.assign(setup.record.groups.size(), {});
+  if (failed_) return;
+  const auto id = store_->begin_trial(setup.record);
+  if (!id) {
+    stored(id.error());
+    return;
+  }
+  trial_id_ = setup.record.id = *id;
+}
+
+void Recorder::add_sample(const TrialSample& sample) {
+  for (auto& group : row_) group.clear();
+  append_rows(sample, has_object_, row_);
+  flat_row_.clear();
+  for (std::size_t g = 0; g < row_.size(); ++g) {
+    if (block_.size() <= g) break;
+    block_[g].insert(block_[g].end(), row_[g].begin(), row_[g].end());
+    flat_row_.insert(flat_row_.end(), row_[g].begin(), row_[g].end());
+  }
+  signals_.append_row(flat_row_);
+  ++samples_;
+  if (static_cast<std::size_t>(samples_) % rows_per_block_ != 0) return;
+  write_block();
+  if (!live_score_wanted_) return;
+  auto measures = score(trial_->spec, signals_);
+  const std::lock_guard lock(mutex_);
+  live_ = std::move(measures);
+}
+
+void Recorder::write_block() {
+  if (!failed_) stored(store_->append_blocks(trial_id_, second_, block_));
+  ++second_;
+  for (auto& group : block_) group.clear();
+}
+
+void Recorder::end(const RecordItem& item) {
+  if (!block_.empty() && !block_.front().empty()) write_block();
+  TrialOutcome outcome;
+  outcome.trial = trial_->record;
+  outcome.trial.status = item.status;
+  outcome.trial.samples = samples_;
+  outcome.trial.worst_lateness_s = item.worst_lateness_s;
+  outcome.trial.worst_compute_s = item.worst_compute_s;
+  outcome.trial.dropped = item.dropped;
+  outcome.trial.health_json = health_as_json(item.health);
+  outcome.reason = item.reason;
+  outcome.measures = score(trial_->spec, signals_);
+  if (!failed_) {
+    if (item.status == TrialStatus::aborted)
+      stored(store_->add_event(session_, {trial_id_, item.session_time_s, "abort", item.reason}));
+    stored(store_->end_trial(outcome.trial, outcome.measures));
+  }
+  trial_ = nullptr;
+  trial_id_ = 0;
+  SessionNews news;
+  news.trial = std::move(outcome);
+  publish(std::move(news));
+}
+
+void Recorder::add_zero(const RecordItem& item) {
+  ZeroOutcome outcome;
+  outcome.accepted = !item.zero_refusal.has_value();
+  outcome.zero = {0, session_, item.session_time_s, item.zero.mean, item.zero.sd};
+  if (outcome.accepted && !failed_) {
+    const auto id = store_->add_zero(outcome.zero);
+    if (id)
+      zero_id_ = outcome.zero.id = *id;
+    else
+      stored(id.error());
+  } else if (!outcome.accepted) {
+    outcome.reason = describe(*item.zero_refusal);
+    if (!failed_)
+      stored(store_->add_event(session_, {0, item.session_time_s, "zero refused", outcome.reason}));
+  }
+  SessionNews news;
+  news.zero = std::move(outcome);
+  publish(std::move(news));
+}
+
+bool Recorder::stored(const Result<void>& result) {
+  if (result || failed_) return result.ok();
+  failed_ = true;
+  SessionNews news;
+  news.failure = result.error().message();
+  publish(std::move(news));
+  return false;
+}
+
+void Recorder::publish(SessionNews news) {
+  {
+    const std::lock_guard lock(mutex_);
+    news_.push_back(std::move(news));
+  }
+  changed_.notify_all();
+}
+
+std::vector<SessionNews> Recorder::take_news() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(news_, {});
+}
+
+void Recorder::wait_for_news(double seconds) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                    [this] { return !news_.empty(); });
+}
+
+std::vector<Measure> Recorder::live_score() const {
+  const std::lock_guard lock(mutex_);
+  return live_;
+}
+
+void Recorder::add_event(const EventRecord& event) {
+  const std::lock_guard lock(mutex_);
+  events_.push_back(event);
+}
+
+Result<void> Recorder::end_session() {
+  return store_->end_session(session_);
+}
+
+}  // namespace isograsp

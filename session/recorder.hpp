@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The recorder thread's work: frames from the ring become blocks of one second in the database; a
+// finished trial is scored from what was recorded. Not real-time.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/ring.hpp"
+#include "core/signals.hpp"
+#include "session/acquisition.hpp"
+#include "session/session.hpp"
+
+namespace isograsp {
+
+class Recorder {
+ public:
+  /// `live_score`: renew live_score() after every second of a trial.
+  Recorder(std::unique_ptr<SessionStore> store, RowId session, double rate_Hz,
+           Ring<RecordItem>& records, bool live_score);
+
+  /// Takes all that waits in the ring; recorder thread. False once the device has finished.
+  bool pump();
+
+  /// Owner thread.
+  [[nodiscard]] std::vector<SessionNews> take_news();
+  /// Waits until there is news or `seconds` have passed. Owner thread.
+  void wait_for_news(double seconds);
+  [[nodiscard]] std::vector<Measure> live_score() const;
+  void add_event(const EventRecord& event);  ///< goes to the database with the next pump()
+
+  /// Closes the session's record. Owner thread, after the last pump().
+  [[nodiscard]] Result<void> end_session();
+
+ private:
+  void take(const RecordItem& item);
+  void add_pause(const RecordItem& item);
+  void begin(TrialSetup& setup);
+  void add_sample(const TrialSample& sample);
+  void write_block();
+  void end(const RecordItem& item);
+  void add_zero(const RecordItem& item);
+  void publish(SessionNews news);
+  /// Reports a failed write once; nothing more is written afterwards.
+  bool stored(const Result<void>& result);
+
+  std::unique_ptr<SessionStore> store_;
+  RowId session_;
+  std::size_t rows_per_block_;
+  Ring<RecordItem>& records_;
+  bool live_score_wanted_;
+  bool failed_ = false;
+  bool finished_ = false;
+  RecordItem item_;
+
+  TrialSetup* trial_ = nullptr;
+  RowId trial_id_ = 0;
+  RowId zero_id_ = 0;
+  bool has_object_ = false;
+  int second_ = 0;
+  std::int64_t samples_ = 0;
+  std::vector<std::vector<double>> block_;  ///< rows of each group, row-major
+  std::vector<std::vector<double>> row_;
+  std::vector<double> flat_row_;
+  Signals signals_;  ///< the whole trial, for its score
+
+  mutable std::mutex mutex_;  ///< guards what follows
+  std::condition_variable changed_;
+  std::vector<SessionNews> news_;
+  std::vector<Measure> live_;
+  std::vector<EventRecord> events_;
+};
+
+}  // namespace isograsp

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <ctime>
+#include <filesystem>
+#include <limits>
+#include <thread>
+
+#include "core/csv.hpp"
+#include "device/uri.hpp"
+#include "session/acquisition.hpp"
+#include "session/recorder.hpp"
+#include "session/simulated_person.hpp"
+#include "virtual_patient/virtual_patient.hpp"
+
+namespace isograsp {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+/// What glibc's libm may choose its code by; stored beside results (docs/storage.md).
+std::string cpu_features() {
+  std::string text = "x86-64";
+  if (__builtin_cpu_supports("avx2")) text += " avx2";
+  if (__builtin_cpu_supports("fma")) text += " fma";
+  if (__builtin_cpu_supports("avx512f")) text += " avx512f";
+  return text;
+}
+
+std::string joined_lines(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const auto& line : lines) text += line + "\n";
+  return text;
+}
+
+/// A device that says which hand it is set up for must agree with the session.
+Result<void> check_hand(const Uri& uri, Hand hand) {
+  const std::string said = uri.text_or("hand", std::string(name_of(hand)));
+  if (said == name_of(hand)) return {};
+  return uri.error("hand",
+                   "the device is set up for the " + said + " hand, the session for the " +
+                       std::string(name_of(hand)),
+                   "give both the same hand");
+}
+
+/// SD of the grip force of the empty device: of the noisier side of min(thumb, index + middle).
+double grip_noise(const InstrumentZeroRecord& zero) {
+  constexpr Eigen::Index kNormalForce = 2;
+  return std::max(zero.sd[0][kNormalForce],
+                  std::hypot(zero.sd[1][kNormalForce], zero.sd[2][kNormalForce]));
+}
+
+double value_of(const TrialOutcome& outcome, std::string_view name, std::string_view channel) {
+  for (const auto& measure : outcome.measures)
+    if (measure.name == name && measure.channel == channel) return measure.value.value_or(0.0);
+  return 0.0;
+}
+
+}  // namespace
+
+struct Session::Parts {
+  SessionConfig config;
+  SessionRecord record;
+  std::unique_ptr<Clock> clock;
+  std::unique_ptr<VirtualPatient> viewer;
+  std::unique_ptr<ForceDevice> device;
+  std::unique_ptr<Acquisition> acquisition;
+  std::unique_ptr<Recorder> recorder;
+  std::vector<std::unique_ptr<TrialSetup>> setups;  ///< live as long as the threads
+  std::atomic<bool> stop{false};
+  std::thread acquisition_thread;
+  std::thread recorder_thread;
+  bool pending = false;   ///< a zero or a trial was asked for and has not ended
+  bool finished = false;  ///< virtual time: the device has finished
+  bool closed = false;
+  double maximum_force_N = 0.0;
+  std::optional<double> resting_force_N;
+  double noise_sd_N = 0.0;
+
+  [[nodiscard]] bool virtual_time() const { return clock->is_virtual(); }
+
+  /// Virtual time: one frame, recorded at once.
+  void step() {
+    if (!finished) finished = !acquisition->tick();
+    recorder->pump();
+  }
+
+  void start_threads() {
+    acquisition_thread = std::thread([this] {
+      while (!stop.load(std::memory_order_relaxed) && acquisition->tick()) {
+      }
+    });
+    recorder_thread = std::thread([this] {
+      constexpr auto kPoll = std::chrono::milliseconds(10);
+      while (!stop.load(std::memory_order_relaxed)) {
+        recorder->pump();
+        std::this_thread::sleep_for(kPoll);
+      }
+    });
+  }
+
+  Result<void> send(const Command& command) {
+    if (acquisition->commands().push(command)) return {};
+    return Error{
+        Error::Code::failed, "the session does not answer", "close it and start again", "", 0, ""};
+  }
+
+  void learn(const std::vector<SessionNews>& news) {
+    for (const auto& item : news) {
+      if (item.zero || item.trial || item.failure) pending = false;
+      if (item.zero && item.zero->accepted) noise_sd_N = grip_noise(item.zero->zero);
+      if (!item.trial || item.trial->trial.status != TrialStatus::completed) continue;
+      const auto& kind = setups.back()->spec.kind;
+      if (std::holds_alternative<MaximumSpec>(kind))
+        maximum_force_N = std::max(maximum_force_N, value_of(*item.trial, "maximum_force", "grip"));
+      if (std::holds_alternative<RestSpec>(kind))
+        resting_force_N = value_of(*item.trial, "resting_force", "grip");
+    }
+  }
+};
+
+Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Session::~Session() {
+  close();
+}
+
+Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
+  auto parts = std::make_unique<Parts>();
+  parts->config = config;
+  const auto uri = Uri::parse(config.device_uri);
+  if (!uri) return uri.error();
+  if (auto same = check_hand(*uri, config.hand); !same) return same.error();
+  auto viewer = simulated_person(*uri);
+  if (!viewer) return viewer.error();
+  parts->viewer = std::move(*viewer);
+  auto device = open_device(config.device_uri, {parts->viewer.get()});
+  if (!device) return device.error();
+  parts->device = std::move(*device);
+  const DeviceInfo& info = parts->device->info();
+  if (config.virtual_time && !info.simulated && !info.recorded)
+    return uri->error("", "a real device cannot run in virtual time", "leave out --fast");
+
+  auto store = SessionStore::open(config.database, SessionStore::Open::existing);
+  if (!store) return store.error();
+  auto patient = (*store)->find_patient(config.patient_code);
+  if (!patient) return patient.error();
+  if (!*patient) {
+    const auto added = (*store)->add_patient(config.patient_code);
+    if (!added) return added.error();
+    *patient = *added;
+  }
+  SessionRecord& record = parts->record;
+  record.patient_id = (*patient)->id;
+  record.started_utc = config.started_utc.empty() ? utc_now() : config.started_utc;
+  record.hand = config.hand;
+  record.device_uri = config.device_uri;
+  record.device_description = info.description;
+  record.simulated = info.simulated;
+  record.recorded = info.recorded;
+  record.provenance = joined_lines(info.provenance);
+  record.protocol_name = config.protocol_name;
+  record.protocol_text = config.protocol_text;
+  record.rate_Hz = 1.0 / info.frame_period_s;
+  record.device_delay_s = info.delay_s;
+  record.software_version = config.software_version;
+  record.cpu_features = cpu_features();
+  if (uri->parameters.contains("seed"))
+    record.seed = std::strtoull(uri->parameters.at("seed").c_str(), nullptr, 10);
+  const auto session_id = (*store)->begin_session(record);
+  if (!session_id) return session_id.error();
+  record.id = *session_id;
+
+  if (config.virtual_time)
+    parts->clock = std::make_unique<ManualClock>();
+  else
+    parts->clock = std::make_unique<SteadyClock>();
+  if (auto started = parts->device->start(*parts->clock); !started) {
+    (void)(*store)->end_session(record.id);
+    return started.error();
+  }
+  Acquisition::Options options;
+  options.resume_by_itself = info.recorded;
+  options.viewer = parts->viewer.get();
+  parts->acquisition =
+      std::make_unique<Acquisition>(*parts->device, *parts->clock, parts->clock->now(), options);
+  parts->recorder = std::make_unique<Recorder>(std::move(*store), record.id, record.rate_Hz,
+                                               parts->acquisition->records(), !config.virtual_time);
+  if (!config.virtual_time) parts->start_threads();
+  return std::unique_ptr<Session>(new Session(std::move(parts)));
+}
+
+const DeviceInfo& Session::device() const noexcept {
+  return parts_->device->info();
+}
+const SessionRecord& Session::record() const noexcept {
+  return parts_->record;
+}
+const Snapshot& Session::snapshot() noexcept {
+  return parts_->acquisition->snapshots().read();
+}
+std::vector<Measure> Session::live_score() const {
+  return parts_->recorder->live_score();
+}
+double Session::maximum_force_N() const noexcept {
+  return parts_->maximum_force_N;
+}
+double Session::resting_force_N() const noexcept {
+  return parts_->resting_force_N.value_or(0.0);
+}
+
+Result<void> Session::start_zero() {
+  if (parts_->pending)
+    return Error{
+        Error::Code::failed, "a trial or a zero is still running", "wait for its end", "", 0, ""};
+  auto sent = parts_->send({Command::Kind::zero, nullptr});
+  parts_->pending = sent.ok();
+  return sent;
+}
+
+Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
+  Parts& p = *parts_;
+  if (p.pending)
+    return Error{
+        Error::Code::failed, "a trial or a zero is still running", "wait for its end", "", 0, ""};
+  auto setup = std::make_unique<TrialSetup>();
+  setup->spec = spec;
+  setup->context.period_s = p.device->info().frame_period_s;
+  setup->context.maximum_force_N = p.maximum_force_N;
+  setup->context.resting_force_N =
+      p.resting_force_N.value_or(std::numeric_limits<double>::quiet_NaN());
+  setup->context.noise_sd_N = p.noise_sd_N;
+  setup->context.seed = p.record.seed;
+  TrialRecord& record = setup->record;
+  if (const std::string name = spec.scene(); !name.empty()) {
+    const auto path = find_in_library(p.config.library, "scenes", name, spec.file);
+    if (!path) return path.error();
+    const auto text = read_text(*path);
+    if (!text) return text.error();
+    const auto scene = parse_scene(*text, *path);
+    if (!scene) return scene.error();
+    auto plan = Plan::compile(for_hand(*scene, p.config.hand), setup->context.period_s);
+    if (!plan) return plan.error();
+    setup->plan = std::move(*plan);
+    record.scene_text = *text;
+  }
+  auto task = make_task(spec, setup->context);
+  if (!task) return task.error();
+  setup->task = std::move(*task);
+  record.session_id = p.record.id;
+  record.number = static_cast<int>(p.setups.size()) + 1;
+  record.task_name = spec.name;
+  record.task_version = spec.version;
+  record.task_text = spec.text;
+  record.practice = practice;
+  record.maximum_force_N = p.maximum_force_N;
+  record.resting_force_N = p.resting_force_N.value_or(0.0);
+  auto sent = p.send({Command::Kind::begin, setup.get()});
+  if (!sent) return sent;
+  p.setups.push_back(std::move(setup));
+  p.pending = true;
+  return {};
+}
+
+void Session::pause() {
+  (void)parts_->send({Command::Kind::pause, nullptr});
+}
+void Session::resume() {
+  (void)parts_->send({Command::Kind::resume, nullptr});
+}
+void Session::abort() {
+  (void)parts_->send({Command::Kind::abort, nullptr});
+}
+
+void Session::note(const std::string& text) {
+  parts_->recorder->add_event({0, snapshot().session_time_s, "note", text});
+}
+
+std::vector<SessionNews> Session::take_news() {
+  auto news = parts_->recorder->take_news();
+  parts_->learn(news);
+  return news;
+}
+
+std::vector<SessionNews> Session::wait_for_news() {
+  Parts& p = *parts_;
+  for (;;) {
+    auto news = take_news();
+    if (!news.empty() || !p.pending) return news;
+    if (p.virtual_time()) {
+      if (p.finished) return take_news();
+      p.step();
+    } else {
+      if (snapshot().stage == Stage::finished) {
+        // The recorder may still be writing what came last.
+        constexpr double kGrace_s = 5.0;
+        p.recorder->wait_for_news(kGrace_s);
+        return take_news();
+      }
+      constexpr double kLook_s = 0.5;
+      p.recorder->wait_for_news(kLook_s);
+    }
+  }
+}
+
+void Session::let_pass(double duration_s) {
+  Parts& p = *parts_;
+  if (!p.virtual_time()) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));
+    return;
+  }
+  const double until_s = snapshot().session_time_s + duration_s;
+  while (!p.finished && snapshot().session_time_s < until_s) p.step();
+}
+
+void Session::close() {
+  Parts& p = *parts_;
+  if (p.closed) return;
+  p.closed = true;
+  if (p.pending) {
+    abort();
+    (void)wait_for_news();
+  }
+  p.stop = true;
+  if (p.acquisition_thread.joinable()) p.acquisition_thread.join();
+  if (p.recorder_thread.joinable()) p.recorder_thread.join();
+  p.device->stop();
+  p.recorder->pump();
+  (void)p.recorder->end_session();
+}
+
+Result<std::string> find_in_library(const std::string& library, const std::string& folder,
+                                    const std::string& name, const std::string& beside) {
+  const std::string file = name.ends_with(".toml") ? name : name + ".toml";
+  std::error_code ignored;
+  std::vector<fs::path> places;
+  if (!beside.empty()) places.push_back(fs::path(beside).parent_path() / file);
+  places.push_back(fs::path(library) / folder / file);
+  for (const auto& path : places)
+    if (fs::is_regular_file(path, ignored)) return path.string();
+  return Error{Error::Code::bad_input,
+               "there is no file of this name",
+               "put it into " + (fs::path(library) / folder).string(),
+               file,
+               0,
+               ""};
+}
+
+}  // namespace isograsp

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What both screens show: everything about one frame, copied out of the acquisition thread.
+// SI units; wrenches of fingers in contact frames, after instrument zero.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/finger.hpp"
+#include "device/force_device.hpp"
+#include "grasp_model/plan.hpp"
+#include "tasks/task.hpp"
+
+namespace isograsp {
+
+enum class Stage : std::uint8_t {
+  idle,     ///< streaming, nothing asked of the patient
+  zeroing,  ///< instrument zero in progress: the device must be empty
+  trial,    ///< a trial is recorded
+  paused,   ///< a trial stands still; see Snapshot::pause_cause
+  finished  ///< the device will give no more frames
+};
+[[nodiscard]] std::string_view name_of(Stage stage) noexcept;
+
+enum class PauseCause : std::uint8_t { none, therapist, missing_samples, device_fault };
+/// One plain sentence: why the trial stands still and what to do.
+[[nodiscard]] std::string_view describe(PauseCause cause) noexcept;
+
+/// Trivially copyable in spirit: no heap. Published once per frame.
+struct Snapshot {
+  std::int64_t frames = 0;      ///< frames so far; 0: nothing has arrived yet
+  double session_time_s = 0.0;  ///< since the device was started
+  Timestamp published{0};       ///< on the session's clock: its age tells live from stale
+  Stage stage = Stage::idle;
+  PauseCause pause_cause = PauseCause::none;
+
+  DeviceHealth health;
+  FingerFrame forces;          ///< newest frame; flags say what is held or missing
+  bool zeroed = false;         ///< an instrument zero is in force
+  double zero_progress = 0.0;  ///< 0 … 1 while zeroing
+  double grip_N = 0.0;         ///< min(thumb, index + middle), signed
+
+  int trial_number = 0;  ///< of the running trial; 0: none
+  TaskView task;         ///< of the running trial
+  bool has_object = false;
+  ObjectState object;
+  GraspWrench grasp;
+
+  double lateness_s = 0.0;             ///< grid instant -> published
+  double compute_s = 0.0;              ///< newest sample in hand -> published
+  std::uint64_t frames_with_gap = 0;   ///< frames with a held or missing finger
+  std::uint64_t recorder_dropped = 0;  ///< samples that found the recorder's ring full
+};
+
+}  // namespace isograsp

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/trial_sample.hpp"
+
+#include <functional>
+#include <limits>
+
+namespace isograsp {
+
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+struct Column {
+  std::string name;
+  std::function<double(const TrialSample&)> value;
+};
+struct Group {
+  std::string name;
+  std::vector<Column> columns;
+};
+
+/// In a TaskContext 0 stands for "not measured".
+double known(double value) { return value > 0.0 ? value : kMissing; }
+
+double number(bool yes) {
+  return yes ? 1.0 : 0.0;
+}
+
+/// Rotation of an attitude about world z [rad], -pi … pi.
+double angle_about_z(const Quat& q) {
+  return 2.0 * std::atan2(q.z(), q.w());
+}
+
+Group task_columns(bool has_object) {
+  Group group{
+      "task",
+      {{"t_s", [](const auto& s) { return s.t_s; }},
+       {"task_time_s", [](const auto& s) { return s.task.task_time_s; }},
+       {"phase", [](const auto& s) { return static_cast<double>(s.task.phase); }},
+       {"sample_flags",
+        [](const auto& s) {
+          const auto& f = s.forces.flags;
+          return static_cast<double>(f[0] | f[1] | f[2]);
+        }},
+       {"target_force_N",
+        [](const auto& s) { return s.task.force_target_shown ? s.task.target_force_N : kMissing; }},
+       {"actual_force_N", [](const auto& s) { return s.task.actual_force_N; }},
+       {"resting_force_N", [](const auto& s) { return s.context.resting_force_N; }},
+       {"maximum_force_N", [](const auto& s) { return known(s.context.maximum_force_N); }},
+               {"noise_sd_N", [](const auto& s) { return known(s.context.noise_sd_N); }}}};
+  if (!has_object) return group;
+  for (const int axis : {0, 1, 2}) {
+    const std::string name = std::string(1, "xyz"[axis]) + "_m";
+    group.columns.push_back({"target_" + name, [axis](const auto& s) {
+                               return s.task.pose_target_shown ? s.task.target.p_WO[axis]
+                                                               : kMissing;
+                             }});
+    group.columns.push_back(
+        {"actual_" + name, [axis](const auto& s) { return s.object.pose.p_WO[axis]; }});
+  }
+  group.columns.push_back({"target_angle_rad", [](const auto& s) {
+                             return s.task.pose_target_shown ? angle_about_z(s.task.target.q_WO)
+                                                             : kMissing;
+                           }});
+  group.columns.push_back({"actual_angle_rad", [](const auto& s) { return s.object.angle_rad; }});
+  group.columns.push_back(
+      {"target_index", [](const auto& s) { return static_cast<double>(s.task.target_index); }});
+  group.columns.push_back({"targets_reached", [](const auto& s) {
+                             return static_cast<double>(s.task.targets_reached);
+                           }});
+  return group;
+}
+
+Group force_columns() {
+  Group group{"force", {}};
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    for (const int axis : {0, 1, 2, 3, 4, 5}) {
+      const std::string part = axis < 3 ? "_f" : "_t";
+      const std::string unit = axis < 3 ? "_N" : "_Nm";
+      group.columns.push_back(
+          {std::string(kFingerNames[f]) + part + "xyz"[axis % 3] + unit, [f, axis](const auto& s) {
+             if (s.forces.flags[f] & bit(SampleFlag::missing)) return kMissing;
+             const auto& w = s.forces.wrench_C[f];
+             return axis < 3 ? w.force[axis] : w.torque[axis - 3];
+           }});
+    }
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    group.columns.push_back({std::string(kFingerNames[f]) + "_flags", [f](const auto& s) {
+                               return static_cast<double>(s.forces.flags[f]);
+                             }});
+  return group;
+}
+
+Group raw_columns() {
+  Group group{"raw", {}};
+  constexpr std::array<const char*, 6> kAxes{"fx", "fy", "fz", "tx", "ty", "tz"};
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    for (std::size_t axis = 0; axis < 6; ++axis)
+      group.columns.push_back(
+          {std::string(kFingerNames[f]) + "_" + kAxes[axis] + "_counts",
+           [f, axis](const auto& s) { return static_cast<double>(s.forces.raw_counts[f][axis]); }});
+  return group;
+}
+
+Group object_columns() {
+  Group group{"object", {}};
+  const auto add = [&group](std::string name, std::function<double(const TrialSample&)> value) {
+    group.columns.push_back({std::move(name), std::move(value)});
+  };
+  add("actual_qw", [](const auto& s) { return s.object.pose.q_WO.w(); });
+  add("actual_qx", [](const auto& s) { return s.object.pose.q_WO.x(); });
+  add("actual_qy", [](const auto& s) { return s.object.pose.q_WO.y(); });
+  add("actual_qz", [](const auto& s) { return s.object.pose.q_WO.z(); });
+  for (const int axis : {0, 1, 2}) {
+    const char letter = "xyz"[axis];
+    add(std::string("v") + letter + "_mps",
+        [axis](const auto& s) { return s.object.v_WO_W[axis]; });
+    add(std::string("w") + letter + "_radps",
+        [axis](const auto& s) { return s.object.w_WO_W[axis]; });
+    add(std::string("f") + letter + "_N",
+        [axis](const auto& s) { return s.grasp.F_O_W.force[axis]; });
+    add(std::string("t") + letter + "_Nm",
+        [axis](const auto& s) { return s.grasp.F_O_W.torque[axis]; });
+  }
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const std::string finger(kFingerNames[f]);
+    add("contact_" + finger, [f](const auto& s) { return number(s.grasp.contact[f]); });
+    add("slip_" + finger, [f](const auto& s) { return number(s.grasp.slip[f]); });
+    add("utilisation_" + finger, [f](const auto& s) { return s.grasp.utilisation[f]; });
+  }
+  return group;
+}
+
+Group timing_columns() {
+  return {"timing",
+          {{"lateness_s", [](const auto& s) { return s.lateness_s; }},
+           {"compute_s", [](const auto& s) { return s.compute_s; }}}};
+}
+
+const std::vector<Group>& table(bool has_object) {
+  static const std::vector<Group> kForceTask{task_columns(false), force_columns(), raw_columns(),
+                                             timing_columns()};
+  static const std::vector<Group> kObjectTask{task_columns(true), force_columns(), raw_columns(),
+                                              object_columns(), timing_columns()};
+  return has_object ? kObjectTask : kForceTask;
+}
+
+}  // namespace
+
+std::vector<SignalGroup> signal_groups(bool has_object) {
+  std::vector<SignalGroup> groups;
+  for (const auto& group : table(has_object)) {
+    groups.push_back({group.name, {}});
+    for (const auto& column : group.columns) groups.back().columns.push_back(column.name);
+  }
+  return groups;
+}
+
+void append_rows(const TrialSample& sample, bool has_object,
+                 std::vector<std::vector<double>>& rows_of_group) {
+  const auto& groups = table(has_object);
+  rows_of_group.resize(groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const auto& column : groups[g].columns) rows_of_group[g].push_back(column.value(sample));
+}
+
+}  // namespace isograsp

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/database.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include <fcntl.h>
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "storage/schema.hpp"
+
+namespace isograsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kBusyTimeout_s = 5;  // below the ten seconds that the recorder's queue bridges
+
+Error bad_file(const std::string& path, std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), path, 0, ""};
+}
+Error failed(const std::string& path, std::string what, std::string remedy) {
+  return {Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
+}
+
+/// What SQLite's result code means to a user.
+Error explain(const std::string& path, const std::string& doing, int code,
+              const std::string& message) {
+  constexpr int kPrimary = 0xFF;
+  switch (code & kPrimary) {
+    case SQLITE_NOTADB:
+    case SQLITE_CORRUPT:
+      return failed(path, doing + ": the database is damaged",
+                    "run isograsp db check, then restore the last backup");
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+      return failed(path, doing + ": the disk is full or does not answer",
+                    "free some space; everything confirmed before is stored");
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return failed(path, doing + ": the database is locked by another program",
+                    "close that program or wait until it is done");
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+      return failed(path, doing + ": the file or its folder is not writable",
+                    "check the permissions of both, or copy the file to a writable folder");
+    case SQLITE_CONSTRAINT:
+      return {Error::Code::bad_input,
+              doing + ": refused by the database (" + message + ")",
+              "give values as docs/file_formats.md describes them",
+              path,
+              0,
+              ""};
+    default:
+      return failed(path, doing + ": " + message, "run isograsp db check");
+  }
+}
+
+struct Header {
+  bool sqlite = false;
+  std::int32_t application_id = 0;
+  int user_version = 0;
+};
+
+std::int32_t big_endian(const unsigned char* bytes) {
+  return static_cast<std::int32_t>((std::uint32_t{bytes[0]} << 24) |
+                                   (std::uint32_t{bytes[1]} << 16) |
+                                   (std::uint32_t{bytes[2]} << 8) | std::uint32_t{bytes[3]});
+}
+
+/// Reads the first 100 bytes without a lock, a journal or any other trace. Through SQLite's own
+/// file layer: closing a plain descriptor would drop the POSIX locks of every other connection that
+/// this process has to the file.
+std::optional<Header> read_header(const std::string& real_path) {
+  using namespace sqlite_api;
+  sqlite3_initialize();
+  sqlite3_vfs* const vfs = sqlite3_vfs_find(nullptr);
+  if (vfs == nullptr) return {};
+  std::string memory(static_cast<std::size_t>(vfs->szOsFile), '\0');
+  auto* const file = reinterpret_cast<sqlite3_file*>(memory.data());
+  const std::string name = real_path + std::string(4, '\0');  // SQLite wants an empty URI list
+  int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_MAIN_DB;
+  if (vfs->xOpen(vfs, name.c_str(), file, flags, &flags) != SQLITE_OK) return {};
+  std::array<unsigned char, 100> bytes{};
+  const int done = file->pMethods->xRead(file, bytes.data(), static_cast<int>(bytes.size()), 0);
+  file->pMethods->xClose(file);
+  if (done != SQLITE_OK && done != SQLITE_IOERR_SHORT_READ) return {};
+  constexpr char kMagic[] = "SQLite format 3";  // with its final zero: 16 bytes
+  Header header;
+  header.sqlite = std::memcmp(bytes.data(), kMagic, sizeof kMagic) == 0;
+  header.user_version = big_endian(bytes.data() + 60);
+  header.application_id = big_endian(bytes.data() + 68);
+  return header;
+}
+
+/// A path as SOCI's connection string carries it.
+std::string connection(const std::string& real_path, bool read_only) {
+  return "db=\"" + real_path + "\" timeout=" + std::to_string(kBusyTimeout_s) +
+         (read_only ? " readonly=true" : "");
+}
+
+template <class T>
+T pragma(soci::session& sql, const std::string& text) {
+  T value{};
+  sql << "PRAGMA " + text, soci::into(value);
+  return value;
+}
+
+bool writable(const std::string& path) {
+  return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+/// Makes an empty database under a name of its own, then gives it its name: either the whole file
+/// is there or none. Somebody else's file that appears meanwhile is kept.
+Result<void> create_file(const std::string& path, const fs::path& real_path) {
+  const fs::path folder = real_path.parent_path();
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    return bad_file(path, "its folder does not exist", "make the folder " + folder.string());
+  if (!writable(folder))
+    return failed(path, "its folder is read-only", "choose a folder that you may write to");
+  const std::string temporary = real_path.string() + ".part" + std::to_string(getpid());
+  const auto tidy = [&] {
+    for (const char* suffix : {"", "-journal"}) fs::remove(temporary + suffix, ignored);
+  };
+  tidy();
+  try {
+    soci::session sql(soci::sqlite3, connection(temporary, false));
+    sql << "PRAGMA synchronous=FULL";
+    sql << "PRAGMA application_id=" + std::to_string(schema::kApplicationId);
+    sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
+    soci::transaction whole(sql);
+    for (const char* statement : schema::kCreate) sql << statement;
+    whole.commit();
+  } catch (const soci::sqlite3_soci_error& why) {
+    tidy();
+    return explain(path, "making the database", why.result(), why.get_error_message());
+  } catch (const std::exception& why) {
+    tidy();
+    return failed(path, std::string("making the database: ") + why.what(), "try again");
+  }
+  const bool named = ::link(temporary.c_str(), real_path.c_str()) == 0 || errno == EEXIST;
+  std::error_code failure;
+  if (!named) fs::rename(temporary, real_path, failure);  // a file system without hard links
+  tidy();
+  sync_folder(folder);
+  if (failure)
+    return failed(path, "could not be made: " + failure.message(), "choose another folder");
+  return {};
+}
+
+/// Is this file one of ours that may be opened so?
+Result<void> check_file(const std::string& path, const std::string& real_path,
+                        SessionStore::Open how) {
+  if (faccessat(AT_FDCWD, real_path.c_str(), R_OK, AT_EACCESS) != 0)
+    return failed(path, "may not be read", "check its permissions");
+  const auto header = read_header(real_path);
+  if (!header) return failed(path, "cannot be read", "check the disk and the permissions");
+  if (!header->sqlite)
+    return bad_file(path, "is not a database", "give a file made by isograsp db init");
+  if (header->application_id != schema::kApplicationId)
+    return bad_file(path, "is a database of another program",
+                    "give a file made by isograsp db init");
+  if (how == SessionStore::Open::read_only) return {};
+  if (header->user_version > kDatabaseFormat)
+    return bad_file(path,
+                    "was made by a newer isograsp (format " + std::to_string(header->user_version) +
+                        ", this program knows " + std::to_string(kDatabaseFormat) + ")",
+                    "install the newer program; report and export still read it if they can");
+  if (!writable(real_path))
+    return failed(path, "is read-only", "make it writable, or copy it to where you may write");
+  if (!writable(fs::path(real_path).parent_path()))
+    return failed(path, "stands in a read-only folder",
+                  "make the folder writable, or copy the file to where you may write");
+  return {};
+}
+
+}  // namespace
+
+RecordingLock::RecordingLock(RecordingLock&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+RecordingLock& RecordingLock::operator=(RecordingLock&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+RecordingLock::~RecordingLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+Result<RecordingLock> RecordingLock::take(const std::string& path, int operation) {
+  RecordingLock lock;
+  const std::string side_file = path + "-lock";
+  // Read access is enough for flock, and everybody who may write the database must get it.
+  const int descriptor = ::open(side_file.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    return failed(side_file, std::string("cannot be opened: ") + std::strerror(errno),
+                  "check the permissions of the file and its folder");
+  int done = 0;
+  do done = flock(descriptor, operation);
+  while (done != 0 && errno == EINTR);
+  if (done == 0)
+    lock.descriptor_ = descriptor;
+  else
+    close(descriptor);
+  if (done != 0 && errno != EWOULDBLOCK)
+    return failed(side_file, std::string("cannot be locked: ") + std::strerror(errno),
+                  "keep the database on a local disk");
+  return lock;
+}
+
+Result<RecordingLock> RecordingLock::shared(const std::string& path) {
+  return take(path, LOCK_SH);
+}
+
+Result<RecordingLock> RecordingLock::exclusive_if_free(const std::string& path) {
+  return take(path, LOCK_EX | LOCK_NB);
+}
+
+Database::Database(Database&&) noexcept = default;
+Database::~Database() = default;
+
+Result<Database> Database::open(const std::string& path, SessionStore::Open how) {
+  using Open = SessionStore::Open;
+  if (path.empty())
+    return Error{Error::Code::bad_input, "no database file is given", "name a file", "", 0, ""};
+  if (path.find('"') != std::string::npos)
+    return bad_file(path, "the name of a database may not hold a quotation mark", "rename it");
+  std::error_code failure;
+  // SQLite keeps its journal beside the file itself, not beside a link to it; so do we.
+  const fs::path real_path = fs::weakly_canonical(fs::absolute(path), failure);
+  if (failure) return bad_file(path, "cannot be reached: " + failure.message(), "check the path");
+  const auto status = fs::status(real_path, failure);
+  if (fs::is_directory(status)) return bad_file(path, "is a folder", "name a file in it");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return bad_file(path, "is not a plain file", "give a file made by isograsp db init");
+  if (!fs::exists(status)) {
+    if (how != Open::create)
+      return bad_file(path, "does not exist", "make it with isograsp db init, or check the path");
+    if (const auto made = create_file(path, real_path); !made) return made.error();
+  }
+  if (const auto ours = check_file(path, real_path, how); !ours) return ours.error();
+
+  Database database;
+  database.path_ = path;
+  database.real_path_ = real_path;
+  const bool read_only = how == Open::read_only;
+  // A reader that may write the file still opens it so (and then promises not to): SQLite can then
+  // remove its journal when the last connection closes, instead of leaving it beside the file.
+  const bool sealed =
+      read_only && !(writable(real_path) && writable(fs::path(real_path).parent_path()));
+  const auto opened = database.guard("opening", [&] {
+    database.session_ =
+        std::make_unique<soci::session>(soci::sqlite3, connection(real_path, sealed));
+    soci::session& sql = *database.session_;
+    sql << "PRAGMA foreign_keys=ON";
+    sql << "PRAGMA trusted_schema=OFF";
+    sql << "PRAGMA synchronous=FULL";
+    if (read_only) sql << "PRAGMA query_only=ON";
+    const bool wal = read_only || pragma<std::string>(sql, "journal_mode=WAL") == "wal";
+    if (!wal || pragma<int>(sql, "synchronous") != 2 || pragma<int>(sql, "foreign_keys") != 1)
+      throw Refusal{
+          failed(path, "the database cannot be set to durable writing", "keep it on a local disk")};
+    if (!read_only && pragma<int>(sql, "user_version") != kDatabaseFormat)
+      throw Refusal{bad_file(path, "has a format that this program does not know",
+                             "use the program that made it")};
+  });
+  if (!opened) return opened.error();
+  return database;
+}
+
+Result<void> Database::guard(const char* doing, const std::function<void()>& work) {
+  try {
+    work();
+    return {};
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  } catch (const soci::sqlite3_soci_error& why) {
+    return explain(path_, doing, why.result(), why.get_error_message());
+  } catch (const std::exception& why) {
+    return failed(path_, std::string(doing) + ": " + why.what(), "run isograsp db check");
+  }
+}
+
+Result<void> Database::transact(const char* doing, const std::function<void()>& work) {
+  return guard(doing, [&] {
+    // IMMEDIATE: waits for other writers now, instead of failing after the first read.
+    sql() << "BEGIN IMMEDIATE";
+    try {
+      work();
+      sql() << "COMMIT";
+    } catch (...) {
+      try {
+        sql() << "ROLLBACK";
+      } catch (const soci::soci_error&) {  // SQLite has rolled back by itself (full disk)
+      }
+      throw;
+    }
+  });
+}
+
+}  // namespace isograsp

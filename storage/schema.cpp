@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// STRICT refuses a value of the wrong kind. `ANY … typeof 'real'` is a float64 that may be
+// negative: a REAL column would turn -0.0 into 0.0.
+#include "storage/schema.hpp"
+
+namespace isograsp::schema {
+
+const std::array<const char*, 12> kCreate{
+    R"(CREATE TABLE patients (
+  id INTEGER PRIMARY KEY,
+  code TEXT NOT NULL UNIQUE COLLATE NOCASE CHECK (length(code) BETWEEN 2 AND 32),
+  created_utc TEXT NOT NULL
+) STRICT)",
+
+    R"(CREATE TABLE sessions (
+  id INTEGER PRIMARY KEY,
+  patient_id INTEGER NOT NULL REFERENCES patients (id),
+  started_utc TEXT NOT NULL,
+  ended_utc TEXT NOT NULL DEFAULT '',
+  hand TEXT NOT NULL CHECK (hand IN ('right', 'left')),
+  device_uri TEXT NOT NULL,
+  device_description TEXT NOT NULL,
+  simulated INTEGER NOT NULL CHECK (simulated IN (0, 1)),
+  recorded INTEGER NOT NULL CHECK (recorded IN (0, 1)),
+  provenance TEXT NOT NULL,
+  protocol_name TEXT NOT NULL,
+  protocol_text TEXT NOT NULL,
+  rate_Hz REAL NOT NULL CHECK (rate_Hz > 0),
+  device_delay_s REAL NOT NULL CHECK (device_delay_s >= 0),
+  software_version TEXT NOT NULL,
+  cpu_features TEXT NOT NULL,
+  seed TEXT NOT NULL
+) STRICT)",
+
+    "CREATE INDEX sessions_of_patient ON sessions (patient_id)",
+
+    R"(CREATE TABLE instrument_zeros (
+  id INTEGER PRIMARY KEY,
+  session_id INTEGER NOT NULL REFERENCES sessions (id),
+  session_time_s REAL NOT NULL,
+  mean_N_Nm BLOB NOT NULL CHECK (length(mean_N_Nm) = 144),
+  sd_N_Nm BLOB NOT NULL CHECK (length(sd_N_Nm) = 144),
+  UNIQUE (session_id, id)
+) STRICT)",
+
+    R"(CREATE TABLE trials (
+  id INTEGER PRIMARY KEY,
+  session_id INTEGER NOT NULL REFERENCES sessions (id),
+  number INTEGER NOT NULL CHECK (number >= 1),
+  task_name TEXT NOT NULL,
+  task_version INTEGER NOT NULL,
+  task_text TEXT NOT NULL,
+  scene_text TEXT NOT NULL,
+  practice INTEGER NOT NULL CHECK (practice IN (0, 1)),
+  session_time_s REAL NOT NULL,
+  status TEXT NOT NULL CHECK (status IN ('running', 'completed', 'aborted', 'interrupted')),
+  maximum_force_N REAL NOT NULL,
+  resting_force_N ANY NOT NULL CHECK (typeof(resting_force_N) = 'real'),
+  zero_id INTEGER,
+  sample_count INTEGER CHECK (sample_count >= 0),
+  dropped_count INTEGER NOT NULL DEFAULT 0 CHECK (dropped_count >= 0),
+  worst_lateness_s REAL NOT NULL DEFAULT 0,
+  worst_compute_s REAL NOT NULL DEFAULT 0,
+  health_json TEXT NOT NULL DEFAULT '',
+  UNIQUE (session_id, number),
+  UNIQUE (session_id, id),
+  FOREIGN KEY (session_id, zero_id) REFERENCES instrument_zeros (session_id, id),
+  CHECK ((status = 'running') = (sample_count IS NULL))
+) STRICT)",
+
+    "CREATE INDEX running_trials ON trials (id) WHERE status = 'running'",
+
+    R"(CREATE TABLE signal_groups (
+  trial_id INTEGER NOT NULL REFERENCES trials (id),
+  position INTEGER NOT NULL CHECK (position >= 0),
+  name TEXT NOT NULL,
+  column_names TEXT NOT NULL,
+  PRIMARY KEY (trial_id, position)
+) STRICT)",
+
+    R"(CREATE TABLE signal_blocks (
+  trial_id INTEGER NOT NULL,
+  position INTEGER NOT NULL,
+  second INTEGER NOT NULL CHECK (second >= 0),
+  row_count INTEGER NOT NULL CHECK (row_count > 0),
+  crc32 INTEGER NOT NULL,
+  float64_shuffled_zstd BLOB NOT NULL,
+  PRIMARY KEY (trial_id, position, second),
+  FOREIGN KEY (trial_id, position) REFERENCES signal_groups (trial_id, position)
+) STRICT)",
+
+    R"(CREATE TABLE measures (
+  id INTEGER PRIMARY KEY,
+  trial_id INTEGER NOT NULL REFERENCES trials (id),
+  name TEXT NOT NULL CHECK (name <> ''),
+  channel TEXT NOT NULL,
+  value ANY CHECK (typeof(value) IN ('real', 'null')),
+  unit TEXT NOT NULL,
+  version INTEGER NOT NULL,
+  sample_count INTEGER NOT NULL,
+  excluded_count INTEGER NOT NULL,
+  reason TEXT NOT NULL
+) STRICT)",
+
+    "CREATE INDEX measures_of_trial ON measures (trial_id)",
+
+    R"(CREATE TABLE events (
+  id INTEGER PRIMARY KEY,
+  session_id INTEGER NOT NULL REFERENCES sessions (id),
+  trial_id INTEGER,
+  session_time_s REAL NOT NULL,
+  kind TEXT NOT NULL CHECK (kind <> ''),
+  text TEXT NOT NULL,
+  FOREIGN KEY (session_id, trial_id) REFERENCES trials (session_id, id)
+) STRICT)",
+
+    "CREATE INDEX events_of_session ON events (session_id)",
+};
+
+}  // namespace isograsp::schema

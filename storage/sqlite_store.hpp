@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The session store on SQLite. Internal to this folder; open one with SessionStore::open().
+// Writing is in session_store.cpp, reading in read_records.cpp and read_signals.cpp, care in
+// maintenance.cpp.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "storage/database.hpp"
+#include "storage/session_store.hpp"
+
+namespace isograsp {
+
+class SqliteStore final : public SessionStore {
+ public:
+  explicit SqliteStore(Database database);
+  ~SqliteStore() override;
+
+  [[nodiscard]] const std::string& path() const noexcept override { return database_.path(); }
+
+  [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code) override;
+  [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session) override;
+  [[nodiscard]] Result<void> end_session(RowId session) override;
+  [[nodiscard]] Result<RowId> add_zero(const InstrumentZeroRecord& zero) override;
+  [[nodiscard]] Result<RowId> begin_trial(const TrialRecord& trial) override;
+  [[nodiscard]] Result<void> append_blocks(RowId trial, int second,
+                                           std::span<const std::vector<double>> rows) override;
+  [[nodiscard]] Result<void> end_trial(const TrialRecord& end,
+                                       std::span<const Measure> measures) override;
+  [[nodiscard]] Result<void> add_event(RowId session, const EventRecord& event) override;
+
+  [[nodiscard]] Result<std::vector<PatientRecord>> patients() override;
+  [[nodiscard]] Result<std::optional<PatientRecord>> find_patient(const std::string& code) override;
+  [[nodiscard]] Result<std::vector<SessionRecord>> sessions(RowId patient) override;
+  [[nodiscard]] Result<std::vector<TrialRecord>> trials(RowId session) override;
+  [[nodiscard]] Result<std::vector<Measure>> measures(RowId trial) override;
+  [[nodiscard]] Result<std::vector<EventRecord>> events(RowId session) override;
+  [[nodiscard]] Result<std::vector<InstrumentZeroRecord>> zeros(RowId session) override;
+  [[nodiscard]] Result<Signals> signals(const TrialRecord& trial) override;
+  [[nodiscard]] Result<std::vector<MeasurePoint>> progress(RowId patient) override;
+
+  [[nodiscard]] Result<std::vector<std::string>> check() override;
+  [[nodiscard]] Result<void> backup(const std::string& to) override;
+
+  /// Marks trials that nobody records any more as interrupted.
+  [[nodiscard]] Result<void> repair();
+
+ private:
+  /// The trial that this store records now.
+  struct Recording {
+    RowId trial = 0;
+    std::vector<std::size_t> column_counts;  ///< per group
+    double rate_Hz = 0.0;
+    int next_second = 0;
+    bool short_block_seen = false;
+    RecordingLock lock;  ///< held until the trial is closed
+  };
+  struct BlockInsert;  ///< the prepared statement of append_blocks and its variables
+
+  [[nodiscard]] Error refuse(std::string what, std::string remedy) const;
+  [[nodiscard]] Result<void> check_blocks(int second,
+                                          std::span<const std::vector<double>> rows) const;
+  void read_groups(TrialRecord& trial);
+
+  Database database_;
+  std::optional<Recording> recording_;
+  std::unique_ptr<BlockInsert> block_insert_;
+};
+
+/// Seconds resolution, ISO 8601: "2026-03-01T09:30:00Z".
+[[nodiscard]] std::string utc_now();
+
+}  // namespace isograsp

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far the actual signal is from its target, how steady it is, how high it gets.
+// error e = actual - target; weights w are hold lengths [s]. All spans have the same length.
+#pragma once
+
+#include "tasks/measures.hpp"
+
+namespace isograsp {
+
+/// sum(w x) / sum(w), unit of x.
+[[nodiscard]] Computed weighted_mean(std::span<const double> x, std::span<const double> weight);
+
+/// Root mean square error, version 1: sqrt(sum(w e^2) / sum(w)).
+[[nodiscard]] Computed rmse(std::span<const double> target, std::span<const double> actual,
+                            std::span<const double> weight);
+/// Mean absolute error, version 1: sum(w |e|) / sum(w).
+[[nodiscard]] Computed mae(std::span<const double> target, std::span<const double> actual,
+                           std::span<const double> weight);
+/// Constant error, version 1: sum(w e) / sum(w); positive: above the target.
+[[nodiscard]] Computed constant_error(std::span<const double> target,
+                                      std::span<const double> actual,
+                                      std::span<const double> weight);
+/// Relative error, version 1, in %: 100 rmse / largest |target| (Kurillo family).
+[[nodiscard]] Computed relative_rmse(std::span<const double> target, std::span<const double> actual,
+                                     std::span<const double> weight);
+/// Time in range, version 1, in %: share of time with |e| <= max(0.05 |target|, 3 noise_sd).
+[[nodiscard]] Computed time_in_range(std::span<const double> target, std::span<const double> actual,
+                                     std::span<const double> weight, double noise_sd = 0.0);
+
+/// Coefficient of variation, version 1, in %: 100 SD(n-1) of x after removing its least-squares
+/// line over t, divided by the mean of x.
+[[nodiscard]] Computed cv(std::span<const double> t_s, std::span<const double> x);
+
+/// Largest mean of x over any window of `window_s` of uninterrupted samples, version 1, unit of x.
+/// `valid[k]`: sample k may be used. The last sample of a window counts only as far as it reaches
+/// in.
+[[nodiscard]] Computed best_moving_mean(std::span<const double> x, std::span<const double> weight,
+                                        const std::vector<bool>& valid, double window_s);
+
+}  // namespace isograsp

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isograsp {
+
+std::vector<double> Section::values(std::span<const double> column) const {
+  std::vector<double> chosen;
+  chosen.reserve(rows.size());
+  for (const std::size_t row : rows) chosen.push_back(column[row]);
+  return chosen;
+}
+
+namespace {
+
+/// A phase number that nobody knows counts as paused: it is never scored.
+Phase phase_from(double number) {
+  if (std::isnan(number) || number < 0.0 || number > static_cast<double>(Phase::done) ||
+      number != std::floor(number))
+    return Phase::paused;
+  return static_cast<Phase>(static_cast<int>(number));
+}
+
+}  // namespace
+
+Record::Record(const Signals& signals) : signals_(signals) {
+  const auto t_s = signals.column("t_s");
+  const auto phase = signals.column("phase");
+  const auto flags = signals.column("sample_flags");
+  hold_s_ = hold_lengths(t_s);
+  const std::size_t n = hold_s_.size();
+  phase_.assign(n, Phase::active);
+  flagged_.assign(n, false);
+  missing_.assign(n, false);
+  task_time_s_.assign(n, 0.0);
+  const bool regular = is_regular(t_s);
+  double elapsed_s = 0.0;
+  std::size_t unpaused = 0;
+  for (std::size_t row = 0; row < n; ++row) {
+    if (!phase.empty()) phase_[row] = phase_from(phase[row]);
+    if (!flags.empty()) {
+      flagged_[row] = !(flags[row] == 0.0);  // an empty field is no clean bill of health either
+      missing_[row] = std::isnan(flags[row]) ||
+                      (static_cast<unsigned>(flags[row]) & unsigned{bit(SampleFlag::missing)}) != 0;
+    }
+    // On a regular grid a product has one rounding, a running sum as many as rows.
+    task_time_s_[row] = regular ? static_cast<double>(unpaused) * hold_s_[row] : elapsed_s;
+    if (paused(row)) continue;
+    elapsed_s += hold_s_[row];
+    ++unpaused;
+  }
+}
+
+Section Record::select(std::initializer_list<Phase> phases,
+                       std::initializer_list<std::string_view> columns, TimeAxis axis) const {
+  return select(0, rows(), phases, columns, axis);
+}
+
+Section Record::select(std::size_t first, std::size_t last, std::initializer_list<Phase> phases,
+                       std::initializer_list<std::string_view> columns, TimeAxis axis) const {
+  Section section;
+  std::vector<std::span<const double>> needed;
+  for (const auto name : columns) {
+    if (!signals_.has(name)) {
+      section.reason = "the column " + std::string(name) + " is missing";
+      return section;
+    }
+    needed.push_back(signals_.column(name));
+  }
+  const auto t_s = signals_.column("t_s");
+  for (std::size_t row = first; row < last; ++row) {
+    const bool in_scope = phases.size() == 0 || paused(row) ||
+                          std::find(phases.begin(), phases.end(), phase_[row]) != phases.end();
+    if (!in_scope) continue;
+    const bool complete =
+        std::none_of(needed.begin(), needed.end(),
+                     [row](std::span<const double> column) { return std::isnan(column[row]); });
+    if (!counts(row) || !complete) {
+      ++section.excluded;
+      continue;
+    }
+    section.rows.push_back(row);
+    section.t_s.push_back(axis == TimeAxis::task ? task_time_s_[row] : t_s[row]);
+    section.weight_s.push_back(hold_s_[row]);
+  }
+  return section;
+}
+
+Section Record::select_position(std::size_t first, std::size_t last,
+                                std::initializer_list<Phase> phases, TimeAxis axis) const {
+  if (signals_.has("actual_z_m"))
+    return select(first, last, phases, {"actual_x_m", "actual_y_m", "actual_z_m"}, axis);
+  return select(first, last, phases, {"actual_x_m", "actual_y_m"}, axis);
+}
+
+std::optional<double> Record::constant(std::string_view column) const {
+  for (const double value : signals_.column(column))
+    if (!std::isnan(value)) return value;
+  return std::nullopt;
+}
+
+Measure make_measure(std::string name, std::string channel, std::string unit,
+                     const Section& section, Computed computed) {
+  Measure measure;
+  measure.name = std::move(name);
+  measure.channel = std::move(channel);
+  measure.unit = std::move(unit);
+  measure.samples = static_cast<std::int64_t>(section.rows.size());
+  measure.excluded = section.excluded;
+  if (!section.reason.empty()) {
+    measure.reason = section.reason;
+  } else if (section.rows.empty()) {
+    measure.reason = "no samples";
+  } else if (computed.value && !std::isfinite(*computed.value)) {
+    measure.reason = "the result is not finite";
+  } else {
+    measure.value = computed.value;
+    measure.reason = std::move(computed.reason);
+  }
+  return measure;
+}
+
+Computed mean_over(const Section& section, std::span<const double> column) {
+  double sum = 0.0;
+  double total_s = 0.0;
+  for (std::size_t i = 0; i < section.rows.size(); ++i) {
+    sum += section.weight_s[i] * column[section.rows[i]];
+    total_s += section.weight_s[i];
+  }
+  if (!(total_s > 0.0)) return "no samples";
+  return sum / total_s;
+}
+
+namespace {
+
+std::vector<std::span<const double>> position_columns(const Signals& signals) {
+  std::vector<std::span<const double>> axes{signals.column("actual_x_m"),
+                                            signals.column("actual_y_m")};
+  if (signals.has("actual_z_m")) axes.push_back(signals.column("actual_z_m"));
+  return axes;
+}
+
+}  // namespace
+
+double path_length_of(const Section& section, const Signals& signals) {
+  const auto axes = position_columns(signals);
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < section.rows.size(); ++i) {
+    double squares = 0.0;
+    for (const auto& axis : axes) {
+      const double d = axis[section.rows[i]] - axis[section.rows[i - 1]];
+      squares += d * d;
+    }
+    length_m += std::sqrt(squares);
+  }
+  return length_m;
+}
+
+std::vector<UniformSamples> position_of(const Section& section, const Signals& signals) {
+  std::vector<UniformSamples> position;
+  for (const auto& axis : position_columns(signals))
+    position.push_back(on_uniform_grid(section.t_s, section.values(axis)));
+  return position;
+}
+
+}  // namespace isograsp

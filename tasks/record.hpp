@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside tasks/ only: a trial's signals as the measures see them - which rows count, for how long,
+// and at what task time (it stands still while paused).
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include "core/measure.hpp"
+#include "core/signals.hpp"
+#include "tasks/measures.hpp"
+#include "tasks/task.hpp"
+
+namespace isograsp {
+
+/// Rows chosen for a measure, without the excluded ones.
+struct Section {
+  std::vector<std::size_t> rows;
+  std::vector<double> t_s;       ///< one per row
+  std::vector<double> weight_s;  ///< hold length of each row
+  std::int64_t excluded = 0;
+  std::string reason;  ///< why there is nothing: a column is absent
+
+  /// The column's values in these rows.
+  [[nodiscard]] std::vector<double> values(std::span<const double> column) const;
+};
+
+class Record {
+ public:
+  /// Refers to `signals`, which must outlive it.
+  explicit Record(const Signals& signals);
+
+  [[nodiscard]] const Signals& signals() const noexcept { return signals_; }
+  [[nodiscard]] std::size_t rows() const noexcept { return hold_s_.size(); }
+  [[nodiscard]] double hold_s(std::size_t row) const { return hold_s_[row]; }
+  /// Sum of the holds of all unpaused rows before this one [s].
+  [[nodiscard]] double task_time_s(std::size_t row) const { return task_time_s_[row]; }
+  /// `active` if there is no column `phase`.
+  [[nodiscard]] Phase phase(std::size_t row) const { return phase_[row]; }
+  [[nodiscard]] bool paused(std::size_t row) const { return phase_[row] == Phase::paused; }
+  /// Not paused, and every finger's sample in it was received and good.
+  [[nodiscard]] bool counts(std::size_t row) const { return !flagged_[row] && !paused(row); }
+  /// A finger had no value in this row, not even a held one.
+  [[nodiscard]] bool missing(std::size_t row) const { return missing_[row]; }
+
+  enum class TimeAxis { task, record };
+  /// Rows in one of `phases` in which all `columns` have a value; paused, flagged and empty ones
+  /// are excluded and counted. No phases: every row.
+  [[nodiscard]] Section select(std::initializer_list<Phase> phases,
+                               std::initializer_list<std::string_view> columns,
+                               TimeAxis axis = TimeAxis::task) const;
+  /// The same for the rows in [first, last).
+  [[nodiscard]] Section select(std::size_t first, std::size_t last,
+                               std::initializer_list<Phase> phases,
+                               std::initializer_list<std::string_view> columns,
+                               TimeAxis axis = TimeAxis::task) const;
+  /// Rows in [first, last) in which the object's position is known: x and y, and z if recorded.
+  [[nodiscard]] Section select_position(std::size_t first, std::size_t last,
+                                        std::initializer_list<Phase> phases,
+                                        TimeAxis axis = TimeAxis::task) const;
+  /// First value of a column that is constant over the trial.
+  [[nodiscard]] std::optional<double> constant(std::string_view column) const;
+
+ private:
+  const Signals& signals_;
+  std::vector<double> hold_s_;
+  std::vector<double> task_time_s_;
+  std::vector<Phase> phase_;
+  std::vector<bool> flagged_;
+  std::vector<bool> missing_;
+};
+
+/// Puts a computed value on record. A section that could not be made gives its reason.
+[[nodiscard]] Measure make_measure(std::string name, std::string channel, std::string unit,
+                                   const Section& section, Computed computed);
+
+/// sum of the column's value times hold / sum of holds, over the section.
+[[nodiscard]] Computed mean_over(const Section& section, std::span<const double> column);
+/// Sum of the straight distances between successive positions of the section [m].
+[[nodiscard]] double path_length_of(const Section& section, const Signals& signals);
+/// The position columns that the signals have: x and y, and z if present.
+[[nodiscard]] std::vector<UniformSamples> position_of(const Section& section,
+                                                      const Signals& signals);
+
+/// The measures of each kind.
+[[nodiscard]] std::vector<Measure> score_rest(const Record& record);
+[[nodiscard]] std::vector<Measure> score_maximum(const MaximumSpec& spec, const Record& record);
+[[nodiscard]] std::vector<Measure> score_force_tracking(const ForceTrackingSpec& spec,
+                                                        const Record& record);
+[[nodiscard]] std::vector<Measure> score_pose_targets(const PoseTargetsSpec& spec,
+                                                      const Record& record);
+[[nodiscard]] std::vector<Measure> score_observe(const Record& record);
+
+}  // namespace isograsp

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Default measures without a task: every target_X with its actual_X, whole record
+// (docs/measures.md).
+#include <string_view>
+
+#include "tasks/measures_error.hpp"
+#include "tasks/measures_smoothness.hpp"
+#include "tasks/measures_time.hpp"
+#include "tasks/record.hpp"
+#include "tasks/score.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr std::string_view kTarget = "target_";
+constexpr const char* kTooShort = "fewer than two samples";
+
+/// "force_N" is the channel "force" in "N".
+struct Quantity {
+  std::string channel;
+  std::string unit;
+};
+Quantity quantity_of(std::string_view column) {
+  const auto underscore = column.rfind('_');
+  if (underscore == std::string_view::npos) return {std::string(column), ""};
+  std::string unit(column.substr(underscore + 1));
+  if (unit == "mps") unit = "m/s";
+  if (unit == "radps") unit = "rad/s";
+  return {std::string(column.substr(0, underscore)), unit};
+}
+
+void score_pair(const Record& record, const std::string& quantity_column,
+                std::vector<Measure>& measures) {
+  const std::string target_column = std::string(kTarget) + quantity_column;
+  const std::string actual_column = "actual_" + quantity_column;
+  const Quantity quantity = quantity_of(quantity_column);
+  const Section both = record.select({}, {target_column, actual_column}, Record::TimeAxis::record);
+  const auto target = both.values(record.signals().column(target_column));
+  const auto actual = both.values(record.signals().column(actual_column));
+  const auto& weight_s = both.weight_s;
+  const auto add = [&](const char* name, const std::string& unit, const Computed& computed) {
+    measures.push_back(make_measure(name, quantity.channel, unit, both, computed));
+  };
+  add("rmse", quantity.unit, rmse(target, actual, weight_s));
+  add("mae", quantity.unit, mae(target, actual, weight_s));
+  add("constant_error", quantity.unit, constant_error(target, actual, weight_s));
+  add("time_in_range", "%", time_in_range(target, actual, weight_s));
+  add("cv", "%", cv(both.t_s, actual));
+  if (both.rows.size() < 2) {
+    add("sample_entropy", "", kTooShort);
+    add("lag", "s", kTooShort);
+    return;
+  }
+  const UniformSamples even_actual = on_uniform_grid(both.t_s, actual);
+  add("sample_entropy", "", sample_entropy(even_actual.values));
+  add("lag", "s", lag(on_uniform_grid(both.t_s, target), even_actual));
+}
+
+void score_motion(const Record& record, std::vector<Measure>& measures) {
+  const Signals& signals = record.signals();
+  if (!signals.has("actual_x_m") || !signals.has("actual_y_m")) return;
+  const Section motion = record.select_position(0, record.rows(), {}, Record::TimeAxis::record);
+  Computed smooth = kTooShort;
+  Computed jerk = kTooShort;
+  if (motion.rows.size() >= 2) {
+    const UniformSamples speed = speed_of(position_of(motion, signals));
+    smooth = sparc(speed);
+    jerk = ldlj(speed);
+  }
+  measures.push_back(make_measure("sparc", "position", "", motion, smooth));
+  measures.push_back(make_measure("ldlj", "position", "", motion, jerk));
+}
+
+}  // namespace
+
+std::vector<Measure> score_pairs(const Signals& signals) {
+  const Record record(signals);
+  std::vector<Measure> measures;
+  for (const std::string& name : signals.names()) {
+    if (!name.starts_with(kTarget)) continue;
+    const std::string quantity_column = name.substr(kTarget.size());
+    if (!quantity_column.empty() && signals.has("actual_" + quantity_column))
+      score_pair(record, quantity_column, measures);
+  }
+  score_motion(record, measures);
+  return measures;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp db and isograsp export, as a user calls them.
+#include <gtest/gtest.h>
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+
+#include "core/csv.hpp"
+#include "tests/support/command.hpp"
+
+namespace isograsp {
+namespace {
+
+namespace fs = std::filesystem;
+using test::isograsp;
+
+struct DatabaseCommands : testing::Test {
+  test::TemporaryFolder folder;
+  std::string db = folder.path("clinic.db");
+
+  void record(const std::string& patient) const {
+    const auto run =
+        isograsp("run --protocol-file " ISOGRASP_SOURCE_DIR
+                 "/library/protocols/short.toml --device 'sim://healthy?seed=4' --db " +
+                 db + " --fast --patient " + patient);
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+  void execute(const std::string& statement) const {
+    soci::session sql(soci::sqlite3, db);
+    sql << statement;
+  }
+};
+
+TEST_F(DatabaseCommands, VerifyNamesAMeasureThatItsSignalsDoNotGive) {
+  record("T-01");
+  EXPECT_EQ(isograsp("db verify " + db).status, 0);
+  execute("UPDATE measures SET value = value * (1 + 1e-9) WHERE name = 'rmse'");
+  const auto verify = isograsp("db verify " + db);
+  EXPECT_EQ(verify.status, 1);
+  EXPECT_NE(verify.out.find("patient T-01, session 1, trial 3, rmse of force: stored"),
+            std::string::npos)
+      << verify.out;
+  // A last digit that another libm rounds otherwise is accepted.
+  execute("UPDATE measures SET value = value * (1 - 1e-9 + 1e-14) WHERE name = 'rmse'");
+  EXPECT_EQ(isograsp("db verify " + db).status, 0);
+}
+
+TEST_F(DatabaseCommands, CheckFindsADamagedBlock) {
+  record("T-01");
+  EXPECT_EQ(isograsp("db check " + db).status, 0);
+  execute("UPDATE signal_blocks SET crc32 = crc32 + 1 WHERE trial_id = 2 AND second = 1");
+  const auto check = isograsp("db check " + db);
+  EXPECT_EQ(check.status, 1);
+  EXPECT_NE(check.out.find("trial 2 of session 1, group task, second 1"), std::string::npos)
+      << check.out;
+}
+
+TEST_F(DatabaseCommands, InitAndBackupNeverOverwrite) {
+  EXPECT_EQ(isograsp("db init " + db).status, 0);
+  EXPECT_EQ(isograsp("db init " + db).status, 2);
+  EXPECT_EQ(isograsp("db backup " + db + " --to " + folder.path("copy.db")).status, 0);
+  EXPECT_EQ(isograsp("db backup " + db + " --to " + folder.path("copy.db")).status, 2);
+  EXPECT_EQ(isograsp("db migrate " + folder.path("copy.db")).status, 0);
+  const auto sealed = isograsp("db init --protected " + folder.path("sealed.db"));
+  EXPECT_EQ(sealed.status, 2);
+  EXPECT_NE(sealed.err.find("--protected: protected databases are not available"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.path("sealed.db")));
+}
+
+TEST_F(DatabaseCommands, ExportScoresAsTheSessionDid) {
+  record("T-01");
+  const std::string out = folder.path("study");
+  const auto exported = isograsp("export --db " + db + " --format csv --out " + out);
+  ASSERT_EQ(exported.status, 0) << exported.err;
+  for (const char* trial : {"1", "2", "3", "4"}) {
+    const std::string stem = out + "/patient_1/session_1/trial_" + trial;
+    const auto scored =
+        isograsp("score --json --task " + stem + "_task.toml --signals " + stem + "_signals.csv");
+    ASSERT_EQ(scored.status, 0) << scored.err;
+    // The sidecar holds the same numbers, each written as the shortest text that reads back.
+    const auto sidecar = *read_text(stem + ".json");
+    std::size_t compared = 0;
+    for (std::size_t at = 0; (at = scored.out.find("\"value\": ", at)) != std::string::npos; ++at) {
+      const auto value = scored.out.substr(at, scored.out.find(',', at) - at + 1);
+      EXPECT_NE(sidecar.find(value), std::string::npos) << value;
+      ++compared;
+    }
+    EXPECT_GT(compared, 0u);
+  }
+}
+
+TEST_F(DatabaseCommands, ExportHoldsNoDateNoteOrAddress) {
+  record("T-01");
+  record("T-01");
+  execute(
+      "UPDATE sessions SET started_utc = '2026-03-01T09:30:00Z', provenance = 'secret' "
+      "WHERE id = 1");
+  execute(
+      "UPDATE sessions SET started_utc = '2026-03-08T08:00:00Z', "
+      "device_uri = 'replay:///home/secret/file.csv' WHERE id = 2");
+  execute(
+      "INSERT INTO events (session_id, trial_id, session_time_s, kind, text) "
+      "VALUES (1, 1, 0.5, 'note', 'secret')");
+  const std::string out = folder.path("study");
+  ASSERT_EQ(isograsp("export --db " + db + " --session 2 --out " + out).status, 0);
+  EXPECT_FALSE(fs::exists(out + "/patient_1/session_1"));
+  ASSERT_EQ(isograsp("export --db " + db + " --session 1 --out " + out).status, 0);
+  std::string all;
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    if (entry.is_regular_file()) all += *read_text(entry.path());
+  EXPECT_EQ(all.find("secret"), std::string::npos);
+  EXPECT_EQ(all.find("2026-03"), std::string::npos);
+  EXPECT_NE(all.find("\"days_from_first_session\": 7"), std::string::npos);
+}
+
+TEST_F(DatabaseCommands, ExportOverwritesNothingAndLeavesNothingHalfWritten) {
+  record("T-01");
+  const std::string out = folder.path("study");
+  for (const char* wrong : {"--session 9", "--session 0", "--patient T-99", "--format hdf5"}) {
+    const auto refused = isograsp("export --db " + db + " --out " + out + " " + wrong);
+    EXPECT_EQ(refused.status, 2) << wrong;
+    EXPECT_FALSE(fs::exists(out)) << wrong;
+  }
+  execute("UPDATE signal_blocks SET crc32 = crc32 + 1 WHERE trial_id = 4 AND second = 1");
+  EXPECT_EQ(isograsp("export --db " + db + " --out " + out).status, 1);
+  EXPECT_FALSE(fs::exists(out)) << "three sound trials come before the damaged one";
+  execute("UPDATE signal_blocks SET crc32 = crc32 - 1 WHERE trial_id = 4 AND second = 1");
+  EXPECT_EQ(isograsp("export --db " + db + " --out " + out).status, 0);
+  EXPECT_EQ(isograsp("export --db " + db + " --out " + out).status, 2) << "the files exist";
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "core/finger_forces.hpp"
+#include "storage/session_store.hpp"
+#include "tests/support/command.hpp"
+
+namespace isograsp {
+namespace {
+
+namespace fs = std::filesystem;
+using test::isograsp;
+using test::TemporaryFolder;
+
+const std::string kProtocols = std::string(ISOGRASP_SOURCE_DIR) + "/library/protocols/";
+
+TEST(CommandLine, AnErrorIsOneLineThatNamesTheCauseAndTheStatusIsTwo) {
+  const TemporaryFolder folder;
+  const std::string good = "--protocol-file " + kProtocols +
+                           "short.toml --device sim://healthy --db " + folder.path("c.db") +
+                           " --patient T-01 --fast";
+  for (const auto& [arguments, message] :
+       {std::pair<std::string, std::string>{"frobnicate", "frobnicate"},
+        {"run", "--protocol-file is required"},
+        {"run " + good + " --hand both", "--hand: 'both' is not a hand"},
+        {"run --protocol-file absent.toml --device sim://healthy --db " + folder.path("c.db") +
+             " --patient T-01",
+         "absent.toml"},
+        {"run --protocol-file " + kProtocols + "short.toml --device sim://healthy --db " +
+             folder.path("c.db") + " --patient 'Anna Maria' --fast",
+         "patient code"},
+        {"run --protocol-file " + kProtocols + "short.toml --device warp://core --db " +
+             folder.path("d.db") + " --patient T-01 --fast",
+         "warp"}}) {
+    const auto result = isograsp(arguments);
+    EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
+    EXPECT_EQ(result.err.find("isograsp: "), 0u) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    EXPECT_TRUE(result.out.empty()) << result.out;
+  }
+  EXPECT_FALSE(fs::exists(folder.path("c.db"))) << "nothing may be made before the input is good";
+}
+
+TEST(CommandLine, HelpAndVersionSucceedOnEverySubcommand) {
+  EXPECT_EQ(isograsp("--version").status, 0);
+  const auto help = isograsp("--help");
+  EXPECT_EQ(help.status, 0);
+  for (const char* name : {"convert", "db", "decode", "devices", "emulate", "export", "grasp",
+                           "gui", "monitor", "record", "report", "run", "score", "simulate"}) {
+    EXPECT_NE(help.out.find(name), std::string::npos) << name;
+    const auto own = isograsp(std::string(name) + " --help");
+    EXPECT_EQ(own.status, 0) << name;
+    EXPECT_NE(own.out.find("xample"), std::string::npos) << name << " shows no example";
+  }
+}
+
+TEST(CommandLine, ASessionIsRecordedScoredExportedAndReported) {
+  const TemporaryFolder folder;
+  const std::string db = folder.path("c.db");
+  const auto run =
+      isograsp("run --protocol-file " + kProtocols +
+               "short.toml --device 'sim://healthy?seed=4' --db " + db + " --patient T-01 --fast");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("patient T-01 is new"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("maximum_force"), std::string::npos) << run.out;
+  EXPECT_EQ(isograsp("db check " + db).status, 0);
+  EXPECT_EQ(isograsp("db verify " + db).status, 0);
+
+  const auto report =
+      isograsp("report --db " + db + " --patient T-01 --out " + folder.path("r.pdf"));
+  EXPECT_EQ(report.status, 0) << report.err;
+  EXPECT_GT(fs::file_size(folder.path("r.pdf")), 10000u);
+
+  const auto exported = isograsp("export --db " + db + " --format csv --out " + folder.path("x"));
+  ASSERT_EQ(exported.status, 0) << exported.err;
+}
+
+/// Forces of a hand that grips, moves and lets go, on a regular grid, with gaps of one sample.
+std::string some_forces() {
+  std::string text;
+  for (const auto& name : finger_forces_columns()) text += (text.empty() ? "" : ",") + name;
+  text += "\n";
+  for (int k = 0; k < 500; ++k) {
+    FingerForcesRow row;
+    row.t_s = k * 0.01;
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
+      row.present[f] = k % 97 != 40 + static_cast<int>(f);
+      row.wrench_C[f].force = Vec3(std::sin(0.03 * k), 0.3 * std::cos(0.05 * k),
+                                   4.0 + 3.0 * std::sin(0.01 * k + static_cast<double>(f)));
+    }
+    append_finger_forces(text, row);
+  }
+  return text;
+}
+
+TEST(CommandLine, AReplayedSessionMovesTheObjectAsSimulateDoesBitForBit) {
+  const TemporaryFolder folder;
+  const std::string forces = folder.write("forces.csv", some_forces());
+  const std::string db = folder.path("c.db");
+  const auto run =
+      isograsp("run --protocol-file " + kProtocols + "recorded.toml --device replay://" + forces +
+               " --db " + db + " --patient T-01 --fast");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto simulate =
+      isograsp("simulate --scene " ISOGRASP_SOURCE_DIR "/library/scenes/firm_block.toml --forces " +
+               forces + " --out " + folder.path("path.csv"));
+  ASSERT_EQ(simulate.status, 0) << simulate.err;
+  const auto path = read_signals(folder.path("path.csv")).value();
+
+  const auto store = SessionStore::open(db, SessionStore::Open::read_only).value();
+  const auto patient = store->find_patient("T-01").value().value();
+  const auto trial = store->trials(store->sessions(patient.id).value().at(0).id).value().at(0);
+  const auto recorded = store->signals(trial).value();
+  ASSERT_EQ(recorded.rows() + 1, path.rows()) << "simulate adds the end of the last hold";
+  for (const auto& [ours, theirs] : {std::pair{"actual_x_m", "x_m"},
+                                     {"actual_y_m", "y_m"},
+                                     {"actual_qw", "qw"},
+                                     {"actual_qz", "qz"},
+                                     {"vx_mps", "vx_mps"},
+                                     {"wz_radps", "wz_radps"},
+                                     {"tz_Nm", "tz_Nm"}})
+    for (std::size_t row = 0; row < recorded.rows(); ++row)
+      ASSERT_EQ(recorded.column(ours)[row], path.column(theirs)[row]) << ours << " row " << row;
+}
+
+TEST(CommandLine, ARecordingThatPeopleMadeBecomesAReportThatSaysSo) {
+  const char* chosen = std::getenv("ISOGRASP_RECORDED_DATA");
+  const std::string data = chosen != nullptr ? chosen : ISOGRASP_SOURCE_DIR "/../shared/data";
+  if (!fs::is_directory(data + "/kth-handover")) GTEST_SKIP() << "no recorded data in " << data;
+  const TemporaryFolder folder;
+  const auto convert = isograsp("convert --mapping kth_handover --input " + data +
+                                "/kth-handover --out " + folder.path("k.csv"));
+  ASSERT_EQ(convert.status, 0) << convert.err;
+  const std::string db = folder.path("c.db");
+  const auto run =
+      isograsp("run --protocol-file " + kProtocols + "recorded.toml --device replay://" +
+               folder.path("k.csv") + " --db " + db + " --patient T-02 --fast");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto report =
+      isograsp("report --db " + db + " --patient T-02 --out " + folder.path("r.html"));
+  ASSERT_EQ(report.status, 0) << report.err;
+  const auto html = read_text(folder.path("r.html")).value();
+  EXPECT_NE(html.find("stand-in: two people hand over a baton"), std::string::npos);
+  EXPECT_NE(html.find("stated by the mapping: rate 120 Hz"), std::string::npos);
+}
+
+TEST(CommandLine, TheDemonstrationGoesFromForceToReportWithoutAQuestion) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(setenv("XDG_DATA_HOME", folder.path().c_str(), 1), 0);
+  const auto demo = isograsp("demo --headless");
+  ASSERT_EQ(demo.status, 0) << demo.err;
+  const auto at = demo.out.rfind("Report:");
+  ASSERT_NE(at, std::string::npos) << demo.out;
+  std::string pdf = demo.out.substr(demo.out.find('/', at));
+  pdf.pop_back();  // the end of the line
+  EXPECT_EQ(read_text(pdf).value().substr(0, 5), "%PDF-");
+  EXPECT_EQ(isograsp("demo --headless").status, 0) << "safe to repeat";
+}
+
+}  // namespace
+}  // namespace isograsp

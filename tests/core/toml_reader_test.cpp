@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/toml_reader.hpp"
+
+#include <gtest/gtest.h>
+
+namespace isograsp {
+namespace {
+
+constexpr const char* kFormat = "example-1";
+
+/// Reads number a, optional text b, table c with vector v, list d of {n}.
+Result<void> read_example(const std::string& text) {
+  auto root = TomlReader::parse("format = \"example-1\"\n" + text, "x.toml", kFormat);
+  if (!root) return root.error();
+  root->number("a");
+  root->text("b", "none");
+  auto c = root->table("c", false);
+  if (root->has("c")) c.vec3("v");
+  for (auto& d : root->tables("d")) d.integer("n");
+  return root->finish();
+}
+
+TEST(TomlReader, AcceptsWhatTheGettersAskFor) {
+  const auto done =
+      read_example("a = 1\nb = \"t\"\n[c]\nv = [1, 2.5, 3]\n[[d]]\nn = 1\n[[d]]\nn = 2\n");
+  EXPECT_TRUE(done) << done.error().message();
+}
+
+TEST(TomlReader, NamesFileLineFieldAndRemedyOfTheFirstProblem) {
+  const std::pair<const char*, const char*> bad[] = {
+      {"", "x.toml:1: a: is missing; add it"},
+      {"a = \"1\"\n", "x.toml:2: a: is text, not a finite number; write a number"},
+      {"a = nan\n", "x.toml:2: a: is a number, not a finite number; write a number"},
+      {"a = 1\nz = 2\n", "x.toml:3: z: unknown key; remove it or correct its spelling"},
+      {"a = 1\n[c]\nv = [1, 2]\n",
+       "x.toml:4: c.v: is 2 values, not an array of 3 numbers; write 3 numbers in brackets"},
+      {"a = 1\n[c]\nv = [1, 2, 3]\nw = 1\n",
+       "x.toml:5: c.w: unknown key; remove it or correct its spelling"},
+      {"a = 1\n[[d]]\nn = 1\n[[d]]\nn = 1.5\n",
+       "x.toml:6: d[2].n: is a number, not an integer; write a whole number"},
+      {"a = \n", "x.toml:2: not valid TOML"},
+  };
+  for (const auto& [text, message] : bad) {
+    const auto done = read_example(text);
+    ASSERT_FALSE(done) << text;
+    EXPECT_EQ(done.error().message().rfind(message, 0), 0u) << done.error().message();
+  }
+}
+
+TEST(TomlReader, AnotherFormatIsRefused) {
+  const auto read = TomlReader::parse("format = \"other-1\"\n", "x.toml", kFormat);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message().find("'other-1' is not the expected format"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace isograsp

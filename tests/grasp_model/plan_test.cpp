@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The compiled plan: locked axes, frames, rules, limits, hands; what is real time.
+#include "grasp_model/plan.hpp"
+
+#include <cmath>
+
+#include "tests/grasp_model/support.hpp"
+#include "tests/support/no_alloc.hpp"
+
+namespace isograsp {
+namespace {
+
+FingerWrenches press(double thumb_N, double index_N, double middle_N,
+                     const Vec3& sideways = {0, 0, 0}) {
+  FingerWrenches forces;
+  forces[0].force = sideways + Vec3(0, 0, thumb_N);
+  forces[1].force = sideways + Vec3(0, 0, index_N);
+  forces[2].force = sideways + Vec3(0, 0, middle_N);
+  return forces;
+}
+
+const FingerWrenches kPress = press(4.0, 2.5, 1.0, {0.6, 0.3, 0.0});
+
+ObjectState run(const Plan& plan, const FingerWrenches& forces, int holds) {
+  ObjectState state = plan.initial_state();
+  for (int i = 0; i < holds; ++i) plan.move(plan.grasp(forces, state), state);
+  return state;
+}
+
+std::string dynamics(const std::string& free, const std::string& more = "") {
+  return "free = [" + free +
+         "]\nstiffness = [30, 40, 50, 0.2, 0.2, 0.2]\n"
+         "damping = [1, 1, 1, 0.001, 0.001, 0.001]\n" +
+         more;
+}
+
+TEST(Plan, LockedAxesKeepTheirBits) {
+  Scene scene = test::scene_of(
+      test::block(dynamics("\"x\", \"rz\"", "gravity_m_s2 = [1, -9.81, 3]"),
+                  "[initial]\nposition_m = [0.1, 0.2, 0.3]\n" + test::kDeviceContacts));
+  const ObjectState state = run(test::plan_of(scene), kPress, 500);
+  EXPECT_NE(state.pose.p_WO.x(), 0.1);
+  EXPECT_EQ(state.pose.p_WO.y(), 0.2);
+  EXPECT_EQ(state.pose.p_WO.z(), 0.3);
+  EXPECT_EQ(state.pose.q_WO.x(), 0.0);
+  EXPECT_EQ(state.pose.q_WO.y(), 0.0);
+  EXPECT_EQ(state.v_WO_W.y(), 0.0);
+  EXPECT_EQ(state.w_WO_W.x(), 0.0);
+  EXPECT_NE(state.w_WO_W.z(), 0.0);
+}
+
+TEST(Plan, EachFreeAxisMovesAsIfAlone) {
+  const ObjectState all =
+      run(test::plan_of(test::scene_of(test::block(dynamics("\"x\", \"y\", \"z\", \"ry\"")))),
+          kPress, 300);
+  const ObjectState y =
+      run(test::plan_of(test::scene_of(test::block(dynamics("\"y\"")))), kPress, 300);
+  const ObjectState ry =
+      run(test::plan_of(test::scene_of(test::block(dynamics("\"ry\"")))), kPress, 300);
+  EXPECT_EQ(all.pose.p_WO.y(), y.pose.p_WO.y());
+  EXPECT_EQ(all.angle_rad, ry.angle_rad);
+}
+
+TEST(Plan, OneAxisAndThreeAxesAgreeOnATurnAboutOneAxis) {
+  const auto three = test::scene_of(test::block(dynamics("\"rx\", \"ry\", \"rz\"")));
+  const auto one = test::scene_of(test::block(dynamics("\"rz\"")));
+  FingerWrenches forces = press(0, 0, 0);
+  forces[1].force = Vec3(0, 0, 2);  // torque about z alone
+  const ObjectState a = run(test::plan_of(three), forces, 200);
+  const ObjectState b = run(test::plan_of(one), forces, 200);
+  EXPECT_GT(std::abs(b.angle_rad), 0.01);
+  EXPECT_LE((a.pose.q_WO.coeffs() - b.pose.q_WO.coeffs()).norm(), 1e-7);
+}
+
+TEST(Plan, HoldOfAnotherLengthIsThePlanOfThatLength) {
+  const auto scene = test::scene_of(test::block(dynamics("\"x\", \"y\", \"rz\"")));
+  const Plan fast = test::plan_of(scene, 0.004);
+  const Plan slow = test::plan_of(scene, 0.01);
+  ObjectState a = fast.initial_state();
+  ObjectState b = slow.initial_state();
+  for (int i = 0; i < 100; ++i) {
+    fast.move(fast.grasp(kPress, a), a);
+    slow.move(slow.grasp(kPress, b), 0.004, b);
+  }
+  EXPECT_EQ(a.pose.p_WO, b.pose.p_WO);
+  EXPECT_EQ(a.angle_rad, b.angle_rad);
+}
+
+TEST(Plan, ForceInHandAxesIgnoresTheAttitudeAndInObjectAxesTurnsWithIt) {
+  const std::string quarter =
+      "[initial]\nquaternion_wxyz = [0.7071067811865476, 0, 0, 0.7071067811865476]\n";
+  const auto wrench = [&](const std::string& frame) {
+    const Plan plan = test::plan_of(test::scene_of(
+        test::block(dynamics("\"x\", \"y\", \"rz\"", "wrench_frame = \"" + frame + "\""),
+                    quarter + test::kDeviceContacts)));
+    ObjectState state = plan.initial_state();
+    return plan.grasp(press(5, 1, 1), state).F_O_W;
+  };
+  EXPECT_LE((wrench("hand").force - Vec3(3, 0, 0)).norm(), 1e-15);
+  EXPECT_LE((wrench("object").force - Vec3(0, 3, 0)).norm(), 1e-15);
+  EXPECT_LE((wrench("object").torque - wrench("hand").torque).norm(), 1e-16);
+}
+
+/// The follower scenes with a hold against the same motion in 2,000 short holds with the force
+/// turned by hand at the middle of each: that converges with the square of the short hold.
+void expect_follows_exactly(const std::string& free, double tolerance) {
+  const auto scene = test::scene_of(
+      test::block(dynamics(free, "wrench_frame = \"object\"\ngravity_m_s2 = [0.3, 0, 0]"),
+                  "[initial]\nangular_velocity_rad_s = [0, 0, 9]\n" + test::kDeviceContacts));
+  auto by_hand = scene;
+  by_hand.wrench_frame = WrenchFrame::hand;
+  const double hold_s = 0.05;
+  const Plan plan = test::plan_of(scene, hold_s);
+  ObjectState state = plan.initial_state();
+  plan.move(plan.grasp(kPress, state), state);
+  EXPECT_FALSE(state.tolerance_exceeded);
+
+  const auto fine = [&](int parts) {
+    const Plan part = test::plan_of(by_hand, hold_s / parts);
+    const Plan half = test::plan_of(by_hand, hold_s / parts / 2);
+    ObjectState at = part.initial_state();
+    const Wrench F_O = part.grasp(kPress, at).F_O_W;
+    for (int i = 0; i < parts; ++i) {
+      // The torque follows the attitude as well: turned at the middle, found by half a step.
+      GraspWrench push;
+      ObjectState middle = at;
+      push.F_O_W = {at.pose.q_WO * F_O.force, at.pose.q_WO * F_O.torque};
+      half.move(push, middle);
+      push.F_O_W = {middle.pose.q_WO * F_O.force, middle.pose.q_WO * F_O.torque};
+      part.move(push, at);
+    }
+    return at;
+  };
+  const ObjectState coarse = fine(1000);
+  const ObjectState finer = fine(2000);
+  const Vec3 p = finer.pose.p_WO + (finer.pose.p_WO - coarse.pose.p_WO) / 3.0;
+  const Vec3 v = finer.v_WO_W + (finer.v_WO_W - coarse.v_WO_W) / 3.0;
+  EXPECT_GT(std::abs(state.angle_rad) + state.pose.q_WO.vec().norm(), 0.1);
+  EXPECT_LE((state.pose.p_WO - p).norm(), tolerance * p.norm());
+  EXPECT_LE((state.v_WO_W - v).norm(), tolerance * v.norm());
+}
+
+TEST(Plan, AForceThatTurnsWithinTheHoldIsIntegratedExactly) {
+  expect_follows_exactly("\"x\", \"y\", \"rz\"", 1e-11);
+}
+TEST(Plan, AForceThatTurnsFreelyWithinTheHoldIsIntegrated) {
+  expect_follows_exactly("\"x\", \"y\", \"z\", \"rx\", \"ry\", \"rz\"", 1e-6);
+}
+
+TEST(Plan, AStiffFollowerFlagsOrAgreesWithTheFixedForceWhenNothingTurns) {
+  for (const double k : {1e2, 1e5, 1e9, 1e13}) {
+    auto scene =
+        test::scene_of(test::block(dynamics("\"x\", \"rz\"", "wrench_frame = \"object\"")));
+    scene.stiffness[0] = k;
+    auto fixed = scene;
+    fixed.wrench_frame = WrenchFrame::hand;
+    FingerWrenches push;
+    push[0].force.z() = 3.0;  // through the COM: no torque
+    const ObjectState a = run(test::plan_of(scene), push, 50);
+    const ObjectState b = run(test::plan_of(fixed), push, 50);
+    EXPECT_NEAR(a.pose.p_WO.x() / b.pose.p_WO.x(), 1.0, k < 1e8 ? 1e-10 : 0.5);
+    EXPECT_EQ(a.tolerance_exceeded, k > 1e8);
+  }
+}
+
+TEST(Plan, TravelLimitsStopTheBlockAndTheKnob) {
+  const auto scene = test::scene_of(test::block(dynamics(
+      "\"x\", \"rz\"",
+      "limits = [{dof = \"x\", min_m = -0.02, max_m = 0.01}, {dof = \"rz\", min_rad = -0.1}]")));
+  const Plan plan = test::plan_of(scene);
+  ObjectState state = plan.initial_state();
+  double most = 0.0;
+  double least_angle = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    plan.move(plan.grasp(press(5, 1, 0, {2, 0, 0}), state), state);
+    most = std::max(most, state.pose.p_WO.x());
+    least_angle = std::min(least_angle, state.angle_rad);
+  }
+  EXPECT_EQ(most, 0.01);
+  EXPECT_EQ(state.v_WO_W.x(), 0.0);
+  EXPECT_GE(least_angle, -0.1);
+}
+
+TEST(Plan, GraspRulesDecideWhetherFingersMoveTheBlock) {
+  const auto force = [](const std::string& rule, const FingerWrenches& forces) {
+    const Plan plan = test::plan_of(test::scene_of(
+        test::block(dynamics("\"x\", \"y\", \"rz\"", "grasp_rule = \"" + rule + "\""))));
+    ObjectState state = plan.initial_state();
+    const GraspWrench wrench = plan.grasp(forces, state);
+    EXPECT_EQ(wrench.contact[0], forces[0].force.z() > 0);  // touching is told either way
+    return wrench.F_O_W.force.norm();
+  };
+  EXPECT_GT(force("any", press(3, 0, 0)), 0.0);
+  EXPECT_EQ(force("opposition", press(3, 0, 0)), 0.0);
+  EXPECT_EQ(force("closure", press(0, 2, 2)), 0.0);
+  EXPECT_GT(force("opposition", press(3, 0, 1)), 0.0);
+  EXPECT_GT(force("closure", press(3, 1, 1)), 0.0);
+}
+
+TEST(Plan, ThreeLeftDigitsPushingToThePatientsRightMoveTheBlockRight) {
+  const auto scene = test::scene_of(test::block(dynamics("\"x\", \"y\", \"rz\"")));
+  for (const Hand hand : {Hand::right, Hand::left}) {
+    const Scene turned = for_hand(scene, hand);
+    FingerWrenches forces;
+    for (const auto& contact : turned.contacts)
+      forces[index_of(contact.finger)].force =
+          contact.R_OC.transpose() * Vec3(2.0, 0, 0) + Vec3(0, 0, 5.0);
+    const ObjectState state = run(test::plan_of(turned), forces, 20);
+    EXPECT_GT(state.pose.p_WO.x(), 0.0) << name_of(hand);
+  }
+  // The thumb of the left hand stands on the right, and pressing with it moves the block left.
+  const ObjectState thumb = run(test::plan_of(for_hand(scene, Hand::left)), press(3, 0, 0), 20);
+  EXPECT_LT(thumb.pose.p_WO.x(), 0.0);
+}
+
+TEST(Plan, TurningTheDeviceByPiGivesTheMirroredMotion) {
+  const auto scene = test::scene_of(test::block(dynamics("\"x\", \"y\", \"rz\"")));
+  const ObjectState right = run(test::plan_of(scene), kPress, 200);
+  const ObjectState left = run(test::plan_of(for_hand(scene, Hand::left)), kPress, 200);
+  EXPECT_EQ(left.pose.p_WO.x(), -right.pose.p_WO.x());
+  EXPECT_EQ(left.pose.p_WO.y(), right.pose.p_WO.y());
+  EXPECT_EQ(left.angle_rad, -right.angle_rad);
+}
+
+TEST(Plan, ScalingForceMassSpringAndDamperByPowersOfTwoChangesNoBit) {
+  auto scene = test::scene_of(test::block(dynamics("\"x\", \"y\", \"rz\"")));
+  const ObjectState plain = run(test::plan_of(scene), kPress, 200);
+  scene.mass_kg *= 4;
+  scene.inertia_kg_m2 *= 4;
+  scene.stiffness *= 4;
+  scene.damping *= 4;
+  FingerWrenches forces = kPress;
+  for (auto& wrench : forces) wrench.force *= 4;
+  const ObjectState scaled = run(test::plan_of(scene), forces, 200);
+  EXPECT_EQ(plain.pose.p_WO, scaled.pose.p_WO);
+  EXPECT_EQ(plain.v_WO_W, scaled.v_WO_W);
+  EXPECT_EQ(plain.angle_rad, scaled.angle_rad);
+}
+
+TEST(Plan, TheSignOfTheQuaternionIsTheFilesAndChangesNoPhysics) {
+  for (const std::string free : {"\"rz\"", "\"rx\", \"ry\", \"rz\""}) {
+    const auto from = [&](const std::string& q) {
+      return test::plan_of(test::scene_of(test::block(
+          dynamics(free), "[initial]\nquaternion_wxyz = " + q + "\n" + test::kDeviceContacts)));
+    };
+    const Plan plus = from("[0.8, 0, 0, 0.6]");
+    const Plan minus = from("[-0.8, 0, 0, -0.6]");
+    EXPECT_EQ(minus.initial_state().pose.q_WO.w(), -0.8);
+    const ObjectState a = run(plus, kPress, 300);
+    const ObjectState b = run(minus, kPress, 300);
+    EXPECT_EQ(a.pose.q_WO.coeffs(), Eigen::Vector4d(-b.pose.q_WO.coeffs()));
+    EXPECT_EQ(a.w_WO_W, b.w_WO_W);
+  }
+}
+
+TEST(Plan, AKnobTurnedTwiceKeepsAContinuousQuaternion) {
+  auto scene = test::scene_of(test::block(dynamics("\"rz\"")));
+  scene.stiffness.setZero();
+  const Plan plan = test::plan_of(scene);
+  ObjectState state = plan.initial_state();
+  Eigen::Vector4d last = state.pose.q_WO.coeffs();
+  for (int i = 0; i < 2000 && std::abs(state.angle_rad) < 14.0; ++i) {
+    plan.move(plan.grasp(press(0, 0.5, 0), state), state);
+    EXPECT_LT((state.pose.q_WO.coeffs() - last).norm(), 0.5);
+    last = state.pose.q_WO.coeffs();
+  }
+  EXPECT_GT(std::abs(state.angle_rad), 13.0);
+}
+
+TEST(Plan, GravityIsAConstantForceAndNotPartOfTheFingersWrench) {
+  auto scene = test::scene_of(test::block(dynamics("\"y\"", "gravity_m_s2 = [0, -9.81, 0]")));
+  const Plan plan = test::plan_of(scene);
+  ObjectState state = run(plan, press(0, 0, 0), 6000);
+  EXPECT_NEAR(state.pose.p_WO.y(), -0.3 * 9.81 / 40.0, 1e-12);
+  EXPECT_EQ(plan.grasp(press(0, 0, 0), state).F_O_W.force, Vec3::Zero());
+}
+
+TEST(Plan, TwoRotationsAndALimitOnAFreeBodyAreRefused) {
+  const auto two = Plan::compile(test::scene_of(test::block(dynamics("\"rx\", \"ry\""))), 0.01);
+  ASSERT_FALSE(two.ok());
+  EXPECT_EQ(two.error().field, "dynamics.free");
+  const auto limit =
+      Plan::compile(test::scene_of(test::block(dynamics("\"rx\", \"ry\", \"rz\"",
+                                                        "limits = [{dof = \"rx\", max_rad = 1}]"))),
+                    0.01);
+  ASSERT_FALSE(limit.ok());
+  EXPECT_FALSE(Plan::compile(test::scene_of(test::block(dynamics("\"x\""))), 0.0).ok());
+}
+
+TEST(Plan, AFrameAllocatesNothing) {
+  for (const std::string name : {"planar_block", "knob", "free_block"}) {
+    const Scene scene =
+        test::scene_file(std::string(ISOGRASP_SOURCE_DIR) + "/library/scenes/" + name + ".toml");
+    const Plan plan = test::plan_of(scene);
+    ObjectState state = plan.initial_state();
+    const auto before = test::allocations();
+    for (int i = 0; i < 100; ++i) {
+      const GraspWrench wrench = plan.grasp(kPress, state);
+      plan.move(wrench, state);
+      plan.move(wrench, 0.007, state);
+    }
+    EXPECT_EQ(test::allocations(), before) << name;
+  }
+  static_assert(noexcept(std::declval<const Plan&>().move(std::declval<const GraspWrench&>(),
+                                                          std::declval<ObjectState&>())));
+}
+
+TEST(Plan, ShippedScenesRestWhenNobodyTouchesThem) {
+  for (const std::string name : {"planar_block", "knob", "free_block"}) {
+    const Scene scene =
+        test::scene_file(std::string(ISOGRASP_SOURCE_DIR) + "/library/scenes/" + name + ".toml");
+    const Plan plan = test::plan_of(scene);
+    const ObjectState state = run(plan, {}, 1000);
+    EXPECT_LE((state.pose.p_WO - scene.initial_pose.p_WO).norm(), 1e-12) << name;
+  }
+}
+
+}  // namespace
+}  // namespace isograsp

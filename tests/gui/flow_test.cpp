@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The logic of a session: one sensible next step, nothing possible that must not be.
+#include "gui/flow.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace isograsp {
+namespace {
+
+FlowFacts fresh() {
+  FlowFacts facts;
+  facts.database_open = true;
+  facts.task_chosen = true;
+  return facts;
+}
+
+FlowFacts connected() {
+  FlowFacts facts = fresh();
+  facts.patient_chosen = facts.hand_chosen = facts.device_chosen = true;
+  facts.connection = Connection::open;
+  facts.anything_arrived = true;
+  facts.health.state = DeviceState::streaming;
+  return facts;
+}
+
+FlowFacts zeroed() {
+  FlowFacts facts = connected();
+  facts.zeroed = true;
+  return facts;
+}
+
+TEST(Flow, LeadsFromPatientToTaskInOrder) {
+  FlowFacts facts = fresh();
+  EXPECT_EQ(decide(facts).next(), Step::patient);
+  facts.patient_chosen = true;
+  EXPECT_EQ(decide(facts).next(), Step::hand);
+  facts.hand_chosen = true;
+  EXPECT_EQ(decide(facts).next(), Step::device);
+  facts = connected();
+  EXPECT_EQ(decide(facts).next(), Step::zero);
+  facts.zeroed = true;
+  EXPECT_EQ(decide(facts).next(), Step::rest);
+  facts.rest_done = true;
+  EXPECT_EQ(decide(facts).next(), Step::maximum);
+  facts.maximum_force_N = 40.0;
+  EXPECT_EQ(decide(facts).next(), Step::task);
+  facts.task_done = true;
+  EXPECT_FALSE(decide(facts).next().has_value());
+}
+
+TEST(Flow, HasAtMostOneNextStepAndAlwaysASentence) {
+  // Every combination of the facts that steps depend on.
+  for (int bits = 0; bits < 256; ++bits) {
+    FlowFacts facts = fresh();
+    facts.patient_chosen = (bits & 1) != 0;
+    facts.hand_chosen = (bits & 2) != 0;
+    facts.device_chosen = (bits & 4) != 0;
+    facts.connection = (bits & 8) != 0 ? Connection::open : Connection::none;
+    facts.zeroed = (bits & 16) != 0;
+    facts.rest_done = (bits & 32) != 0;
+    facts.maximum_force_N = (bits & 64) != 0 ? 40.0 : 0.0;
+    facts.anything_arrived = (bits & 128) != 0;
+    const FlowView view = decide(facts);
+    EXPECT_LE(std::count(view.steps.begin(), view.steps.end(), StepState::next), 1) << bits;
+    EXPECT_FALSE(view.sentence.empty()) << bits;
+    EXPECT_FALSE(view.device_words.empty()) << bits;
+    EXPECT_FALSE(view.may_start && view.may_stop) << bits;
+    EXPECT_FALSE(view.may_connect && view.may_disconnect) << bits;
+  }
+}
+
+TEST(Flow, ConnectsOnlyWithPatientHandAndDevice) {
+  FlowFacts facts = fresh();
+  facts.patient_chosen = facts.device_chosen = true;
+  EXPECT_FALSE(decide(facts).may_connect);
+  facts.hand_chosen = true;
+  EXPECT_TRUE(decide(facts).may_connect);
+  facts.patient_chosen = false;
+  EXPECT_FALSE(decide(facts).may_connect);
+}
+
+TEST(Flow, StartsNoTrialBeforeTheZero) {
+  EXPECT_FALSE(decide(connected()).may_start);
+  EXPECT_NE(decide(connected()).start_hint.find("zero"), std::string::npos);
+  EXPECT_TRUE(decide(zeroed()).may_start);
+}
+
+TEST(Flow, ARecordingNeedsNoZero) {
+  FlowFacts facts = connected();
+  facts.recorded = true;
+  EXPECT_TRUE(decide(facts).may_start);
+  EXPECT_FALSE(decide(facts).may_zero);
+}
+
+TEST(Flow, AScaledTaskWaitsForTheMaximum) {
+  FlowFacts facts = zeroed();
+  facts.task_needs_maximum = true;
+  EXPECT_FALSE(decide(facts).may_start);
+  EXPECT_NE(decide(facts).start_hint.find("maximum"), std::string::npos);
+  facts.maximum_force_N = 25.0;
+  EXPECT_TRUE(decide(facts).may_start);
+}
+
+TEST(Flow, NothingElseMayBePressedDuringATrial) {
+  FlowFacts facts = zeroed();
+  facts.stage = Stage::trial;
+  const FlowView view = decide(facts);
+  EXPECT_TRUE(view.may_pause && view.may_stop);
+  EXPECT_FALSE(view.may_start || view.may_zero || view.may_disconnect || view.may_choose_task ||
+               view.may_change_patient || view.may_change_hand || view.may_change_device);
+}
+
+TEST(Flow, AFaultDuringATrialSaysThatNothingIsLost) {
+  FlowFacts facts = zeroed();
+  facts.stage = Stage::paused;
+  facts.pause_cause = PauseCause::device_fault;
+  facts.health.state = DeviceState::faulted;
+  facts.health.fault = DeviceFault::silence;
+  const FlowView view = decide(facts);
+  EXPECT_EQ(view.mood, Mood::fault);
+  EXPECT_NE(view.sentence.find("cable"), std::string::npos) << view.sentence;
+  EXPECT_NE(view.sentence.find("nothing is lost"), std::string::npos) << view.sentence;
+  EXPECT_FALSE(view.may_resume) << "only a sound device can go on";
+  EXPECT_TRUE(view.may_stop);
+}
+
+TEST(Flow, FrozenForcesAreAFaultInWords) {
+  FlowFacts facts = zeroed();
+  facts.frozen = true;
+  const FlowView view = decide(facts);
+  EXPECT_EQ(view.device_mood, Mood::fault);
+  EXPECT_NE(view.sentence.find("No forces arrive"), std::string::npos) << view.sentence;
+  EXPECT_FALSE(view.may_start);
+}
+
+TEST(Flow, ARefusedZeroSaysWhy) {
+  FlowFacts facts = connected();
+  facts.zero_refusal = "the thumb was not quiet";
+  EXPECT_NE(decide(facts).sentence.find("the thumb was not quiet"), std::string::npos);
+  EXPECT_TRUE(decide(facts).may_zero);
+}
+
+TEST(Flow, AFailedDatabaseAllowsNothing) {
+  FlowFacts facts;
+  facts.database_error = "clinic.db: not a database; choose another file";
+  const FlowView view = decide(facts);
+  EXPECT_EQ(view.mood, Mood::fault);
+  EXPECT_EQ(view.sentence, facts.database_error);
+  EXPECT_FALSE(view.may_connect || view.may_change_patient);
+}
+
+TEST(Flow, EveryMoodHasItsOwnWord) {
+  const std::array moods{Mood::off, Mood::busy, Mood::ready, Mood::attention, Mood::fault};
+  for (const Mood a : moods)
+    for (const Mood b : moods) EXPECT_EQ(word_for(a) == word_for(b), a == b);
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A therapist in software: finds the widgets of the therapist's window by name and uses them.
+#pragma once
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QListWidget>
+
+#include "gui/windows.hpp"
+#include "qt_test.hpp"
+
+namespace isograsp::test {
+
+class Operator {
+ public:
+  explicit Operator(Windows& windows) : windows_(windows) {}
+
+  template <class Widget>
+  [[nodiscard]] Widget& find(const char* name) const {
+    auto* widget = windows_.therapist().findChild<Widget*>(name);
+    if (widget == nullptr) {
+      ADD_FAILURE() << "no widget is called " << name;
+      std::abort();
+    }
+    return *widget;
+  }
+
+  /// Waits until the button can be pressed, then presses it with the mouse.
+  void press(const char* name) const {
+    auto& button = find<QAbstractButton>(name);
+    ASSERT_TRUE(wait_until([&] { return button.isEnabled() && button.isVisible(); }))
+        << name << " stays disabled: " << windows_.presenter().view().sentence;
+    QTest::mouseClick(&button, Qt::LeftButton);
+  }
+
+  void choose_device(const QString& uri) const {
+    auto& devices = find<QComboBox>("devices");
+    const int index = devices.findData(uri);
+    ASSERT_GE(index, 0) << uri.toStdString() << " is not offered";
+    devices.setCurrentIndex(index);
+    Q_EMIT devices.activated(index);
+  }
+
+  void choose_task(TaskKind kind) const {
+    const auto& tasks = windows_.presenter().tasks();
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      if (static_cast<TaskKind>(tasks[i].kind.index()) != kind) continue;
+      find<QListWidget>("tasks").setCurrentRow(static_cast<int>(i));
+      return;
+    }
+    FAIL() << "the library has no such task";
+  }
+
+  /// From an empty window to a device that has its zero.
+  void prepare(const QString& uri, const char* hand = "hand_right") const {
+    press("add_patient");
+    ASSERT_TRUE(wait_until([&] { return !windows_.presenter().patient().empty(); }));
+    press(hand);
+    if (windows_.presenter().device_uri() != uri.toStdString()) choose_device(uri);
+    press("connect");
+    set_zero();
+  }
+
+  void set_zero() const {
+    press("zero");
+    press("zero_confirmed");
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().zeroed; }))
+        << windows_.presenter().view().sentence;
+  }
+
+  /// Runs the chosen task to its end.
+  void run_task() const {
+    start_task();
+    finish_task();
+  }
+  void start_task() const {
+    press("start");
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().stage == Stage::trial; }));
+  }
+  void finish_task() const {
+    ASSERT_TRUE(wait_until([&] { return !windows_.presenter().view().may_stop; }, 300));
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().view().may_choose_task; }));
+  }
+
+ private:
+  Windows& windows_;
+};
+
+}  // namespace isograsp::test

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the patient sees: one instruction, fingers that follow force, faults in kind words.
+#include "gui/patient_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+
+namespace isograsp {
+namespace {
+
+constexpr double kRounding_m = 1e-12;  // positions of centimetres through one rotation
+
+std::shared_ptr<const Scene> planar_block() {
+  const std::string path = ISOGRASP_SOURCE_DIR "/library/scenes/planar_block.toml";
+  return std::make_shared<Scene>(*parse_scene(*read_text(path), path));
+}
+
+std::shared_ptr<const TaskSpec> task(const char* file) {
+  const std::string path = std::string(ISOGRASP_SOURCE_DIR "/library/tasks/") + file;
+  return std::make_shared<TaskSpec>(*parse_task(*read_text(path), path));
+}
+
+PatientFacts with_object() {
+  PatientFacts facts;
+  facts.session_open = true;
+  facts.task = task("two_target.toml");
+  facts.scene = planar_block();
+  facts.snapshot.frames = 1;
+  facts.snapshot.stage = Stage::trial;
+  facts.snapshot.zeroed = true;
+  facts.snapshot.has_object = true;
+  facts.snapshot.task.pose_target_shown = true;
+  facts.snapshot.task.target_count = 5;
+  facts.snapshot.task.duration_s = 150.0;
+  return facts;
+}
+
+TEST(PatientPicture, AFingerComesNearerWithForceAndTouchesOnContact) {
+  PatientFacts facts = with_object();
+  const Contact& thumb = *facts.scene->contact_of(Finger::thumb);
+  double last_gap = 1.0;
+  for (const double force : {0.0, 0.1, 0.3, 0.49}) {
+    facts.snapshot.forces.wrench_C[0].force.z() = force;
+    const auto finger = picture_for(facts).fingers[0];
+    const double gap = (thumb.p_OC - finger.tip_W).dot(finger.axis_W);
+    EXPECT_LT(gap, last_gap);
+    EXPECT_GT(gap, 0.0) << "never at the surface without contact";
+    EXPECT_FALSE(finger.touching);
+    last_gap = gap;
+  }
+  facts.snapshot.grasp.contact[0] = true;
+  const auto finger = picture_for(facts).fingers[0];
+  EXPECT_TRUE(finger.touching);
+  EXPECT_NEAR((finger.tip_W - thumb.p_OC).norm(), 0.0, kRounding_m);
+}
+
+TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
+  PatientFacts facts = with_object();
+  facts.snapshot.grasp.contact = {true, true, true};
+  Pose& pose = facts.snapshot.object.pose;
+  pose.p_WO = Vec3(0.05, -0.03, 0.0);
+  pose.q_WO = Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
+  for (const auto& contact : facts.scene->contacts) {
+    const auto finger = picture_for(facts).fingers[index_of(contact.finger)];
+    EXPECT_NEAR((pose.q_WO.conjugate() * (finger.tip_W - pose.p_WO) - contact.p_OC).norm(), 0.0,
+                kRounding_m);
+    EXPECT_NEAR((pose.q_WO.conjugate() * finger.axis_W - contact.R_OC.col(2)).norm(), 0.0,
+                kRounding_m);
+  }
+}
+
+TEST(PatientPicture, PullingNeverLooksLikePressing) {
+  PatientFacts facts = with_object();
+  const auto at_rest = picture_for(facts).fingers[0].tip_W;
+  facts.snapshot.forces.wrench_C[0].force.z() = -5.0;
+  EXPECT_EQ(picture_for(facts).fingers[0].tip_W, at_rest);
+}
+
+TEST(PatientPicture, AFaultIsNeverThePatientsFailure) {
+  PatientFacts facts = with_object();
+  facts.snapshot.stage = Stage::paused;
+  facts.snapshot.pause_cause = PauseCause::missing_samples;
+  const auto picture = picture_for(facts);
+  EXPECT_EQ(picture.notice, PatientPicture::Notice::fault);
+  EXPECT_NE(picture.notice_words.find("You did nothing wrong"), std::string::npos);
+  EXPECT_EQ(picture.page, PatientPicture::Page::object) << "the picture stands still below";
+}
+
+TEST(PatientPicture, APauseOfTheTherapistIsAPause) {
+  PatientFacts facts = with_object();
+  facts.snapshot.stage = Stage::paused;
+  facts.snapshot.pause_cause = PauseCause::therapist;
+  EXPECT_EQ(picture_for(facts).notice, PatientPicture::Notice::pause);
+}
+
+TEST(PatientPicture, BeforeTheZeroTheHandStaysOut) {
+  PatientFacts facts;
+  facts.session_open = true;
+  facts.snapshot.frames = 10;
+  EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::hand_out);
+  facts.snapshot.stage = Stage::zeroing;
+  EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::hand_out);
+  facts.snapshot.stage = Stage::idle;
+  facts.snapshot.zeroed = true;
+  EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::wait);
+}
+
+TEST(PatientPicture, TellsASimulatedDeviceFromTheFirstSecond) {
+  PatientFacts facts;
+  facts.simulated = true;
+  EXPECT_TRUE(picture_for(facts).simulated);
+}
+
+TEST(PatientPicture, SqueezeIsSaidOnlyWhenItIsTime) {
+  PatientFacts facts;
+  facts.session_open = true;
+  facts.task = task("maximum_grip.toml");
+  facts.snapshot.frames = 1;
+  facts.snapshot.stage = Stage::trial;
+  facts.snapshot.task.cue = Cue::relax;
+  EXPECT_NE(picture_for(facts).page, PatientPicture::Page::effort);
+  facts.snapshot.task.cue = Cue::squeeze;
+  EXPECT_EQ(picture_for(facts).page, PatientPicture::Page::effort);
+}
+
+TEST(TargetPreview, IsExactlyWhatTheTaskWillShow) {
+  const auto sine = task("grip_sine.toml");
+  TaskContext context;
+  context.maximum_force_N = 40.0;
+  const auto preview = preview_target(*sine, context);
+  auto trial = make_task(*sine, context);
+  ASSERT_TRUE(trial.ok());
+  const TaskInput pressing{.wrench_C = {}, .object = nullptr};
+  for (std::size_t k = 0; k < preview.target_N.size(); ++k) {
+    const TaskView view = (*trial)->step(pressing);
+    ASSERT_EQ(preview.target_N[k], view.target_force_N);
+    ASSERT_NEAR(preview.at(view.task_time_s), view.target_force_N, 1e-9)
+        << "time over period may round to a neighbour: slope 12 N/s times 1e-12 s";
+  }
+  EXPECT_DOUBLE_EQ(preview.end_s(), sine->worst_duration_s());
+  EXPECT_DOUBLE_EQ(preview.most_N(), 0.3 * 40.0);
+}
+
+TEST(TargetPreview, IsEmptyWhereTheTargetIsNotAFunctionOfTime) {
+  EXPECT_TRUE(preview_target(*task("two_target.toml"), {}).empty());
+  EXPECT_TRUE(preview_target(*task("resting_force.toml"), {}).empty());
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tests with Qt: one application, and every warning that Qt logs fails the running test.
+#pragma once
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTest>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "gui/look.hpp"
+
+namespace isograsp::test {
+
+inline void fail_on_warning(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  if (type == QtDebugMsg || type == QtInfoMsg) return;
+  // A remark on the machine: nobody is logged in.
+  if (text.contains("XDG_RUNTIME_DIR")) return;
+  ADD_FAILURE() << "Qt: " << text.toStdString();
+}
+
+/// The one application of this process, on the platform of the environment or else offscreen.
+inline QApplication& application() {
+  static QApplication* const kApplication = [] {
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY"))
+      qputenv("QT_QPA_PLATFORM", "offscreen");
+    static int argc = 1;
+    static char name[] = "tests_gui";
+    static char* argv[] = {name, nullptr};
+    auto* made = new QApplication(argc, argv);
+    qInstallMessageHandler(fail_on_warning);
+    dress(*made);
+    return made;
+  }();
+  return *kApplication;
+}
+
+class QtTest : public ::testing::Test {
+ protected:
+  QtTest() { application(); }
+};
+
+/// Lets events happen until `reached` or the time is over; true if reached. A limit for broken
+/// programs only: no test depends on how fast the machine is.
+inline bool wait_until(const std::function<bool()>& reached, int limit_s = 60) {
+  QElapsedTimer timer;
+  timer.start();
+  while (!reached()) {
+    if (timer.elapsed() > 1000LL * limit_s) return false;
+    QTest::qWait(10);
+  }
+  return true;
+}
+
+}  // namespace isograsp::test

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gui_screenshots FOLDER: runs a session with the simulated patient and makes pictures of both
+// windows in their states. Needs a display with OpenGL (scripts/screenshots gives it Xvfb).
+#include <QDir>
+#include <cstdio>
+
+#include "core/csv.hpp"
+#include "operator.hpp"
+#include "session/protocol_run.hpp"
+#include "short_library.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::test {
+namespace {
+
+constexpr const char* kHealthy = "sim://healthy?seed=7";
+
+/// Earlier sessions of the patient, in virtual time, so that the history shows something.
+void make_history(const std::string& database, const std::string& code,
+                  const std::string& library) {
+  const std::string file = library + "/protocols/demonstration.toml";
+  const auto protocol = parse_protocol(*read_text(file), file);
+  ASSERT_TRUE(protocol.ok());
+  for (const char* seed : {"3", "4", "5"}) {
+    SessionConfig config;
+    config.database = database;
+    config.patient_code = code;
+    config.device_uri = std::string("sim://healthy?seed=") + seed;
+    config.library = library;
+    config.virtual_time = true;
+    config.started_utc = std::string("2026-03-0") + seed + "T09:30:00Z";
+    auto session = Session::open(config);
+    ASSERT_TRUE(session.ok()) << session.error().message();
+    ASSERT_TRUE(run_protocol(**session, *protocol, library, [](const auto&) {}).ok());
+  }
+}
+
+class Photographer {
+ public:
+  Photographer(Windows& windows, QString folder) : windows_(windows), folder_(std::move(folder)) {}
+
+  void take_therapist(const char* name) const { save(windows_.therapist().grab().toImage(), name); }
+  void take_patient(const char* name) const {
+    QTest::qWait(60);
+    save(windows_.patient()->grabFramebuffer(), name);
+  }
+  void take_both(const char* name) const {
+    take_therapist((std::string("therapist_") + name).c_str());
+    take_patient((std::string("patient_") + name).c_str());
+  }
+
+ private:
+  void save(const QImage& image, const char* name) const {
+    const auto path = QStringLiteral("%1/%2.png").arg(folder_, name);
+    constexpr int kSmallest = 0;  // of the file, by more work
+    image.convertToFormat(QImage::Format_RGB32).save(path, "PNG", kSmallest);
+    std::printf("%s\n", qPrintable(path));
+  }
+
+  Windows& windows_;
+  QString folder_;
+};
+
+void photograph(const QString& output) {
+  TemporaryFolder folder;
+  const auto library = make_short_library(folder, "30");
+  const auto database = folder.path("clinic.db");
+  {
+    auto store = SessionStore::open(database, SessionStore::Open::create);
+    ASSERT_TRUE(store.ok());
+    for (const char* code : {"P-4T8R2", "P-6K3W9", "P-7M2H5"})
+      ASSERT_TRUE((*store)->add_patient(code).ok());
+  }
+  make_history(database, "P-7M2H5", library);
+
+  Windows windows({database, kHealthy, library, "isograsp"});
+  const Operator therapist(windows);
+  const Photographer photographer(windows, output);
+  windows.show();
+  windows.show_patient_screen();
+  ASSERT_NE(windows.patient(), nullptr);
+  ASSERT_TRUE(wait_until([&] { return windows.clinic().is_open(); }));
+  QTest::qWait(300);
+  photographer.take_both("start");
+
+  therapist.find<QListWidget>("patient_list").setCurrentRow(0);
+  therapist.press("hand_right");
+  QTest::qWait(300);
+  photographer.take_therapist("therapist_chosen");
+  therapist.press("connect");
+  ASSERT_TRUE(wait_until([&] { return windows.presenter().view().may_zero; }));
+  QTest::qWait(1200);
+  photographer.take_both("connected");
+  therapist.set_zero();
+  therapist.start_task();
+  QTest::qWait(800);
+  photographer.take_both("rest");
+  therapist.finish_task();
+  therapist.start_task();
+  QTest::qWait(2600);
+  photographer.take_both("maximum");
+  therapist.finish_task();
+  QTest::qWait(100);
+  photographer.take_both("done");
+
+  therapist.start_task();
+  ASSERT_TRUE(wait_until([&] { return windows.presenter().snapshot().task.task_time_s > 11.2; }));
+  photographer.take_therapist("therapist");
+  photographer.take_patient("patient_force");
+  therapist.press("pause");
+  QTest::qWait(300);
+  photographer.take_both("paused");
+  therapist.press("stop");
+  therapist.finish_task();
+
+  therapist.choose_task(TaskKind::pose_targets);
+  therapist.start_task();
+  QTest::qWait(1200);
+  photographer.take_patient("patient_transport");
+  ASSERT_TRUE(wait_until([&] {
+    const auto& task = windows.presenter().snapshot().task;
+    return task.target_index == 1 && task.hold_fraction > 0.4;
+  }));
+  photographer.take_patient("patient_object");
+  photographer.take_therapist("therapist_object");
+  windows.therapist().resize(1920, 1080);
+  QTest::qWait(300);
+  photographer.take_therapist("therapist_large");
+  windows.therapist().resize(1280, 720);
+  QTest::qWait(100);
+  const auto rate = windows.patient()->rate();
+  std::printf("patient screen: %lld pictures, %.1f ms each\n", rate.pictures, rate.mean_s * 1e3);
+  therapist.press("stop");
+  therapist.finish_task();
+  therapist.press("zero");
+  QTest::qWait(200);
+  photographer.take_therapist("therapist_confirm");
+  therapist.press("connect");
+  ASSERT_TRUE(wait_until([&] { return !windows.presenter().busy(); }));
+
+  // A silent sensor: the trial waits and both screens say why.
+  therapist.press("hand_right");
+  windows.presenter().choose_device("replay://" + write_recording_with_gap(folder));
+  therapist.press("connect");
+  therapist.start_task();
+  ASSERT_TRUE(wait_until([&] { return windows.presenter().snapshot().stage == Stage::paused; }));
+  QTest::qWait(300);
+  photographer.take_both("fault");
+  windows.presenter().end_session();
+  ASSERT_TRUE(wait_until([&] { return !windows.presenter().busy(); }));
+}
+
+}  // namespace
+}  // namespace isograsp::test
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: gui_screenshots FOLDER\n");
+    return 2;
+  }
+  ::testing::InitGoogleTest();
+  isograsp::test::application();
+  QDir().mkpath(argv[1]);
+  isograsp::test::photograph(argv[1]);
+  return ::testing::Test::HasFailure() ? 1 : 0;
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shipped library with shorter tasks: whole sessions in seconds.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::test {
+
+/// Copies scenes and tasks into `folder` and shortens rest (1.5 s) and sine (`sine_s`).
+inline std::string make_short_library(const TemporaryFolder& folder, const char* sine_s = "5") {
+  namespace fs = std::filesystem;
+  const fs::path library = folder.path("library");
+  fs::copy(fs::path(ISOGRASP_SOURCE_DIR) / "library", library, fs::copy_options::recursive);
+  const auto shorten = [&](const char* file, const std::string& duration_s) {
+    const fs::path path = library / "tasks" / file;
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    std::ofstream(path) << std::regex_replace(text.str(), std::regex("duration_s = [0-9.]+"),
+                                              "duration_s = " + duration_s);
+  };
+  shorten("resting_force.toml", "1.5");
+  shorten("grip_sine.toml", sine_s);
+  return library;
+}
+
+/// Writes 14 s of steady pressing at 100 Hz in which the thumb is silent from 5 s to 9 s.
+inline std::string write_recording_with_gap(const TemporaryFolder& folder) {
+  std::ostringstream text;
+  text << "t_s,thumb_fx_N,thumb_fy_N,thumb_fz_N,index_fx_N,index_fy_N,index_fz_N,"
+          "middle_fx_N,middle_fy_N,middle_fz_N\n";
+  for (int row = 0; row < 1400; ++row) {
+    const bool silent = row >= 500 && row < 900;
+    text << row / 100.0 << (silent ? ",,," : ",0,0,4") << ",0,0,2,0,0,2\n";
+  }
+  return folder.write("gap.csv", text.str());
+}
+
+}  // namespace isograsp::test

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A therapist's whole session with both windows on a real display (Xvfb): add patient, connect,
+// zero, rest, maximum, task, result, report. Screenshots are kept as test output.
+#include <QDir>
+#include <QLabel>
+#include <QTableWidget>
+
+#include "operator.hpp"
+#include "short_library.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::test {
+namespace {
+
+class WholeSession : public QtTest {
+ protected:
+  WholeSession()
+      : windows_({folder_.path("clinic.db"), "sim://healthy?seed=7",
+                  make_short_library(folder_, "3"), "test"}),
+        operator_(windows_) {
+    windows_.show();
+  }
+  ~WholeSession() override {
+    windows_.presenter().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+  }
+
+  /// Both windows as test output.
+  void keep_picture(const QString& name) {
+    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES", ".");
+    QDir().mkpath(folder);
+    windows_.therapist().grab().save(folder + "/" + name + "_therapist.png");
+    windows_.patient()->grabFramebuffer().save(folder + "/" + name + "_patient.png");
+  }
+
+  /// Trials of the only patient as another program would read them.
+  std::vector<TrialRecord> stored_trials() {
+    auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::read_only);
+    EXPECT_TRUE(store.ok());
+    const auto patients = (*store)->patients();
+    const auto sessions = (*store)->sessions(patients->front().id);
+    EXPECT_EQ(sessions->size(), 1U);
+    EXPECT_EQ(sessions->front().hand, Hand::right);
+    EXPECT_TRUE(sessions->front().simulated);
+    return *(*store)->trials(sessions->front().id);
+  }
+
+  TemporaryFolder folder_;
+  Windows windows_;
+  Operator operator_;
+};
+
+TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
+  if (QGuiApplication::platformName() != "xcb") GTEST_SKIP() << "needs a display";
+  windows_.show_patient_screen();
+  ASSERT_NE(windows_.patient(), nullptr);
+  auto& presenter = windows_.presenter();
+  operator_.prepare("sim://healthy?seed=7");
+  keep_picture("zeroed");
+
+  EXPECT_EQ(presenter.view().next(), Step::rest);
+  operator_.run_task();
+  EXPECT_EQ(presenter.view().next(), Step::maximum);
+  operator_.run_task();
+  EXPECT_EQ(presenter.view().next(), Step::task);
+  operator_.start_task();
+  QTest::qWait(2000);
+  EXPECT_FALSE(presenter.live_score().empty()) << "the score is live";
+  keep_picture("tracking");
+  operator_.press("pause");
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == Stage::paused; }));
+  EXPECT_EQ(presenter.picture().notice, PatientPicture::Notice::pause);
+  QTest::qWait(100);
+  keep_picture("paused");
+  operator_.press("pause");  // now Resume
+  operator_.finish_task();
+  EXPECT_FALSE(presenter.view().next().has_value()) << "every step is done";
+  EXPECT_GT(operator_.find<QTableWidget>("score").rowCount(), 0);
+  ASSERT_TRUE(wait_until([&] { return operator_.find<QTableWidget>("history").rowCount() > 0; }));
+
+  operator_.choose_task(TaskKind::pose_targets);
+  operator_.start_task();
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().grasp.contact[0]; }));
+  QTest::qWait(200);
+  EXPECT_EQ(presenter.picture().page, PatientPicture::Page::object);
+  keep_picture("object");
+  operator_.press("stop");
+  operator_.finish_task();
+
+  const auto pdf = folder_.path("report.pdf");
+  bool written = false;
+  QObject::connect(&windows_.clinic(), &Clinic::report_written, [&] { written = true; });
+  windows_.clinic().write_report(presenter.patient(), pdf);
+  ASSERT_TRUE(wait_until([&] { return written; }));
+  EXPECT_TRUE(std::filesystem::exists(pdf));
+  EXPECT_GT(windows_.patient()->rate().pictures, 0);
+
+  const auto trials = stored_trials();
+  ASSERT_EQ(trials.size(), 4U);
+  EXPECT_EQ(trials[0].status, TrialStatus::completed);
+  EXPECT_EQ(trials[1].status, TrialStatus::completed);
+  EXPECT_EQ(trials[2].status, TrialStatus::completed);
+  EXPECT_GT(trials[2].maximum_force_N, 0.0);
+  EXPECT_EQ(trials[3].status, TrialStatus::aborted);
+  for (const auto& trial : trials) EXPECT_EQ(trial.dropped, 0);
+
+  operator_.press("connect");  // now Disconnect
+  ASSERT_TRUE(wait_until([&] { return !presenter.busy(); }));
+  EXPECT_FALSE(presenter.hand().has_value()) << "asked anew in the next session";
+}
+
+TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
+  if (QGuiApplication::platformName() != "xcb") GTEST_SKIP() << "needs a display";
+  windows_.show_patient_screen();
+  auto& presenter = windows_.presenter();
+  operator_.press("add_patient");
+  ASSERT_TRUE(wait_until([&] { return !presenter.patient().empty(); }));
+  operator_.press("hand_right");
+  presenter.choose_device("replay://" + write_recording_with_gap(folder_));
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
+  EXPECT_EQ(presenter.view().next(), Step::task) << "a recording needs no zero, rest or maximum";
+  operator_.start_task();
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == Stage::paused; }));
+  QTest::qWait(100);
+  EXPECT_EQ(presenter.picture().notice, PatientPicture::Notice::fault);
+  EXPECT_EQ(presenter.view().mood, Mood::fault) << presenter.view().sentence;
+  EXPECT_FALSE(operator_.find<QLabel>("sentence").text().isEmpty());
+  keep_picture("fault");
+}
+
+TEST_F(WholeSession, AZeroWithLostSamplesIsRefusedInWords) {
+  auto& presenter = windows_.presenter();
+  operator_.press("add_patient");
+  ASSERT_TRUE(wait_until([&] { return !presenter.patient().empty(); }));
+  operator_.press("hand_right");
+  presenter.choose_device("sim://healthy?seed=7&drop=0.25");
+  operator_.press("connect");
+  operator_.press("zero");
+  operator_.press("zero_confirmed");
+  ASSERT_TRUE(wait_until([&] {
+    return presenter.view().sentence.find("Zero refused") != std::string::npos;
+  })) << presenter.view().sentence;
+  EXPECT_FALSE(presenter.view().may_start);
+}
+
+}  // namespace
+}  // namespace isograsp::test

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The therapist's window without a display: names for assistive technology, keys, texts that fit,
+// and the first steps of a session. Pages of the patient's screen are painted into pictures.
+#include <QAbstractItemView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
+#include <QShortcut>
+
+#include "gui/patient_canvas.hpp"
+#include "operator.hpp"
+#include "short_library.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::test {
+namespace {
+
+class TherapistWindowTest : public QtTest {
+ protected:
+  TherapistWindowTest()
+      : windows_({folder_.path("clinic.db"), "", make_short_library(folder_), "test"}),
+        operator_(windows_) {
+    windows_.therapist().show();
+    EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
+  }
+
+  TemporaryFolder folder_;
+  Windows windows_;
+  Operator operator_;
+};
+
+TEST_F(TherapistWindowTest, EveryFocusableWidgetHasANameATooltipAndAKey) {
+  const auto shortcuts = windows_.therapist().findChildren<QShortcut*>();
+  int seen = 0;
+  for (auto* widget : windows_.therapist().findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus) continue;
+    if (widget->objectName().startsWith("qt_")) continue;  // parts of Qt's own widgets
+    if (qobject_cast<QComboBox*>(widget->parentWidget()) != nullptr) continue;
+    if (widget->inherits("QComboBoxPrivateContainer") || widget->inherits("QHeaderView")) continue;
+    if (widget->inherits("QComboBoxListView") || widget->inherits("QTableCornerButton")) continue;
+    if (widget->inherits("QLabel")) continue;  // only links in it take the focus
+    ++seen;
+    const auto what = widget->objectName().toStdString() + " " + widget->metaObject()->className();
+    EXPECT_FALSE(widget->accessibleName().isEmpty()) << what;
+    EXPECT_FALSE(widget->toolTip().isEmpty()) << what;
+    EXPECT_TRUE(widget->toolTip().contains("Alt+") || widget->toolTip().contains("Ctrl+") ||
+                widget->toolTip().contains("(F"))
+        << what << " has no key: " << widget->toolTip().toStdString();
+  }
+  EXPECT_GE(seen, 14) << "the walk must have found the window's widgets";
+}
+
+TEST_F(TherapistWindowTest, NoTwoWidgetsShareAMnemonic) {
+  std::map<QString, std::string> used;
+  for (auto* widget : windows_.therapist().findChildren<QWidget*>()) {
+    const auto key = QKeySequence::mnemonic(widget->property("text").toString()).toString();
+    if (key.isEmpty()) continue;
+    EXPECT_TRUE(used.emplace(key, widget->property("text").toString().toStdString()).second)
+        << key.toStdString() << " is used by " << used[key] << " and "
+        << widget->property("text").toString().toStdString();
+  }
+  EXPECT_GE(used.size(), 10U);
+}
+
+TEST_F(TherapistWindowTest, NoHandIsChosenBeforehand) {
+  operator_.press("add_patient");
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().patient().empty(); }));
+  EXPECT_FALSE(operator_.find<QPushButton>("hand_left").isChecked());
+  EXPECT_FALSE(operator_.find<QPushButton>("hand_right").isChecked());
+  EXPECT_FALSE(windows_.presenter().hand().has_value());
+}
+
+TEST_F(TherapistWindowTest, AnotherPatientIsAskedForTheHandAgain) {
+  operator_.press("add_patient");
+  ASSERT_TRUE(wait_until([&] { return windows_.clinic().patients().size() == 1; }));
+  operator_.press("hand_left");
+  EXPECT_EQ(windows_.presenter().hand(), Hand::left);
+  operator_.press("add_patient");
+  ASSERT_TRUE(wait_until([&] { return windows_.clinic().patients().size() == 2; }));
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().hand().has_value(); }));
+}
+
+TEST_F(TherapistWindowTest, ExactlyTheNextButtonIsHighlighted) {
+  const auto highlighted = [&] {
+    QStringList names;
+    for (auto* button : windows_.therapist().findChildren<QPushButton*>())
+      if (button->isEnabled() && button->isVisible() && button->property("next").toBool())
+        names.append(button->objectName());
+    return names;
+  };
+  EXPECT_EQ(highlighted(), QStringList{"add_patient"});
+  operator_.press("add_patient");
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().patient().empty(); }));
+  EXPECT_EQ(highlighted(), (QStringList{"hand_left", "hand_right"}));
+  operator_.press("hand_right");
+  operator_.choose_device("sim://healthy?seed=7");
+  EXPECT_EQ(highlighted(), QStringList{"connect"});
+}
+
+TEST_F(TherapistWindowTest, SearchFindsAPatientByAnyPartOfTheCode) {
+  operator_.press("add_patient");
+  ASSERT_TRUE(wait_until([&] { return windows_.clinic().patients().size() == 1; }));
+  auto& list = operator_.find<QListWidget>("patient_list");
+  auto& search = operator_.find<QLineEdit>("patient_search");
+  const auto code = QString::fromStdString(windows_.clinic().patients()[0].code);
+  QTest::keyClicks(&search, code.mid(3).toLower());
+  EXPECT_EQ(list.count(), 1);
+  search.setText("nobody");
+  EXPECT_EQ(list.count(), 0);
+}
+
+TEST_F(TherapistWindowTest, AnAbsentDeviceIsRefusedInWords) {
+  operator_.press("add_patient");
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().patient().empty(); }));
+  operator_.press("hand_right");
+  windows_.presenter().choose_device("replay:///nowhere/recording.csv");
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+  const auto words = operator_.find<QLabel>("device_words").text();
+  EXPECT_TRUE(words.contains("recording.csv")) << words.toStdString();
+  EXPECT_TRUE(operator_.find<QPushButton>("connect").isEnabled()) << "it can be tried again";
+}
+
+TEST_F(TherapistWindowTest, NothingIsCutOffAtTheSmallestSize) {
+  auto& window = windows_.therapist();
+  window.resize(1280, 720);
+  QTest::qWait(50);
+  for (auto* button : window.findChildren<QPushButton*>()) {
+    if (!button->isVisible()) continue;
+    EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();
+    EXPECT_GE(button->height(), button->minimumSizeHint().height()) << button->text().toStdString();
+  }
+  for (auto* list : window.findChildren<QListWidget*>()) {
+    const auto below = list->mapTo(&window, QPoint(0, list->height())).y();
+    for (auto* sibling :
+         list->parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+      if (sibling->isVisible() && sibling->mapTo(&window, {}).y() > list->mapTo(&window, {}).y()) {
+        EXPECT_GE(sibling->mapTo(&window, {}).y(), below)
+            << list->objectName().toStdString() << " covers what stands below it";
+      }
+  }
+  for (auto* label : window.findChildren<QLabel*>()) {
+    if (!label->isVisible() || label->wordWrap() || label->text().isEmpty()) continue;
+    EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+  }
+}
+
+TEST_F(TherapistWindowTest, WithoutOpenGlThePatientScreenIsRefusedInWords) {
+  if (QGuiApplication::platformName() != "offscreen") GTEST_SKIP() << "this display has OpenGL";
+  windows_.show_patient_screen();
+  EXPECT_EQ(windows_.patient(), nullptr);
+  EXPECT_FALSE(operator_.find<QLabel>("message").text().isEmpty());
+}
+
+TEST(Database, ThatIsNoDatabaseIsNamedInTheWindow) {
+  application();
+  TemporaryFolder folder;
+  const auto path = folder.write("notes.txt", "These are my notes, not a database.\n");
+  Windows windows({path, "", make_short_library(folder), "test"});
+  windows.therapist().show();
+  ASSERT_TRUE(wait_until([&] { return windows.presenter().view().mood == Mood::fault; }));
+  EXPECT_NE(windows.presenter().view().sentence.find("notes.txt"), std::string::npos);
+}
+
+// Pages of the patient's screen.
+
+QImage paint(const PatientPicture& picture) {
+  application();
+  QImage image(640, 360, QImage::Format_RGB32);
+  QPainter painter(&image);
+  paint_page(painter, QRectF(image.rect()), picture);
+  return image;
+}
+
+double relative_luminance(QRgb colour) {
+  const auto linear = [](int value) {
+    const double v = value / 255.0;
+    return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour)) +
+         0.0722 * linear(qBlue(colour));
+}
+
+TEST(PatientCanvas, TextHasAContrastOfAtLeastSevenToOne) {
+  PatientPicture picture;
+  picture.sign = PatientPicture::Sign::wait;
+  for (const bool detail : {false, true}) {
+    (detail ? picture.detail : picture.headline) = "████████";  // full blocks: the pure ink
+    (detail ? picture.headline : picture.detail).clear();
+    const QImage image = paint(picture);
+    double darkest = 1.0;
+    for (int y = image.height() / 2; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        darkest = std::min(darkest, relative_luminance(image.pixel(x, y)));
+    const double paper = relative_luminance(image.pixel(2, 2));
+    EXPECT_GE((paper + 0.05) / (darkest + 0.05), 7.0);
+  }
+}
+
+TEST(PatientCanvas, EveryPageLooksDifferent) {
+  std::vector<QImage> pages;
+  PatientPicture picture;
+  for (const auto sign :
+       {PatientPicture::Sign::wait, PatientPicture::Sign::hand_out, PatientPicture::Sign::rest,
+        PatientPicture::Sign::squeeze, PatientPicture::Sign::good}) {
+    picture.sign = sign;
+    pages.push_back(paint(picture));
+  }
+  picture.notice_words = "The same words.";
+  for (const auto notice : {PatientPicture::Notice::pause, PatientPicture::Notice::fault}) {
+    picture.notice = notice;
+    pages.push_back(paint(picture));
+  }
+  for (std::size_t a = 0; a < pages.size(); ++a)
+    for (std::size_t b = a + 1; b < pages.size(); ++b)
+      EXPECT_TRUE(pages[a] != pages[b]) << a << " and " << b;
+}
+
+TEST(PatientCanvas, TheDotOnTheTargetIsMarkedByShapeToo) {
+  auto preview = std::make_shared<TargetPreview>();
+  preview->period_s = 0.01;
+  preview->target_N.assign(1000, 10.0);
+  PatientPicture picture;
+  picture.page = PatientPicture::Page::tracking;
+  picture.preview = preview;
+  picture.top_N = 15.0;
+  picture.target_N = 10.0;
+  picture.task_time_s = 5.0;
+  const auto whites_near_dot = [&](double force_N) {
+    picture.force_N = force_N;
+    const QImage image = paint(picture);
+    const int x = static_cast<int>(640.0 * 1.5 / 5.5);
+    const int y = static_cast<int>(360 * (0.90 - 0.60 * force_N / 15.0));
+    int bright = 0;
+    for (int dy = -6; dy <= 6; ++dy)
+      for (int dx = -6; dx <= 6; ++dx) bright += qGreen(image.pixel(x + dx, y + dy)) > 200;
+    return bright;
+  };
+  EXPECT_GT(whites_near_dot(10.0), 4) << "a white check inside the disc";
+  EXPECT_EQ(whites_near_dot(5.0), 0) << "a plain disc";
+}
+
+}  // namespace
+}  // namespace isograsp::test

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small logic behind the windows: codes, devices, force history, series, words.
+#include "gui/words.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "device/uri.hpp"
+#include "gui/device_list.hpp"
+#include "gui/force_history.hpp"
+#include "gui/history.hpp"
+#include "gui/patient_code.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp {
+namespace {
+
+TEST(PatientCode, IsAcceptedByTheDatabaseAndNeverTakenTwice) {
+  std::mt19937_64 entropy(1);
+  std::vector<PatientRecord> taken;
+  std::set<std::string> codes;
+  for (int i = 0; i < 500; ++i) {
+    PatientRecord patient;
+    patient.code = generate_patient_code(taken, entropy);
+    EXPECT_TRUE(check_patient_code(patient.code).ok()) << patient.code;
+    EXPECT_TRUE(codes.insert(patient.code).second);
+    EXPECT_EQ(patient.code.find_first_of("01OI", 2), std::string::npos) << patient.code;
+    taken.push_back(patient);
+  }
+}
+
+TEST(DeviceList, FindsCanInterfacesAndNothingElse) {
+  test::TemporaryFolder folder;
+  for (const auto& [name, type] :
+       {std::pair{"can1", "280\n"}, {"can0", "280\n"}, {"eth0", "1\n"}, {"lo", "772\n"}}) {
+    std::filesystem::create_directory(folder.path(name));
+    folder.write(std::string(name) + "/type", type);
+  }
+  const auto choices = list_devices("", folder.path());
+  ASSERT_GE(choices.size(), 2U);
+  EXPECT_EQ(choices[0].uri, "can://can0?protocol=rft");
+  EXPECT_EQ(choices[1].uri, "can://can1?protocol=rft");
+  for (const auto& choice : choices) EXPECT_EQ(choice.uri.find("eth0"), std::string::npos);
+}
+
+TEST(DeviceList, ThePresetStandsFirstAndOnlyOnce) {
+  const auto known = list_devices("sim://paretic?seed=7", "/nonexistent");
+  EXPECT_EQ(known[0].uri, "sim://paretic?seed=7");
+  EXPECT_EQ(known.size(), list_devices("", "/nonexistent").size());
+  const auto other = list_devices("sim://healthy?seed=9", "/nonexistent");
+  EXPECT_EQ(other[0].uri, "sim://healthy?seed=9");
+}
+
+TEST(DeviceList, ARecordingsPathSurvivesTheUri) {
+  for (const std::string path : {"/tmp/a b.csv", "/tmp/100%?.csv"}) {
+    const auto uri = Uri::parse(recording_uri(path));
+    ASSERT_TRUE(uri.ok()) << path;
+    EXPECT_EQ(uri->target, path);
+    EXPECT_EQ(uri->scheme, "replay");
+  }
+}
+
+Snapshot frame_at(double t_s, double force_N) {
+  Snapshot snapshot;
+  snapshot.frames = 1 + static_cast<std::int64_t>(t_s * 100.0);
+  snapshot.session_time_s = t_s;
+  snapshot.forces.wrench_C[0].force.z() = force_N;
+  return snapshot;
+}
+
+TEST(ForceHistory, ForgetsWhatIsOlderThanItsLength) {
+  ForceHistory history(2.0);
+  for (int i = 0; i <= 1000; ++i) history.add(frame_at(0.01 * i, 1.0));
+  EXPECT_GE(history.points().front().t_s, 8.0 - 1e-9);
+  EXPECT_EQ(history.points().back().t_s, 10.0);
+}
+
+TEST(ForceHistory, TakesAFrameOnceAndBeginsAnewWithAnotherSession) {
+  ForceHistory history;
+  history.add(frame_at(1.0, 1.0));
+  history.add(frame_at(1.0, 1.0));
+  EXPECT_EQ(history.points().size(), 1U);
+  history.add(frame_at(0.5, 1.0));
+  EXPECT_EQ(history.points().size(), 1U);
+  EXPECT_EQ(history.points().front().t_s, 0.5);
+}
+
+TEST(ForceHistory, AMissingSampleIsAGapNotAZero) {
+  ForceHistory history;
+  auto snapshot = frame_at(1.0, 0.0);
+  snapshot.forces.flags[0] = bit(SampleFlag::missing);
+  history.add(snapshot);
+  EXPECT_TRUE(std::isnan(history.points().back().normal_N[0]));
+  EXPECT_FALSE(std::isnan(history.points().back().normal_N[1]));
+}
+
+TEST(ForceHistory, TheRangeHoldsEveryForce) {
+  for (const double force : {-80.0, -1.0, 0.0, 0.3, 4.99, 5.0, 47.0, 300.0}) {
+    ForceHistory history;
+    history.add(frame_at(1.0, force));
+    const auto range = history.range();
+    EXPECT_LE(range.least_N, force);
+    EXPECT_GE(range.most_N, force);
+    EXPECT_LT(range.least_N, 0.0);
+  }
+}
+
+MeasurePoint point(RowId trial, const char* task, const char* name, Hand hand, bool simulated) {
+  MeasurePoint made;
+  made.trial_id = trial;
+  made.task_name = task;
+  made.hand = hand;
+  made.simulated = simulated;
+  made.measure.name = name;
+  made.measure.value = 1.0;
+  return made;
+}
+
+TEST(History, NeverMixesHandsTasksOrSimulatedTrials) {
+  const auto series = sort_history(
+      {point(1, "Sine", "rmse", Hand::right, false), point(2, "Sine", "rmse", Hand::left, false),
+       point(3, "Sine", "rmse", Hand::right, true), point(4, "Step", "rmse", Hand::right, false),
+       point(5, "Sine", "rmse", Hand::right, false)});
+  ASSERT_EQ(series.size(), 4U);
+  for (const auto& one : series)
+    for (const auto& entry : one.points) {
+      EXPECT_EQ(entry.hand, one.points[0].hand);
+      EXPECT_EQ(entry.task_name, one.points[0].task_name);
+      EXPECT_EQ(entry.simulated, one.points[0].simulated);
+    }
+}
+
+TEST(History, TheNewestTaskStandsFirst) {
+  const auto series = sort_history({point(1, "Sine", "rmse", Hand::right, false),
+                                    point(2, "Maximum", "maximum_force", Hand::right, false),
+                                    point(3, "Sine", "rmse", Hand::right, false)});
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].points[0].task_name, "Sine");
+}
+
+TEST(Words, AMeasureWithoutValueSaysWhy) {
+  Measure measure;
+  measure.name = "lag";
+  measure.reason = "the force does not follow the target";
+  EXPECT_EQ(measure_value(measure), "–");
+  EXPECT_EQ(measure_remark(measure).toStdString(), measure.reason);
+}
+
+TEST(Words, LostSamplesAreCountedOverAllSensors) {
+  Snapshot snapshot = frame_at(1.0, 0.0);
+  snapshot.health.sensors[0].lost = 2;
+  snapshot.health.sensors[2].lost = 3;
+  snapshot.health.kernel_drops = 4;
+  EXPECT_TRUE(health_line(snapshot, 0.0).contains("lost 9")) << "two, three and the kernel's four";
+}
+
+}  // namespace
+}  // namespace isograsp

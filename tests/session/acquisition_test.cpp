@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/acquisition.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "session/session.hpp"
+#include "tests/support/no_alloc.hpp"
+
+namespace isograsp {
+namespace {
+
+const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
+
+/// A simulated device with a person in front of it, in virtual time.
+struct Bench {
+  explicit Bench(const std::string& uri = "sim://healthy?seed=3")
+      : viewer(*patient_traits("healthy"), 3) {
+    device = std::move(open_device(uri, {&viewer})).value();
+    EXPECT_TRUE(device->start(clock));
+    Acquisition::Options options;
+    options.viewer = &viewer;
+    acquisition.emplace(*device, clock, clock.now(), options);
+  }
+
+  TaskSpec task(const std::string& name) {
+    const auto path = find_in_library(kLibrary, "tasks", name);
+    return parse_task(read_text(*path).value(), *path).value();
+  }
+
+  TrialSetup setup(const std::string& name, double maximum_N) {
+    TrialSetup made;
+    made.spec = task(name);
+    made.context.maximum_force_N = maximum_N;
+    if (const auto scene = made.spec.scene(); !scene.empty()) {
+      const auto path = find_in_library(kLibrary, "scenes", scene).value();
+      made.plan =
+          Plan::compile(parse_scene(read_text(path).value(), path).value(), made.context.period_s)
+              .value();
+    }
+    made.task = make_task(made.spec, made.context).value();
+    return made;
+  }
+
+  ManualClock clock;
+  VirtualPatient viewer;
+  std::unique_ptr<ForceDevice> device;
+  std::optional<Acquisition> acquisition;
+};
+
+TEST(Acquisition, ASamplesWholeWayToThePublishedSnapshotAllocatesNothing) {
+  for (const char* name : {"grip_sine", "two_target"}) {
+    Bench bench("sim://healthy?seed=3&drop=0.01");
+    TrialSetup setup = bench.setup(name, 40.0);
+    ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup}));
+    ASSERT_TRUE(bench.acquisition->tick());
+    const auto before = test::allocations();
+    for (int frame = 0; frame < 900; ++frame) ASSERT_TRUE(bench.acquisition->tick());
+    EXPECT_EQ(test::allocations() - before, 0u) << name;
+  }
+}
+
+TEST(Acquisition, TheSnapshotIsTheRecordedSample) {
+  Bench bench;
+  TrialSetup setup = bench.setup("two_target", 0.0);
+  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup}));
+  RecordItem item;
+  for (int frame = 0; frame < 300; ++frame) {
+    ASSERT_TRUE(bench.acquisition->tick());
+    const Snapshot& shown = bench.acquisition->snapshots().read();
+    while (bench.acquisition->records().pop(item)) {
+      if (item.kind != RecordItem::Kind::sample) continue;
+      EXPECT_EQ(item.sample.forces.slot, shown.forces.slot);
+      EXPECT_EQ(item.sample.task.target_index, shown.task.target_index);
+      EXPECT_EQ(item.sample.grasp.F_O_W.force, shown.grasp.F_O_W.force);
+    }
+  }
+}
+
+TEST(Acquisition, AMissingSampleIsHeldAndASilentSensorPausesTheTrialWithoutMovingAnything) {
+  Bench bench("sim://healthy?seed=3&drop=1.0");
+  TrialSetup setup = bench.setup("two_target", 0.0);
+  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup}));
+  for (int frame = 0; frame < 100; ++frame) ASSERT_TRUE(bench.acquisition->tick());
+  const Snapshot& shown = bench.acquisition->snapshots().read();
+  EXPECT_EQ(shown.stage, Stage::paused);
+  EXPECT_EQ(shown.pause_cause, PauseCause::missing_samples);
+  EXPECT_EQ(shown.task.task_time_s, 0.0);
+  EXPECT_EQ(shown.object.pose.p_WO, Vec3(0, 0, 0));
+}
+
+TEST(Acquisition, PauseStopsTaskAndObjectAndResumeContinues) {
+  Bench bench;
+  TrialSetup setup = bench.setup("two_target", 0.0);
+  auto& acquisition = *bench.acquisition;
+  ASSERT_TRUE(acquisition.commands().push({Command::Kind::begin, &setup}));
+  for (int frame = 0; frame < 300; ++frame) ASSERT_TRUE(acquisition.tick());
+  const Snapshot before = acquisition.snapshots().read();
+  ASSERT_TRUE(acquisition.commands().push({Command::Kind::pause, nullptr}));
+  for (int frame = 0; frame < 200; ++frame) ASSERT_TRUE(acquisition.tick());
+  const Snapshot paused = acquisition.snapshots().read();
+  EXPECT_EQ(paused.task.task_time_s, before.task.task_time_s);
+  EXPECT_GT(paused.session_time_s, before.session_time_s + 1.9);
+  ASSERT_TRUE(acquisition.commands().push({Command::Kind::resume, nullptr}));
+  for (int frame = 0; frame < 2; ++frame) ASSERT_TRUE(acquisition.tick());
+  EXPECT_GT(acquisition.snapshots().read().task.task_time_s, before.task.task_time_s);
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.hpp"
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "session/protocol_run.hpp"
+#include "tasks/score.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp {
+namespace {
+
+const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
+
+ProtocolSpec protocol(const std::string& name) {
+  const auto path = find_in_library(kLibrary, "protocols", name).value();
+  return parse_protocol(read_text(path).value(), path).value();
+}
+
+struct Clinic {
+  Clinic() { EXPECT_TRUE(SessionStore::open(database, SessionStore::Open::create)); }
+
+  SessionConfig config(const std::string& device) const {
+    SessionConfig c;
+    c.database = database;
+    c.patient_code = "TEST-01";
+    c.device_uri = device;
+    c.library = kLibrary;
+    c.software_version = "test";
+    c.virtual_time = true;
+    return c;
+  }
+
+  ProtocolResult run(const std::string& device, const std::string& name) {
+    auto session = Session::open(config(device));
+    EXPECT_TRUE(session) << session.error().message();
+    const auto result = run_protocol(**session, protocol(name), kLibrary, {});
+    EXPECT_TRUE(result) << result.error().message();
+    return result ? *result : ProtocolResult{};
+  }
+
+  std::unique_ptr<SessionStore> store() const {
+    return SessionStore::open(database, SessionStore::Open::existing).value();
+  }
+
+  test::TemporaryFolder folder;
+  std::string database = folder.path("clinic.db");
+};
+
+double value_of(const std::vector<Measure>& measures, const std::string& name) {
+  for (const auto& measure : measures)
+    if (measure.name == name && measure.value) return *measure.value;
+  return std::nan("");
+}
+
+double value_in(const ProtocolResult& result, const std::string& name) {
+  double value = std::nan("");
+  for (const auto& trial : result.trials)
+    if (const double v = value_of(trial.measures, name); !trial.trial.practice && !std::isnan(v))
+      value = v;
+  return value;
+}
+
+void expect_same(const std::vector<Measure>& a, const std::vector<Measure>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].name, b[i].name);
+    EXPECT_EQ(a[i].channel, b[i].channel);
+    EXPECT_EQ(a[i].value, b[i].value) << a[i].name;
+    EXPECT_EQ(a[i].samples, b[i].samples);
+    EXPECT_EQ(a[i].excluded, b[i].excluded);
+  }
+}
+
+TEST(Session, TheDemonstrationProtocolIsCompletedByAHealthySimulatedPatient) {
+  Clinic clinic;
+  const auto result = clinic.run("sim://healthy?seed=7", "demonstration");
+  for (const auto& outcome : result.trials)
+    EXPECT_EQ(outcome.trial.status, TrialStatus::completed) << outcome.trial.task_name;
+  EXPECT_GT(value_in(result, "maximum_force"), 20.0);
+  EXPECT_GT(value_in(result, "targets_reached"), 0.0);
+}
+
+TEST(Session, APareticPatientScoresWorseInBothTasks) {
+  double healthy_error = 0, paretic_error = 0, healthy_reached = 0, paretic_reached = 0;
+  for (const char* seed : {"1", "2", "3"}) {
+    Clinic clinic;
+    const auto healthy = clinic.run(std::string("sim://healthy?seed=") + seed, "demonstration");
+    const auto paretic = clinic.run(std::string("sim://paretic?seed=") + seed, "demonstration");
+    EXPECT_LT(value_in(paretic, "maximum_force"), value_in(healthy, "maximum_force"));
+    healthy_error += value_in(healthy, "relative_rmse");
+    paretic_error += value_in(paretic, "relative_rmse");
+    healthy_reached += value_in(healthy, "path_efficiency");
+    paretic_reached += value_in(paretic, "path_efficiency");
+  }
+  EXPECT_LT(healthy_error, paretic_error);
+  EXPECT_GT(healthy_reached, paretic_reached);
+}
+
+TEST(Session, LiveIsOffline) {
+  Clinic clinic;
+  const auto result = clinic.run("sim://paretic?seed=5&drop=0.002", "demonstration");
+  const auto store = clinic.store();
+  const auto patient = store->find_patient("TEST-01").value().value();
+  const auto session = store->sessions(patient.id).value().at(0);
+  const auto trials = store->trials(session.id).value();
+  ASSERT_EQ(trials.size(), result.trials.size());
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const auto signals = store->signals(trials[i]).value();
+    const auto path = clinic.folder.path("trial.csv");
+    ASSERT_TRUE(write_signals(signals, path));
+    const auto spec = parse_task(trials[i].task_text, "stored task").value();
+    expect_same(result.trials[i].measures, score(spec, read_signals(path).value()));
+    expect_same(result.trials[i].measures, store->measures(trials[i].id).value());
+  }
+}
+
+TEST(Session, TheSameSeedGivesTheSameSignalsBitForBit) {
+  std::vector<Signals> runs[2];
+  for (auto& run : runs) {
+    Clinic clinic;
+    (void)clinic.run("sim://paretic?seed=11&drop=0.001", "demonstration");
+    const auto store = clinic.store();
+    const auto patient = store->find_patient("TEST-01").value().value();
+    for (const auto& trial : store->trials(store->sessions(patient.id).value().at(0).id).value())
+      run.push_back(store->signals(trial).value());
+  }
+  ASSERT_EQ(runs[0].size(), runs[1].size());
+  for (std::size_t i = 0; i < runs[0].size(); ++i) {
+    ASSERT_EQ(runs[0][i].names(), runs[1][i].names());
+    for (const auto& name : runs[0][i].names()) {
+      const auto a = runs[0][i].column(name);
+      const auto b = runs[1][i].column(name);
+      ASSERT_EQ(a.size(), b.size());
+      EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0) << name;
+    }
+  }
+}
+
+TEST(Session, ATrialThatLosesItsDeviceIsKeptAndMarkedNeverScoredAsFailure) {
+  Clinic clinic;
+  auto session = Session::open(clinic.config("sim://healthy?seed=1&drop=1.0"));
+  ASSERT_TRUE(session);
+  const auto result = run_protocol(**session, protocol("demonstration"), kLibrary, {});
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message().find("zero was refused"), std::string::npos)
+      << result.error().message();
+}
+
+TEST(Session, RefusesAnUnknownPatientModelAWrongHandAndAnUnknownScheme) {
+  Clinic clinic;
+  for (const auto& [uri, message] : {std::pair{"sim://nobody", "no simulated patient 'nobody'"},
+                                     {"sim://healthy?hand=left", "set up for the left hand"},
+                                     {"quantum://x", "quantum"},
+                                     {"sim://healthy?sed=7", "sed"}}) {
+    const auto session = Session::open(clinic.config(uri));
+    ASSERT_FALSE(session) << uri;
+    EXPECT_EQ(session.error().code, Error::Code::bad_input);
+    EXPECT_NE(session.error().message().find(message), std::string::npos)
+        << session.error().message();
+  }
+}
+
+TEST(Session, RunsInRealTimeOnThreeThreads) {
+  Clinic clinic;
+  auto config = clinic.config("sim://healthy?seed=2");
+  config.virtual_time = false;
+  auto session = Session::open(config);
+  ASSERT_TRUE(session) << session.error().message();
+  ASSERT_TRUE((*session)->start_zero());
+  const auto zero = (*session)->wait_for_news();
+  ASSERT_EQ(zero.size(), 1u);
+  ASSERT_TRUE(zero[0].zero && zero[0].zero->accepted) << zero[0].zero->reason;
+  const auto spec = parse_task(
+      "format = \"isograsp-task-1\"\nname = \"Rest\"\nkind = \"rest\"\n"
+      "instruction = \"Relax.\"\nduration_s = 1.5\n",
+      "short.toml");
+  ASSERT_TRUE(spec) << spec.error().message();
+  ASSERT_TRUE((*session)->start_trial(*spec, false));
+  EXPECT_FALSE((*session)->start_trial(*spec, false)) << "one trial at a time";
+  const auto news = (*session)->wait_for_news();
+  ASSERT_EQ(news.size(), 1u);
+  ASSERT_TRUE(news[0].trial);
+  EXPECT_EQ(news[0].trial->trial.status, TrialStatus::completed);
+  EXPECT_EQ(news[0].trial->trial.dropped, 0);
+  EXPECT_GE(news[0].trial->trial.samples, 150);
+  EXPECT_EQ((*session)->snapshot().recorder_dropped, 0u);
+}
+
+}  // namespace
+}  // namespace isograsp

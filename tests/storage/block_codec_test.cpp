@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/block_codec.hpp"
+
+#include "tests/storage/examples.hpp"
+
+namespace isograsp {
+namespace {
+
+TEST(BlockCodec, EveryBitOfEveryDoubleComesBack) {
+  std::mt19937_64 random(1);
+  for (const std::size_t columns : {1u, 3u, 60u}) {
+    std::vector<double> rows = awkward_doubles();
+    while (rows.size() < 100 * columns) rows.push_back(std::bit_cast<double>(random()));
+    rows.resize(100 * columns);
+    const auto back = decode_block(encode_block(rows, columns), 100, columns);
+    ASSERT_TRUE(back);
+    for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_TRUE(same_bits(rows[i], (*back)[i])) << i;
+  }
+}
+
+TEST(BlockCodec, SameRowsGiveSameBytes) {
+  const auto rows = awkward_doubles();
+  EXPECT_EQ(encode_block(rows, 3), encode_block(rows, 3));
+}
+
+TEST(BlockCodec, NoSingleBitFlipPassesTheChecksum) {
+  std::string bytes = encode_block(awkward_doubles(), 3);
+  const auto sound = crc32(bytes);
+  for (std::size_t i = 0; i < 8 * bytes.size(); ++i) {
+    const auto mask = static_cast<char>(1 << (i % 8));
+    bytes[i / 8] = static_cast<char>(bytes[i / 8] ^ mask);
+    EXPECT_NE(crc32(bytes), sound) << "bit " << i;
+    bytes[i / 8] = static_cast<char>(bytes[i / 8] ^ mask);
+  }
+}
+
+TEST(BlockCodec, ChecksumIsTheOneOfZlib) {
+  EXPECT_EQ(crc32("123456789"), 0xCBF43926u);  // the check value of CRC-32/ISO-HDLC
+}
+
+TEST(BlockCodec, WrongSizeOrTornBytesAreNoBlock) {
+  const std::string bytes = encode_block(awkward_doubles(), 3);
+  EXPECT_FALSE(decode_block(bytes, 4, 3));
+  EXPECT_FALSE(decode_block(bytes.substr(0, bytes.size() / 2), 3, 3));
+  EXPECT_FALSE(decode_block("", 3, 3));
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What goes in comes out, to the bit.
+#include <algorithm>
+
+#include "tests/storage/examples.hpp"
+
+namespace isograsp {
+namespace {
+
+struct Records : testing::Test {
+  TemporaryFolder folder;
+  std::string path = folder.file("clinic.db");
+  std::unique_ptr<SessionStore> store = open_store(path);
+
+  void reopen() {
+    store.reset();
+    store = open_store(path, SessionStore::Open::existing);
+  }
+  RowId session() { return must(store->begin_session(example_session(patient()))); }
+  RowId patient() { return must(store->add_patient("P-0427")).id; }
+};
+
+TEST_F(Records, SessionKeepsEveryField) {
+  const auto patient_id = patient();
+  const auto written = example_session(patient_id);
+  const RowId id = must(store->begin_session(written));
+  must(store->end_session(id));
+  reopen();
+  const auto all = must(store->sessions(patient_id));
+  ASSERT_EQ(all.size(), 1u);
+  const auto& read = all[0];
+  EXPECT_EQ(read.id, id);
+  EXPECT_EQ(read.patient_id, patient_id);
+  EXPECT_EQ(read.started_utc, written.started_utc);
+  EXPECT_EQ(read.ended_utc.size(), std::string("2026-03-01T09:30:00Z").size());
+  EXPECT_EQ(read.hand, written.hand);
+  EXPECT_EQ(read.device_uri, written.device_uri);
+  EXPECT_EQ(read.device_description, written.device_description);
+  EXPECT_EQ(read.simulated, written.simulated);
+  EXPECT_EQ(read.recorded, written.recorded);
+  EXPECT_EQ(read.provenance, written.provenance);
+  EXPECT_EQ(read.protocol_name, written.protocol_name);
+  EXPECT_EQ(read.protocol_text, written.protocol_text);
+  EXPECT_TRUE(same_bits(read.rate_Hz, written.rate_Hz));
+  EXPECT_TRUE(same_bits(read.device_delay_s, written.device_delay_s));
+  EXPECT_EQ(read.software_version, written.software_version);
+  EXPECT_EQ(read.cpu_features, written.cpu_features);
+  EXPECT_EQ(read.seed, written.seed);
+}
+
+TEST_F(Records, InstrumentZeroComesBackToTheBit) {
+  InstrumentZeroRecord written;
+  written.session_id = session();
+  written.session_time_s = 3.25;
+  const auto awkward = awkward_doubles();
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    for (int a = 0; a < 6; ++a) {
+      const auto i = f * 6 + static_cast<std::size_t>(a);
+      written.mean[f][a] = awkward[i % awkward.size()];
+      written.sd[f][a] = 0.001 * static_cast<double>(i);
+    }
+  const RowId id = must(store->add_zero(written));
+  reopen();
+  const auto all = must(store->zeros(written.session_id));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].id, id);
+  EXPECT_EQ(all[0].session_time_s, 3.25);
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    for (int a = 0; a < 6; ++a) {
+      EXPECT_TRUE(same_bits(all[0].mean[f][a], written.mean[f][a])) << f << " " << a;
+      EXPECT_TRUE(same_bits(all[0].sd[f][a], written.sd[f][a])) << f << " " << a;
+    }
+}
+
+TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
+  const RowId session_id = session();
+  InstrumentZeroRecord zero;
+  zero.session_id = session_id;
+  for (auto& mean : zero.mean) mean.setZero();
+  for (auto& sd : zero.sd) sd.setZero();
+  TrialRecord written = example_trial(session_id, 4);
+  written.zero_id = must(store->add_zero(zero));
+  written.id = must(store->begin_trial(written));
+  must(store->append_blocks(written.id, 0, example_rows(written, 100, 1)));
+  must(store->append_blocks(written.id, 1, example_rows(written, 37, 2)));
+  TrialRecord end = written;
+  end.status = TrialStatus::completed;
+  end.dropped = 5;
+  end.worst_lateness_s = 1.25e-3;
+  end.worst_compute_s = 4e-5;
+  end.health_json = R"({"frames": 137})";
+  const std::vector<Measure> measures{{"rmse", "force", 0.1 + 0.2, "N", 2, 100, 37, ""},
+                                      {"lag", "force", -0.0, "s", 1, 137, 0, ""},
+                                      {"least", "force", 5e-324, "", 1, 1, 0, ""},
+                                      {"cv", "force", {}, "%", 1, 0, 137, "all samples missing"}};
+  must(store->end_trial(end, measures));
+  reopen();
+
+  const auto all = must(store->trials(session_id));
+  ASSERT_EQ(all.size(), 1u);
+  const auto& read = all[0];
+  EXPECT_EQ(read.id, written.id);
+  EXPECT_EQ(read.number, 4);
+  EXPECT_EQ(read.task_name, written.task_name);
+  EXPECT_EQ(read.task_version, written.task_version);
+  EXPECT_EQ(read.task_text, written.task_text);
+  EXPECT_EQ(read.scene_text, written.scene_text);
+  EXPECT_EQ(read.practice, written.practice);
+  EXPECT_EQ(read.session_time_s, written.session_time_s);
+  EXPECT_EQ(read.status, TrialStatus::completed);
+  EXPECT_EQ(read.maximum_force_N, written.maximum_force_N);
+  EXPECT_TRUE(same_bits(read.resting_force_N, written.resting_force_N));
+  EXPECT_EQ(read.zero_id, written.zero_id);
+  EXPECT_EQ(read.samples, 137);
+  EXPECT_EQ(read.dropped, 5);
+  EXPECT_EQ(read.worst_lateness_s, end.worst_lateness_s);
+  EXPECT_EQ(read.worst_compute_s, end.worst_compute_s);
+  EXPECT_EQ(read.health_json, end.health_json);
+  ASSERT_EQ(read.groups.size(), 2u);
+  EXPECT_EQ(read.groups[0].name, "force");
+  EXPECT_EQ(read.groups[0].columns, written.groups[0].columns);
+  EXPECT_EQ(read.groups[1].columns, written.groups[1].columns);
+
+  const auto stored = must(store->measures(written.id));
+  ASSERT_EQ(stored.size(), measures.size());
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    EXPECT_EQ(stored[i].name, measures[i].name);
+    EXPECT_EQ(stored[i].channel, measures[i].channel);
+    ASSERT_EQ(stored[i].value.has_value(), measures[i].value.has_value());
+    if (stored[i].value) {
+      EXPECT_TRUE(same_bits(*stored[i].value, *measures[i].value));
+    }
+    EXPECT_EQ(stored[i].unit, measures[i].unit);
+    EXPECT_EQ(stored[i].version, measures[i].version);
+    EXPECT_EQ(stored[i].samples, measures[i].samples);
+    EXPECT_EQ(stored[i].excluded, measures[i].excluded);
+    EXPECT_EQ(stored[i].reason, measures[i].reason);
+  }
+}
+
+TEST_F(Records, SignalsComeBackToTheBitInTheOrderOfTheGroups) {
+  TrialRecord trial = example_trial(session());
+  trial.id = must(store->begin_trial(trial));
+  const auto awkward = awkward_doubles();
+  std::vector<std::vector<std::vector<double>>> seconds;
+  for (int second = 0; second < 3; ++second) {
+    auto rows = example_rows(trial, second < 2 ? 100 : 42, static_cast<unsigned>(second));
+    std::copy(awkward.begin(), awkward.end(), rows[0].begin() + 30);
+    std::copy(awkward.begin(), awkward.end(), rows[1].begin() + 3);
+    must(store->append_blocks(trial.id, second, rows));
+    seconds.push_back(rows);
+  }
+  trial.status = TrialStatus::completed;
+  must(store->end_trial(trial, {}));
+  reopen();
+  const auto record = must(store->trials(trial.session_id))[0];
+  EXPECT_EQ(record.samples, 242);
+  const Signals signals = must(store->signals(record));
+  EXPECT_EQ(signals.names(),
+            (std::vector<std::string>{"t_s", "thumb_fz_N", "index_fz_N", "thumb_fz_counts"}));
+  std::size_t row = 0;
+  for (const auto& rows : seconds)
+    for (std::size_t r = 0; r < rows[1].size(); ++r, ++row) {
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_TRUE(same_bits(signals.column(c)[row], rows[0][3 * r + c])) << row << " " << c;
+      EXPECT_TRUE(same_bits(signals.column(3)[row], rows[1][r])) << row;
+    }
+  EXPECT_EQ(signals.rows(), row);
+}
+
+TEST_F(Records, EventsBelongToASessionOrToOneOfItsTrials) {
+  TrialRecord trial = example_trial(session());
+  trial.id = must(store->begin_trial(trial));
+  must(store->add_event(trial.session_id, {0, 1.5, "note", "'; DROP TABLE events; --"}));
+  must(store->add_event(trial.session_id, {trial.id, 2.5, "fault", "no sample for 60 ms"}));
+  EXPECT_FALSE(store->add_event(trial.session_id, {trial.id + 1, 3.0, "fault", ""}).ok());
+  EXPECT_FALSE(store->add_event(trial.session_id + 1, {0, 3.0, "note", ""}).ok());
+  const auto events = must(store->events(trial.session_id));
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].trial_id, 0);
+  EXPECT_EQ(events[0].session_time_s, 1.5);
+  EXPECT_EQ(events[0].text, "'; DROP TABLE events; --");
+  EXPECT_EQ(events[1].trial_id, trial.id);
+  EXPECT_EQ(events[1].kind, "fault");
+}
+
+TEST_F(Records, ProgressGivesEveryMeasureOldestSessionFirst) {
+  const RowId patient_id = patient();
+  const RowId other = must(store->add_patient("P-0999")).id;
+  for (const auto& [who, day, value] :
+       {std::tuple{patient_id, "2026-03-02", 2.0}, std::tuple{patient_id, "2026-03-01", 1.0},
+        std::tuple{other, "2026-03-01", 9.0}}) {
+    SessionRecord session = example_session(who);
+    session.started_utc = std::string(day) + "T09:00:00Z";
+    TrialRecord trial = example_trial(must(store->begin_session(session)));
+    trial.id = must(store->begin_trial(trial));
+    trial.status = TrialStatus::completed;
+    const std::vector<Measure> measures{{"rmse", "force", value, "N", 1, 10, 0, ""}};
+    must(store->end_trial(trial, measures));
+  }
+  const auto points = must(store->progress(patient_id));
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(*points[0].measure.value, 1.0);
+  EXPECT_EQ(*points[1].measure.value, 2.0);
+  EXPECT_EQ(points[0].started_utc, "2026-03-01T09:00:00Z");
+  EXPECT_EQ(points[0].hand, Hand::left);
+  EXPECT_TRUE(points[0].practice);
+  EXPECT_TRUE(points[0].simulated);
+  EXPECT_EQ(points[0].task_name, "Grip force, sine");
+  EXPECT_EQ(points[0].task_version, 3);
+}
+
+TEST_F(Records, PatientsAreFoundByTheirExactCodeAndNeverTwice) {
+  must(store->add_patient("P-0427"));
+  EXPECT_TRUE(must(store->find_patient("P-0427")).has_value());
+  EXPECT_FALSE(must(store->find_patient("p-0427")).has_value());
+  EXPECT_FALSE(must(store->find_patient("' OR '1'='1")).has_value());
+  const auto again = store->add_patient("p-0427");
+  ASSERT_FALSE(again.ok());
+  EXPECT_NE(again.error().message().find("P-0427 exists already"), std::string::npos);
+  EXPECT_FALSE(store->add_patient("x'); DROP TABLE patients;--1").ok());
+  EXPECT_EQ(must(store->patients()).size(), 1u);
+}
+
+TEST_F(Records, BlocksOutOfOrderOrUnevenAreRefusedAndNothingIsStored) {
+  TrialRecord trial = example_trial(session());
+  trial.id = must(store->begin_trial(trial));
+  EXPECT_FALSE(store->append_blocks(trial.id, 1, example_rows(trial, 100, 1)).ok());
+  EXPECT_FALSE(store->append_blocks(trial.id + 1, 0, example_rows(trial, 100, 1)).ok());
+  auto uneven = example_rows(trial, 100, 1);
+  uneven[1].pop_back();
+  EXPECT_FALSE(store->append_blocks(trial.id, 0, uneven).ok());
+  EXPECT_FALSE(store->append_blocks(trial.id, 0, example_rows(trial, 101, 1)).ok());
+  EXPECT_EQ(must(store->trials(trial.session_id))[0].samples, 0);
+  must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));
+  must(store->append_blocks(trial.id, 1, example_rows(trial, 99, 1)));
+  EXPECT_FALSE(store->append_blocks(trial.id, 2, example_rows(trial, 100, 1)).ok())
+      << "after a second that was not full";
+  EXPECT_EQ(must(store->trials(trial.session_id))[0].samples, 199);
+}
+
+TEST_F(Records, WrongReferencesAndRepeatedNumbersAreRefused) {
+  SessionRecord orphan = example_session(99);
+  EXPECT_FALSE(store->begin_session(orphan).ok());
+  EXPECT_FALSE(store->begin_trial(example_trial(99)).ok());
+  EXPECT_FALSE(store->end_session(99).ok());
+  TrialRecord trial = example_trial(session());
+  trial.id = must(store->begin_trial(trial));
+  EXPECT_FALSE(store->begin_trial(example_trial(trial.session_id, 2)).ok()) << "one is running";
+  trial.status = TrialStatus::aborted;
+  must(store->end_trial(trial, {}));
+  EXPECT_FALSE(store->begin_trial(example_trial(trial.session_id, 1)).ok()) << "number 1 again";
+}
+
+TEST_F(Records, NaNIsNoMeasureAndTheTrialStaysOpen) {
+  TrialRecord trial = example_trial(session());
+  trial.id = must(store->begin_trial(trial));
+  trial.status = TrialStatus::completed;
+  const std::vector<Measure> wrong{{"rmse", "force", std::nan(""), "N", 1, 0, 0, ""}};
+  EXPECT_FALSE(store->end_trial(trial, wrong).ok());
+  EXPECT_EQ(must(store->trials(trial.session_id))[0].status, TrialStatus::running);
+  must(store->end_trial(trial, {}));
+}
+
+/// All that the store can tell about a patient, times of day aside.
+std::string dump(SessionStore& store) {
+  std::string text;
+  const auto add = [&text](double value) {
+    text += std::to_string(std::bit_cast<std::uint64_t>(value)) + " ";
+  };
+  for (const auto& patient : must(store.patients())) {
+    text += patient.code + "\n";
+    for (const auto& session : must(store.sessions(patient.id)))
+      for (const auto& trial : must(store.trials(session.id))) {
+        text += trial.task_text;
+        const auto signals = must(store.signals(trial));
+        for (std::size_t c = 0; c < signals.names().size(); ++c)
+          for (const double value : signals.column(c)) add(value);
+        for (const auto& measure : must(store.measures(trial.id))) add(measure.value.value_or(-1));
+      }
+  }
+  return text;
+}
+
+TEST(Determinism, SameCallsMakeTheSameContent) {
+  TemporaryFolder folder;
+  std::string dumps[2];
+  for (int run = 0; run < 2; ++run) {
+    auto store = open_store(folder.file("run" + std::to_string(run) + ".db"));
+    const auto patient = must(store->add_patient("P-1"));
+    TrialRecord trial = example_trial(must(store->begin_session(example_session(patient.id))));
+    trial.id = must(store->begin_trial(trial));
+    for (int s = 0; s < 3; ++s)
+      must(store->append_blocks(trial.id, s, example_rows(trial, 100, static_cast<unsigned>(s))));
+    trial.status = TrialStatus::completed;
+    const std::vector<Measure> measures{{"rmse", "force", 0.1, "N", 1, 10, 0, ""}};
+    must(store->end_trial(trial, measures));
+    dumps[run] = dump(*store);
+  }
+  EXPECT_EQ(dumps[0], dumps[1]);
+  EXPECT_GT(dumps[0].size(), 1000u);
+}
+
+}  // namespace
+}  // namespace isograsp

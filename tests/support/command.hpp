@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the program as a user would: a command line in a shell, its output and its exit status.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::test {
+
+struct CommandResult {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+/// `arguments` go to the shell behind the executable: quote what needs it.
+inline CommandResult isograsp(const std::string& arguments) {
+  const TemporaryFolder folder;
+  const std::string command = std::string("\"" ISOGRASP_EXECUTABLE "\" ") + arguments + " >" +
+                              folder.path("out") + " 2>" + folder.path("err") + " </dev/null";
+  const int status = std::system(command.c_str());
+  const auto text = [&folder](const char* name) {
+    std::ifstream in(folder.path(name));
+    std::ostringstream all;
+    all << in.rdbuf();
+    return all.str();
+  };
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text("out"), text("err")};
+}
+
+}  // namespace isograsp::test

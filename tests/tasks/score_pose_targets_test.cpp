@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures of the pose targets, on records played through the state machine.
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "tasks/score.hpp"
+#include "tasks/task.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/tasks/samples.hpp"
+
+namespace isograsp {
+namespace {
+
+using test::edited;
+using test::find;
+using test::value_of;
+
+constexpr double kPeriod_s = 0.01;
+constexpr double kRounding = 1e-12;
+
+template <class Kind>
+TaskSpec spec_of(Kind kind) {
+  TaskSpec spec;
+  spec.kind = std::move(kind);
+  return spec;
+}
+
+/// Level to the left in 2 s, a quarter turn in 1 s, both held for 0.5 s.
+PoseTargetsSpec left_and_turn() {
+  PoseTargetsSpec spec;
+  spec.scene = "planar_block";
+  spec.time_limit_s = 5.0;
+  spec.targets = {{Vec3(-0.1, 0.0, 0.0), 0.0, 0.5, true},
+                  {Vec3(-0.1, 0.0, 0.0), std::numbers::pi / 2, 0.5, false}};
+  return spec;
+}
+
+struct Motion {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double angle_rad = 0.0;
+  bool contact = true;
+  bool slip = false;
+  bool paused = false;
+};
+
+/// Plays a pose task; `motion` is the object over record time.
+Signals play_poses(const PoseTargetsSpec& spec, const std::function<Motion(double)>& motion) {
+  TaskContext context{kPeriod_s, 0.0, 0.0, 0};
+  const auto task = make_task(spec_of(spec), context);
+  EXPECT_TRUE(task);
+  Signals signals({"t_s", "phase", "sample_flags", "actual_force_N", "target_x_m", "target_y_m",
+                   "target_z_m", "target_angle_rad", "actual_x_m", "actual_y_m", "actual_z_m",
+                   "actual_angle_rad", "target_index", "targets_reached", "contact_thumb",
+                   "slip_thumb"});
+  TaskView view;
+  for (int k = 0;; ++k) {
+    const double t_s = k * kPeriod_s;
+    const Motion m = motion(t_s);
+    ObjectState object;
+    object.pose.p_WO = {m.x_m, m.y_m, 0.0};
+    object.pose.q_WO = Quat(Eigen::AngleAxisd(m.angle_rad, Vec3::UnitZ()));
+    TaskInput input;
+    input.object = &object;
+    if (!m.paused) view = (*task)->step(input);
+    if (view.phase == Phase::done) return signals;
+    const auto& target = spec.targets[static_cast<std::size_t>(view.target_index)];
+    const double row[] = {t_s,
+                          static_cast<double>(m.paused ? Phase::paused : view.phase),
+                          0.0,
+                          3.0,
+                          target.p_WT.x(),
+                          target.p_WT.y(),
+                          0.0,
+                          target.angle_rad,
+                          m.x_m,
+                          m.y_m,
+                          0.0,
+                          m.angle_rad,
+                          static_cast<double>(view.target_index),
+                          static_cast<double>(view.targets_reached),
+                          m.contact ? 1.0 : 0.0,
+                          m.slip ? 1.0 : 0.0};
+    signals.append_row(row);
+  }
+}
+
+double min_jerk(double t_s, double duration_s) {
+  const double s = std::clamp(t_s / duration_s, 0.0, 1.0);
+  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+}
+Motion skilled(double t_s) {
+  Motion m;
+  m.x_m = -0.1 * min_jerk(t_s, 2.0);
+  m.angle_rad = t_s < 2.5 ? 0.0 : std::numbers::pi / 2 * min_jerk(t_s - 2.5, 1.0);
+  return m;
+}
+
+TEST(ScorePoseTargets, AStraightSteadyTrialHasTheMeasuresOfItsGeometry) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto measures = score(spec_of(spec), play_poses(spec, skilled));
+  EXPECT_EQ(value_of(measures, "targets_reached"), 2.0);
+  EXPECT_EQ(find(measures, "targets_reached")->unit, "of 2");
+  // Entering 20 mm before the end: the first frame at which min_jerk(t / 2 s) >= 0.8.
+  double entry_s = 0.0;
+  while (min_jerk(entry_s, 2.0) < 0.8) entry_s += kPeriod_s;
+  constexpr double kOneFrame_s = kPeriod_s + kRounding;
+  EXPECT_NEAR(value_of(measures, "completion_time", "target_1"), entry_s, kOneFrame_s);
+  EXPECT_NEAR(value_of(measures, "path_length"), 0.1, kRounding);
+  EXPECT_NEAR(value_of(measures, "path_efficiency"), 100.0, 1e-9);
+  EXPECT_NEAR(value_of(measures, "tilt_in_transport"), 0.0, kRounding);
+  EXPECT_EQ(value_of(measures, "drops"), 0.0);
+  EXPECT_EQ(value_of(measures, "slip"), 0.0);
+  EXPECT_NEAR(value_of(measures, "mean_grip"), 3.0, kRounding);
+  EXPECT_EQ(find(measures, "hold_error_position")->samples, 100) << "two holds of exactly 0.5 s";
+}
+
+TEST(ScorePoseTargets, AShakyTransportIsLessSmooth) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto smooth = score(spec_of(spec), play_poses(spec, skilled));
+  const auto shaky = score(spec_of(spec), play_poses(spec, [](double t_s) {
+                             Motion m = skilled(t_s);
+                             m.x_m += 0.003 * std::sin(2.0 * std::numbers::pi * 4.0 * t_s);
+                             return m;
+                           }));
+  EXPECT_LT(value_of(shaky, "sparc"), value_of(smooth, "sparc"));
+  EXPECT_LT(value_of(smooth, "sparc"), -1.0) << "the arc is longer than its range";
+}
+
+TEST(ScorePoseTargets, HoldErrorsAreTheConstantOffsetsOfTheHold) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto measures = score(spec_of(spec), play_poses(spec, [](double t_s) {
+                                Motion m;  // jumps, so that the hold is constant from its first row
+                                m.x_m = t_s < 1.0 ? 0.0 : -0.1 + 0.006;
+                                m.y_m = t_s < 1.0 ? 0.0 : 0.008;
+                                m.angle_rad = t_s < 2.0 ? -0.1 : std::numbers::pi / 2 + 0.1;
+                                return m;
+                              }));
+  EXPECT_EQ(value_of(measures, "targets_reached"), 2.0);
+  EXPECT_NEAR(value_of(measures, "hold_error_position"), 0.01, kRounding);
+  EXPECT_NEAR(value_of(measures, "hold_error_angle"), 0.1, kRounding);
+  EXPECT_NEAR(value_of(measures, "tilt_in_transport"), 0.1, kRounding);
+}
+
+TEST(ScorePoseTargets, AnUnreachedTargetIsCensoredNotTimed) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto measures = score(spec_of(spec), play_poses(spec, [](double t_s) {
+                                Motion m = skilled(t_s);
+                                m.angle_rad = 0.0;  // never turns
+                                return m;
+                              }));
+  EXPECT_EQ(value_of(measures, "targets_reached"), 1.0);
+  const Measure* second = find(measures, "completion_time", "target_2");
+  EXPECT_FALSE(second->value);
+  EXPECT_EQ(second->reason, "not reached within 5 s");
+}
+
+TEST(ScorePoseTargets, AnAbortedTrialIsNotATimeOut) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const Signals whole = play_poses(spec, skilled);
+  const Signals cut = edited(whole, [](std::size_t k, std::vector<double>& row) {
+    if (k >= 100) row.clear();
+  });
+  const auto measures = score(spec_of(spec), cut);
+  EXPECT_EQ(value_of(measures, "targets_reached"), 0.0);
+  EXPECT_EQ(find(measures, "completion_time", "target_1")->reason,
+            "the trial ended before it was reached");
+  EXPECT_EQ(find(measures, "completion_time", "target_2")->reason,
+            "the trial ended before this target");
+}
+
+TEST(ScorePoseTargets, ADeviceFaultCostsThePatientNoTimeAndNoDrop) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto smooth = score(spec_of(spec), play_poses(spec, skilled));
+  // 20 s of fault in the first transport, longer than every time limit; the hand lets go meanwhile.
+  const auto faulted =
+      score(spec_of(spec), play_poses(spec, [](double t_s) {
+              constexpr double kFault_s = 1.0;
+              constexpr double kResume_s = 21.0;
+              Motion m = skilled(t_s < kFault_s ? t_s : t_s < kResume_s ? kFault_s : t_s - 20.0);
+              m.paused = t_s >= kFault_s && t_s < kResume_s;
+              m.contact = t_s < 1.5 || t_s >= 21.2;
+              return m;
+            }));
+  constexpr double kOneFrame_s = kPeriod_s + kRounding;
+  EXPECT_EQ(value_of(faulted, "targets_reached"), 2.0);
+  EXPECT_NEAR(value_of(faulted, "completion_time", "target_1"),
+              value_of(smooth, "completion_time", "target_1"), kOneFrame_s);
+  EXPECT_EQ(value_of(faulted, "drops"), 0.0);
+  EXPECT_EQ(find(faulted, "path_length")->excluded, 2000);
+}
+
+TEST(ScorePoseTargets, DropsAndSlipAreCountedInTransport) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto measures = score(spec_of(spec), play_poses(spec, [](double t_s) {
+                                Motion m = skilled(t_s);
+                                m.contact = !(t_s > 0.295 && t_s < 0.495) &&
+                                            !(t_s > 0.695 && t_s < 0.795) && t_s > 0.095;
+                                m.slip = t_s > 0.895 && t_s < 0.995;
+                                return m;
+                              }));
+  EXPECT_EQ(value_of(measures, "drops"), 2.0) << "the time before the first touch is no drop";
+  EXPECT_GT(value_of(measures, "slip"), 0.0);
+}
+
+TEST(ScorePoseTargets, ADetourCostsEfficiencyAndATiltIsSeen) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto measures = score(spec_of(spec), play_poses(spec, [](double t_s) {
+                                Motion m;  // up, along and down: three sides of a square of 0.1 m
+                                m.y_m = 0.1 * (min_jerk(t_s, 1.0) - min_jerk(t_s - 2.0, 1.0));
+                                m.x_m = -0.1 * min_jerk(t_s - 1.0, 1.0);
+                                m.angle_rad = t_s < 4.0 ? 0.2 : std::numbers::pi / 2;
+                                return m;
+                              }));
+  // The transport ends 20 mm above the target, where the tolerance begins.
+  const double straight_m = std::hypot(0.1, 0.02);
+  constexpr double kLastStep_percent = 1.0;  // up to one frame of 1.5 mm inside the tolerance
+  EXPECT_NEAR(value_of(measures, "path_efficiency"), 100.0 * straight_m / 0.28, kLastStep_percent);
+  EXPECT_NEAR(value_of(measures, "tilt_in_transport"), 0.2, kRounding);
+}
+
+TEST(ScorePoseTargets, AnglesAreComparedRoundTheCircle) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto measures = score(spec_of(spec), play_poses(spec, [](double t_s) {
+                                Motion m = skilled(t_s);
+                                m.angle_rad += 2.0 * std::numbers::pi;
+                                return m;
+                              }));
+  EXPECT_EQ(value_of(measures, "targets_reached"), 2.0);
+  EXPECT_NEAR(value_of(measures, "tilt_in_transport"), 0.0, kRounding);
+}
+
+TEST(ScorePoseTargets, AQuaternionServesWhereThreeRotationsAreFree) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const Signals one_angle = play_poses(spec, [](double t_s) {
+    Motion m = skilled(t_s);
+    m.angle_rad += 0.1;
+    return m;
+  });
+  Signals attitude;
+  for (const auto& name : one_angle.names()) {
+    const auto column = one_angle.column(name);
+    if (name != "actual_angle_rad") {
+      attitude.add_column(name, {column.begin(), column.end()});
+      continue;
+    }
+    std::vector<double> w;
+    std::vector<double> z;
+    for (const double angle : column) {
+      w.push_back(std::cos(angle / 2));
+      z.push_back(std::sin(angle / 2));
+    }
+    const std::vector<double> zero(column.size(), 0.0);
+    attitude.add_column("actual_qw", w);
+    attitude.add_column("actual_qx", zero);
+    attitude.add_column("actual_qy", zero);
+    attitude.add_column("actual_qz", z);
+  }
+  const auto a = score(spec_of(spec), one_angle);
+  const auto b = score(spec_of(spec), attitude);
+  for (const char* name : {"tilt_in_transport", "hold_error_angle"})
+    EXPECT_NEAR(value_of(a, name), value_of(b, name), kRounding) << name;
+}
+
+TEST(ScorePoseTargets, AWrittenAndReadBackTrialHasTheSameScoreBitForBit) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const Signals signals = play_poses(spec, skilled);
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(write_signals(signals, folder.path("trial.csv")));
+  const auto read = read_signals(folder.path("trial.csv"));
+  ASSERT_TRUE(read) << read.error().message();
+  const auto before = score(spec_of(spec), signals);
+  const auto after = score(spec_of(spec), *read);
+  ASSERT_EQ(before.size(), after.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(before[i].value.has_value(), after[i].value.has_value());
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(before[i].value.value_or(0.0)),
+              std::bit_cast<std::uint64_t>(after[i].value.value_or(0.0)))
+        << before[i].name;
+  }
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How late the screen's answer to an intention is perceived.
+#pragma once
+
+#include "virtual_patient/virtual_patient.hpp"
+
+namespace isograsp {
+
+/// Sensor (32 ms) and half a frame and its hold: what a person has learned of the device.
+inline constexpr double kLearnedDeviceDelay_s = 0.040;
+
+[[nodiscard]] inline double loop_delay_s(const PatientTraits& traits) noexcept {
+  return traits.visual_delay_s + 2.0 * traits.muscle_lag_s + kLearnedDeviceDelay_s;
+}
+
+}  // namespace isograsp

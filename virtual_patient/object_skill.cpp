@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "virtual_patient/object_skill.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "grasp_model/rotation.hpp"
+#include "virtual_patient/loop_delay.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr double kProportional = 0.3;          ///< of the stiffness
+constexpr double kIntegral_per_s = 0.7;        ///< of the stiffness
+constexpr double kDamping_per_s = 0.5;         ///< of the damping: moves objects without a spring
+constexpr double kFrictionUse = 0.6;           ///< of the friction limit that people dare to use
+constexpr double kClosingTime_s = 0.5;         ///< from no force to the full grasp
+constexpr double kTouchMargin = 1.5;           ///< of the contact threshold …
+constexpr double kTouchMargin_N = 0.3;         ///< … and above it
+constexpr double kLargestTouchFraction = 0.4;  ///< of the maximum: weak hands save their strength
+constexpr double kLargestCorrectionFraction = 0.5;
+
+/// A target that moves this little was shifted, not replaced.
+constexpr double kShift_m = 0.005;
+constexpr double kShift_rad = 0.05;
+
+/// The shorter way round.
+Vec3 shortest_turn(const Quat& from, const Quat& to) noexcept {
+  Quat turn = from.conjugate() * to;
+  if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
+  return so3::log(turn);
+}
+
+}  // namespace
+
+PosePlan::PosePlan(const Pose& from, const Pose& to, double start_s, double duration_s) noexcept
+    : from_(from),
+      to_(to),
+      turn_(shortest_turn(from.q_WO, to.q_WO)),
+      start_s_(start_s),
+      duration_s_(duration_s) {}
+
+PosePlan::Point PosePlan::at(double t_s) const noexcept {
+  const double u = std::clamp((t_s - start_s_) / duration_s_, 0.0, 1.0);
+  const double way = u * u * u * (10.0 + u * (6.0 * u - 15.0));
+  const double rate = 30.0 * u * u * (1.0 - u) * (1.0 - u) / duration_s_;
+  Point point;
+  point.pose.p_WO = from_.p_WO + way * (to_.p_WO - from_.p_WO);
+  point.pose.q_WO = from_.q_WO * so3::exp(way * turn_);
+  point.v_WO_W = rate * (to_.p_WO - from_.p_WO);
+  point.w_WO_O = rate * turn_;
+  return point;
+}
+
+ObjectSkill::ObjectSkill(const PatientTraits& traits, const Scene& scene)
+    : traits_(traits), scene_(scene) {
+  for (Eigen::Index dof = 0; dof < 6; ++dof)
+    free_[dof] = scene.free[static_cast<std::size_t>(dof)] ? 1.0 : 0.0;
+  learn_grasp();
+}
+
+void ObjectSkill::learn_grasp() {
+  Map G = Map::Zero();
+  Stacked squeeze = Stacked::Zero();
+  double square_arms = 0.0;
+  const auto fingers = static_cast<double>(scene_.contacts.size());
+  const bool thumb = scene_.contact_of(Finger::thumb) != nullptr;
+  for (const Contact& contact : scene_.contacts) {
+    const std::size_t f = index_of(contact.finger);
+    const auto column = 3 * static_cast<Eigen::Index>(f);
+    const Eigen::Index first = contact.model == ContactModel::frictionless ? 2 : 0;
+    for (Eigen::Index axis = first; axis < 3; ++axis) {
+      const Vec3 direction = contact.R_OC.col(axis);
+      G.col(column + axis) << direction, contact.p_OC.cross(direction);
+    }
+    square_arms += contact.p_OC.squaredNorm();
+    squeeze[column + 2] =
+        !thumb || contact.finger == Finger::thumb ? 1.0 : 1.0 / std::max(1.0, fingers - 1.0);
+    least_N_[f] = std::min(kTouchMargin * contact.threshold_N + kTouchMargin_N,
+                           kLargestTouchFraction * traits_.maximum_force_N);
+  }
+  const double arm_m = square_arms > 0.0 ? std::sqrt(square_arms / fingers) : 1.0;
+  Vec6 scale;  // torques as forces at the mean arm; a locked axis needs no force
+  scale << 1.0, 1.0, 1.0, Vec3::Constant(1.0 / arm_m);
+  scale = scale.cwiseProduct(free_);
+  const Map scaled = scale.asDiagonal() * G;
+  // The smallest forces that make a wrench: pseudo-inverse, its zero directions left at zero.
+  constexpr double kRidge = 1e-9;
+  Eigen::Matrix<double, 6, 6> square = scaled * scaled.transpose();
+  square.diagonal().array() += kRidge;
+  share_ = scaled.transpose() * square.inverse() * scale.asDiagonal();
+  // Squeezing as much as possible without moving the object.
+  grip_ = squeeze - scaled.transpose() * (square.inverse() * (scaled * squeeze));
+
+  const double most_N = kLargestCorrectionFraction * traits_.maximum_force_N;
+  largest_correction_ << Vec3::Constant(most_N), Vec3::Constant(most_N * arm_m);
+}
+
+void ObjectSkill::begin(double t_s) noexcept {
+  plan_ = PosePlan(picture_.object);
+  begin_s_ = t_s;
+  waiting_ = false;
+  correction_.setZero();
+  error_.setZero();
+  if (seen_ && picture_.object_shown) {
+    waiting_ = true;
+    waiting_until_s_ = t_s + kClosingTime_s;
+  }
+}
+
+Vec6 ObjectSkill::error(const Pose& wanted, const Pose& seen) const noexcept {
+  Vec6 difference;
+  difference << wanted.p_WO - seen.p_WO, seen.q_WO * shortest_turn(seen.q_WO, wanted.q_WO);
+  return difference.cwiseProduct(free_);
+}
+
+void ObjectSkill::perceive(const Stimulus& picture, double t_s) noexcept {
+  const double dt_s = seen_ ? std::max(0.0, picture.t_s - picture_.t_s) : 0.0;
+  const bool had_object = seen_ && picture_.object_shown;
+  picture_ = picture;
+  seen_ = true;
+  if (!picture.object_shown) return;
+  if (!had_object) plan_ = PosePlan(picture.object);
+
+  const bool moved = (picture.target.p_WO - plan_.end().p_WO).norm() > kShift_m ||
+                     angle_between(picture.target.q_WO, plan_.end().q_WO) > kShift_rad;
+  if (moved && !waiting_) {
+    waiting_ = true;
+    waiting_until_s_ = t_s + traits_.reaction_s;
+  }
+
+  // What is seen answers to what was wanted one loop delay ago.
+  const double answered_s = t_s - loop_delay_s(traits_);
+  error_ = error(plan_.at(answered_s).pose, picture.object);
+  bool held = true;
+  for (const Contact& contact : scene_.contacts) held &= picture.contact[index_of(contact.finger)];
+  if (!held) return;
+  correction_ += kIntegral_per_s * dt_s * scene_.stiffness.cwiseProduct(error_);
+  correction_ = correction_.cwiseMax(-largest_correction_).cwiseMin(largest_correction_);
+}
+
+Vec6 ObjectSkill::wrench_W(double t_s) noexcept {
+  if (waiting_ && t_s >= waiting_until_s_) {
+    plan_ = PosePlan(plan_.at(t_s).pose, picture_.target, t_s, traits_.movement_s);
+    waiting_ = false;
+  }
+  const PosePlan::Point point = plan_.at(t_s);
+  const Quat& q = point.pose.q_WO;
+  Quat near = q;  // of the two signs, the one nearer to the springs' rest
+  if (near.w() < 0.0) near.coeffs() = -near.coeffs();
+  const Vec3 force = scene_.stiffness.head<3>().cwiseProduct(point.pose.p_WO - scene_.anchor_m) +
+                     scene_.damping.head<3>().cwiseProduct(point.v_WO_W) -
+                     scene_.mass_kg * scene_.gravity_m_s2;
+  const Vec3 torque_O = scene_.damping.tail<3>().cwiseProduct(point.w_WO_O) -
+                        so3::spring_torque(so3::log(near), scene_.stiffness.tail<3>());
+  Vec6 wrench;
+  wrench << force, q * torque_O;
+  const Vec6 gain = kProportional * scene_.stiffness + kDamping_per_s * scene_.damping;
+  return (wrench + gain.cwiseProduct(error_) + correction_).cwiseProduct(free_);
+}
+
+void ObjectSkill::squeeze(Stacked& forces) const noexcept {
+  // More grip raises what friction can hold; with tilted contacts it also adds tangential force, so
+  // the amount is found in a few passes.
+  constexpr int kPasses = 3;
+  double grip_N = 0.0;
+  const Stacked alone = forces;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (const Contact& contact : scene_.contacts) {
+      const std::size_t f = index_of(contact.finger);
+      const auto column = 3 * static_cast<Eigen::Index>(f);
+      const double share = grip_[column + 2];
+      constexpr double kNoGrip = 1e-3;  // this finger has nobody to press against
+      if (share < kNoGrip) continue;
+      const double tangential_N = forces.segment<2>(column).norm();
+      const double holding_N =
+          contact.friction > 0.0 ? tangential_N / (kFrictionUse * contact.friction) : 0.0;
+      const double needed_N = std::max(least_N_[f], holding_N);
+      grip_N = std::max(grip_N, (needed_N - alone[column + 2]) / share);
+    }
+    forces = alone + std::min(grip_N, traits_.maximum_force_N) * grip_;
+  }
+}
+
+FingerForces ObjectSkill::wanted(double t_s) noexcept {
+  FingerForces wanted;
+  wanted.fill(Vec3::Zero());
+  if (!seen_ || !picture_.object_shown) return wanted;
+  Vec6 wrench = wrench_W(t_s);
+  if (scene_.wrench_frame == WrenchFrame::object) {
+    const Quat to_object = picture_.object.q_WO.conjugate();
+    wrench.head<3>() = to_object * Vec3(wrench.head<3>());
+    wrench.tail<3>() = to_object * Vec3(wrench.tail<3>());
+  }
+  Stacked forces = share_ * wrench;
+  squeeze(forces);
+  const double closed = std::clamp((t_s - begin_s_) / kClosingTime_s, 0.0, 1.0);
+  for (const Contact& contact : scene_.contacts) {
+    const std::size_t f = index_of(contact.finger);
+    Vec3 force = closed * forces.segment<3>(3 * static_cast<Eigen::Index>(f));
+    force.z() = std::max(force.z(), 0.0);
+    const double most_N = kFrictionUse * contact.friction * force.z();
+    const double tangential_N = force.head<2>().norm();
+    if (tangential_N > most_N) force.head<2>() *= most_N / tangential_N;
+    wanted[f] = force;
+  }
+  return wanted;
+}
+
+}  // namespace isograsp

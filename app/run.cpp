@@ -11,7 +11,6 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/paths.hpp"
-#include "core/csv.hpp"
 #include "session/protocol_run.hpp"
 #include "session/session.hpp"
 
@@ -46,27 +45,17 @@ Result<void> run_session(const RunOptions& options) {
                  "",
                  0,
                  "--hand"};
-  if (auto good = check_patient_code(options.patient); !good) return good;
-  const auto text = read_text(options.protocol_file);
-  if (!text) return text.error();
-  const auto protocol = parse_protocol(*text, options.protocol_file);
+  const auto protocol = read_protocol(options.protocol_file, library_folder());
   if (!protocol) return protocol.error();
-  {
-    auto store = SessionStore::open(options.database, SessionStore::Open::create);
-    if (!store) return store.error();
-    const auto known = (*store)->find_patient(options.patient);
-    if (!known) return known.error();
-    if (!*known && !options.quiet)
-      print_note("patient " + options.patient + " is new and will be created");
-  }
   SessionConfig config;
   config.database = options.database;
+  config.create_database = true;
   config.patient_code = options.patient;
   config.hand = *hand;
   config.device_uri = options.device;
   config.library = library_folder();
-  config.protocol_name = protocol->name;
-  config.protocol_text = protocol->text;
+  config.protocol_name = protocol->spec.name;
+  config.protocol_text = protocol->spec.text;
   config.software_version = ISOGRASP_VERSION;
   config.virtual_time = options.fast;
   config.started_utc = options.started_utc;
@@ -74,16 +63,16 @@ Result<void> run_session(const RunOptions& options) {
   if (!session) return session.error();
 
   if (!options.quiet) {
+    if ((*session)->patient_is_new())
+      print_note("patient " + options.patient + " is new and was created");
     std::printf("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
                 (*session)->device().description.c_str());
     std::fflush(stdout);
   }
   ProgressBar bar("Session");
-  const auto result =
-      run_protocol(**session, *protocol, config.library, [&](const ProtocolProgress& at) {
-        if (!options.quiet)
-          bar.show(static_cast<double>(at.step) / std::max(1, at.steps), at.doing);
-      });
+  const auto result = run_protocol(**session, *protocol, [&](const ProtocolProgress& at) {
+    if (!options.quiet) bar.show(static_cast<double>(at.step) / std::max(1, at.steps), at.doing);
+  });
   (*session)->close();
   bar.end();
   if (!result) return result.error();

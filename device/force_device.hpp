@@ -22,8 +22,8 @@ struct SensorSample {
   Timestamp stamp{0};  ///< when it was measured, on the clock given to start()
   Wrench wrench_C;     ///< contact frame [N, N m]
   RawCounts raw_counts{};
-  bool valid = true;        ///< false: the device says that there is no value
-  std::uint8_t flags = 0;   ///< SampleFlag::saturated, SampleFlag::overload
+  bool valid = true;       ///< false: the device says that there is no value
+  std::uint8_t flags = 0;  ///< SampleFlag::saturated, SampleFlag::overload
 };
 
 /// Counters of one sensor since start(); they never decrease.
@@ -36,13 +36,25 @@ struct SensorCounters {
 };
 
 enum class DeviceState : std::uint8_t {
-  absent, identified, configured, streaming, degraded, faulted, finished
+  absent,
+  identified,
+  configured,
+  streaming,
+  degraded,
+  faulted,
+  finished
 };
 [[nodiscard]] std::string_view name_of(DeviceState state) noexcept;
 
 /// Why a device is degraded or faulted; words for both screens come from describe().
 enum class DeviceFault : std::uint8_t {
-  none, silence, torn_samples, bus_off, interface_down, interface_gone, overload
+  none,
+  silence,
+  torn_samples,
+  bus_off,
+  interface_down,
+  interface_gone,
+  overload
 };
 /// One plain sentence for the therapist, with what to do.
 [[nodiscard]] std::string_view describe(DeviceFault fault) noexcept;
@@ -58,10 +70,10 @@ struct DeviceHealth {
 /// What the device is; fixed after open_device().
 struct DeviceInfo {
   std::string uri;
-  std::string description;  ///< one line for people, e.g. "Robotous RFT on can0"
-  bool simulated = false;   ///< forces come from software: reports carry a watermark
-  bool recorded = false;    ///< forces come from a file
-  bool on_grid = false;     ///< samples lie exactly on the frame grid: never interpolate
+  std::string description;        ///< one line for people, e.g. "Robotous RFT on can0"
+  bool simulated = false;         ///< forces come from software: reports carry a watermark
+  bool recorded = false;          ///< forces come from a file
+  bool on_grid = false;           ///< samples lie exactly on the frame grid: never interpolate
   double sample_period_s = 0.01;  ///< nominal, of each sensor
   double frame_period_s = 0.01;   ///< of the grid that the frame clock should make
   double delay_s = 0.0;           ///< known delay from force to stamp (filter)

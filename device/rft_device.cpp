@@ -210,15 +210,9 @@ ReadStatus RftDevice::read(Timestamp deadline, SensorSample& out) noexcept {
         if (now >= deadline) return ReadStatus::timeout;
         break;
       }
-      case BusEvent::bus_off:
-        bus_fault_ = DeviceFault::bus_off;
-        break;
-      case BusEvent::interface_down:
-        bus_fault_ = DeviceFault::interface_down;
-        break;
-      case BusEvent::interface_gone:
-        bus_fault_ = DeviceFault::interface_gone;
-        break;
+      case BusEvent::bus_off: bus_fault_ = DeviceFault::bus_off; break;
+      case BusEvent::interface_down: bus_fault_ = DeviceFault::interface_down; break;
+      case BusEvent::interface_gone: bus_fault_ = DeviceFault::interface_gone; break;
     }
   }
 }

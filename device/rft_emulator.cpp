@@ -139,14 +139,12 @@ void RftEmulator::obey(std::size_t finger, const CanFrame& frame, Timestamp now)
   }
   if (sensor.streaming) return;  // deaf to everything else
   switch (command) {
-    case RftCommand::model_name:
-      return text("RFT60-HA01");
+    case RftCommand::model_name: return text("RFT60-HA01");
     case RftCommand::serial_number:
       return text(options_.config.sensors[finger].serial_number.empty()
                       ? "EMULATED-" + std::to_string(finger + 1)
                       : options_.config.sensors[finger].serial_number.substr(0, 15));
-    case RftCommand::firmware_version:
-      return text("1.82");
+    case RftCommand::firmware_version: return text("1.82");
     case RftCommand::set_ids: {
       const bool good =
           d[1] != 0 && d[2] != 0 && d[3] != 0 && d[1] != d[2] && d[2] != d[3] && d[1] != d[3];
@@ -183,12 +181,9 @@ void RftEmulator::obey(std::size_t finger, const CanFrame& frame, Timestamp now)
     case RftCommand::set_rate:
       if (d[1] <= 8) sensor.rate_code = d[1];
       return result(d[1] <= 8);
-    case RftCommand::read_rate:
-      return reply(finger, d[0], std::array{sensor.rate_code}, now);
-    case RftCommand::overload_counts:
-      return reply(finger, d[0], sensor.overload_counts, now);
-    default:
-      return reply(finger, d[0], std::array<std::uint8_t, 2>{0, kUnsupported}, now);
+    case RftCommand::read_rate: return reply(finger, d[0], std::array{sensor.rate_code}, now);
+    case RftCommand::overload_counts: return reply(finger, d[0], sensor.overload_counts, now);
+    default: return reply(finger, d[0], std::array<std::uint8_t, 2>{0, kUnsupported}, now);
   }
 }
 

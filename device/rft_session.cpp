@@ -47,34 +47,24 @@ CanFrame RftSession::command() const noexcept {
   const RftIds& ids = options_.ids;
   const std::uint8_t filter_type = options_.filter_code == 0 ? 0 : 1;
   switch (step_) {
-    case Step::serial_number:
-      return encode_command(ids, RftCommand::serial_number);
-    case Step::read_filter:
-      return encode_command(ids, RftCommand::read_filter);
+    case Step::serial_number: return encode_command(ids, RftCommand::serial_number);
+    case Step::read_filter: return encode_command(ids, RftCommand::read_filter);
     case Step::set_filter:
       return encode_command(ids, RftCommand::set_filter, {filter_type, options_.filter_code});
-    case Step::read_rate:
-      return encode_command(ids, RftCommand::read_rate);
-    case Step::set_rate:
-      return encode_command(ids, RftCommand::set_rate, {options_.rate_code});
+    case Step::read_rate: return encode_command(ids, RftCommand::read_rate);
+    case Step::set_rate: return encode_command(ids, RftCommand::set_rate, {options_.rate_code});
     // A sensor forgets its bias when its power dips; the zero is therefore kept on this side.
-    case Step::clear_bias:
-      return encode_command(ids, RftCommand::set_bias, {0});
-    case Step::start:
-      return encode_command(ids, RftCommand::start);
-    default:
-      return encode_command(ids, RftCommand::stop);
+    case Step::clear_bias: return encode_command(ids, RftCommand::set_bias, {0});
+    case Step::start: return encode_command(ids, RftCommand::start);
+    default: return encode_command(ids, RftCommand::stop);
   }
 }
 
 Timestamp RftSession::waiting_time() const noexcept {
   switch (step_) {
-    case Step::stop:
-      return kStopTime;
-    case Step::clear_bias:
-      return kCommandTime;
-    default:
-      return kAnswerTime;
+    case Step::stop: return kStopTime;
+    case Step::clear_bias: return kCommandTime;
+    default: return kAnswerTime;
   }
 }
 
@@ -97,15 +87,13 @@ std::optional<CanFrame> RftSession::poll(Timestamp now) noexcept {
 
 void RftSession::time_out(Timestamp now) noexcept {
   switch (step_) {
-    case Step::stop:
-      return enter(Step::serial_number, now);
+    case Step::stop: return enter(Step::serial_number, now);
     case Step::clear_bias:
       step_ = Step::ready;
       due_ = Timestamp::max();
       return;
     case Step::streaming:  // silent for too long: perhaps its power dipped and it is idle now
-    case Step::failed:
-      return begin(now);
+    case Step::failed: return begin(now);
     default:
       // The stop may have been lost, and a sensor that streams hears nothing else: start over.
       if (++tries_ < kTries) return enter(Step::stop, now);
@@ -166,8 +154,7 @@ void RftSession::answer(const RftPacket& packet, Timestamp now) noexcept {
         return fail(Failure::refused);
       }
       return enter(step_ == Step::set_filter ? Step::read_rate : Step::clear_bias, now);
-    default:
-      return;
+    default: return;
   }
 }
 

@@ -101,14 +101,10 @@ MeasureWords words_for(std::string_view name, std::string_view channel) {
 
 std::string_view describe(Better better) noexcept {
   switch (better) {
-    case Better::lower:
-      return "lower is better";
-    case Better::higher:
-      return "higher is better";
-    case Better::near_zero:
-      return "nearer to zero is better";
-    case Better::unknown:
-      break;
+    case Better::lower: return "lower is better";
+    case Better::higher: return "higher is better";
+    case Better::near_zero: return "nearer to zero is better";
+    case Better::unknown: break;
   }
   return "";
 }

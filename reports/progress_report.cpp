@@ -233,12 +233,9 @@ void put_in_order(std::vector<TaskSection>& sections, const std::vector<ReportSe
 
 std::string_view name_of(Source source) noexcept {
   switch (source) {
-    case Source::simulated:
-      return "simulated device";
-    case Source::recorded:
-      return "replayed recording";
-    case Source::device:
-      break;
+    case Source::simulated: return "simulated device";
+    case Source::recorded: return "replayed recording";
+    case Source::device: break;
   }
   return "device";
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/qt_application.hpp"
 
-#include <unistd.h>
-
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+
+#include <unistd.h>
 
 namespace isograsp {
 

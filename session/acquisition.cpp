@@ -50,13 +50,9 @@ bool Acquisition::next_frame(FingerFrame& frame) noexcept {
   while (!frame_clock_.pop(device_.now(clock_), frame)) {
     SensorSample sample;
     switch (device_.read(frame_clock_.deadline(), sample)) {
-      case ReadStatus::sample:
-        frame_clock_.push(sample);
-        break;
-      case ReadStatus::timeout:
-        break;
-      case ReadStatus::finished:
-        return false;
+      case ReadStatus::sample: frame_clock_.push(sample); break;
+      case ReadStatus::timeout: break;
+      case ReadStatus::finished: return false;
     }
   }
   return true;
@@ -68,9 +64,7 @@ void Acquisition::obey(const Command& command) noexcept {
       zeroing_ = Zeroing(frame_clock_.period_s());
       now_.stage = Stage::zeroing;
       break;
-    case Command::Kind::begin:
-      begin_trial(*command.setup);
-      break;
+    case Command::Kind::begin: begin_trial(*command.setup); break;
     case Command::Kind::pause:
       if (now_.stage == Stage::trial) pause(PauseCause::therapist);
       break;

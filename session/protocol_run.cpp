@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/protocol_run.hpp"
 
-#include <numeric>
-
 #include "core/csv.hpp"
 
 namespace isograsp {
@@ -18,19 +16,30 @@ Error failure(std::string what, std::string remedy) {
   return {Error::Code::failed, std::move(what), std::move(remedy), "", 0, ""};
 }
 
+Result<TaskSpec> read_task(const std::string& name, const std::string& protocol_file,
+                           const std::string& library) {
+  const auto path = find_in_library(library, "tasks", name, protocol_file);
+  if (!path) return path.error();
+  const auto text = read_text(*path);
+  if (!text) return text.error();
+  auto spec = parse_task(*text, *path);
+  if (!spec || spec->scene().empty()) return spec;
+  if (const auto scene = find_in_library(library, "scenes", spec->scene(), *path); !scene)
+    return scene.error();
+  return spec;
+}
+
 class Run {
  public:
-  Run(Session& session, const std::string& library,
-      const std::function<void(const ProtocolProgress&)>& progress)
-      : session_(session), library_(library), progress_(progress) {}
+  Run(Session& session, const std::function<void(const ProtocolProgress&)>& progress)
+      : session_(session), progress_(progress) {}
 
-  Result<ProtocolResult> all(const ProtocolSpec& protocol) {
-    position_.steps =
-        std::accumulate(protocol.steps.begin(), protocol.steps.end(), 0,
-                        [](int sum, const ProtocolStep& step) { return sum + step.repetitions; });
-    for (const auto& step : protocol.steps) {
+  Result<ProtocolResult> all(const ReadyProtocol& protocol) {
+    for (const auto& step : protocol.spec.steps) position_.steps += step.repetitions;
+    for (std::size_t i = 0; i < protocol.spec.steps.size(); ++i) {
+      const ProtocolStep& step = protocol.spec.steps[i];
       const bool zero = step.kind == ProtocolStep::Kind::instrument_zero;
-      if (auto done = zero ? zero_step() : task_step(step, protocol.file); !done)
+      if (auto done = zero ? zero_step() : task_step(step, protocol.tasks[i]); !done)
         return done.error();
     }
     report("");
@@ -62,21 +71,15 @@ class Run {
     return failure("the instrument zero was refused: " + reason, "");
   }
 
-  Result<void> task_step(const ProtocolStep& step, const std::string& protocol_file) {
-    const auto path = find_in_library(library_, "tasks", step.task, protocol_file);
-    if (!path) return path.error();
-    const auto text = read_text(*path);
-    if (!text) return text.error();
-    const auto spec = parse_task(*text, *path);
-    if (!spec) return spec.error();
+  Result<void> task_step(const ProtocolStep& step, const TaskSpec& spec) {
     for (int repetition = 1; repetition <= step.repetitions; ++repetition) {
-      std::string doing = spec->name;
+      std::string doing = spec.name;
       if (step.practice) doing += ", practice";
       if (step.repetitions > 1)
         doing +=
             " (" + std::to_string(repetition) + " of " + std::to_string(step.repetitions) + ")";
       report(doing);
-      if (auto done = trial(*spec, step.practice); !done) return done;
+      if (auto done = trial(spec, step.practice); !done) return done;
       ++position_.step;
       session_.let_pass(step.rest_s);
     }
@@ -112,7 +115,6 @@ class Run {
   }
 
   Session& session_;
-  const std::string& library_;
   const std::function<void(const ProtocolProgress&)>& progress_;
   ProtocolProgress position_;
   ProtocolResult result_;
@@ -120,10 +122,25 @@ class Run {
 
 }  // namespace
 
-Result<ProtocolResult> run_protocol(Session& session, const ProtocolSpec& protocol,
-                                    const std::string& library,
+Result<ReadyProtocol> read_protocol(const std::string& path, const std::string& library) {
+  const auto text = read_text(path);
+  if (!text) return text.error();
+  auto spec = parse_protocol(*text, path);
+  if (!spec) return spec.error();
+  ReadyProtocol ready{std::move(*spec), {}};
+  for (const auto& step : ready.spec.steps) {
+    ready.tasks.emplace_back();
+    if (step.kind != ProtocolStep::Kind::task) continue;
+    auto task = read_task(step.task, path, library);
+    if (!task) return task.error();
+    ready.tasks.back() = std::move(*task);
+  }
+  return ready;
+}
+
+Result<ProtocolResult> run_protocol(Session& session, const ReadyProtocol& protocol,
                                     const std::function<void(const ProtocolProgress&)>& progress) {
-  return Run(session, library, progress).all(protocol);
+  return Run(session, progress).all(protocol);
 }
 
 }  // namespace isograsp

@@ -19,10 +19,19 @@ struct ProtocolResult {
   std::vector<TrialOutcome> trials;
 };
 
+/// A protocol with all its tasks read: a bad file is found before a session begins.
+struct ReadyProtocol {
+  ProtocolSpec spec;
+  std::vector<TaskSpec> tasks;  ///< of each step; unused for an instrument zero
+};
+/// Tasks are looked for beside the protocol, then in the library; their scenes must exist.
+[[nodiscard]] Result<ReadyProtocol> read_protocol(const std::string& path,
+                                                  const std::string& library);
+
 /// Runs `protocol` in `session`. A zero that is refused three times, or a trial that a device fault
 /// interrupts twice, ends the protocol with an error; what was recorded stays.
 [[nodiscard]] Result<ProtocolResult> run_protocol(
-    Session& session, const ProtocolSpec& protocol, const std::string& library,
+    Session& session, const ReadyProtocol& protocol,
     const std::function<void(const ProtocolProgress&)>& progress);
 
 }  // namespace isograsp

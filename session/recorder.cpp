@@ -51,24 +51,12 @@ bool Recorder::pump() {
 
 void Recorder::take(const RecordItem& item) {
   switch (item.kind) {
-    case RecordItem::Kind::begin:
-      begin(*item.setup);
-      break;
-    case RecordItem::Kind::sample:
-      add_sample(item.sample);
-      break;
-    case RecordItem::Kind::end:
-      end(item);
-      break;
-    case RecordItem::Kind::zero:
-      add_zero(item);
-      break;
-    case RecordItem::Kind::finished:
-      finished_ = true;
-      break;
-    case RecordItem::Kind::event:
-      add_pause(item);
-      break;
+    case RecordItem::Kind::begin: begin(*item.setup); break;
+    case RecordItem::Kind::sample: add_sample(item.sample); break;
+    case RecordItem::Kind::end: end(item); break;
+    case RecordItem::Kind::zero: add_zero(item); break;
+    case RecordItem::Kind::finished: finished_ = true; break;
+    case RecordItem::Kind::event: add_pause(item); break;
   }
 }
 

@@ -86,6 +86,7 @@ struct Session::Parts {
   bool pending = false;   ///< a zero or a trial was asked for and has not ended
   bool finished = false;  ///< virtual time: the device has finished
   bool closed = false;
+  bool patient_is_new = false;
   double maximum_force_N = 0.0;
   std::optional<double> resting_force_N;
   double noise_sd_N = 0.0;
@@ -144,6 +145,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   const auto uri = Uri::parse(config.device_uri);
   if (!uri) return uri.error();
   if (auto same = check_hand(*uri, config.hand); !same) return same.error();
+  if (auto good = check_patient_code(config.patient_code); !good) return good.error();
   auto viewer = simulated_person(*uri);
   if (!viewer) return viewer.error();
   parts->viewer = std::move(*viewer);
@@ -154,7 +156,9 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   if (config.virtual_time && !info.simulated && !info.recorded)
     return uri->error("", "a real device cannot run in virtual time", "leave out --fast");
 
-  auto store = SessionStore::open(config.database, SessionStore::Open::existing);
+  auto store =
+      SessionStore::open(config.database, config.create_database ? SessionStore::Open::create
+                                                                 : SessionStore::Open::existing);
   if (!store) return store.error();
   auto patient = (*store)->find_patient(config.patient_code);
   if (!patient) return patient.error();
@@ -162,6 +166,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
     const auto added = (*store)->add_patient(config.patient_code);
     if (!added) return added.error();
     *patient = *added;
+    parts->patient_is_new = true;
   }
   SessionRecord& record = parts->record;
   record.patient_id = (*patient)->id;
@@ -208,6 +213,9 @@ const DeviceInfo& Session::device() const noexcept {
 }
 const SessionRecord& Session::record() const noexcept {
   return parts_->record;
+}
+bool Session::patient_is_new() const noexcept {
+  return parts_->patient_is_new;
 }
 const Snapshot& Session::snapshot() noexcept {
   return parts_->acquisition->snapshots().read();

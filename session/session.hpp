@@ -20,7 +20,9 @@
 namespace isograsp {
 
 struct SessionConfig {
-  std::string database;      ///< path; must exist and be writable
+  std::string database;  ///< path
+  bool create_database =
+      false;                 ///< make the file if it is absent; nothing is made if the device fails
   std::string patient_code;  ///< created in the database if new
   Hand hand = Hand::right;
   std::string device_uri;
@@ -64,6 +66,8 @@ class Session {
 
   [[nodiscard]] const DeviceInfo& device() const noexcept;
   [[nodiscard]] const SessionRecord& record() const noexcept;
+  /// The code was not in the database before this session.
+  [[nodiscard]] bool patient_is_new() const noexcept;
   /// Newest state. Wait-free. Owner thread.
   [[nodiscard]] const Snapshot& snapshot() noexcept;
   /// Measures of the running trial so far, by the same functions as at its end; renewed every

@@ -10,8 +10,8 @@
 
 namespace isograsp {
 
-/// sim://healthy | sim://paretic, with `seed` and `recovery` (0: as named … 1: healthy). Nothing for
-/// a device that is not simulated.
+/// sim://healthy | sim://paretic, with `seed` and `recovery` (0: as named … 1: healthy). Nothing
+/// for a device that is not simulated.
 [[nodiscard]] Result<std::unique_ptr<VirtualPatient>> simulated_person(const Uri& uri);
 
 }  // namespace isograsp

@@ -11,10 +11,8 @@ std::string_view name_of(Stage stage) noexcept {
 
 std::string_view describe(PauseCause cause) noexcept {
   switch (cause) {
-    case PauseCause::none:
-      return "";
-    case PauseCause::therapist:
-      return "Paused by the therapist.";
+    case PauseCause::none: return "";
+    case PauseCause::therapist: return "Paused by the therapist.";
     case PauseCause::missing_samples:
       return "Paused: samples are missing. Check the cables, check the zero, then resume.";
     case PauseCause::device_fault:

@@ -20,7 +20,9 @@ struct Group {
 };
 
 /// In a TaskContext 0 stands for "not measured".
-double known(double value) { return value > 0.0 ? value : kMissing; }
+double known(double value) {
+  return value > 0.0 ? value : kMissing;
+}
 
 double number(bool yes) {
   return yes ? 1.0 : 0.0;
@@ -47,7 +49,7 @@ Group task_columns(bool has_object) {
        {"actual_force_N", [](const auto& s) { return s.task.actual_force_N; }},
        {"resting_force_N", [](const auto& s) { return s.context.resting_force_N; }},
        {"maximum_force_N", [](const auto& s) { return known(s.context.maximum_force_N); }},
-               {"noise_sd_N", [](const auto& s) { return known(s.context.noise_sd_N); }}}};
+       {"noise_sd_N", [](const auto& s) { return known(s.context.noise_sd_N); }}}};
   if (!has_object) return group;
   for (const int axis : {0, 1, 2}) {
     const std::string name = std::string(1, "xyz"[axis]) + "_m";

@@ -102,16 +102,11 @@ std::string describe(const ZeroRefusal& refusal) {
   constexpr const char* kDamaged =
       "Check that nothing leans on the finger support; if it is free, the sensor may be damaged.";
   switch (refusal.why) {
-    case Why::noisy_force:
-      return sentence("is not quiet", "N", kHandsOff);
-    case Why::noisy_torque:
-      return sentence("is not quiet", "Nm", kHandsOff);
-    case Why::drift:
-      return sentence("drifts", "N/s", kHandsOff);
-    case Why::loaded:
-      return sentence("is loaded", "N", kDamaged);
-    default:
-      return sentence("differs from the last empty zero", "N", kDamaged);
+    case Why::noisy_force: return sentence("is not quiet", "N", kHandsOff);
+    case Why::noisy_torque: return sentence("is not quiet", "Nm", kHandsOff);
+    case Why::drift: return sentence("drifts", "N/s", kHandsOff);
+    case Why::loaded: return sentence("is loaded", "N", kDamaged);
+    default: return sentence("differs from the last empty zero", "N", kDamaged);
   }
 }
 

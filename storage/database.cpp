@@ -58,8 +58,7 @@ Error explain(const std::string& path, const std::string& doing, int code,
               path,
               0,
               ""};
-    default:
-      return failed(path, doing + ": " + message, "run isograsp db check");
+    default: return failed(path, doing + ": " + message, "run isograsp db check");
   }
 }
 

@@ -39,14 +39,10 @@ soci::indicator null_if_zero(RowId id) {
 
 std::string_view name_of(TrialStatus status) noexcept {
   switch (status) {
-    case TrialStatus::running:
-      return "running";
-    case TrialStatus::completed:
-      return "completed";
-    case TrialStatus::aborted:
-      return "aborted";
-    case TrialStatus::interrupted:
-      return "interrupted";
+    case TrialStatus::running: return "running";
+    case TrialStatus::completed: return "completed";
+    case TrialStatus::aborted: return "aborted";
+    case TrialStatus::interrupted: return "interrupted";
   }
   return "";
 }

@@ -42,14 +42,14 @@ struct SessionRecord {
   std::string device_uri;
   std::string device_description;
   bool simulated = false;
-  bool recorded = false;        ///< a replayed recording
-  std::string provenance;       ///< where recorded data come from, one line each
+  bool recorded = false;   ///< a replayed recording
+  std::string provenance;  ///< where recorded data come from, one line each
   std::string protocol_name;
   std::string protocol_text;
   double rate_Hz = 100.0;
   double device_delay_s = 0.0;
   std::string software_version;
-  std::string cpu_features;     ///< libm picks code by CPU: results carry it
+  std::string cpu_features;  ///< libm picks code by CPU: results carry it
   std::uint64_t seed = 0;
 };
 
@@ -63,10 +63,10 @@ struct InstrumentZeroRecord {
 };
 
 enum class TrialStatus : std::uint8_t {
-  running,      ///< being recorded
+  running,  ///< being recorded
   completed,
-  aborted,      ///< by the therapist; kept, marked
-  interrupted   ///< the program ended while recording: whole up to the last full second
+  aborted,     ///< by the therapist; kept, marked
+  interrupted  ///< the program ended while recording: whole up to the last full second
 };
 [[nodiscard]] std::string_view name_of(TrialStatus status) noexcept;
 
@@ -89,19 +89,19 @@ struct TrialRecord {
   TrialStatus status = TrialStatus::running;
   double maximum_force_N = 0.0;  ///< context given to the task; 0: none
   double resting_force_N = 0.0;
-  RowId zero_id = 0;             ///< instrument zero in force; 0: none
+  RowId zero_id = 0;  ///< instrument zero in force; 0: none
   std::int64_t samples = 0;
-  std::int64_t dropped = 0;      ///< samples that could not be recorded: incomplete if not 0
+  std::int64_t dropped = 0;  ///< samples that could not be recorded: incomplete if not 0
   double worst_lateness_s = 0.0;
   double worst_compute_s = 0.0;
-  std::string health_json;       ///< device counters at the end
+  std::string health_json;  ///< device counters at the end
   std::vector<SignalGroup> groups;
 };
 
 struct EventRecord {
   RowId trial_id = 0;  ///< 0: of the session
   double session_time_s = 0.0;
-  std::string kind;    ///< "fault", "pause", "resume", "abort", "note"
+  std::string kind;  ///< "fault", "pause", "resume", "abort", "note"
   std::string text;
 };
 
@@ -125,7 +125,8 @@ class SessionStore {
   /// create: makes the file if absent. A file that is not ours, newer than this program (unless
   /// read_only) or not writable is refused with the reason. Trials left running by a program that
   /// ended are marked interrupted, unless read_only or another program has the file open.
-  [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::string& path, Open how);
+  [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::string& path,
+                                                                  Open how);
   virtual ~SessionStore() = default;
 
   [[nodiscard]] virtual const std::string& path() const noexcept = 0;

@@ -30,18 +30,12 @@ double grip_force(const FingerWrenches& wrench_C) noexcept {
 
 std::string_view name_of(Phase phase) noexcept {
   switch (phase) {
-    case Phase::lead_in:
-      return "lead-in";
-    case Phase::active:
-      return "active";
-    case Phase::transport:
-      return "transport";
-    case Phase::hold:
-      return "hold";
-    case Phase::paused:
-      return "paused";
-    case Phase::done:
-      return "done";
+    case Phase::lead_in: return "lead-in";
+    case Phase::active: return "active";
+    case Phase::transport: return "transport";
+    case Phase::hold: return "hold";
+    case Phase::paused: return "paused";
+    case Phase::done: return "done";
   }
   return "unknown";
 }

@@ -140,21 +140,11 @@ Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
     spec.version = static_cast<int>(version);
   switch (
       reader->choice("kind", {"rest", "maximum", "force_tracking", "pose_targets", "observe"})) {
-    case 0:
-      spec.kind = read_rest(*reader);
-      break;
-    case 1:
-      spec.kind = read_maximum(*reader);
-      break;
-    case 2:
-      spec.kind = read_force_tracking(*reader);
-      break;
-    case 3:
-      spec.kind = read_pose_targets(*reader);
-      break;
-    default:
-      spec.kind = read_observe(*reader);
-      break;
+    case 0: spec.kind = read_rest(*reader); break;
+    case 1: spec.kind = read_maximum(*reader); break;
+    case 2: spec.kind = read_force_tracking(*reader); break;
+    case 3: spec.kind = read_pose_targets(*reader); break;
+    default: spec.kind = read_observe(*reader); break;
   }
   if (auto done = reader->finish(); !done) return done.error();
   return spec;

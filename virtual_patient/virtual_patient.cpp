@@ -103,9 +103,7 @@ void VirtualPatient::Mind::act(Cue cue, double t_s) noexcept {
 
 void VirtualPatient::Mind::want(double t_s, double dt_s) noexcept {
   switch (acting) {
-    case Cue::hand_out:
-      wanted.fill(Vec3::Zero());
-      break;
+    case Cue::hand_out: wanted.fill(Vec3::Zero()); break;
     case Cue::relax:
       for (Vec3& force : wanted) force *= std::exp(-dt_s / traits.release_s);
       break;
@@ -114,9 +112,7 @@ void VirtualPatient::Mind::want(double t_s, double dt_s) noexcept {
       wanted = grip_of(effort_N * u * u * u * (10.0 + u * (6.0 * u - 15.0)));
       break;
     }
-    case Cue::follow:
-      wanted = grip_of(grip.wanted_N());
-      break;
+    case Cue::follow: wanted = grip_of(grip.wanted_N()); break;
     case Cue::move:
       if (object)
         wanted = object->wanted(t_s);

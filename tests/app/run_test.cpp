@@ -41,6 +41,7 @@ TEST(CommandLine, AnErrorIsOneLineThatNamesTheCauseAndTheStatusIsTwo) {
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
     EXPECT_TRUE(result.out.empty()) << result.out;
   }
+  EXPECT_FALSE(fs::exists(folder.path("d.db")));
   EXPECT_FALSE(fs::exists(folder.path("c.db"))) << "nothing may be made before the input is good";
 }
 
@@ -145,6 +146,25 @@ TEST(CommandLine, ARecordingThatPeopleMadeBecomesAReportThatSaysSo) {
   const auto html = read_text(folder.path("r.html")).value();
   EXPECT_NE(html.find("stand-in: two people hand over a baton"), std::string::npos);
   EXPECT_NE(html.find("stated by the mapping: rate 120 Hz"), std::string::npos);
+}
+
+TEST(CommandLine, AKilledSessionIsThereUpToTheLastFullSecondAndMarkedInterrupted) {
+  const TemporaryFolder folder;
+  const std::string db = folder.path("c.db");
+  // Settling 1 s, zero 1 s, then a trial of 10 s in real time: killed inside it.
+  const std::string command = "timeout -s KILL 6 \"" ISOGRASP_EXECUTABLE "\" run --protocol-file " +
+                              kProtocols + "demonstration.toml --device sim://healthy --db " + db +
+                              " --patient T-01 >/dev/null 2>&1";
+  ASSERT_NE(std::system(command.c_str()), 0);
+  const auto store = SessionStore::open(db, SessionStore::Open::existing).value();
+  EXPECT_TRUE(store->check().value().empty());
+  const auto patient = store->find_patient("T-01").value().value();
+  const auto trials = store->trials(store->sessions(patient.id).value().at(0).id).value();
+  ASSERT_EQ(trials.size(), 1u);
+  EXPECT_EQ(trials[0].status, TrialStatus::interrupted);
+  const auto signals = store->signals(trials[0]).value();
+  EXPECT_GE(signals.rows(), 100u);
+  EXPECT_EQ(signals.rows() % 100, 0u) << "whole seconds";
 }
 
 TEST(CommandLine, TheDemonstrationGoesFromForceToReportWithoutAQuestion) {

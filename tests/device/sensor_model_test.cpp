@@ -21,7 +21,7 @@ Wrench normal_force(double fz_N) {
 TEST(Butterworth2, CoefficientsAndStepResponseAgreeWithTheReference) {
   // Printed to 20 digits by another program; 1e-11 leaves room for the order of operations.
   constexpr double kTolerance = 1e-11;
-  auto csv = CsvReader::open(ISOGRASP_SOURCE_DIR "/tests/data/filter_butter2.csv");
+  auto csv = CsvReader::open(ISOGRASP_SOURCE_DIR "/tests/data/golden/filter_butter2.csv");
   ASSERT_TRUE(csv) << csv.error().message();
   std::vector<double> row(csv->columns().size());
   const auto value = [&](const char* name) {

@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QLabel>
 #include <QListWidget>
 
 #include "gui/windows.hpp"
@@ -13,7 +14,11 @@ namespace isograsp::test {
 
 class Operator {
  public:
-  explicit Operator(Windows& windows) : windows_(windows) {}
+  /// An act that the session refuses fails the test.
+  explicit Operator(Windows& windows) : windows_(windows) {
+    QObject::connect(&windows.presenter(), &SessionPresenter::failed, &windows.therapist(),
+                     [](const QString& why) { ADD_FAILURE() << "refused: " << why.toStdString(); });
+  }
 
   template <class Widget>
   [[nodiscard]] Widget& find(const char* name) const {
@@ -75,7 +80,9 @@ class Operator {
   }
   void start_task() const {
     press("start");
-    ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().stage == Stage::trial; }));
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().stage == Stage::trial; }))
+        << windows_.presenter().view().sentence << " / "
+        << find<QLabel>("message").text().toStdString();
   }
   void finish_task() const {
     ASSERT_TRUE(wait_until([&] { return !windows_.presenter().view().may_stop; }, 300));

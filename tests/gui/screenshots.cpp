@@ -4,7 +4,6 @@
 #include <QDir>
 #include <cstdio>
 
-#include "core/csv.hpp"
 #include "operator.hpp"
 #include "session/protocol_run.hpp"
 #include "short_library.hpp"
@@ -18,8 +17,7 @@ constexpr const char* kHealthy = "sim://healthy?seed=7";
 /// Earlier sessions of the patient, in virtual time, so that the history shows something.
 void make_history(const std::string& database, const std::string& code,
                   const std::string& library) {
-  const std::string file = library + "/protocols/demonstration.toml";
-  const auto protocol = parse_protocol(*read_text(file), file);
+  const auto protocol = read_protocol(library + "/protocols/demonstration.toml", library);
   ASSERT_TRUE(protocol.ok());
   for (const char* seed : {"3", "4", "5"}) {
     SessionConfig config;
@@ -31,7 +29,7 @@ void make_history(const std::string& database, const std::string& code,
     config.started_utc = std::string("2026-03-0") + seed + "T09:30:00Z";
     auto session = Session::open(config);
     ASSERT_TRUE(session.ok()) << session.error().message();
-    ASSERT_TRUE(run_protocol(**session, *protocol, library, [](const auto&) {}).ok());
+    ASSERT_TRUE(run_protocol(**session, *protocol, [](const auto&) {}).ok());
   }
 }
 

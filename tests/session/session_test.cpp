@@ -16,9 +16,8 @@ namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
 
-ProtocolSpec protocol(const std::string& name) {
-  const auto path = find_in_library(kLibrary, "protocols", name).value();
-  return parse_protocol(read_text(path).value(), path).value();
+ReadyProtocol protocol(const std::string& name) {
+  return read_protocol(find_in_library(kLibrary, "protocols", name).value(), kLibrary).value();
 }
 
 struct Clinic {
@@ -38,7 +37,7 @@ struct Clinic {
   ProtocolResult run(const std::string& device, const std::string& name) {
     auto session = Session::open(config(device));
     EXPECT_TRUE(session) << session.error().message();
-    const auto result = run_protocol(**session, protocol(name), kLibrary, {});
+    const auto result = run_protocol(**session, protocol(name), {});
     EXPECT_TRUE(result) << result.error().message();
     return result ? *result : ProtocolResult{};
   }
@@ -145,7 +144,7 @@ TEST(Session, ATrialThatLosesItsDeviceIsKeptAndMarkedNeverScoredAsFailure) {
   Clinic clinic;
   auto session = Session::open(clinic.config("sim://healthy?seed=1&drop=1.0"));
   ASSERT_TRUE(session);
-  const auto result = run_protocol(**session, protocol("demonstration"), kLibrary, {});
+  const auto result = run_protocol(**session, protocol("demonstration"), {});
   ASSERT_FALSE(result);
   EXPECT_NE(result.error().message().find("zero was refused"), std::string::npos)
       << result.error().message();

@@ -2,14 +2,14 @@
 // Runs the program as a user would: a command line in a shell, its output and its exit status.
 #pragma once
 
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+
+#include <sys/wait.h>
 
 #include "tests/support/temporary_folder.hpp"
 

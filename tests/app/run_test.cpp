@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
 #include <cmath>
+#include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include "core/csv.hpp"
 #include "core/finger_forces.hpp"
@@ -151,11 +155,34 @@ TEST(CommandLine, ARecordingThatPeopleMadeBecomesAReportThatSaysSo) {
 TEST(CommandLine, AKilledSessionIsThereUpToTheLastFullSecondAndMarkedInterrupted) {
   const TemporaryFolder folder;
   const std::string db = folder.path("c.db");
-  // Settling 1 s, zero 1 s, then a trial of 10 s in real time: killed inside it.
-  const std::string command = "timeout -s KILL 6 \"" ISOGRASP_EXECUTABLE "\" run --protocol-file " +
-                              kProtocols + "demonstration.toml --device sim://healthy --db " + db +
-                              " --patient T-01 >/dev/null 2>&1";
-  ASSERT_NE(std::system(command.c_str()), 0);
+  const std::string command = "\"" ISOGRASP_EXECUTABLE "\" run --protocol-file " + kProtocols +
+                              "demonstration.toml --device sim://healthy --db " + db +
+                              " --patient T-01 >/dev/null 2>&1 & echo $! >" + folder.path("pid");
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const auto seconds_stored = [&db] {
+    const auto store = SessionStore::open(db, SessionStore::Open::read_only);
+    if (!store) return std::int64_t{0};
+    const auto patient = (*store)->find_patient("T-01");
+    if (!patient || !*patient) return std::int64_t{0};
+    const auto sessions = (*store)->sessions((*patient)->id).value();
+    if (sessions.empty()) return std::int64_t{0};
+    const auto trials = (*store)->trials(sessions[0].id).value();
+    return trials.empty() ? 0 : trials[0].samples / 100;
+  };
+  // The first trial lasts ten seconds in real time: it is killed after two of them are stored.
+  while (seconds_stored() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  pid_t pid = 0;
+  std::ifstream(folder.path("pid")) >> pid;
+  ASSERT_EQ(kill(pid, SIGKILL), 0);
+  // The system needs a moment to take the process apart; then the next start marks the trial.
+  const auto status = [&db] {
+    const auto opened = SessionStore::open(db, SessionStore::Open::existing).value();
+    const auto owner = opened->find_patient("T-01").value().value();
+    return opened->trials(opened->sessions(owner.id).value().at(0).id).value().at(0).status;
+  };
+  for (int tries = 0; tries < 100 && status() == TrialStatus::running; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+
   const auto store = SessionStore::open(db, SessionStore::Open::existing).value();
   EXPECT_TRUE(store->check().value().empty());
   const auto patient = store->find_patient("T-01").value().value();
@@ -163,7 +190,7 @@ TEST(CommandLine, AKilledSessionIsThereUpToTheLastFullSecondAndMarkedInterrupted
   ASSERT_EQ(trials.size(), 1u);
   EXPECT_EQ(trials[0].status, TrialStatus::interrupted);
   const auto signals = store->signals(trials[0]).value();
-  EXPECT_GE(signals.rows(), 100u);
+  EXPECT_GE(signals.rows(), 200u);
   EXPECT_EQ(signals.rows() % 100, 0u) << "whole seconds";
 }
 

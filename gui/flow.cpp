@@ -14,20 +14,13 @@ bool in_trial(const FlowFacts& facts) {
 bool is_done(Step step, const FlowFacts& facts) {
   const bool open = facts.connection == Connection::open;
   switch (step) {
-    case Step::patient:
-      return facts.patient_chosen;
-    case Step::hand:
-      return facts.hand_chosen;
-    case Step::device:
-      return open;
-    case Step::zero:
-      return open && (facts.zeroed || facts.recorded);
-    case Step::rest:
-      return open && (facts.rest_done || facts.recorded);
-    case Step::maximum:
-      return open && (facts.maximum_force_N > 0.0 || facts.recorded);
-    case Step::task:
-      return open && facts.task_done;
+    case Step::patient: return facts.patient_chosen;
+    case Step::hand: return facts.hand_chosen;
+    case Step::device: return open;
+    case Step::zero: return open && (facts.zeroed || facts.recorded);
+    case Step::rest: return open && (facts.rest_done || facts.recorded);
+    case Step::maximum: return open && (facts.maximum_force_N > 0.0 || facts.recorded);
+    case Step::task: return open && facts.task_done;
   }
   return false;
 }
@@ -53,12 +46,9 @@ void decide_device(const FlowFacts& facts, FlowView& view) {
     case Connection::none:
       if (!facts.connection_error.empty()) return say(Mood::fault, facts.connection_error);
       return say(Mood::off, "Not connected");
-    case Connection::opening:
-      return say(Mood::busy, "Connecting …");
-    case Connection::closing:
-      return say(Mood::busy, "Saving and disconnecting …");
-    case Connection::open:
-      break;
+    case Connection::opening: return say(Mood::busy, "Connecting …");
+    case Connection::closing: return say(Mood::busy, "Saving and disconnecting …");
+    case Connection::open: break;
   }
   if (facts.stage == Stage::finished)
     return say(facts.recorded ? Mood::ready : Mood::fault,
@@ -90,18 +80,15 @@ void decide_session_sentence(const FlowFacts& facts, FlowView& view) {
     view.sentence = std::move(words);
   };
   switch (facts.stage) {
-    case Stage::zeroing:
-      return say(Mood::busy, "Setting the zero. Nobody touches the device.");
-    case Stage::trial:
-      return say(Mood::busy, "Recording: " + facts.task_name + ".");
+    case Stage::zeroing: return say(Mood::busy, "Setting the zero. Nobody touches the device.");
+    case Stage::trial: return say(Mood::busy, "Recording: " + facts.task_name + ".");
     case Stage::paused:
       if (facts.pause_cause == PauseCause::therapist)
         return say(Mood::attention, "Paused. Resume when the patient is ready.");
       return say(Mood::fault, std::string(describe(facts.pause_cause)));
     case Stage::finished:
       return say(Mood::ready, "The recording is over. Disconnect to end the session.");
-    case Stage::idle:
-      break;
+    case Stage::idle: break;
   }
   if (!facts.zero_refusal.empty() && !facts.zeroed)
     return say(Mood::attention, "Zero refused: " + facts.zero_refusal);
@@ -129,10 +116,8 @@ void decide_sentence(const FlowFacts& facts, FlowView& view) {
   if (!facts.database_error.empty()) return say(Mood::fault, facts.database_error);
   if (!facts.database_open) return say(Mood::busy, "Opening the database …");
   switch (facts.connection) {
-    case Connection::opening:
-      return say(Mood::busy, "Connecting to the device …");
-    case Connection::closing:
-      return say(Mood::busy, "Saving the session …");
+    case Connection::opening: return say(Mood::busy, "Connecting to the device …");
+    case Connection::closing: return say(Mood::busy, "Saving the session …");
     case Connection::none:
       if (!facts.connection_error.empty()) return say(Mood::fault, facts.connection_error);
       if (!facts.patient_chosen) return say(Mood::attention, "Choose a patient, or add a new one.");
@@ -140,8 +125,7 @@ void decide_sentence(const FlowFacts& facts, FlowView& view) {
         return say(Mood::attention, "Which hand is in the device today? Choose right or left.");
       if (!facts.device_chosen) return say(Mood::attention, "Choose the device.");
       return say(Mood::attention, "Connect the device to begin the session.");
-    case Connection::open:
-      break;
+    case Connection::open: break;
   }
   if (view.device_mood == Mood::fault && facts.stage != Stage::finished) {
     const bool waits = in_trial(facts);
@@ -167,16 +151,11 @@ std::string start_hint(const FlowFacts& facts) {
 
 std::string word_for(Mood mood) {
   switch (mood) {
-    case Mood::off:
-      return "Off";
-    case Mood::busy:
-      return "Busy";
-    case Mood::ready:
-      return "Ready";
-    case Mood::attention:
-      return "To do";
-    case Mood::fault:
-      return "Fault";
+    case Mood::off: return "Off";
+    case Mood::busy: return "Busy";
+    case Mood::ready: return "Ready";
+    case Mood::attention: return "To do";
+    case Mood::fault: return "Fault";
   }
   return "";
 }

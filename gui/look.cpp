@@ -81,12 +81,9 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 
 QString finger_title(Finger finger) {
   switch (finger) {
-    case Finger::thumb:
-      return QObject::tr("Thumb");
-    case Finger::index:
-      return QObject::tr("Index");
-    case Finger::middle:
-      return QObject::tr("Middle");
+    case Finger::thumb: return QObject::tr("Thumb");
+    case Finger::index: return QObject::tr("Index");
+    case Finger::middle: return QObject::tr("Middle");
   }
   return {};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The look of both windows: colours with known contrast, the style sheet, small helpers.
+// The look of both windows: colours with known contrast, the style sheet, small tools.
 #pragma once
 
 #include <QColor>

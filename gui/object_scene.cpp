@@ -162,12 +162,9 @@ SoNode* make_shape(const Scene& scene) {
 SbVec3f extent_of(const Scene& scene) {
   const SbVec3f size = to_sb(scene.size_m);
   switch (scene.shape) {
-    case Shape::box:
-      return size;
-    case Shape::cylinder:
-      return {size[0], size[0], size[1]};
-    case Shape::sphere:
-      return {size[0], size[0], size[0]};
+    case Shape::box: return size;
+    case Shape::cylinder: return {size[0], size[0], size[1]};
+    case Shape::sphere: return {size[0], size[0], size[0]};
   }
   return size;
 }

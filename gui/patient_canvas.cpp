@@ -122,9 +122,7 @@ void draw_sign(QPainter& painter, const QRectF& box, PatientPicture::Sign sign) 
       painter.restore();
       draw_arrow(painter, {72, 66}, {104, 66}, 6.0);
       break;
-    case PatientPicture::Sign::rest:
-      draw_hand(painter, 0.75);
-      break;
+    case PatientPicture::Sign::rest: draw_hand(painter, 0.75); break;
     case PatientPicture::Sign::squeeze:
       draw_hand(painter, 0.0);
       draw_arrow(painter, {-8, 66}, {14, 66}, 6.0);
@@ -239,14 +237,9 @@ void paint_page(QPainter& painter, const QRectF& area, const PatientPicture& pic
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(area, kPaper);
   switch (picture.page) {
-    case PatientPicture::Page::effort:
-      draw_effort(painter, area, picture);
-      break;
-    case PatientPicture::Page::tracking:
-      draw_tracking(painter, area, picture);
-      break;
-    default:
-      draw_message(painter, area, picture);
+    case PatientPicture::Page::effort: draw_effort(painter, area, picture); break;
+    case PatientPicture::Page::tracking: draw_tracking(painter, area, picture); break;
+    default: draw_message(painter, area, picture);
   }
   if (picture.progress_shown) draw_progress(painter, area, picture.progress);
   paint_notice(painter, area, picture);

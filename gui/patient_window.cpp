@@ -185,18 +185,13 @@ void PatientWindow::draw_object(const PatientPicture& picture, QPainter& painter
 
 void PatientWindow::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
-    case Qt::Key_F11:
-      return toggle_full_screen();
-    case Qt::Key_Escape:
-      return showNormal();
+    case Qt::Key_F11: return toggle_full_screen();
+    case Qt::Key_Escape: return showNormal();
     case Qt::Key_F8:
     case Qt::Key_F9:
-    case Qt::Key_Space:
-      return presenter_.start_pause_resume();
-    case Qt::Key_F10:
-      return presenter_.stop();
-    default:
-      QOpenGLWindow::keyPressEvent(event);
+    case Qt::Key_Space: return presenter_.start_pause_resume();
+    case Qt::Key_F10: return presenter_.stop();
+    default: QOpenGLWindow::keyPressEvent(event);
   }
 }
 

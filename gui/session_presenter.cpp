@@ -90,8 +90,9 @@ FlowFacts SessionPresenter::facts() const {
   facts.rest_done = rest_done_;
   facts.maximum_attempts = maximum_attempts_;
   facts.task_done = task_done_;
-  // From the press of Start until the trial's outcome is stored, with the trial itself in between.
-  facts.starting = starting_ || (running_ != nullptr && facts.stage == Stage::idle);
+  // From the press of Zero until its outcome, and from the press of Start until the trial's outcome
+  // is stored, with the trial itself in between.
+  facts.starting = zero_asked_ || starting_ || (running_ != nullptr && facts.stage == Stage::idle);
   facts.task_chosen = task_ >= 0;
   if (task_ >= 0) {
     const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
@@ -179,7 +180,7 @@ void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
   forces_.clear();
   worst_lateness_s_ = 0.0;
   zero_refusal_.clear();
-  rest_done_ = task_done_ = starting_ = just_completed_ = false;
+  zero_asked_ = rest_done_ = task_done_ = starting_ = just_completed_ = false;
   maximum_attempts_ = 0;
   running_.reset();
   last_trial_.reset();
@@ -221,7 +222,10 @@ void SessionPresenter::close_session(const std::string& why) {
 void SessionPresenter::set_zero() {
   if (!view_.may_zero) return;
   zero_refusal_.clear();
-  if (auto started = session_->start_zero(); !started) refuse(started.error());
+  if (auto started = session_->start_zero(); started)
+    zero_asked_ = true;
+  else
+    refuse(started.error());
   update();
 }
 
@@ -306,6 +310,7 @@ void SessionPresenter::poll() {
 
 void SessionPresenter::take(const SessionNews& news) {
   if (news.zero) {
+    zero_asked_ = false;
     zero_refusal_ = news.zero->accepted ? "" : news.zero->reason;
     if (news.zero->accepted && !rest_done_) select_first(TaskKind::rest);
     Q_EMIT changed();
@@ -330,8 +335,7 @@ void SessionPresenter::take_trial(const TrialOutcome& outcome) {
         if (!task_done_ && session_->maximum_force_N() > 0.0)
           select_first(TaskKind::force_tracking);
         break;
-      default:
-        task_done_ = true;
+      default: task_done_ = true;
     }
   }
   running_.reset();

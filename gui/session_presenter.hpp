@@ -128,6 +128,7 @@ class SessionPresenter final : public QObject {
   bool rest_done_ = false;
   int maximum_attempts_ = 0;
   bool task_done_ = false;
+  bool zero_asked_ = false;  ///< and its outcome has not come: the session takes nothing else
   bool starting_ = false;
   bool just_completed_ = false;
   std::shared_ptr<const TaskSpec> running_;

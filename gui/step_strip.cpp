@@ -10,20 +10,13 @@ namespace isograsp {
 namespace {
 QString title(std::size_t step) {
   switch (static_cast<Step>(step)) {
-    case Step::patient:
-      return StepStrip::tr("Patient");
-    case Step::hand:
-      return StepStrip::tr("Hand");
-    case Step::device:
-      return StepStrip::tr("Connect");
-    case Step::zero:
-      return StepStrip::tr("Zero, empty");
-    case Step::rest:
-      return StepStrip::tr("Resting force");
-    case Step::maximum:
-      return StepStrip::tr("Maximum");
-    case Step::task:
-      return StepStrip::tr("Task");
+    case Step::patient: return StepStrip::tr("Patient");
+    case Step::hand: return StepStrip::tr("Hand");
+    case Step::device: return StepStrip::tr("Connect");
+    case Step::zero: return StepStrip::tr("Zero, empty");
+    case Step::rest: return StepStrip::tr("Resting force");
+    case Step::maximum: return StepStrip::tr("Maximum");
+    case Step::task: return StepStrip::tr("Task");
   }
   return {};
 }

@@ -17,7 +17,13 @@ QString short_number(double value) {
 }
 
 QString measure_title(const Measure& measure) {
-  return QString::fromStdString(words_for(measure.name, measure.channel).title);
+  if (measure.name == "resting_force" && measure.channel != "grip") {
+    const auto axis = QString::fromStdString(measure.channel).replace('_', ' ');
+    return QObject::tr("Resting force, %1").arg(axis);
+  }
+  auto title = QString::fromStdString(words_for(measure.name, measure.channel).title);
+  if (!title.isEmpty()) title[0] = title[0].toUpper();
+  return title;
 }
 
 QString measure_value(const Measure& measure) {
@@ -65,14 +71,10 @@ QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
 
 QString status_words(TrialStatus status) {
   switch (status) {
-    case TrialStatus::running:
-      return QObject::tr("running");
-    case TrialStatus::completed:
-      return QObject::tr("completed");
-    case TrialStatus::aborted:
-      return QObject::tr("stopped early, kept");
-    case TrialStatus::interrupted:
-      return QObject::tr("interrupted, kept");
+    case TrialStatus::running: return QObject::tr("running");
+    case TrialStatus::completed: return QObject::tr("completed");
+    case TrialStatus::aborted: return QObject::tr("stopped early, kept");
+    case TrialStatus::interrupted: return QObject::tr("interrupted, kept");
   }
   return {};
 }

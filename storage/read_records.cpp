@@ -231,7 +231,8 @@ Result<std::vector<MeasurePoint>> SqliteStore::progress(RowId patient) {
                     "t.task_name, t.task_version, m.name, m.channel, m.value, m.unit, m.version, "
                     "m.sample_count, m.excluded_count, m.reason "
                     "FROM sessions s JOIN trials t ON t.session_id = s.id "
-                    "JOIN measures m ON m.trial_id = t.id WHERE s.patient_id = :patient "
+                    "JOIN measures m ON m.trial_id = t.id "
+                    "WHERE s.patient_id = :patient AND t.status = 'completed' "
                     "ORDER BY s.started_utc, s.id, t.number, m.id",
              soci::use(patient), soci::into(one.session_id), soci::into(one.trial_id),
              soci::into(one.trial_number), soci::into(one.started_utc), soci::into(hand),

@@ -159,7 +159,7 @@ class SessionStore {
   /// All groups of a trial side by side, in the order of trial.groups. Fails on a damaged block,
   /// naming it.
   [[nodiscard]] virtual Result<Signals> signals(const TrialRecord& trial) = 0;
-  /// Every stored measure of a patient, oldest first.
+  /// Every measure of a patient's completed trials, oldest first.
   [[nodiscard]] virtual Result<std::vector<MeasurePoint>> progress(RowId patient) = 0;
 
   // Care.

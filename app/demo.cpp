@@ -13,6 +13,7 @@
 #include "app/paths.hpp"
 #include "app/report.hpp"
 #include "app/run.hpp"
+#include "core/time.hpp"
 
 namespace isograsp {
 
@@ -26,12 +27,7 @@ constexpr int kDaysBetween = 7;
 
 std::string utc_days_ago(int days) {
   constexpr std::time_t kSecondsPerDay = 86400;
-  const std::time_t then = std::time(nullptr) - days * kSecondsPerDay;
-  std::tm parts{};
-  gmtime_r(&then, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
+  return utc_text(std::time(nullptr) - days * kSecondsPerDay);
 }
 
 /// A new, empty file under the folder of the default database; an older demonstration is replaced.

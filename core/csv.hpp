@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/files.hpp"
 #include "core/result.hpp"
 #include "core/signals.hpp"
 
@@ -54,32 +55,10 @@ class CsvReader {
   int line_ = 0;
 };
 
-/// Writes a file that appears under its name only when complete: temporary file, then rename.
-class FileWriter {
- public:
-  [[nodiscard]] static Result<FileWriter> create(const std::string& path);
-  FileWriter(FileWriter&& other) noexcept;
-  FileWriter& operator=(FileWriter&&) = delete;
-  ~FileWriter();  ///< without commit() the temporary file is removed: nothing half-written
-
-  void write(std::string_view text);
-  /// Flushes and renames; fails if anything could not be written (full disk).
-  [[nodiscard]] Result<void> commit();
-
- private:
-  FileWriter() = default;
-  std::string path_;
-  std::string temporary_;
-  std::ofstream out_;
-};
-
 /// A whole table in memory: a signals file. Requires `t_s`, strictly increasing, and two rows.
 [[nodiscard]] Result<Signals> read_signals(const std::string& path);
 /// Writes all columns; NaN becomes an empty field.
 [[nodiscard]] Result<void> write_signals(const Signals& signals, const std::string& path,
                                          std::span<const std::string> comments = {});
-
-/// A whole text file. Files over 64 MiB are refused.
-[[nodiscard]] Result<std::string> read_text(const std::string& path);
 
 }  // namespace isograsp

@@ -6,6 +6,14 @@
 
 namespace isograsp {
 
+std::string utc_text(std::time_t time) {
+  std::tm parts{};
+  gmtime_r(&time, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
 Timestamp SteadyClock::now() const noexcept {
   timespec t{};
   clock_gettime(CLOCK_MONOTONIC, &t);

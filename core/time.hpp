@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
+#include <string>
 
 namespace isograsp {
 
@@ -17,6 +19,9 @@ using Timestamp = std::chrono::nanoseconds;
 [[nodiscard]] inline double to_seconds(Timestamp t) {
   return static_cast<double>(t.count()) * 1e-9;
 }
+
+/// Wall time as ISO 8601 in UTC: 2026-03-05T09:30:00Z.
+[[nodiscard]] std::string utc_text(std::time_t time);
 
 class Clock {
  public:

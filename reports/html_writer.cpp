@@ -8,10 +8,10 @@
 
 #include <qcustomplot.h>
 
+#include "core/files.hpp"
 #include "reports/measure_words.hpp"
 #include "reports/plots.hpp"
 #include "reports/report_text.hpp"
-#include "reports/whole_file.hpp"
 
 namespace isograsp {
 
@@ -261,7 +261,7 @@ footer { border-top: 1px solid #d5d9dd; margin-top: 40px; padding-top: 8px; colo
 }  // namespace
 
 Result<void> write_html(const ReportContent& content, const std::string& path) {
-  return write_whole_file(path, HtmlReport(content).text().toUtf8());
+  return write_text(path, HtmlReport(content).text().toStdString());
 }
 
 }  // namespace isograsp

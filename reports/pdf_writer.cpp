@@ -9,10 +9,10 @@
 
 #include <qcustomplot.h>
 
+#include "core/files.hpp"
 #include "reports/page_layout.hpp"
 #include "reports/plots.hpp"
 #include "reports/report_text.hpp"
-#include "reports/whole_file.hpp"
 
 namespace isograsp {
 
@@ -425,7 +425,8 @@ Result<void> write_pdf(const ReportContent& content, const std::string& path) {
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   PdfReport(content).write(buffer);
-  return write_whole_file(path, bytes);
+  return write_text(path,
+                    std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
 }  // namespace isograsp

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/csv.hpp"
+#include "core/time.hpp"
 #include "device/uri.hpp"
 #include "session/acquisition.hpp"
 #include "session/recorder.hpp"
@@ -21,15 +22,6 @@ namespace isograsp {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
 
 /// What glibc's libm may choose its code by; stored beside results (docs/storage.md).
 std::string cpu_features() {
@@ -170,7 +162,8 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   }
   SessionRecord& record = parts->record;
   record.patient_id = (*patient)->id;
-  record.started_utc = config.started_utc.empty() ? utc_now() : config.started_utc;
+  record.started_utc =
+      config.started_utc.empty() ? utc_text(std::time(nullptr)) : config.started_utc;
   record.hand = config.hand;
   record.device_uri = config.device_uri;
   record.device_description = info.description;

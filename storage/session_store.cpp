@@ -9,6 +9,7 @@
 
 #include <soci/soci.h>
 
+#include "core/time.hpp"
 #include "storage/block_codec.hpp"
 #include "storage/sqlite_store.hpp"
 
@@ -45,15 +46,6 @@ std::string_view name_of(TrialStatus status) noexcept {
     case TrialStatus::interrupted: return "interrupted";
   }
   return "";
-}
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
 }
 
 struct SqliteStore::BlockInsert {
@@ -108,7 +100,7 @@ Result<void> SqliteStore::repair() {
 
 Result<PatientRecord> SqliteStore::add_patient(const std::string& code) {
   if (const auto allowed = check_patient_code(code); !allowed) return allowed.error();
-  PatientRecord patient{0, code, utc_now()};
+  PatientRecord patient{0, code, utc_text(std::time(nullptr))};
   const auto done = database_.transact("adding a patient", [&] {
     soci::session& sql = database_.sql();
     std::string present;
@@ -125,7 +117,8 @@ Result<PatientRecord> SqliteStore::add_patient(const std::string& code) {
 
 Result<RowId> SqliteStore::begin_session(const SessionRecord& session) {
   RowId id = 0;
-  const std::string started = session.started_utc.empty() ? utc_now() : session.started_utc;
+  const std::string started =
+      session.started_utc.empty() ? utc_text(std::time(nullptr)) : session.started_utc;
   const std::string hand(name_of(session.hand));
   const std::string seed = std::to_string(session.seed);  // 64 bits without a sign: no SQL type
   const int simulated = session.simulated ? 1 : 0;
@@ -151,7 +144,7 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session) {
 
 Result<void> SqliteStore::end_session(RowId session) {
   return database_.transact("ending a session", [&] {
-    const std::string ended = utc_now();
+    const std::string ended = utc_text(std::time(nullptr));
     soci::statement update =
         (database_.sql().prepare << "UPDATE sessions SET ended_utc = :ended WHERE id = :id",
          soci::use(ended), soci::use(session));

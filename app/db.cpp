@@ -39,7 +39,7 @@ void print(const DbOptions& options, const Json& json, const std::string& text) 
 }
 
 Result<std::unique_ptr<SessionStore>> read_store(const std::string& file) {
-  return SessionStore::open(file, SessionStore::Open::read_only);
+  return SessionStore::open_to_read(file);
 }
 
 Result<void> init(const DbOptions& options) {

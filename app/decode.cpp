@@ -93,6 +93,7 @@ Result<void> decode_rft(const DecodeOptions& options) {
     if (!read) return read.error();
     config = *std::move(read);
   }
+  if (auto different = check_different(options.log, options.out); !different) return different;
   auto log = CandumpReader::open(options.log);
   if (!log) return log.error();
   auto file = FileWriter::create(options.out);
@@ -124,10 +125,12 @@ Result<void> decode_rft(const DecodeOptions& options) {
 
   CandumpEntry entry;
   std::string text;
+  bool any_frame = false;
   while (true) {
     const auto more = log->next(entry);
     if (!more) return more.error();
     if (!*more) break;
+    any_frame = true;
     const auto f = sensor_of(entry);
     if (!f) {
       ++(is_command(entry) ? counts.commands : counts.foreign);
@@ -144,6 +147,14 @@ Result<void> decode_rft(const DecodeOptions& options) {
     append_sample(text, entry.time_text, *f, decode_counts(*packet), config.sensors[*f].divisors);
     file->write(text);
   }
+  if (!any_frame)
+    return Error{
+        Error::Code::bad_input,
+        "holds no frame",
+        "give a candump log, with lines like (1700000000.076479) can0 001#0B0269FEEDF69F00",
+        options.log,
+        0,
+        ""};
   for (auto& sensor : sensors) sensor.finish();
   if (auto written = file->commit(); !written) return written;
 

@@ -166,12 +166,13 @@ void add_emulate(CLI::App& app, Action& action) {
   command->add_option("--fault", options->faults,
                       "lose=FINGER:tx1|tx2:PROBABILITY, silence=FINGER@5s, dip=FINGER@5s");
   command->add_option("--duration", options->duration_s, "Seconds; without it until Ctrl-C")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(0.001, 1e6));
   command->add_flag("--json", options->json, "Print what was sent as one JSON document");
   command->footer(
       "Example:\n  isograsp emulate --protocol rft --on vcan0 --play paretic --seed 7 "
       "--fault lose=index:tx2:0.01");
-  command->callback([options, &action] { action = [options] { return run_emulate(*options); }; });
+  command->callback([options, &action] {
+    action = [options] { return run_emulate(*options); }; });
 }
 
 }  // namespace isograsp

@@ -106,7 +106,8 @@ Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64
       {"number", source.session_number},
       {"days_from_first_session", days_between(source.first_started_utc, session.started_utc)},
       {"hand", name_of(session.hand)},
-      {"device", session.device_description},
+      // The name of a recording's file may be a person's: it stays here.
+      {"device", session.recorded ? "Recorded forces" : session.device_description},
       {"device_scheme", session.device_uri.substr(0, session.device_uri.find(':'))},
       {"simulated", session.simulated},
       {"recorded", session.recorded},
@@ -279,7 +280,7 @@ Result<void> run_export(const ExportOptions& options) {
                  "--format"};
   if (options.out.empty())
     return Error{Error::Code::bad_input, "no folder is given", "name one", "", 0, "--out"};
-  const auto store = SessionStore::open(options.database, SessionStore::Open::read_only);
+  const auto store = SessionStore::open_to_read(options.database);
   if (!store) return store.error();
   if (!options.patient.empty()) {
     const auto patient = (*store)->find_patient(options.patient);
@@ -287,7 +288,7 @@ Result<void> run_export(const ExportOptions& options) {
     if (!*patient)
       return Error{Error::Code::bad_input,
                    "there is no patient '" + options.patient + "'",
-                   "check the code; capital letters count",
+                   "check the code",
                    options.database,
                    0,
                    "--patient"};

@@ -136,10 +136,11 @@ void add_monitor(CLI::App& app, Action& action) {
   command->add_option("--device", options->device, "Device URI (see: isograsp devices)")
       ->required();
   command->add_option("--duration", options->duration_s, "Seconds; without it until Ctrl-C")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(0.001, 1e6));
   command->add_flag("--json", options->json, "Print one JSON document at the end");
   command->footer("Example:\n  isograsp monitor --device 'can://can0?protocol=rft' --duration 10");
-  command->callback([options, &action] { action = [options] { return run_monitor(*options); }; });
+  command->callback([options, &action] {
+    action = [options] { return run_monitor(*options); }; });
 }
 
 }  // namespace isograsp

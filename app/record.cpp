@@ -150,7 +150,7 @@ void add_record(CLI::App& app, Action& action) {
   command->add_option("--raw", options->raw, "Log of every frame on the bus (candump format)");
   command->add_option("--duration", options->duration_s, "Seconds")
       ->required()
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(0.001, 1e6));
   command->footer(
       "Example:\n  isograsp record --device 'can://can0?protocol=rft' --out forces.csv --raw "
       "frames.log --duration 60");

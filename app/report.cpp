@@ -25,7 +25,7 @@ Result<void> write_report(const std::string& database, const std::string& patien
                  path,
                  0,
                  "--out"};
-  auto store = SessionStore::open(database, SessionStore::Open::read_only);
+  auto store = SessionStore::open_to_read(database);
   if (!store) return store.error();
   const auto content = gather_progress(**store, patient);
   if (!content) return content.error();

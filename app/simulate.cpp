@@ -50,6 +50,7 @@ void append_row(std::string& text, double t_s, const ObjectState& state,
 }
 
 Result<void> simulate(const SimulateOptions& options) {
+  if (auto different = check_different(options.forces, options.out); !different) return different;
   auto text = read_text(options.scene);
   if (!text) return text.error();
   auto scene = parse_scene(*text, options.scene);

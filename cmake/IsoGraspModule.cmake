@@ -19,7 +19,9 @@ endif()
 set(ISOGRASP_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined")
 if(ISOGRASP_SANITIZE)
   target_compile_options(isograsp_options INTERFACE
-    -fsanitize=${ISOGRASP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fsanitize=${ISOGRASP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    # The packaged SOCI does not export the type information that this one check needs.
+    -fno-sanitize=vptr)
   target_link_options(isograsp_options INTERFACE -fsanitize=${ISOGRASP_SANITIZE})
 endif()
 

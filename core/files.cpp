@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include <unistd.h>
+
 namespace isograsp {
 
 Error cannot_open(const std::string& path, const char* purpose) {
@@ -12,16 +14,36 @@ Error cannot_open(const std::string& path, const char* purpose) {
   const std::string why = std::filesystem::is_directory(path, ignored)
                               ? "is a folder"
                               : std::string("cannot be opened for ") + purpose;
-  return {Error::Code::bad_input, why, "check the path and its permissions", path, 0, ""};
+  const bool reading = std::string_view(purpose) == "reading";
+  return {reading ? Error::Code::bad_input : Error::Code::failed,
+          why,
+          "check the path and its permissions",
+          path,
+          0,
+          ""};
+}
+
+Result<void> check_different(const std::string& in, const std::string& out) {
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(in, out, ignored)) return {};
+  return Error{
+      Error::Code::bad_input, "is the input: it would be lost", "give another name", out, 0, ""};
 }
 
 Result<FileWriter> FileWriter::create(const std::string& path) {
+  namespace fs = std::filesystem;
   FileWriter writer;
-  writer.path_ = path;
-  writer.temporary_ = path + ".part";
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return cannot_open(path, "writing");
-  writer.out_.open(writer.temporary_, std::ios::binary | std::ios::trunc);
+  const auto status = fs::status(path, ignored);
+  if (fs::is_directory(status)) return cannot_open(path, "writing");
+  const bool exists = fs::exists(status);
+  // A link stays a link: the file it names is the one that is replaced.
+  const fs::path target = exists ? fs::canonical(path, ignored) : fs::path(path);
+  writer.path_ = target;
+  // A device or a pipe is written to; replacing it by a file would destroy it.
+  const bool replace = !exists || fs::is_regular_file(status);
+  if (replace) writer.temporary_ = target.string() + ".part-" + std::to_string(getpid());
+  writer.out_.open(replace ? writer.temporary_ : writer.path_, std::ios::binary | std::ios::trunc);
   if (!writer.out_.is_open()) {
     writer.temporary_.clear();
     return cannot_open(path, "writing");
@@ -50,7 +72,7 @@ void FileWriter::write(std::string_view text) {
 Result<void> FileWriter::commit() {
   out_.close();
   std::error_code failure;
-  if (out_.good()) std::filesystem::rename(temporary_, path_, failure);
+  if (out_.good() && !temporary_.empty()) std::filesystem::rename(temporary_, path_, failure);
   if (!out_.good() || failure)
     return Error{Error::Code::failed,
                  "could not be written completely",

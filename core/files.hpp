@@ -10,7 +10,8 @@
 
 namespace isograsp {
 
-/// Writes a file that appears under its name only when complete: temporary file, then rename.
+/// Writes a file that appears under its name only when complete: temporary file, then rename. A
+/// path that is a device or a pipe is written to directly.
 class FileWriter {
  public:
   [[nodiscard]] static Result<FileWriter> create(const std::string& path);
@@ -33,6 +34,9 @@ class FileWriter {
 [[nodiscard]] Result<std::string> read_text(const std::string& path);
 /// Writes it through a FileWriter.
 [[nodiscard]] Result<void> write_text(const std::string& path, std::string_view text);
+
+/// Fails if `out` is the same file as `in`.
+[[nodiscard]] Result<void> check_different(const std::string& in, const std::string& out);
 
 /// An error for a file that cannot be opened for `purpose` ("reading", "writing").
 [[nodiscard]] Error cannot_open(const std::string& path, const char* purpose);

@@ -132,7 +132,7 @@ Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const Devic
 
   DeviceInfo info;
   info.uri = uri.text;
-  info.description = "Simulated sensors, " + uri.target + " patient, " + hand + " hand";
+  info.description = "Simulated sensors, " + uri.target + " patient";
   info.simulated = true;
   info.on_grid = true;
   info.sample_period_s = 1.0 / *rate_Hz;

@@ -74,7 +74,7 @@ bool counts(const TrialRecord& trial) {
   return trial.status == TrialStatus::completed && !trial.practice;
 }
 
-/// Baseline, last and change from the session means (clinical.md: tracking baseline is two days).
+/// Baseline, last and change from the session means (the baseline is the mean of two days).
 void summarise(MeasureSeries& series, const std::vector<ReportSession>& sessions) {
   std::vector<std::pair<int, double>> means;  // day, mean
   for (const auto& value : series.values)

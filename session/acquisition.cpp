@@ -72,7 +72,7 @@ void Acquisition::obey(const Command& command) noexcept {
       if (now_.stage == Stage::paused) resume();
       break;
     case Command::Kind::abort:
-      if (trial_ != nullptr) end_trial(TrialStatus::aborted, "Stopped by the therapist.");
+      if (trial_ != nullptr) end_trial(TrialStatus::aborted, command.reason);
       break;
   }
 }

@@ -55,6 +55,7 @@ struct Command {
   enum class Kind : std::uint8_t { zero, begin, pause, resume, abort };
   Kind kind = Kind::zero;
   TrialSetup* setup = nullptr;  ///< begin
+  const char* reason = "";      ///< abort: static text
 };
 
 class Acquisition {

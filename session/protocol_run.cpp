@@ -109,7 +109,8 @@ class Run {
         if (item.failure) return failure(*item.failure, "");
         if (item.trial) return *item.trial;
         // Resuming is a therapist's act and there is none here; recorded data go on by themselves.
-        if (item.fault && !session_.device().recorded) session_.abort();
+        if (item.fault && !session_.device().recorded)
+          session_.abort("Stopped after a device fault.");
       }
     }
   }
@@ -128,11 +129,31 @@ Result<ReadyProtocol> read_protocol(const std::string& path, const std::string& 
   auto spec = parse_protocol(*text, path);
   if (!spec) return spec.error();
   ReadyProtocol ready{std::move(*spec), {}};
+  bool rested = false;
+  bool maximum = false;
   for (const auto& step : ready.spec.steps) {
     ready.tasks.emplace_back();
     if (step.kind != ProtocolStep::Kind::task) continue;
     auto task = read_task(step.task, path, library);
     if (!task) return task.error();
+    const auto out_of_order = [&](const char* what, const char* remedy) {
+      return Error{Error::Code::bad_input,
+                   what,
+                   remedy,
+                   path,
+                   0,
+                   "step[" + std::to_string(ready.tasks.size()) + "].task"};
+    };
+    const bool is_maximum = std::holds_alternative<MaximumSpec>(task->kind);
+    if (is_maximum && !rested)
+      return out_of_order(
+          "a maximum is measured above the resting force, which no earlier step measures",
+          "put a resting-force task before it");
+    if (task->needs_maximum() && !maximum)
+      return out_of_order("the target is a share of a maximum that no earlier step measures",
+                          "put a maximum task before it");
+    rested = rested || std::holds_alternative<RestSpec>(task->kind);
+    maximum = maximum || is_maximum;
     ready.tasks.back() = std::move(*task);
   }
   return ready;

@@ -227,7 +227,7 @@ Result<void> Session::start_zero() {
   if (parts_->pending)
     return Error{
         Error::Code::failed, "a trial or a zero is still running", "wait for its end", "", 0, ""};
-  auto sent = parts_->send({Command::Kind::zero, nullptr});
+  auto sent = parts_->send({Command::Kind::zero, nullptr, ""});
   parts_->pending = sent.ok();
   return sent;
 }
@@ -269,7 +269,7 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
   record.practice = practice;
   record.maximum_force_N = p.maximum_force_N;
   record.resting_force_N = p.resting_force_N.value_or(0.0);
-  auto sent = p.send({Command::Kind::begin, setup.get()});
+  auto sent = p.send({Command::Kind::begin, setup.get(), ""});
   if (!sent) return sent;
   p.setups.push_back(std::move(setup));
   p.pending = true;
@@ -277,13 +277,13 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
 }
 
 void Session::pause() {
-  (void)parts_->send({Command::Kind::pause, nullptr});
+  (void)parts_->send({Command::Kind::pause, nullptr, ""});
 }
 void Session::resume() {
-  (void)parts_->send({Command::Kind::resume, nullptr});
+  (void)parts_->send({Command::Kind::resume, nullptr, ""});
 }
-void Session::abort() {
-  (void)parts_->send({Command::Kind::abort, nullptr});
+void Session::abort(const char* reason) {
+  (void)parts_->send({Command::Kind::abort, nullptr, reason});
 }
 
 void Session::note(const std::string& text) {
@@ -332,7 +332,7 @@ void Session::close() {
   if (p.closed) return;
   p.closed = true;
   if (p.pending) {
-    abort();
+    abort("The session was closed.");
     (void)wait_for_news();
   }
   p.stop = true;

@@ -82,8 +82,8 @@ class Session {
   /// The trial stands still until resume(); task clock and object freeze, recording goes on.
   void pause();
   void resume();
-  /// Ends the trial; it is kept and marked aborted.
-  void abort();
+  /// Ends the trial; it is kept and marked aborted. `reason` is static text, stored with it.
+  void abort(const char* reason = "Stopped by the therapist.");
   /// A remark at this moment of the session, stored with it.
   void note(const std::string& text);
 

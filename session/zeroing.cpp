@@ -21,10 +21,15 @@ Zeroing::Zeroing(double period_s, const ZeroLimits& limits)
 
 void Zeroing::add(const FingerFrame& frame) noexcept {
   ++seen_;
-  if (frame.any(SampleFlag::missing) || frame.any(SampleFlag::held)) {
-    count_ = 0;
+  if (frame.any(SampleFlag::missing)) {
+    // A lost sample now and then is left out; a longer gap, or too many, start the second anew.
+    gap_s_ += period_s_;
+    ++left_out_;
+    if (gap_s_ > kLongestHold_s || left_out_ > kLargestShareLeftOut * needed_) count_ = 0;
     return;
   }
+  gap_s_ = 0.0;
+  if (count_ == 0) left_out_ = 0;
   if (complete()) return;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     if (count_ == 0) {

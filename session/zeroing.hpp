@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Instrument zero: one second of the empty device, accepted only if it is quiet (clinical.md 1).
+// Instrument zero: one second of the empty device, accepted only if it is quiet.
 // Contact frames, SI units.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/finger.hpp"
+#include "core/stale.hpp"
 
 namespace isograsp {
 
@@ -27,7 +28,8 @@ class Zeroing {
   Zeroing() = default;
   explicit Zeroing(double period_s, const ZeroLimits& limits = {});
 
-  /// Takes one frame, before zero. Frames with a missing or held finger make it start anew.
+  /// Takes one frame, before zero. A frame with a missing finger is left out; a gap of more than
+  /// 50 ms, or more than a tenth left out, make it start anew.
   void add(const FingerFrame& frame) noexcept;
   [[nodiscard]] bool complete() const noexcept { return count_ >= needed_; }
   /// 0 … 1
@@ -45,10 +47,13 @@ class Zeroing {
 
  private:
   static constexpr int kPatience = 5;  ///< times the duration before giving up on gaps
+  static constexpr double kLargestShareLeftOut = 0.1;
   double period_s_ = 0.01;
   int needed_ = 100;
   int count_ = 0;
   int seen_ = 0;
+  int left_out_ = 0;
+  double gap_s_ = 0.0;
   std::array<Vec6, kFingerCount> first_;  ///< values are summed relative to these: no cancellation
   std::array<Vec6, kFingerCount> sum_;
   std::array<Vec6, kFingerCount> sum_squares_;

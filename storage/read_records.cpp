@@ -60,9 +60,8 @@ Result<std::optional<PatientRecord>> SqliteStore::find_patient(const std::string
   std::optional<PatientRecord> found;
   const auto done = database_.guard("reading patients", [&] {
     PatientRecord one;
-    // Written exactly so: the column itself does not tell 'p1' from 'P1'.
     database_.sql() << "SELECT id, code, created_utc FROM patients "
-                       "WHERE code = :code COLLATE BINARY",
+                       "WHERE code = :code",
         soci::use(code), soci::into(one.id), soci::into(one.code), soci::into(one.created_utc);
     if (database_.sql().got_data()) found = one;
   });

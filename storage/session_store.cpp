@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include <soci/soci.h>
+#include <unistd.h>
 
 #include "core/time.hpp"
 #include "storage/block_codec.hpp"
@@ -79,6 +80,13 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
   if (how != Open::read_only)
     if (const auto repaired = store->repair(); !repaired) return repaired.error();
   return std::unique_ptr<SessionStore>(std::move(store));
+}
+
+Result<std::unique_ptr<SessionStore>> SessionStore::open_to_read(const std::string& path) {
+  auto store = open(path, Open::existing);
+  if (store || access(path.c_str(), R_OK) != 0) return store;
+  auto reader = open(path, Open::read_only);
+  return reader ? std::move(reader) : std::move(store);
 }
 
 Result<void> SqliteStore::repair() {

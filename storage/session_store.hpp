@@ -127,6 +127,9 @@ class SessionStore {
   /// ended are marked interrupted, unless read_only or another program has the file open.
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::string& path,
                                                                   Open how);
+  /// For reading: like `existing` where the file can be written, so that trials left running are
+  /// marked; else read_only.
+  [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open_to_read(const std::string& path);
   virtual ~SessionStore() = default;
 
   [[nodiscard]] virtual const std::string& path() const noexcept = 0;

@@ -42,19 +42,25 @@ void score_pair(const Record& record, const std::string& quantity_column,
   const auto add = [&](const char* name, const std::string& unit, const Computed& computed) {
     measures.push_back(make_measure(name, quantity.channel, unit, both, computed));
   };
+  // Two measures know no target: a row counts wherever the actual value does.
+  const Section alone = record.select({}, {actual_column}, Record::TimeAxis::record);
+  const auto all_actual = alone.values(record.signals().column(actual_column));
+  const auto add_alone = [&](const char* name, const std::string& unit, const Computed& computed) {
+    measures.push_back(make_measure(name, quantity.channel, unit, alone, computed));
+  };
   add("rmse", quantity.unit, rmse(target, actual, weight_s));
   add("mae", quantity.unit, mae(target, actual, weight_s));
   add("constant_error", quantity.unit, constant_error(target, actual, weight_s));
   add("time_in_range", "%", time_in_range(target, actual, weight_s));
-  add("cv", "%", cv(both.t_s, actual));
-  if (both.rows.size() < 2) {
-    add("sample_entropy", "", kTooShort);
+  add_alone("cv", "%", cv(alone.t_s, all_actual));
+  if (alone.rows.size() < 2)
+    add_alone("sample_entropy", "", kTooShort);
+  else
+    add_alone("sample_entropy", "", sample_entropy(on_uniform_grid(alone.t_s, all_actual).values));
+  if (both.rows.size() < 2)
     add("lag", "s", kTooShort);
-    return;
-  }
-  const UniformSamples even_actual = on_uniform_grid(both.t_s, actual);
-  add("sample_entropy", "", sample_entropy(even_actual.values));
-  add("lag", "s", lag(on_uniform_grid(both.t_s, target), even_actual));
+  else
+    add("lag", "s", lag(on_uniform_grid(both.t_s, target), on_uniform_grid(both.t_s, actual)));
 }
 
 void score_motion(const Record& record, std::vector<Measure>& measures) {

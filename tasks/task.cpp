@@ -44,9 +44,10 @@ Result<std::unique_ptr<Task>> make_task(const TaskSpec& spec, const TaskContext&
   if (!(context.period_s > 0.0))
     return refused(spec, "", "the frame period is not positive", "give a rate of 50 to 1000 Hz");
   if (spec.needs_maximum() && !(context.maximum_force_N > 0.0))
-    return refused(spec, "most_fraction",
-                   "the target is a share of the maximum force, which was not measured",
-                   "run a maximum task earlier in the same session");
+    return refused(
+        spec, "most_fraction",
+        "the target is a share of the maximum force, and no trial of this session measured one",
+        "run the resting-force task and a maximum task first, or repeat the maximum");
   return std::visit(
       Overloaded{[&](const RestSpec& kind) { return make_rest(kind, context); },
                  [&](const MaximumSpec& kind) { return make_maximum(kind, context); },

@@ -52,7 +52,7 @@ TEST(Acquisition, ASamplesWholeWayToThePublishedSnapshotAllocatesNothing) {
   for (const char* name : {"grip_sine", "two_target"}) {
     Bench bench("sim://healthy?seed=3&drop=0.01");
     TrialSetup setup = bench.setup(name, 40.0);
-    ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup}));
+    ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
     ASSERT_TRUE(bench.acquisition->tick());
     const auto before = test::allocations();
     for (int frame = 0; frame < 900; ++frame) ASSERT_TRUE(bench.acquisition->tick());
@@ -63,7 +63,7 @@ TEST(Acquisition, ASamplesWholeWayToThePublishedSnapshotAllocatesNothing) {
 TEST(Acquisition, TheSnapshotIsTheRecordedSample) {
   Bench bench;
   TrialSetup setup = bench.setup("two_target", 0.0);
-  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup}));
+  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
   RecordItem item;
   for (int frame = 0; frame < 300; ++frame) {
     ASSERT_TRUE(bench.acquisition->tick());
@@ -80,7 +80,7 @@ TEST(Acquisition, TheSnapshotIsTheRecordedSample) {
 TEST(Acquisition, AMissingSampleIsHeldAndASilentSensorPausesTheTrialWithoutMovingAnything) {
   Bench bench("sim://healthy?seed=3&drop=1.0");
   TrialSetup setup = bench.setup("two_target", 0.0);
-  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup}));
+  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
   for (int frame = 0; frame < 100; ++frame) ASSERT_TRUE(bench.acquisition->tick());
   const Snapshot& shown = bench.acquisition->snapshots().read();
   EXPECT_EQ(shown.stage, Stage::paused);
@@ -93,15 +93,15 @@ TEST(Acquisition, PauseStopsTaskAndObjectAndResumeContinues) {
   Bench bench;
   TrialSetup setup = bench.setup("two_target", 0.0);
   auto& acquisition = *bench.acquisition;
-  ASSERT_TRUE(acquisition.commands().push({Command::Kind::begin, &setup}));
+  ASSERT_TRUE(acquisition.commands().push({Command::Kind::begin, &setup, ""}));
   for (int frame = 0; frame < 300; ++frame) ASSERT_TRUE(acquisition.tick());
   const Snapshot before = acquisition.snapshots().read();
-  ASSERT_TRUE(acquisition.commands().push({Command::Kind::pause, nullptr}));
+  ASSERT_TRUE(acquisition.commands().push({Command::Kind::pause, nullptr, ""}));
   for (int frame = 0; frame < 200; ++frame) ASSERT_TRUE(acquisition.tick());
   const Snapshot paused = acquisition.snapshots().read();
   EXPECT_EQ(paused.task.task_time_s, before.task.task_time_s);
   EXPECT_GT(paused.session_time_s, before.session_time_s + 1.9);
-  ASSERT_TRUE(acquisition.commands().push({Command::Kind::resume, nullptr}));
+  ASSERT_TRUE(acquisition.commands().push({Command::Kind::resume, nullptr, ""}));
   for (int frame = 0; frame < 2; ++frame) ASSERT_TRUE(acquisition.tick());
   EXPECT_GT(acquisition.snapshots().read().task.task_time_s, before.task.task_time_s);
 }

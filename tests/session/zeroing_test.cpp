@@ -55,13 +55,17 @@ TEST(Zeroing, AHandInTheDeviceIsRefusedWithTheReason) {
   EXPECT_NE(describe(*refusal).find("thumb"), std::string::npos);
 }
 
-TEST(Zeroing, AGapStartsTheSecondAnewAndEndlessGapsAreGivenUp) {
+TEST(Zeroing, ALostSampleIsLeftOutAGapStartsAnewAndEndlessGapsAreGivenUp) {
   Zeroing zeroing(kPeriod_s);
   FingerFrame good;
   FingerFrame gap;
   gap.flags[1] = bit(SampleFlag::missing);
-  for (int k = 0; k < 99; ++k) zeroing.add(good);
-  zeroing.add(gap);
+  for (int k = 0; k < 90; ++k) zeroing.add(k % 10 == 5 ? gap : good);
+  EXPECT_EQ(zeroing.progress(), 0.81);
+  Zeroing half(kPeriod_s);
+  for (int k = 0; k < 300; ++k) half.add(k % 2 == 0 ? gap : good);
+  EXPECT_FALSE(half.complete()) << "half the samples are not a quiet second";
+  for (int k = 0; k < 6; ++k) zeroing.add(gap);
   EXPECT_EQ(zeroing.progress(), 0.0);
   while (!zeroing.hopeless()) zeroing.add(gap);
   EXPECT_FALSE(zeroing.complete());

@@ -121,9 +121,11 @@ TEST(ForceTracking, WithoutAMaximumIsRefusedWithARemedy) {
   spec.file = "grip_sine.toml";
   const auto task = make_task(spec, TaskContext{});
   ASSERT_FALSE(task);
-  EXPECT_EQ(task.error().message(),
-            "grip_sine.toml: most_fraction: the target is a share of the maximum force, which was "
-            "not measured; run a maximum task earlier in the same session");
+  EXPECT_EQ(
+      task.error().message(),
+      "grip_sine.toml: most_fraction: the target is a share of the maximum force, and no trial "
+      "of this session measured one; run the resting-force task and a maximum task first, or "
+      "repeat the maximum");
 }
 
 TEST(PoseTargets, AreReachedOnEnteringOrAfterAnUninterruptedHold) {

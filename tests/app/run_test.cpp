@@ -194,6 +194,22 @@ TEST(CommandLine, AKilledSessionIsThereUpToTheLastFullSecondAndMarkedInterrupted
   EXPECT_EQ(signals.rows() % 100, 0u) << "whole seconds";
 }
 
+TEST(CommandLine, AnInputIsNeverOverwrittenAndAFileWithoutFramesIsNoLog) {
+  const TemporaryFolder folder;
+  const std::string forces = folder.write("forces.csv", some_forces());
+  const std::string scene = ISOGRASP_SOURCE_DIR "/library/scenes/firm_block.toml";
+  const auto same =
+      isograsp("simulate --scene " + scene + " --forces " + forces + " --out " + forces);
+  EXPECT_EQ(same.status, 2);
+  EXPECT_NE(same.err.find("is the input"), std::string::npos) << same.err;
+  EXPECT_EQ(read_text(forces).value(), some_forces());
+  const auto no_log =
+      isograsp("decode --protocol rft " + forces + " --out " + folder.path("d.csv"));
+  EXPECT_EQ(no_log.status, 2);
+  EXPECT_NE(no_log.err.find("holds no frame"), std::string::npos) << no_log.err;
+  EXPECT_FALSE(fs::exists(folder.path("d.csv")));
+}
+
 TEST(CommandLine, TheDemonstrationGoesFromForceToReportWithoutAQuestion) {
   const TemporaryFolder folder;
   ASSERT_EQ(setenv("XDG_DATA_HOME", folder.path().c_str(), 1), 0);

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <random>
 
@@ -79,16 +78,6 @@ TEST(Signals, BadFilesAreRefusedNamingLineAndColumn) {
   }
   EXPECT_FALSE(read_signals(folder.path("absent.csv")));
   EXPECT_FALSE(read_signals(folder.path()));
-}
-
-TEST(FileWriter, AnUncommittedFileLeavesNothingBehind) {
-  const TemporaryFolder folder;
-  {
-    auto writer = FileWriter::create(folder.path("half.csv"));
-    ASSERT_TRUE(writer);
-    writer->write("t_s\n");
-  }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(Csv, WindowsLineEndsByteOrderMarkAndCommentsAreAccepted) {

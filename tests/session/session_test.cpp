@@ -164,6 +164,51 @@ TEST(Session, RefusesAnUnknownPatientModelAWrongHandAndAnUnknownScheme) {
   }
 }
 
+TEST(Session, AProtocolWhoseStepsLackWhatTheyNeedIsRefusedBeforeASessionBegins) {
+  const test::TemporaryFolder folder;
+  const auto read = [&](const std::string& steps) {
+    return read_protocol(
+        folder.write("p.toml", "format = \"isograsp-protocol-1\"\nname = \"P\"\n" + steps),
+        kLibrary);
+  };
+  const std::string rest = "[[step]]\nkind = \"task\"\ntask = \"resting_force.toml\"\n";
+  const std::string maximum = "[[step]]\nkind = \"task\"\ntask = \"maximum_grip.toml\"\n";
+  const std::string sine = "[[step]]\nkind = \"task\"\ntask = \"grip_sine.toml\"\n";
+  EXPECT_TRUE(read(rest + maximum + sine));
+  for (const auto& [steps, message] :
+       {std::pair{rest + sine, "step[2].task: the target is a share of a maximum"},
+        {maximum + sine, "step[1].task: a maximum is measured above the resting force"}}) {
+    const auto refused = read(steps);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message().find(message), std::string::npos)
+        << refused.error().message();
+  }
+}
+
+TEST(Session, ALeftHandedSimulatedSessionNamesNoOtherHand) {
+  Clinic clinic;
+  auto config = clinic.config("sim://healthy");
+  config.hand = Hand::left;
+  const auto session = Session::open(config);
+  ASSERT_TRUE(session);
+  EXPECT_EQ((*session)->record().hand, Hand::left);
+  EXPECT_EQ((*session)->record().device_description.find("right"), std::string::npos);
+}
+
+TEST(Session, ATrialThatAFaultEndedSaysSo) {
+  Clinic clinic;
+  auto session = Session::open(clinic.config("sim://healthy?seed=4&drop=0.7"));
+  ASSERT_TRUE(session);
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("p.toml",
+                                 "format = \"isograsp-protocol-1\"\nname = \"P\"\n[[step]]\n"
+                                 "kind = \"task\"\ntask = \"resting_force.toml\"\n");
+  const auto result = run_protocol(**session, read_protocol(path, kLibrary).value(), {});
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message().find("Stopped after a device fault."), std::string::npos)
+      << result.error().message();
+}
+
 TEST(Session, RunsInRealTimeOnThreeThreads) {
   Clinic clinic;
   auto config = clinic.config("sim://healthy?seed=2");

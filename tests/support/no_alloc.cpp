@@ -12,6 +12,10 @@ void* counted(std::size_t size) {
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
   throw std::bad_alloc();
 }
+void* counted_or_null(std::size_t size) noexcept {
+  ++count;
+  return std::malloc(size == 0 ? 1 : size);
+}
 void* counted(std::size_t size, std::align_val_t alignment) {
   ++count;
   const auto a = static_cast<std::size_t>(alignment);
@@ -35,6 +39,12 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 }
 void* operator new[](std::size_t size, std::align_val_t alignment) {
   return counted(size, alignment);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return counted_or_null(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return counted_or_null(size);
 }
 void operator delete(void* p) noexcept {
   std::free(p);

@@ -11,6 +11,7 @@
 #include "core/finger_forces.hpp"
 #include "storage/session_store.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/recorded_data.hpp"
 
 namespace isograsp {
 namespace {
@@ -132,8 +133,7 @@ TEST(CommandLine, AReplayedSessionMovesTheObjectAsSimulateDoesBitForBit) {
 }
 
 TEST(CommandLine, ARecordingThatPeopleMadeBecomesAReportThatSaysSo) {
-  const char* chosen = std::getenv("ISOGRASP_RECORDED_DATA");
-  const std::string data = chosen != nullptr ? chosen : ISOGRASP_SOURCE_DIR "/../shared/data";
+  const std::string data = test::recorded_data();
   if (!fs::is_directory(data + "/kth-handover")) GTEST_SKIP() << "no recorded data in " << data;
   const TemporaryFolder folder;
   const auto convert = isograsp("convert --mapping kth_handover --input " + data +
@@ -174,9 +174,9 @@ TEST(CommandLine, AKilledSessionIsThereUpToTheLastFullSecondAndMarkedInterrupted
   pid_t pid = 0;
   std::ifstream(folder.path("pid")) >> pid;
   ASSERT_EQ(kill(pid, SIGKILL), 0);
-  // The system needs a moment to take the process apart; then the next start marks the trial.
+  // The system needs a moment to take the process apart; then whoever looks next marks the trial.
   const auto status = [&db] {
-    const auto opened = SessionStore::open(db, SessionStore::Open::existing).value();
+    const auto opened = SessionStore::open_to_read(db).value();
     const auto owner = opened->find_patient("T-01").value().value();
     return opened->trials(opened->sessions(owner.id).value().at(0).id).value().at(0).status;
   };

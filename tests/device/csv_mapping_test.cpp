@@ -9,6 +9,7 @@
 #include "core/csv.hpp"
 #include "core/finger_forces.hpp"
 #include "device/replay_device.hpp"
+#include "tests/support/recorded_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp {
@@ -222,8 +223,7 @@ TEST(CsvMapping, LogsWithTimesOfTheirOwnMustAgree) {
 }
 
 TEST(CsvMapping, TheShippedMappingConvertsTheHandoverRecording) {
-  const char* chosen = std::getenv("ISOGRASP_RECORDED_DATA");
-  const std::string data = chosen != nullptr ? chosen : ISOGRASP_SOURCE_DIR "/../shared/data";
+  const std::string data = test::recorded_data();
   const std::string recording = data + "/kth-handover";
   if (!std::filesystem::exists(recording)) GTEST_SKIP() << "no recording in " << recording;
   const std::string path = ISOGRASP_SOURCE_DIR "/library/devices/mappings/kth_handover.toml";

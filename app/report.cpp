@@ -7,10 +7,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
-#include "reports/html_writer.hpp"
-#include "reports/pdf_writer.hpp"
+#include "app/console.hpp"
 #include "reports/progress_report.hpp"
 #include "reports/qt_application.hpp"
+#include "reports/report_writer.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp {
@@ -27,10 +27,21 @@ Result<void> write_report(const std::string& database, const std::string& patien
                  "--out"};
   auto store = SessionStore::open_to_read(database);
   if (!store) return store.error();
-  const auto content = gather_progress(**store, patient);
+  ProgressBar bar("Report");
+  constexpr double kGathered = 0.4;  // share of the time, roughly
+  auto content = gather_progress(**store, patient, [&](double done, const std::string& words) {
+    bar.show(kGathered * done, words);
+    return true;
+  });
   if (!content) return content.error();
   ensure_qt_application();
-  return as_pdf ? write_pdf(*content, path) : write_html(*content, path);
+  const auto writer = make_report_writer(*std::move(content), path);
+  auto written = write_all(*writer, path, [&](double done, const std::string& words) {
+    bar.show(kGathered + (1.0 - kGathered) * done, words);
+    return true;
+  });
+  if (written) bar.show(1.0);
+  return written;
 }
 
 void add_report(CLI::App& app, Action& action) {

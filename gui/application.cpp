@@ -4,26 +4,46 @@
 #include <QApplication>
 #include <cstdlib>
 
+#include <xcb/xcb.h>
+
 #include "gui/look.hpp"
 #include "gui/windows.hpp"
 
 namespace isograsp {
 
 namespace {
-bool is_set(const char* name) {
+std::string variable(const char* name) {
   const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0';
+  return value == nullptr ? "" : value;
+}
+
+/// Qt ends the program where it cannot reach the X server: so this asks before Qt does.
+bool reaches_x_server() {
+  xcb_connection_t* connection = xcb_connect(nullptr, nullptr);  // the one that DISPLAY names
+  const bool reached = xcb_connection_has_error(connection) == 0;
+  xcb_disconnect(connection);
+  return reached;
+}
+
+Error no_display(const std::string& what) {
+  return {Error::Code::failed,
+          what,
+          "start it from a desktop, or run a session without windows: isograsp run",
+          "",
+          0,
+          ""};
 }
 }  // namespace
 
 Result<void> run_application(const ApplicationConfig& config) {
-  if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY") && !is_set("QT_QPA_PLATFORM"))
-    return Error{Error::Code::failed,
-                 "there is no display for the windows",
-                 "start it from a desktop, or run a session without windows: isograsp run",
-                 "",
-                 0,
-                 ""};
+  const auto display = variable("DISPLAY");
+  const auto platform = variable("QT_QPA_PLATFORM");
+  const bool wayland = !variable("WAYLAND_DISPLAY").empty();
+  if (display.empty() && !wayland && platform.empty())
+    return no_display("there is no display for the windows");
+  if (platform == "xcb" || (platform.empty() && !wayland))
+    if (!reaches_x_server())
+      return no_display("the display \"" + display + "\" for the windows cannot be reached");
   int argc = 1;
   char name[] = "isograsp";
   char* argv[] = {name, nullptr};

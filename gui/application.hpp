@@ -15,8 +15,8 @@ struct ApplicationConfig {
   std::string software_version;
 };
 
-/// Returns when the therapist window is closed. Errors: failed, if there is no display. Main
-/// thread.
+/// Returns when the therapist window is closed. Errors: failed, if there is no display or
+/// it cannot be reached. Main thread.
 [[nodiscard]] Result<void> run_application(const ApplicationConfig& config);
 
 }  // namespace isograsp

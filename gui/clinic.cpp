@@ -2,9 +2,6 @@
 #include "gui/clinic.hpp"
 
 #include "gui/patient_code.hpp"
-#include "reports/html_writer.hpp"
-#include "reports/pdf_writer.hpp"
-#include "reports/progress_report.hpp"
 
 namespace isograsp {
 
@@ -14,11 +11,13 @@ QString words(const Error& error) {
   return QString::fromStdString(error.message());
 }
 
-Result<std::vector<MeasurePoint>> read_history(SessionStore& store, const std::string& code) {
-  auto patient = store.find_patient(code);
+Result<std::vector<HistorySeries>> read_history(SessionStore& store, const std::string& code) {
+  const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
-  if (!patient->has_value()) return std::vector<MeasurePoint>{};
-  return store.progress((*patient)->id);
+  if (!patient->has_value()) return std::vector<HistorySeries>{};
+  const auto points = store.progress((*patient)->id);
+  if (!points) return points.error();
+  return sort_history(*points);
 }
 
 }  // namespace
@@ -27,9 +26,12 @@ Clinic::Clinic(std::string database, QObject* parent)
     : QObject(parent),
       database_(std::move(database)),
       entropy_(std::random_device{}()),
-      store_(std::make_shared<std::unique_ptr<SessionStore>>()) {}
+      store_(std::make_shared<std::unique_ptr<SessionStore>>()),
+      report_(store_, worker_) {}
 
-Clinic::~Clinic() = default;
+Clinic::~Clinic() {
+  report_.cancel();  // before the worker is waited for
+}
 
 void Clinic::open() {
   using Opened = Result<std::vector<PatientRecord>>;
@@ -72,33 +74,22 @@ void Clinic::add_patient() {
 
 void Clinic::load_history(const std::string& code) {
   if (!open_) return;
-  using Loaded = Result<std::vector<MeasurePoint>>;
+  ++loads_under_way_;
+  if (code != history_of_) {
+    history_of_ = code;
+    history_.clear();
+    Q_EMIT history_changed();
+  }
+  using Loaded = Result<std::vector<HistorySeries>>;
   worker_.run([store = store_, code]() -> Loaded { return read_history(**store, code); },
               [this, code](Loaded outcome) {
+                --loads_under_way_;
                 if (!outcome) {
                   Q_EMIT failed(words(outcome.error()));
-                  return;
+                } else if (code == history_of_) {
+                  history_ = *std::move(outcome);
                 }
-                history_ = *std::move(outcome);
-                Q_EMIT history_loaded(QString::fromStdString(code));
-              });
-}
-
-void Clinic::write_report(const std::string& code, const std::string& path) {
-  if (!open_) return;
-  using Gathered = Result<ReportContent>;
-  worker_.run([store = store_, code]() -> Gathered { return gather_progress(**store, code); },
-              [this, path](const Gathered& content) {
-                if (!content) {
-                  Q_EMIT report_failed(words(content.error()));
-                  return;
-                }
-                const bool page = path.ends_with(".html");
-                const auto written = page ? write_html(*content, path) : write_pdf(*content, path);
-                if (written)
-                  Q_EMIT report_written(QString::fromStdString(path));
-                else
-                  Q_EMIT report_failed(words(written.error()));
+                Q_EMIT history_changed();
               });
 }
 

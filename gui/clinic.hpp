@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "gui/background.hpp"
+#include "gui/history.hpp"
+#include "gui/report_work.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp {
@@ -20,39 +22,41 @@ class Clinic final : public QObject {
 
  public:
   explicit Clinic(std::string database, QObject* parent = nullptr);
-  ~Clinic() override;
+  ~Clinic() override;  ///< cancels a report; waits for the worker
 
   void open();         ///< -> opened(), patients_changed() or open_failed()
   void add_patient();  ///< with a generated code -> patients_changed(), patient_added()
-  void load_history(const std::string& code);  ///< -> history_loaded()
-  /// Gathers on the worker; the pages are painted here, in some 20 ms each, as plots must be
-  /// painted on the GUI thread -> report_written() or report_failed().
-  void write_report(const std::string& code, const std::string& path);
+  /// Until the answer comes, the history of another patient is empty and that of the same one is
+  /// as it was -> history_changed(), twice for another patient.
+  void load_history(const std::string& code);
+  [[nodiscard]] ReportWork& report() noexcept { return report_; }
 
   [[nodiscard]] bool is_open() const noexcept { return open_; }
   [[nodiscard]] const std::string& database() const noexcept { return database_; }
   [[nodiscard]] const std::vector<PatientRecord>& patients() const noexcept { return patients_; }
-  /// Of the patient named by the last history_loaded().
-  [[nodiscard]] const std::vector<MeasurePoint>& history() const noexcept { return history_; }
+  /// Of the patient whose history was asked for last.
+  [[nodiscard]] const std::vector<HistorySeries>& history() const noexcept { return history_; }
+  [[nodiscard]] bool history_loading() const noexcept { return loads_under_way_ > 0; }
 
  Q_SIGNALS:
   void opened();
   void open_failed(const QString& why);
   void patients_changed();
   void patient_added(const QString& code);
-  void history_loaded(const QString& code);
-  void report_written(const QString& path);
-  void report_failed(const QString& why);
+  void history_changed();
   void failed(const QString& why);
 
  private:
   std::string database_;
   bool open_ = false;
   std::vector<PatientRecord> patients_;
-  std::vector<MeasurePoint> history_;
+  std::string history_of_;  ///< code
+  std::vector<HistorySeries> history_;
+  int loads_under_way_ = 0;
   std::mt19937_64 entropy_;
   std::shared_ptr<std::unique_ptr<SessionStore>> store_;  ///< used by the worker only
-  Background worker_;
+  ReportWork report_;
+  Background worker_;  ///< last: its jobs end before anything else goes away
 };
 
 }  // namespace isograsp

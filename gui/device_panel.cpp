@@ -54,9 +54,13 @@ DevicePanel::DevicePanel(SessionPresenter& presenter, QWidget* parent)
   asking->addLayout(answers);
   confirm_->hide();
   progress_ = new QProgressBar;
-  progress_->setRange(0, 100);
+  progress_->setObjectName("device_progress");
+  auto place = progress_->sizePolicy();
+  place.setRetainSizeWhenHidden(true);  // the window must not jump when the bar comes and goes
+  progress_->setSizePolicy(place);
+  describe(*progress_, tr("Progress of the device"),
+           tr("Connecting, setting the zero, or saving the session"));
   progress_->hide();
-  describe(*progress_, tr("Progress of the zero"), tr("One quiet second is measured"));
 
   column_->addWidget(devices_);
   column_->addWidget(connect_);
@@ -68,8 +72,11 @@ DevicePanel::DevicePanel(SessionPresenter& presenter, QWidget* parent)
   fill(presenter_.device_uri());
   connect(devices_, QOverload<int>::of(&QComboBox::activated), this, &DevicePanel::choose);
   connect(connect_, &QPushButton::clicked, this, [this] {
-    if (presenter_.view().may_connect)
+    const auto& view = presenter_.view();
+    if (view.may_connect)
       presenter_.connect_device();
+    else if (view.may_cancel_connecting)
+      presenter_.cancel_connecting();
     else
       presenter_.disconnect_device();
   });
@@ -88,7 +95,7 @@ DevicePanel::DevicePanel(SessionPresenter& presenter, QWidget* parent)
     zero_->show();
   });
   connect(&presenter_, &SessionPresenter::changed, this, &DevicePanel::refresh);
-  connect(&presenter_, &SessionPresenter::frame, this, &DevicePanel::refresh_zero);
+  connect(&presenter_, &SessionPresenter::frame, this, &DevicePanel::refresh_progress);
   refresh();
 }
 
@@ -128,12 +135,18 @@ void DevicePanel::choose_recording() {
 void DevicePanel::refresh() {
   const auto& view = presenter_.view();
   devices_->setEnabled(view.may_change_device);
-  const bool open = presenter_.session_open();
-  connect_->setText(open ? tr("Dis&connect") : tr("&Connect"));
-  describe(*connect_, open ? tr("Disconnect") : tr("Connect"),
-           open ? tr("End the session and disconnect (Alt+C)")
-                : tr("Begin the session: needs patient, hand and device (Alt+C)"));
-  connect_->setEnabled(view.may_connect || view.may_disconnect);
+  if (view.may_cancel_connecting) {
+    connect_->setText(tr("&Cancel"));
+    describe(*connect_, tr("Cancel connecting"), tr("Do not connect to this device (Alt+C)"));
+  } else if (presenter_.session_open()) {
+    connect_->setText(tr("Dis&connect"));
+    describe(*connect_, tr("Disconnect"), tr("End the session and disconnect (Alt+C)"));
+  } else {
+    connect_->setText(tr("&Connect"));
+    describe(*connect_, tr("Connect"),
+             tr("Begin the session: needs patient, hand and device (Alt+C)"));
+  }
+  connect_->setEnabled(view.may_connect || view.may_cancel_connecting || view.may_disconnect);
   mark_next(*connect_, view.may_connect);
   light_->show_mood(view.device_mood);
   words_->setText(QString::fromStdString(view.device_words));
@@ -146,10 +159,16 @@ void DevicePanel::refresh() {
   }
 }
 
-void DevicePanel::refresh_zero() {
+void DevicePanel::refresh_progress() {
   const bool zeroing = presenter_.snapshot().stage == Stage::zeroing;
-  if (progress_->isVisible() != zeroing) progress_->setVisible(zeroing);
-  if (zeroing) progress_->setValue(static_cast<int>(100.0 * presenter_.snapshot().zero_progress));
+  const bool waiting = presenter_.busy() && !presenter_.session_open();
+  progress_->setVisible(zeroing || waiting);
+  if (waiting) {
+    progress_->setRange(0, 0);  // nobody knows how long a device takes: the bar only moves
+  } else if (zeroing) {
+    progress_->setRange(0, 100);
+    progress_->setValue(static_cast<int>(100.0 * presenter_.snapshot().zero_progress));
+  }
 }
 
 }  // namespace isograsp

@@ -23,7 +23,7 @@ class DevicePanel final : public Card {
   void choose(int index);
   void choose_recording();
   void refresh();
-  void refresh_zero();
+  void refresh_progress();
 
   SessionPresenter& presenter_;
   QComboBox* devices_;

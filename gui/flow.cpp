@@ -181,6 +181,7 @@ FlowView decide(const FlowFacts& facts) {
   view.may_change_device = closed;
   view.may_connect = facts.database_open && closed && facts.patient_chosen && facts.hand_chosen &&
                      facts.device_chosen;
+  view.may_cancel_connecting = facts.connection == Connection::opening;
   view.may_disconnect = open && !in_trial(facts) && facts.stage != Stage::zeroing;
   view.may_zero = quiet && sound && !facts.recorded;
   view.may_choose_task = !in_trial(facts) && !facts.starting;

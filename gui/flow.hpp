@@ -74,6 +74,7 @@ struct FlowView {
   bool may_change_hand = false;
   bool may_change_device = false;
   bool may_connect = false;
+  bool may_cancel_connecting = false;
   bool may_disconnect = false;
   bool may_zero = false;
   bool may_choose_task = false;

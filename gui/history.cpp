@@ -3,6 +3,8 @@
 
 #include <QObject>
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 #include "gui/words.hpp"
 #include "reports/measure_words.hpp"
@@ -11,14 +13,17 @@ namespace isograsp {
 
 namespace {
 
-bool same_task(const MeasurePoint& a, const MeasurePoint& b) {
-  return a.task_name == b.task_name && a.task_version == b.task_version && a.hand == b.hand &&
-         a.simulated == b.simulated;
+/// What makes trials comparable: task, its version, hand, simulated or not.
+using TaskKey = std::tuple<std::string, int, Hand, bool>;
+TaskKey task_of(const MeasurePoint& point) {
+  return {point.task_name, point.task_version, point.hand, point.simulated};
 }
 
-bool same_series(const MeasurePoint& a, const MeasurePoint& b) {
-  return same_task(a, b) && a.measure.name == b.measure.name &&
-         a.measure.channel == b.measure.channel && a.measure.version == b.measure.version;
+/// And in addition the measure, its channel and its version.
+using SeriesKey = std::tuple<TaskKey, std::string, std::string, int>;
+SeriesKey series_of(const MeasurePoint& point) {
+  const auto& measure = point.measure;
+  return {task_of(point), measure.name, measure.channel, measure.version};
 }
 
 QString title_of(const MeasurePoint& point) {
@@ -34,28 +39,25 @@ QString title_of(const MeasurePoint& point) {
 
 std::vector<HistorySeries> sort_history(const std::vector<MeasurePoint>& points) {
   std::vector<HistorySeries> series;
+  std::map<SeriesKey, std::size_t> places;
   for (const auto& point : points) {
-    auto found = std::find_if(series.begin(), series.end(), [&](const HistorySeries& known) {
-      return same_series(known.points.front(), point);
-    });
-    if (found == series.end()) {
+    const auto [place, is_new] = places.try_emplace(series_of(point), series.size());
+    if (is_new)
       series.push_back(
           {title_of(point), QString::fromStdString(printed_unit(point.measure.unit).text), {}});
-      found = series.end() - 1;
-    }
-    found->points.push_back(point);
+    series[place->second].points.push_back(point);
   }
   // The task of the newest trial is what the therapist wants to see; inside a task the order in
   // which its measures were computed stays.
-  const auto newest = [&](const HistorySeries& one) {
-    RowId trial = 0;
-    for (const auto& point : points)
-      if (same_task(point, one.points.front())) trial = std::max(trial, point.trial_id);
-    return trial;
-  };
-  std::stable_sort(
-      series.begin(), series.end(),
-      [&](const HistorySeries& a, const HistorySeries& b) { return newest(a) > newest(b); });
+  std::map<TaskKey, RowId> newest;
+  for (const auto& point : points) {
+    RowId& trial = newest[task_of(point)];
+    trial = std::max(trial, point.trial_id);
+  }
+  std::stable_sort(series.begin(), series.end(),
+                   [&](const HistorySeries& a, const HistorySeries& b) {
+                     return newest[task_of(a.points.front())] > newest[task_of(b.points.front())];
+                   });
   return series;
 }
 

@@ -17,6 +17,10 @@
 
 namespace isograsp {
 
+namespace {
+constexpr int kProgressSteps = 1000;
+}
+
 HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
     : Card({}, parent), clinic_(clinic), presenter_(presenter) {
   title_->setText(tr("&History"));
@@ -59,10 +63,26 @@ HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget*
   body->setSpacing(12);
   body->addWidget(table_, 4);
   body->addWidget(trend_, 5);
-  writing_ = new QProgressBar;
-  writing_->setRange(0, 0);
+  writing_ = new QWidget;
+  writing_->setObjectName("report_writing");
   writing_->hide();
-  describe(*writing_, tr("Writing the report"), tr("The report is being written"));
+  doing_ = new QLabel;
+  doing_->setObjectName("report_doing");
+  progress_ = new QProgressBar;
+  progress_->setObjectName("report_progress");
+  progress_->setRange(0, kProgressSteps);
+  describe(*progress_, tr("Progress of the report"), tr("How much of the report is written"));
+  cancel_ = new QPushButton(tr("Cancel"));
+  cancel_->setObjectName("report_cancel");
+  describe(*cancel_, tr("Cancel the report"),
+           tr("Write no report; a file that was there stays as it is (Escape)"));
+  cancel_->setShortcut(Qt::Key_Escape);
+  auto* writing = new QHBoxLayout(writing_);
+  writing->setContentsMargins(0, 0, 0, 0);
+  writing->setSpacing(12);
+  writing->addWidget(doing_);
+  writing->addWidget(progress_, 1);
+  writing->addWidget(cancel_);
   remark_ = new QLabel;
   remark_->setObjectName("report_remark");
   remark_->setProperty("role", "quiet");
@@ -79,20 +99,27 @@ HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget*
   connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &HistoryPanel::show_series);
   connect(report_, &QPushButton::clicked, this, &HistoryPanel::ask_where);
-  connect(&clinic_, &Clinic::history_loaded, this, [this](const QString& code) {
-    if (code.toStdString() == presenter_.patient()) fill();
-  });
-  connect(&clinic_, &Clinic::report_written, this, [this](const QString& path) {
-    writing_->hide();
-    remark_->setText(tr("Report written: <a href=\"%1\">%2</a>")
-                         .arg(QUrl::fromLocalFile(path).toString(), path.toHtmlEscaped()));
+  connect(&clinic_, &Clinic::history_changed, this, &HistoryPanel::fill);
+  ReportWork& report = clinic_.report();
+  connect(cancel_, &QPushButton::clicked, &report, &ReportWork::cancel);
+  connect(&report, &ReportWork::progress, this, [this](double fraction, const QString& words) {
+    progress_->setValue(static_cast<int>(kProgressSteps * fraction));
+    at_ = words;
     refresh();
   });
-  connect(&clinic_, &Clinic::report_failed, this, [this](const QString& why) {
-    writing_->hide();
-    remark_->setText(tr("No report was written: %1").arg(why.toHtmlEscaped()));
+  const auto tell = [this](const QString& what) {
+    remark_->setText(what);
     refresh();
+  };
+  connect(&report, &ReportWork::written, this, [tell](const QString& path) {
+    tell(tr("Report written: <a href=\"%1\">%2</a>")
+             .arg(QUrl::fromLocalFile(path).toString(), path.toHtmlEscaped()));
   });
+  connect(&report, &ReportWork::failed, this, [tell](const QString& why) {
+    tell(tr("No report was written: %1").arg(why.toHtmlEscaped()));
+  });
+  connect(&report, &ReportWork::cancelled, this,
+          [tell] { tell(tr("Cancelled: no report was written.")); });
   connect(remark_, &QLabel::linkActivated, this,
           [](const QString& link) { QDesktopServices::openUrl(QUrl(link)); });
   connect(&presenter_, &SessionPresenter::changed, this, &HistoryPanel::refresh);
@@ -101,8 +128,7 @@ HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget*
 
 void HistoryPanel::fill() {
   const auto shown = choice_->currentText();
-  series_ =
-      presenter_.patient().empty() ? std::vector<HistorySeries>{} : sort_history(clinic_.history());
+  series_ = presenter_.patient().empty() ? std::vector<HistorySeries>{} : clinic_.history();
   {
     const QSignalBlocker quiet(choice_);
     choice_->clear();
@@ -149,33 +175,43 @@ void HistoryPanel::show_series(int index) {
 
 void HistoryPanel::ask_where() {
   const auto folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  const auto name = QString::fromStdString(presenter_.patient()) + QStringLiteral(".pdf");
+  const auto code = presenter_.patient();
+  const auto name = QString::fromStdString(code) + QStringLiteral(".pdf");
   auto* dialog = new QFileDialog(this, tr("Write the report"), folder,
                                  tr("Portable document (*.pdf);;Web page (*.html)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("pdf");
   dialog->selectFile(QDir(folder).filePath(name));
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    writing_->show();
+  connect(dialog, &QFileDialog::fileSelected, this, [this, code](const QString& path) {
     remark_->clear();
-    report_->setEnabled(false);
-    clinic_.write_report(presenter_.patient(), path.toStdString());
+    clinic_.report().start(code, path.toStdString());
   });
   dialog->open();
 }
 
 void HistoryPanel::refresh() {
-  report_->setEnabled(!series_.empty() && !writing_->isVisible());
+  ReportWork& report = clinic_.report();
+  // A trial needs its even picture: the pages wait for its end.
+  const bool waits = presenter_.view().may_stop;
+  report.hold(waits);
+  report_->setEnabled(!series_.empty() && !report.running());
+  writing_->setVisible(report.running());
+  cancel_->setEnabled(report.may_cancel());
+  if (report.running())
+    doing_->setText(waits ? tr("Report of %1: waits for the end of the trial")
+                                .arg(QString::fromStdString(report.code()))
+                          : tr("Report of %1: %2").arg(QString::fromStdString(report.code()), at_));
   choice_->setEnabled(!series_.empty());
   if (!series_.empty()) {
     nothing_->hide();
   } else {
     nothing_->setText(presenter_.patient().empty() ? tr("Choose a patient to see what is stored.")
+                      : clinic_.history_loading()  ? tr("Reading what is stored …")
                                                    : tr("Nothing stored for this patient yet."));
     nothing_->show();
   }
-  remark_->setVisible(!remark_->text().isEmpty());
+  remark_->setVisible(!remark_->text().isEmpty() && !report.running());
 }
 
 }  // namespace isograsp

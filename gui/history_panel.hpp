@@ -35,7 +35,11 @@ class HistoryPanel final : public Card {
   QTableWidget* table_;
   TrendPlot* trend_;
   QPushButton* report_;
-  QProgressBar* writing_;
+  QWidget* writing_;  ///< how far the report is, while it is being written
+  QLabel* doing_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+  QString at_;       ///< where the report is: "page 3 of 7"
   QLabel* remark_;   ///< what became of the report
   QLabel* nothing_;  ///< why there is nothing to see
 };

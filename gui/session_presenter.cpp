@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/csv.hpp"
+#include "core/files.hpp"
+#include "reports/progress.hpp"
+
 namespace isograsp {
 
 namespace fs = std::filesystem;
@@ -157,19 +159,39 @@ void SessionPresenter::connect_device() {
   config.software_version = config_.software_version;
   connection_ = Connection::opening;
   connection_error_.clear();
+  opening_ = {};
   using Opened = Result<std::unique_ptr<Session>>;
-  worker_.run([config] { return Session::open(config); },
-              [this](Opened opened) {
-                if (opened) {
-                  begin_session(*std::move(opened));
-                } else {
-                  connection_ = Connection::none;
-                  connection_error_ = opened.error().message();
-                }
-                update();
-                Q_EMIT settled();
-              });
+  worker_.run(
+      [config, stop = opening_.get_token()]() -> Opened {
+        if (stop.stop_requested()) return cancelled();
+        auto opened = Session::open(config);
+        if (stop.stop_requested()) return cancelled();
+        return opened;
+      },
+      [this, stop = opening_.get_token()](Opened opened) {
+        if (stop.stop_requested()) {
+          // Cancelled after the worker had looked: closing takes its time.
+          if (opened) close_on_worker(*std::move(opened), [] {});
+          return;
+        }
+        if (opened) {
+          begin_session(*std::move(opened));
+        } else {
+          connection_ = Connection::none;
+          connection_error_ = opened.error().message();
+        }
+        update();
+        Q_EMIT settled();
+      });
   update();
+}
+
+void SessionPresenter::cancel_connecting() {
+  if (connection_ != Connection::opening) return;
+  opening_.request_stop();
+  connection_ = Connection::none;
+  update();
+  Q_EMIT settled();
 }
 
 void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
@@ -193,29 +215,33 @@ void SessionPresenter::disconnect_device() {
 }
 
 void SessionPresenter::end_session() {
+  cancel_connecting();
   if (session_ != nullptr) close_session("");
+}
+
+template <class Closed>
+void SessionPresenter::close_on_worker(std::unique_ptr<Session> session, Closed closed) {
+  worker_.run(
+      [leaving = std::make_shared<std::unique_ptr<Session>>(std::move(session))] {
+        leaving->reset();
+        return true;
+      },
+      [closed = std::move(closed)](bool) { closed(); });
 }
 
 void SessionPresenter::close_session(const std::string& why) {
   connection_ = Connection::closing;
-  auto leaving = std::make_shared<std::unique_ptr<Session>>(std::move(session_));
   snapshot_ = {};
   running_.reset();
   starting_ = false;
-  worker_.run(
-      [leaving] {
-        (*leaving)->close();
-        leaving->reset();
-        return true;
-      },
-      [this, why](bool) {
-        connection_ = Connection::none;
-        connection_error_ = why;
-        hand_.reset();  // asked for every session anew
-        clinic_.load_history(patient_);
-        update();
-        Q_EMIT settled();
-      });
+  close_on_worker(std::move(session_), [this, why] {
+    connection_ = Connection::none;
+    connection_error_ = why;
+    hand_.reset();  // asked for every session anew
+    clinic_.load_history(patient_);
+    update();
+    Q_EMIT settled();
+  });
   update();
 }
 

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,12 @@ class SessionPresenter final : public QObject {
 
   // Acts. Each is ignored while the flow does not allow it.
   void connect_device();
+  /// At once for the therapist; what the worker has opened meanwhile is closed there.
+  void cancel_connecting();
   void disconnect_device();
-  void end_session();  ///< at once, whatever is running: the program is about to end
-  void set_zero();     ///< the operator has confirmed that the device is empty
+  /// At once, whatever is running or being opened: the program is about to end.
+  void end_session();
+  void set_zero();  ///< the operator has confirmed that the device is empty
   void start();
   void pause();
   void resume();
@@ -101,6 +105,8 @@ class SessionPresenter final : public QObject {
   void take_trial(const TrialOutcome& outcome);
   void begin_session(std::unique_ptr<Session> session);
   void close_session(const std::string& why);
+  template <class Closed>
+  void close_on_worker(std::unique_ptr<Session> session, Closed closed);
   void prepare_picture(const TaskSpec& spec);
   void refuse(const Error& error);
 
@@ -119,6 +125,7 @@ class SessionPresenter final : public QObject {
 
   Connection connection_ = Connection::none;
   std::string connection_error_;
+  std::stop_source opening_;  ///< of the newest connect_device()
   std::unique_ptr<Session> session_;
   Timestamp opened_{0};
   Snapshot snapshot_;

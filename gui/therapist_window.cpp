@@ -34,9 +34,14 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QW
   connect(&presenter_, &SessionPresenter::changed, this, &TherapistWindow::refresh);
   connect(&presenter_, &SessionPresenter::failed, this, &TherapistWindow::say);
   connect(&clinic_, &Clinic::failed, this, &TherapistWindow::say);
-  connect(&presenter_, &SessionPresenter::settled, this, [this] {
+  const auto close_at_last = [this] {
     if (closing_) close();
-  });
+  };
+  connect(&presenter_, &SessionPresenter::settled, this, close_at_last);
+  connect(&clinic_.report(), &ReportWork::written, this, close_at_last);
+  connect(&clinic_.report(), &ReportWork::cancelled, this, close_at_last);
+  // Whoever waits for a report wants to know that there is none.
+  connect(&clinic_.report(), &ReportWork::failed, this, [this] { closing_ = false; });
   refresh();
   for (const auto& problem : presenter_.library_problems()) say(QString::fromStdString(problem));
 }
@@ -149,12 +154,13 @@ void TherapistWindow::say(const QString& words) {
 }
 
 void TherapistWindow::closeEvent(QCloseEvent* event) {
-  if (!presenter_.busy()) {
+  presenter_.cancel_connecting();  // nothing has begun that could be lost
+  if (!presenter_.busy() && !clinic_.report().running()) {
     event->accept();
     if (on_closed) on_closed();
     return;
   }
-  // The session is written to its end first; the window goes when that is done.
+  // Session and report are written to their ends first; the window goes when that is done.
   event->ignore();
   closing_ = true;
   presenter_.end_session();

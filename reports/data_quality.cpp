@@ -67,9 +67,14 @@ Result<void> compare_measures(SessionStore& store, const TrialRecord& trial, con
   return {};
 }
 
-Result<SignalFacts> read_signals(SessionStore& store, const std::vector<TrialRecord>& trials) {
+Result<SignalFacts> read_signals(SessionStore& store, const std::vector<TrialRecord>& trials,
+                                 const Progress& progress) {
   SignalFacts facts;
+  double passed = 0.0;
   for (const auto& trial : trials) {
+    if (!tell(progress, passed++ / static_cast<double>(trials.size()),
+              "checking trial " + std::to_string(trial.number)))
+      return cancelled();
     const auto signals = store.signals(trial);
     if (!signals) {
       facts.damaged.push_back("trial " + std::to_string(trial.number) + ": " +
@@ -184,12 +189,13 @@ QualityLine delay_line(const SessionRecord& session) {
 }  // namespace
 
 Result<std::vector<QualityLine>> assess_quality(SessionStore& store, const SessionRecord& session,
-                                                const std::vector<TrialRecord>& trials) {
+                                                const std::vector<TrialRecord>& trials,
+                                                const Progress& progress) {
   const auto zeros = store.zeros(session.id);
   if (!zeros) return zeros.error();
   const auto events = store.events(session.id);
   if (!events) return events.error();
-  const auto facts = read_signals(store, trials);
+  const auto facts = read_signals(store, trials, progress);
   if (!facts) return facts.error();
 
   std::vector<QualityLine> lines;

@@ -5,13 +5,16 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "reports/progress.hpp"
 #include "reports/report_content.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp {
 
-/// The data-quality box of one session. A trial whose signals cannot be read is named in it.
+/// The data-quality box of one session. A trial whose signals cannot be read is named in it. The
+/// watcher is asked before each trial.
 [[nodiscard]] Result<std::vector<QualityLine>> assess_quality(
-    SessionStore& store, const SessionRecord& session, const std::vector<TrialRecord>& trials);
+    SessionStore& store, const SessionRecord& session, const std::vector<TrialRecord>& trials,
+    const Progress& progress = {});
 
 }  // namespace isograsp

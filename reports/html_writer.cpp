@@ -4,11 +4,11 @@
 #include <QBuffer>
 #include <QSvgGenerator>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <qcustomplot.h>
 
-#include "core/files.hpp"
 #include "reports/measure_words.hpp"
 #include "reports/plots.hpp"
 #include "reports/report_text.hpp"
@@ -47,21 +47,11 @@ QString svg_of(PlotView view, const std::string& title, const std::string& descr
                          .arg(size.width()));
 }
 
-class HtmlReport {
- public:
-  explicit HtmlReport(const ReportContent& content) : content_(content) {}
+}  // namespace
 
-  [[nodiscard]] QString text() {
-    head();
-    glance();
-    quality();
-    for (const auto& section : content_.sections) add_section(section);
-    if (!content_.sections.empty()) out_ += "<p class=\"quiet\">" + escaped(trend_key()) + "</p>\n";
-    out_ += "</main>\n<footer>" + escaped(footer(content_)) + "</footer>\n</body>\n</html>\n";
-    return out_;
-  }
+struct HtmlReport::Parts {
+  explicit Parts(ReportContent content) : content_(std::move(content)) {}
 
- private:
   void head() {
     const auto code = escaped(content_.code);
     out_ +=
@@ -219,12 +209,18 @@ class HtmlReport {
     out_ += "</details>\n";
   }
 
+  void end() {
+    if (!content_.sections.empty()) out_ += "<p class=\"quiet\">" + escaped(trend_key()) + "</p>\n";
+    out_ += "</main>\n<footer>" + escaped(footer(content_)) + "</footer>\n</body>\n</html>\n";
+  }
+
   static const QString kStyle;
-  const ReportContent& content_;
+  const ReportContent content_;
   QString out_;
+  std::size_t done_ = 0;
 };
 
-const QString HtmlReport::kStyle =
+const QString HtmlReport::Parts::kStyle =
     R"(body { font: 15px/1.45 "DejaVu Sans", system-ui, sans-serif; color: #22262b; background: #fff;
   max-width: 920px; margin: 0 auto; padding: 32px 24px; }
 h1 { font-size: 36px; margin: 0 0 12px; } h2 { font-size: 20px; margin: 40px 0 4px; }
@@ -258,10 +254,44 @@ footer { border-top: 1px solid #d5d9dd; margin-top: 40px; padding-top: 8px; colo
 @media print { section { break-inside: avoid; } details { display: none; } }
 )";
 
-}  // namespace
+HtmlReport::HtmlReport(ReportContent content)
+    : parts_(std::make_unique<Parts>(std::move(content))) {}
+HtmlReport::~HtmlReport() = default;
 
-Result<void> write_html(const ReportContent& content, const std::string& path) {
-  return write_text(path, HtmlReport(content).text().toStdString());
+int HtmlReport::steps() const noexcept {
+  return static_cast<int>(parts_->content_.sections.size()) + 1;
+}
+int HtmlReport::steps_done() const noexcept {
+  return static_cast<int>(parts_->done_);
+}
+std::string HtmlReport::words() const {
+  return "part " + std::to_string(std::min(steps_done() + 1, steps())) + " of " +
+         std::to_string(steps());
+}
+
+void HtmlReport::paint_next() {
+  assert(!complete());
+  Parts& p = *parts_;
+  if (p.done_ == 0) {
+    p.head();
+    p.glance();
+    p.quality();
+  } else {
+    p.add_section(p.content_.sections[p.done_ - 1]);
+  }
+  ++p.done_;
+  if (complete()) p.end();
+}
+
+std::string HtmlReport::take() {
+  assert(complete());
+  return parts_->out_.toStdString();
+}
+
+Result<void> write_html(const ReportContent& content, const std::string& path,
+                        const Progress& progress) {
+  HtmlReport report(content);
+  return write_all(report, path, progress);
 }
 
 }  // namespace isograsp

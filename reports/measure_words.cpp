@@ -39,6 +39,8 @@ constexpr std::array kEntries{
     Entry{"path_efficiency", "Directness of the path", Better::higher},
     Entry{"mean_grip", "Mean grip", Better::unknown},
     Entry{"contact_time", "Time in contact", Better::unknown},
+    Entry{"slip", "Slip", Better::lower},
+    Entry{"sparc", "Smoothness (SPARC)", Better::near_zero},
     Entry{"drops", "Drops", Better::lower},
 };
 

@@ -34,12 +34,15 @@ class TextPainter {
   double unit_;
 };
 
+/// Paints something at the height `y` of the page [points]; takes some milliseconds at most.
+using Draw = std::function<void(QCPPainter&, double y)>;
+
 /// Something that is not broken across pages.
 struct Block {
   double gap_above = 0.0;  ///< left out at the top of a page
   double height = 0.0;
   bool keep_with_next = false;
-  std::function<void(QCPPainter&, double y)> draw;
+  std::vector<Draw> parts;  ///< painted one after the other, all with the top of the block
 };
 
 /// Distributes blocks over pages of `page_height`, the first of which offers `first_height`.

@@ -5,11 +5,11 @@
 #include <charconv>
 #include <chrono>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
 #include "reports/data_quality.hpp"
+#include "reports/measure_series.hpp"
 #include "reports/measure_words.hpp"
 
 namespace isograsp {
@@ -18,6 +18,14 @@ namespace {
 
 constexpr int kMostPrimaries = 4;  // clinical rule: at most four verdicts per patient
 constexpr const char* kNoVerdictYet = "cannot be judged yet";
+
+double share(std::size_t done, std::size_t all) {
+  return static_cast<double>(done) / static_cast<double>(all);
+}
+/// "3 of 7" while the element at `index` is at work.
+std::string part(std::size_t index, std::size_t all) {
+  return std::to_string(index + 1) + " of " + std::to_string(all);
+}
 
 Source source_of(const SessionRecord& session) {
   if (session.simulated) return Source::simulated;
@@ -40,16 +48,8 @@ int day_number(const std::string& date) {
   return static_cast<int>(std::chrono::sys_days{ymd}.time_since_epoch().count());
 }
 
-/// One trial with all that decides whether it may be compared with another.
-struct Entry {
-  std::size_t session = 0;
-  const SessionRecord* session_record = nullptr;
-  TrialRecord trial;
-  std::vector<Measure> measures;
-};
-
 /// Why two trials of one task and hand must not be compared; empty: they may.
-std::string difference(const Entry& a, const Entry& b) {
+std::string difference(const StoredTrial& a, const StoredTrial& b) {
   if (source_of(*a.session_record) != source_of(*b.session_record)) return "other source of forces";
   if (a.trial.task_version != b.trial.task_version) return "other version of the task";
   if (a.trial.task_text != b.trial.task_text) return "other task parameters";
@@ -60,84 +60,11 @@ std::string difference(const Entry& a, const Entry& b) {
   return "";
 }
 
-std::string list_sessions(const std::set<std::size_t>& sessions) {
-  std::string text = sessions.size() == 1 ? "session " : "sessions ";
-  std::string separator;
-  for (const auto session : sessions) {
-    text += separator + std::to_string(session + 1);
-    separator = ", ";
-  }
-  return text;
-}
-
 bool counts(const TrialRecord& trial) {
   return trial.status == TrialStatus::completed && !trial.practice;
 }
 
-/// Baseline, last and change from the session means (the baseline is the mean of two days).
-void summarise(MeasureSeries& series, const std::vector<ReportSession>& sessions) {
-  std::vector<std::pair<int, double>> means;  // day, mean
-  for (const auto& value : series.values)
-    if (value.mean) means.emplace_back(sessions[value.session].day, *value.mean);
-  if (means.empty()) return;
-  if (series.values.back().mean) series.last = means.back().second;
-  std::vector<int> days;
-  for (const auto& [day, mean] : means)
-    if (days.empty() || days.back() != day) days.push_back(day);
-  if (means.size() < 2) return;
-  std::size_t used = 1;
-  series.baseline_basis = "first session";
-  if (days.size() >= 2) {
-    const int last_day = days.size() >= 3 ? days[1] : days[0];
-    series.baseline_basis = days.size() >= 3 ? "first two days" : "first day";
-    used = static_cast<std::size_t>(std::count_if(
-        means.begin(), means.end(), [&](const auto& mean) { return mean.first <= last_day; }));
-  }
-  series.baseline =
-      std::accumulate(means.begin(), means.begin() + static_cast<long>(used), 0.0,
-                      [](double sum, const auto& mean) { return sum + mean.second; }) /
-      static_cast<double>(used);
-  if (series.last) series.change = *series.last - *series.baseline;
-}
-
-MeasureSeries make_series(const Measure& like, const std::vector<const Entry*>& entries,
-                          const std::vector<ReportSession>& sessions, TaskSection& section) {
-  MeasureSeries series{like.name, like.channel, like.unit, like.version, false, false,
-                       {},        {},           "",        {},           {},    ""};
-  const bool censored = words_for(like.name, like.channel).censored;
-  std::set<std::size_t> other_version;
-  for (const Entry* entry : entries)
-    for (const auto& measure : entry->measures) {
-      if (measure.name != like.name || measure.channel != like.channel) continue;
-      if (measure.version != like.version || measure.unit != like.unit) {
-        other_version.insert(entry->session);
-        continue;
-      }
-      if (series.values.empty() || series.values.back().session != entry->session)
-        series.values.push_back({entry->session, {}, 0, {}, false});
-      SessionValue& value = series.values.back();
-      if (measure.value)
-        value.trials.push_back(*measure.value);
-      else
-        ++value.without_value;
-    }
-  for (auto& value : series.values) {
-    value.first_day = sessions[value.session].day == sessions[series.values.front().session].day &&
-                      sessions[series.values.back().session].day != sessions[value.session].day;
-    const bool failed = censored && value.without_value > 0;
-    if (!value.trials.empty() && !failed)
-      value.mean = std::accumulate(value.trials.begin(), value.trials.end(), 0.0) /
-                   static_cast<double>(value.trials.size());
-  }
-  summarise(series, sessions);
-  if (!other_version.empty())
-    section.notes.push_back(words_for(like.name, like.channel).title + ": " +
-                            list_sessions(other_version) +
-                            " not compared, another version of the measure");
-  return series;
-}
-
-void add_last_trial(SessionStore& store, const Entry& newest, TaskSection& section) {
+void add_last_trial(SessionStore& store, const StoredTrial& newest, TaskSection& section) {
   LastTrial last{newest.session, newest.trial.number, {}, newest.measures, ""};
   auto signals = store.signals(newest.trial);
   if (!signals) {
@@ -156,9 +83,9 @@ void add_last_trial(SessionStore& store, const Entry& newest, TaskSection& secti
   section.last = std::move(last);
 }
 
-TaskSection make_section(SessionStore& store, const std::vector<const Entry*>& all,
+TaskSection make_section(SessionStore& store, const std::vector<const StoredTrial*>& all,
                          const std::vector<ReportSession>& sessions) {
-  const Entry& newest = *all.back();
+  const StoredTrial& newest = *all.back();
   TaskSection section;
   section.task = newest.trial.task_name;
   section.version = newest.trial.task_version;
@@ -167,11 +94,11 @@ TaskSection make_section(SessionStore& store, const std::vector<const Entry*>& a
   if (auto spec = parse_task(newest.trial.task_text, newest.trial.task_name))
     section.spec = std::move(*spec);
 
-  std::vector<const Entry*> compared;
+  std::vector<const StoredTrial*> compared;
   std::map<std::string, std::set<std::size_t>> left_out;
   int practice = 0;
   int unfinished = 0;
-  for (const Entry* entry : all) {
+  for (const StoredTrial* entry : all) {
     if (const auto why = difference(*entry, newest); !why.empty())
       left_out[why].insert(entry->session);
     else if (entry->trial.practice)
@@ -240,7 +167,11 @@ std::string_view name_of(Source source) noexcept {
   return "device";
 }
 
-Result<ReportContent> gather_progress(SessionStore& store, const std::string& code) {
+Result<ReportContent> gather_progress(SessionStore& store, const std::string& code,
+                                      const Progress& progress) {
+  // Shares of the time of sessions, last trials and quality, roughly.
+  constexpr double kSessionsEnd = 0.3;
+  constexpr double kTrialsEnd = 0.6;
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!patient->has_value())
@@ -263,10 +194,13 @@ Result<ReportContent> gather_progress(SessionStore& store, const std::string& co
   if (!points) return points.error();
   for (auto& point : *points) measures_of[point.trial_id].push_back(std::move(point.measure));
 
-  std::vector<Entry> entries;
+  std::vector<StoredTrial> entries;
   std::vector<TrialRecord> last_trials;
   for (const auto& record : *records) {
     const std::size_t index = content.sessions.size();
+    if (!tell(progress, kSessionsEnd * share(index, records->size()),
+              "session " + part(index, records->size())))
+      return cancelled();
     const int day = day_number(record.started_utc) - day_number(records->front().started_utc);
     content.sessions.push_back({static_cast<int>(index) + 1, record.started_utc.substr(0, 10), day,
                                 record.hand, source_of(record), record.device_description,
@@ -282,19 +216,26 @@ Result<ReportContent> gather_progress(SessionStore& store, const std::string& co
     }
   }
 
-  std::map<std::pair<Hand, std::string>, std::vector<const Entry*>> tasks;
+  std::map<std::pair<Hand, std::string>, std::vector<const StoredTrial*>> tasks;
   for (const auto& entry : entries)
     tasks[{entry.session_record->hand, entry.trial.task_name}].push_back(&entry);
   for (auto& [task, all] : tasks) {
+    const std::size_t index = content.sections.size();
+    if (!tell(progress, kSessionsEnd + (kTrialsEnd - kSessionsEnd) * share(index, tasks.size()),
+              "task " + part(index, tasks.size())))
+      return cancelled();
     // The newest trial that counts decides with what the others are compared.
     const auto newest = std::find_if(all.rbegin(), all.rend(),
-                                     [](const Entry* entry) { return counts(entry->trial); });
+                                     [](const StoredTrial* entry) { return counts(entry->trial); });
     if (newest != all.rend()) all.erase(newest.base(), all.end());
     content.sections.push_back(make_section(store, all, content.sessions));
   }
   put_in_order(content.sections, content.sessions);
   if (!records->empty()) {
-    auto quality = assess_quality(store, records->back(), last_trials);
+    const auto checked = [&](double fraction, const std::string& words) {
+      return tell(progress, kTrialsEnd + (1.0 - kTrialsEnd) * fraction, words);
+    };
+    auto quality = assess_quality(store, records->back(), last_trials, checked);
     if (!quality) return quality.error();
     content.quality = std::move(*quality);
   }

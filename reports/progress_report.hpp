@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/result.hpp"
+#include "reports/progress.hpp"
 #include "reports/report_content.hpp"
 #include "storage/session_store.hpp"
 
@@ -18,7 +19,9 @@ namespace isograsp {
 /// - practice, aborted and interrupted trials are recorded but not part of any value;
 /// - the baseline is the mean of the first two assessment days once there is a later one; before
 ///   that it is the first day, or the first session if all stand on one day.
-/// Errors: bad_input for an unknown patient; whatever the database reports. Reads only.
-[[nodiscard]] Result<ReportContent> gather_progress(SessionStore& store, const std::string& code);
+/// Errors: bad_input for an unknown patient; failed, if the watcher wants to stop (asked between
+/// sessions and trials); whatever the database reports. Reads only; the thread of `store`.
+[[nodiscard]] Result<ReportContent> gather_progress(SessionStore& store, const std::string& code,
+                                                    const Progress& progress = {});
 
 }  // namespace isograsp

@@ -11,10 +11,8 @@ namespace isograsp {
 
 void ensure_qt_application() {
   if (QCoreApplication::instance() != nullptr) return;
-  const bool no_display =
-      qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
-  if (no_display && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-    qputenv("QT_QPA_PLATFORM", "offscreen");
+  // Pages need no display: one that is named but cannot be reached would end the program.
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   // Without a login session (a server, a container) Qt would complain on standard error.
   if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR")) {
     const QString folder = QDir::temp().filePath(QString("isograsp-%1").arg(getuid()));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports are painted with Qt, which wants an application object even where there is no display.
+// Reports are painted with Qt, which wants an application object even though no window is shown.
 #pragma once
 
 namespace isograsp {
 
-/// Makes sure that a QApplication exists until the program ends; without a display (DISPLAY,
-/// WAYLAND_DISPLAY) and without QT_QPA_PLATFORM it is one that needs none. Main thread.
+/// Makes sure that a QApplication exists until the program ends; unless QT_QPA_PLATFORM says
+/// otherwise it is one that needs no display. Main thread.
 void ensure_qt_application();
 
 }  // namespace isograsp

@@ -71,6 +71,18 @@ TEST(Flow, HasAtMostOneNextStepAndAlwaysASentence) {
   }
 }
 
+TEST(Flow, ConnectingAndNothingElseCanBeCancelledWhileItLasts) {
+  for (const auto connection :
+       {Connection::none, Connection::opening, Connection::open, Connection::closing}) {
+    FlowFacts facts = connected();
+    facts.connection = connection;
+    const FlowView view = decide(facts);
+    EXPECT_EQ(view.may_cancel_connecting, connection == Connection::opening);
+    EXPECT_LE(view.may_connect + view.may_cancel_connecting + view.may_disconnect, 1)
+        << "one button does all three";
+  }
+}
+
 TEST(Flow, ConnectsOnlyWithPatientHandAndDevice) {
   FlowFacts facts = fresh();
   facts.patient_chosen = facts.device_chosen = true;

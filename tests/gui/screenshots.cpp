@@ -82,10 +82,23 @@ void photograph(const QString& output) {
   photographer.take_both("start");
 
   therapist.find<QListWidget>("patient_list").setCurrentRow(0);
+  ASSERT_TRUE(wait_until([&] { return !windows.clinic().history_loading(); }));
+  auto& report = windows.clinic().report();
+  bool taken = false;
+  QObject::connect(&report, &ReportWork::progress, [&](double, const QString& words) {
+    if (taken || !words.startsWith("page 2")) return;
+    taken = true;
+    photographer.take_therapist("therapist_report");
+  });
+  report.start("P-7M2H5", folder.path("report.pdf"));
+  ASSERT_TRUE(wait_until([&] { return !report.running(); }));
+  photographer.take_therapist("therapist_reported");
   therapist.press("hand_right");
   QTest::qWait(300);
   photographer.take_therapist("therapist_chosen");
   therapist.press("connect");
+  windows.presenter().poll();
+  photographer.take_therapist("therapist_connecting");
   ASSERT_TRUE(wait_until([&] { return windows.presenter().view().may_zero; }));
   QTest::qWait(1200);
   photographer.take_both("connected");

@@ -89,8 +89,8 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
 
   const auto pdf = folder_.path("report.pdf");
   bool written = false;
-  QObject::connect(&windows_.clinic(), &Clinic::report_written, [&] { written = true; });
-  windows_.clinic().write_report(presenter.patient(), pdf);
+  QObject::connect(&windows_.clinic().report(), &ReportWork::written, [&] { written = true; });
+  windows_.clinic().report().start(presenter.patient(), pdf);
   ASSERT_TRUE(wait_until([&] { return written; }));
   EXPECT_TRUE(std::filesystem::exists(pdf));
   EXPECT_GT(windows_.patient()->rate().pictures, 0);

@@ -1,75 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reports/plots.hpp"
-
+// The last trial over its target, and its path in the plane.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include <qcustomplot.h>
-
-#include "reports/measure_words.hpp"
-#include "reports/report_text.hpp"
+#include "reports/plot_tools.hpp"
+#include "reports/plots.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// Distances from the edges of a plot to its axes [points]; equal everywhere, so that axes align.
-constexpr double kLeft = 34.0;
-constexpr double kRight = 6.0;
-constexpr double kBelow = 27.0;
-constexpr double kAboveWithKey = 14.0;
-constexpr int kMostDatedTicks = 4;
-constexpr double kDateLine = 8.0;  // a second line of tick labels [points]
-
-using Values = QVector<double>;
+constexpr double kFinest = 1.0;  // detail along the time axis [points]: the width of a line
 
 Values scaled(std::span<const double> column, double factor) {
   Values values;
   values.reserve(static_cast<int>(column.size()));
   for (const double value : column) values.push_back(value * factor);
   return values;
-}
-
-/// Smallest range around all numbers, with some air; from zero where the values allow it.
-QCPRange range_of(std::initializer_list<const Values*> lists) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const Values* list : lists)
-    for (const double value : *list)
-      if (std::isfinite(value)) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-  if (!(low <= high)) return {0.0, 1.0};
-  const bool from_zero = low >= 0.0 && low < 0.6 * high;
-  if (from_zero) low = 0.0;
-  // A range far smaller than the values would blow up differences that mean nothing.
-  constexpr double kLeastSpan = 0.2;
-  const double size = std::max(std::abs(low), std::abs(high));
-  const double least = size > 0.0 ? kLeastSpan * size : 1.0;
-  const double more = std::max(0.0, least - (high - low)) / 2.0;
-  constexpr double kAir = 0.12;
-  const double air = kAir * std::max(high - low, least) + more;
-  return {from_zero ? 0.0 : low - air, high + air};
-}
-
-QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QPen& pen) {
-  QCPGraph* graph =
-      rect.parentPlot()->addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
-  graph->setData(x, y, true);
-  graph->setPen(pen);
-  return *graph;
-}
-
-QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern) {
-  QPen pen(color, width);
-  pen.setDashPattern(pattern);
-  pen.setCapStyle(Qt::FlatCap);
-  return pen;
 }
 
 void add_band(QCPAxisRect& rect, const Values& x, const Values& low, const Values& high) {
@@ -148,8 +98,15 @@ void draw_channel(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
   const Signals& curves = section.last->curves;
   const std::string name = channel.name;
   const Values x = elapsed(curves);
-  const Values target = scaled(curves.column("target_" + name), channel.factor);
-  const Values actual = scaled(curves.column("actual_" + name), channel.factor);
+  // The axes have their size from the beginning; width() holds only once they are painted.
+  const int bins = static_cast<int>(rect.minimumSize().width() / view.px(kFinest));
+  const Values all_targets = scaled(curves.column("target_" + name), channel.factor);
+  const auto target_rows = visible_rows(all_targets, bins);
+  const Values target_x = picked(x, target_rows);
+  const Values target = picked(all_targets, target_rows);
+  const Values all_actual = scaled(curves.column("actual_" + name), channel.factor);
+  const auto actual_rows = visible_rows(all_actual, bins);
+  const Values actual = picked(all_actual, actual_rows);
   const bool has_target = any_number(curves.column("target_" + name));
   rect.axis(QCPAxis::atBottom)->setRange(0.0, x.back());
   rect.axis(QCPAxis::atLeft)->setLabel(channel.title);
@@ -165,9 +122,10 @@ void draw_channel(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
   }
   rect.axis(QCPAxis::atLeft)->setRange(range_of({&low, &high, &actual}));
   const QColor color = Palette::of(section.hand);
-  if (has_target && widest > 0.0) add_band(rect, x, low, high);
-  if (has_target) add_line(rect, x, target, dashed(Palette::target(), view.px(0.9), {4.0, 2.5}));
-  add_line(rect, x, actual, QPen(color, view.px(1.1)));
+  if (has_target && widest > 0.0) add_band(rect, target_x, low, high);
+  if (has_target)
+    add_line(rect, target_x, target, dashed(Palette::target(), view.px(0.9), {4.0, 2.5}));
+  add_line(rect, picked(x, actual_rows), actual, QPen(color, view.px(1.1)));
   if (!first) return;
   if (!has_target) return;
   view.explain(PlotView::Mark::dashed, Palette::target(), "target");
@@ -182,82 +140,6 @@ const Measure* find_measure(const LastTrial& last, std::string_view name) {
 }
 
 }  // namespace
-
-PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
-                    const ReportContent& content, QSizeF size, double unit) {
-  PlotView view(size, unit);
-  const int count = static_cast<int>(content.sessions.size());
-  const bool dated = count <= kMostDatedTicks;
-  QCPAxisRect& rect = view.add_axes({kLeft, 4.0, size.width() - kLeft - kRight,
-                                     size.height() - 4.0 - kBelow - (dated ? kDateLine : 0.0)});
-  const auto printed = printed_unit(series.unit);
-  Values x, mean, x_trials, trials, x_first, first, x_later, later, x_without;
-  for (const auto& value : series.values) {
-    const double session = content.sessions[value.session].number;
-    x.push_back(session);
-    mean.push_back(value.mean ? *value.mean * printed.factor : kNaN);
-    if (value.trials.size() > 1 || !value.mean)
-      for (const double trial : value.trials) {
-        x_trials.push_back(session);
-        trials.push_back(trial * printed.factor);
-      }
-    if (value.mean) {
-      (value.first_day ? x_first : x_later).push_back(session);
-      (value.first_day ? first : later).push_back(mean.back());
-    }
-    if (value.without_value > 0) x_without.push_back(session);
-  }
-  QCPRange range = range_of({&mean, &trials});
-  // "of 5": the scale is known.
-  if (series.unit.starts_with("of "))
-    range = {0.0, 1.08 * std::strtod(series.unit.c_str() + 3, nullptr)};
-  rect.axis(QCPAxis::atLeft)->setRange(range);
-  rect.axis(QCPAxis::atLeft)
-      ->setLabel(QString::fromStdString(printed.text.empty() ? "ratio" : printed.text));
-
-  constexpr int kLeastSpan = 3;  // sessions: two points side by side look like a jump otherwise
-  rect.axis(QCPAxis::atBottom)->setRange(0.5, std::max(count, kLeastSpan) + 0.5);
-  rect.axis(QCPAxis::atBottom)->setLabel("session");
-  auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-  constexpr int kMostTicks = 12;
-  const int step = 1 + (count - 1) / kMostTicks;
-  for (int i = 0; i < count; i += step) {
-    const auto& session = content.sessions[static_cast<std::size_t>(i)];
-    QString label = QString::number(session.number);
-    if (dated) {
-      const auto date = QString::fromStdString(format_date(session.date));
-      label += "\n" + date.left(date.size() - 5);  // without the year
-    }
-    ticker->addTick(session.number, label);
-  }
-  rect.axis(QCPAxis::atBottom)->setTicker(ticker);
-
-  const QColor color = Palette::of(section.hand);
-  const auto shape =
-      section.hand == Hand::right ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare;
-  if (series.baseline) {
-    const double base = *series.baseline * printed.factor;
-    add_line(rect, {0.5, std::max(count, kLeastSpan) + 0.5}, {base, base},
-             dashed(Palette::quiet(), view.px(0.7), {1.5, 2.5}));
-  }
-  add_line(rect, x, mean, QPen(color, view.px(1.0)));
-  const auto add_marks = [&](const Values& keys, const Values& values,
-                             const QCPScatterStyle& style) {
-    QCPGraph& marks = add_line(rect, keys, values, QPen(Qt::NoPen));
-    marks.setLineStyle(QCPGraph::lsNone);
-    marks.setScatterStyle(style);
-  };
-  add_marks(x_trials, trials,
-            {QCPScatterStyle::ssDisc, QPen(Palette::pale(section.hand), view.px(0.5)),
-             Palette::pale(section.hand), view.px(2.6)});
-  add_marks(x_first, first, {shape, QPen(color, view.px(1.1)), Qt::white, view.px(5.0)});
-  add_marks(x_later, later, {shape, QPen(color, view.px(1.1)), color, view.px(5.0)});
-  const double floor = range.lower + 0.06 * range.size();
-  add_marks(
-      x_without, Values(x_without.size(), floor),
-      {QCPScatterStyle::ssCross, QPen(Palette::ink(), view.px(0.9)), Qt::NoBrush, view.px(4.5)});
-  return view;
-}
 
 PlotView overlay_plot(const TaskSection& section, QSizeF size, double unit) {
   PlotView view(size, unit);
@@ -390,7 +272,12 @@ PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
     label->setColor(Palette::ink());
   }
   const QColor color = Palette::of(section.hand);
-  add_curve(x, y, QPen(color, view.px(1.0)));
+  // A path may cross its place many times: its two coordinates are thinned along time together.
+  const int bins = static_cast<int>(2.0 * (width + height) / kFinest);
+  QVector<int> rows = visible_rows(x, bins) + visible_rows(y, bins);
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  add_curve(picked(x, rows), picked(y, rows), QPen(color, view.px(1.0)));
   const auto add_mark = [&](double px_mm, double py_mm, const QCPScatterStyle& style) {
     QCPGraph& mark = add_line(rect, {px_mm}, {py_mm}, QPen(Qt::NoPen));
     mark.setLineStyle(QCPGraph::lsNone);

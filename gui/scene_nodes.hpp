@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the patient's 3D picture is made of: room, block with its mark, fingers, shadows. Metres, in
+// the frame that each stands in; nodes of Coin, which whoever they are added to owns.
+#pragma once
+
+#include <vector>
+
+#include <Inventor/SbColor.h>
+#include <Inventor/SbLinear.h>
+
+#include "grasp_model/scene.hpp"
+
+class SoLightModel;
+class SoMaterial;
+class SoNode;
+class SoSeparator;
+class SoSwitch;
+class SoTransform;
+
+namespace isograsp::scene_nodes {
+
+inline const SbColor kWallColour(0.91F, 0.93F, 0.95F);
+inline const SbColor kShadowColour(0.25F, 0.29F, 0.34F);
+inline const SbColor kBlockColour(0.20F, 0.42F, 0.66F);
+inline const SbColor kBlockMark(0.97F, 0.98F, 1.00F);
+inline const SbColor kBlockEdge(0.05F, 0.14F, 0.26F);
+inline const SbColor kGhostColour(0.96F, 0.66F, 0.10F);
+inline const SbColor kGhostEdge(0.45F, 0.27F, 0.00F);
+
+[[nodiscard]] inline SbVec3f to_sb(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+[[nodiscard]] inline SbRotation to_sb(const Quat& q) {
+  return {static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z()),
+          static_cast<float>(q.w())};
+}
+
+[[nodiscard]] SoMaterial* make_material(const SbColor& colour, float transparency = 0.0F);
+/// What follows is drawn in its own colour whatever the light.
+[[nodiscard]] SoLightModel* make_flat();
+/// Each pair of points is a line.
+[[nodiscard]] SoSeparator* make_lines(const std::vector<SbVec3f>& ends, const SbColor& colour,
+                                      float width_px);
+/// Floor and wall with their grid.
+[[nodiscard]] SoSeparator* make_room();
+[[nodiscard]] SoNode* make_shape(const Scene& scene);
+/// The edges of a box; other shapes have none.
+[[nodiscard]] std::vector<SbVec3f> edges_of(const Scene& scene);
+/// A stripe along the upper edge: without it a turned block looks as before.
+[[nodiscard]] SoSeparator* make_mark(const Scene& scene, const SbColor& colour, float transparency);
+
+/// One finger as a cone with its tip at the place, pointing along +y.
+struct FingerNodes {
+  FingerNodes();
+  SoSwitch* shown;
+  SoTransform* place;
+  SoSwitch* form;  ///< 0: approaching, 1: touching
+};
+
+/// Projections that make a shadow out of what follows.
+[[nodiscard]] SbMatrix flatten_to_floor();
+[[nodiscard]] SbMatrix flatten_to_wall();
+
+}  // namespace isograsp::scene_nodes

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One measure over the sessions of a patient: which trials stand in it, its baseline and change.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "reports/report_content.hpp"
+#include "storage/session_store.hpp"
+
+namespace isograsp {
+
+/// One trial with all that decides whether it may be compared with another.
+struct StoredTrial {
+  std::size_t session = 0;
+  const SessionRecord* session_record = nullptr;
+  TrialRecord trial;
+  std::vector<Measure> measures;
+};
+
+/// "session 3", "sessions 1, 2, 5"; from indices that begin with 0.
+[[nodiscard]] std::string list_sessions(const std::set<std::size_t>& sessions);
+
+/// The series of the measure `like` over `entries`, oldest first. What has another version or unit
+/// is left out and named in the notes of `section`.
+[[nodiscard]] MeasureSeries make_series(const Measure& like,
+                                        const std::vector<const StoredTrial*>& entries,
+                                        const std::vector<ReportSession>& sessions,
+                                        TaskSection& section);
+
+}  // namespace isograsp

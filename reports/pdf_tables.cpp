@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Text, the table at a glance and the data-quality box of a PDF report.
+#include <qcustomplot.h>
+
+#include "reports/pdf_content.hpp"
+#include "reports/report_text.hpp"
+
+namespace isograsp::pdf {
+
+namespace {
+
+struct Cell {
+  QString text;
+  TextStyle style;
+  QString under;  ///< a second, smaller line
+};
+
+/// A block that is painted in one go.
+Block block(double gap_above, double height, bool keep_with_next, Draw draw) {
+  return {gap_above, height, keep_with_next, {std::move(draw)}};
+}
+
+Block row_block(std::vector<Cell> cells, bool two_lines, double rule_width,
+                const QColor& rule_color) {
+  const double height = two_lines ? 27.0 : 15.0;
+  auto draw = [=, cells = std::move(cells)](QCPPainter& painter, double y) {
+    constexpr double kShares[] = {0.19, 0.22, 0.125, 0.105, 0.115, 0.245};
+    constexpr double kSpace = 6.0;
+    double x = kSide;
+    const double top = y + (two_lines ? 4.0 : 1.0);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const double width = kWidth * kShares[i];
+      TextStyle style = cells[i].style;
+      const bool is_number = i >= 2 && i <= 4;
+      if (is_number) style.align = Qt::AlignRight;
+      const double inset = i == 5 ? 14.0 : 0.0;
+      const double inner = width - (is_number ? 0.0 : kSpace) - inset;
+      kText.draw(painter, x + inset, top, inner, cells[i].text, style);
+      const TextStyle under{6.8, false, Palette::quiet(), style.align};
+      if (!cells[i].under.isEmpty())
+        kText.draw(painter, x + inset, top + 10.5, inner, cells[i].under, under);
+      x += width;
+    }
+    rule(painter, y + height, rule_width, rule_color);
+  };
+  return block(0.0, height, !two_lines, std::move(draw));
+}
+
+}  // namespace
+
+Block text_block(const QString& text, const TextStyle& style, double gap_above) {
+  return block(gap_above, kText.height(text, kWidth, style), false,
+               [text, style](QCPPainter& painter, double y) {
+                 kText.draw(painter, kSide, y, kWidth, text, style);
+               });
+}
+
+Block heading_block(const QString& text, double gap_above) {
+  return block(gap_above, 20.0, true, [text](QCPPainter& painter, double y) {
+    kText.draw(painter, kSide, y, kWidth, text, kHeading);
+  });
+}
+
+void add_glance(std::vector<Block>& blocks, const ReportContent& content) {
+  const auto rows = glance_rows(content);
+  if (rows.empty()) return;
+  blocks.push_back(heading_block("At a glance", kSectionGap));
+  std::vector<Cell> head;
+  for (const char* title : {"Task", "Measure", "Baseline", "Last", "Change", "Verdict"})
+    head.push_back({title, kQuiet, ""});
+  blocks.push_back(row_block(std::move(head), false, 0.7, Palette::quiet()));
+  for (const auto& row : rows)
+    blocks.push_back(row_block({{text_of(row.task), kBody, text_of(row.hand) + " hand"},
+                                {text_of(row.measure), kBody, text_of(row.direction)},
+                                {text_of(row.baseline), kBody, text_of(row.baseline_basis)},
+                                {text_of(row.last), kStrong, ""},
+                                {text_of(row.change), kBody, ""},
+                                {text_of(row.verdict), kBody, ""}},
+                               true, 0.5, Palette::line()));
+  blocks.back().keep_with_next = true;
+  blocks.push_back(text_block(text_of(verdict_note()), kQuiet, 6.0));
+}
+
+void add_quality(std::vector<Block>& blocks, const ReportContent& content) {
+  if (content.quality.empty()) return;
+  const auto& last = content.sessions.back();
+  blocks.push_back(heading_block("Was the last measurement valid?", kSectionGap));
+  constexpr double kPad = 10.0;
+  constexpr double kLabel = 84.0;
+  struct Line {
+    QString label;
+    QString text;
+    bool attention;
+    double height;
+  };
+  std::vector<Line> lines;
+  double height = 2.0 * kPad - 3.0;
+  const double text_width = kWidth - 2.0 * kPad - kLabel;
+  const auto add = [&](const QString& label, const QString& text, bool attention) {
+    const TextStyle& style = attention ? kStrong : kBody;
+    lines.push_back({label, text, attention, kText.height(text, text_width, style) + 3.0});
+    height += lines.back().height;
+  };
+  add("Session",
+      QString("%1, %2, %3 hand, %4")
+          .arg(last.number)
+          .arg(text_of(format_date(last.date)), QString::fromUtf8(name_of(last.hand).data()),
+               text_of(last.device)),
+      false);
+  for (const auto& line : content.quality)
+    add(text_of(line.label), text_of(line.text), line.attention);
+  blocks.push_back(block(0.0, height, false, [=](QCPPainter& painter, double y) {
+    painter.setPen(QPen(Palette::line(), 0.7 * kUnit));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(kSide * kUnit, y * kUnit, kWidth * kUnit, height * kUnit));
+    double line_y = y + kPad;
+    for (const auto& line : lines) {
+      kText.draw(painter, kSide + kPad, line_y, kLabel, (line.attention ? "! " : "") + line.label,
+                 line.attention ? kStrong : TextStyle{8.0, false, Palette::quiet()});
+      kText.draw(painter, kSide + kPad + kLabel, line_y, text_width, line.text,
+                 line.attention ? kStrong : kBody);
+      line_y += line.height;
+    }
+  }));
+}
+
+}  // namespace isograsp::pdf

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Long work tells how far it is and asks whether to go on.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/result.hpp"
+
+namespace isograsp {
+
+/// Called between the steps of long work, on its thread: the fraction that is done, 0 … 1, and what
+/// comes next, in words ("page 3 of 7"). False: stop. Empty: nobody watches.
+using Progress = std::function<bool(double fraction, const std::string& words)>;
+
+/// False if the watcher wants the work to stop.
+[[nodiscard]] inline bool tell(const Progress& progress, double fraction,
+                               const std::string& words) {
+  return !progress || progress(fraction, words);
+}
+
+/// What stopped work returns; nothing of it is kept.
+[[nodiscard]] inline Error cancelled() {
+  return {Error::Code::failed, "cancelled", "", "", 0, ""};
+}
+
+}  // namespace isograsp

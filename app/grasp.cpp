@@ -39,6 +39,7 @@ struct Subset {
   Criteria criteria;
   bool closed = false;
   bool opposed = false;
+  bool acts = false;  ///< moves the object under the scene's grasp rule
 };
 
 /// All non-empty sets of contacts: single ones, pairs, all three, each in the order of the file.
@@ -52,17 +53,22 @@ std::vector<Subset> subsets_of(const Scene& scene, const Scales& scales) {
   std::vector<Subset> subsets;
   for (const unsigned mask : masks) {
     Subset subset;
-    for (std::size_t i = 0; i < scene.contacts.size(); ++i)
-      if ((mask >> i & 1u) != 0) subset.contacts.push_back(scene.contacts[i]);
+    unsigned fingers = 0;
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+      if ((mask >> i & 1u) == 0) continue;
+      subset.contacts.push_back(scene.contacts[i]);
+      fingers |= 1u << index_of(scene.contacts[i].finger);
+    }
     subset.criteria = criteria(subset.contacts, rows, scales);
     subset.closed = force_closure(subset.contacts, rows);
     subset.opposed = opposition(subset.contacts);
+    subset.acts = grasp_rule_holds(scene, fingers);
     subsets.push_back(std::move(subset));
   }
   return subsets;
 }
 
-/// Least mean time of grasp() and move() over batches of frames with all fingers pressing [ns].
+/// Least mean time of step() over batches of frames with all fingers pressing [ns].
 /// Each batch starts anew: a body without damper would spin up under a constant force.
 double cost_ns_per_frame(const Plan& plan) {
   constexpr int kBatches = 500;
@@ -73,7 +79,7 @@ double cost_ns_per_frame(const Plan& plan) {
   for (int batch = 0; batch < kBatches; ++batch) {
     ObjectState state = plan.initial_state();
     const auto start = std::chrono::steady_clock::now();
-    for (int frame = 0; frame < kFrames; ++frame) plan.move(plan.grasp(forces, state), state);
+    for (int frame = 0; frame < kFrames; ++frame) plan.step(forces, state);
     const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
     least_ns = std::min(least_ns, took.count() / kFrames);
   }
@@ -109,6 +115,7 @@ Json as_json(const Plan& plan, const Scales& scales, const std::vector<Subset>& 
     entry["G_rat"] = subset.criteria.G_rat;
     entry["force_closure"] = subset.closed;
     entry["opposition"] = subset.opposed;
+    entry["acts"] = subset.acts;
     document["subsets"].push_back(std::move(entry));
   }
   Json choices;
@@ -133,15 +140,18 @@ void print_table(const Plan& plan, const Scales& scales, const std::vector<Subse
   for (const auto row : rows_of(scene))
     std::printf(" %s", kRowNames[static_cast<std::size_t>(row)]);
   std::printf("; length scale %.4g m, torsion scale %.4g m)\n", scales.length_m, scales.torsion_m);
-  std::printf(" %-20s %4s %9s %9s %9s  %-8s %s\n", "fingers", "rank", "G_min", "G_det", "G_rat",
-              "closure", "opposition");
+  const auto yes = [](bool it_is) { return it_is ? "yes" : "no"; };
+  std::printf(" %-18s %4s %8s %9s %8s  %-7s  %-10s  %-5s  %s\n", "fingers", "rank", "G_min",
+              "G_det", "G_rat", "closure", "opposition", "moves", "singular values");
   for (const auto& subset : subsets) {
     std::string fingers;
     for (const auto& contact : subset.contacts)
       fingers += (fingers.empty() ? "" : " ") + std::string(name_of(contact.finger));
-    std::printf(" %-20s %4d %9.4f %9.4f %9.4f  %-8s %s\n", fingers.c_str(), subset.criteria.rank,
-                subset.criteria.G_min, subset.criteria.G_det, subset.criteria.G_rat,
-                subset.closed ? "yes" : "no", subset.opposed ? "yes" : "no");
+    std::printf(" %-18s %4d %8.4f %9.3g %8.4f  %-7s  %-10s  %-5s ", fingers.c_str(),
+                subset.criteria.rank, subset.criteria.G_min, subset.criteria.G_det,
+                subset.criteria.G_rat, yes(subset.closed), yes(subset.opposed), yes(subset.acts));
+    for (const double value : subset.criteria.singular_values) std::printf(" %.4g", value);
+    std::printf("\n");
   }
   std::printf("\nPlan\n");
   for (const auto& [name, text] : describe(plan))

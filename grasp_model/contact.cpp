@@ -23,32 +23,31 @@ double share(double load, double limit) noexcept {
 
 }  // namespace
 
-bool in_contact(bool was, double fz_N, double threshold_N) noexcept {
-  return fz_N > (was ? 0.5 * threshold_N : threshold_N);
+FrictionLimit::FrictionLimit(const Contact& contact) noexcept
+    : tangential(contact.model != ContactModel::frictionless),
+      torsional(contact.model == ContactModel::soft && contact.torsion_m > 0.0),
+      mu(contact.friction),
+      gamma_m(contact.torsion_m) {}
+
+double utilisation(const FrictionLimit& limit, const Wrench& F_C) noexcept {
+  const double fz = F_C.force.z();
+  if (!(fz > 0.0) || !limit.tangential) return 0.0;
+  const double sliding = share(length(F_C.force.x(), F_C.force.y()), limit.mu * fz);
+  if (!limit.torsional || F_C.torque.z() == 0.0) return sliding;
+  return length(sliding, share(std::abs(F_C.torque.z()), limit.gamma_m * fz));
 }
 
-Transmitted transmit(const Contact& contact, const Wrench& F_C) noexcept {
-  Transmitted out;
+ContactForce clamp_to_friction(const FrictionLimit& limit, const Wrench& F_C) noexcept {
   const double fz = F_C.force.z();
-  if (!(fz > 0.0)) return out;
-  out.F_C.force.z() = fz;
-  if (contact.model == ContactModel::frictionless) return out;
-
+  if (!(fz > 0.0)) return {};
+  if (!limit.tangential) return {0.0, 0.0, fz, 0.0, false};
   const double fx = F_C.force.x();
   const double fy = F_C.force.y();
-  const double tz = F_C.torque.z();
-  const bool torsion = contact.model == ContactModel::soft && contact.torsion_m > 0.0;
-  const double limit_N = contact.friction * fz;
-  const double tangential_N = length(fx, fy);
-  const double sliding = share(tangential_N, limit_N);
-  const double turning = torsion ? share(std::abs(tz), contact.torsion_m * fz) : 0.0;
-  out.utilisation = turning == 0.0 ? sliding : length(sliding, turning);
-  double kept = 1.0;
-  if (out.slip()) kept = turning == 0.0 ? limit_N / tangential_N : 1.0 / out.utilisation;
-  out.F_C.force.x() = kept * fx;
-  out.F_C.force.y() = kept * fy;
-  if (torsion) out.F_C.torque.z() = kept * tz;
-  return out;
+  const double tz = limit.torsional ? F_C.torque.z() : 0.0;
+  const double asked = utilisation(limit, F_C);
+  if (!(asked > 1.0)) return {fx, fy, fz, tz, false};
+  const double kept = tz == 0.0 ? limit.mu * fz / length(fx, fy) : 1.0 / asked;
+  return {kept * fx, kept * fy, fz, kept * tz, true};
 }
 
 }  // namespace isograsp

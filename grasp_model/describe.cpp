@@ -24,6 +24,11 @@ std::vector<std::pair<std::string, std::string>> describe(const Plan& plan) {
                            ": exact response; the force turns with the object within the hold, "
                            "integrated by 5-point Gauss quadrature, relative error below " +
                            (plan.rotations() == Plan::Rotations::three ? "1e-6" : "1e-11"));
+  else if (plan.coupled())
+    lines.emplace_back("translation",
+                       linear +
+                           ": coupled by springs or dampers at an angle, exact step by one "
+                           "matrix exponential, error of rounding only");
   else
     lines.emplace_back("translation",
                        linear + ": uncoupled, closed-form exact step, error of rounding only");
@@ -38,10 +43,11 @@ std::vector<std::pair<std::string, std::string>> describe(const Plan& plan) {
                              "angle, error of rounding only");
       break;
     case Plan::Rotations::three:
-      lines.emplace_back("rotation", "rx ry rz: coupled, RKMK4 on the unit quaternion, " +
-                                         std::to_string(plan.substeps()) +
-                                         " substeps a hold at rest, more when it turns, at most " +
-                                         std::to_string(so3::kMostSubsteps));
+      lines.emplace_back("rotation",
+                         "rx ry rz: coupled, Dormand-Prince 8(5,3) on the unit "
+                         "quaternion, steps of a hold / 2^n to an estimated error of " +
+                             format_number(scene.tolerance_rad) +
+                             " rad a hold; extrapolated implicit Euler if too stiff");
   }
   std::string contacts;
   for (const auto& contact : scene.contacts) {

@@ -4,6 +4,7 @@
 // the real-time path: Plan keeps the answers in a table.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,17 +12,19 @@
 #include <Eigen/Core>
 
 #include "core/finger.hpp"
+#include "core/result.hpp"
 #include "grasp_model/scene.hpp"
 
 namespace isograsp {
 
 class Plan;
 
-/// At most three soft contacts of four columns each.
-using GraspMatrix = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor, 6, 12>;
+/// Any number of contacts; a scene has at most three.
+using GraspMatrix = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Columns of one contact: what one unit of each transmitted force coordinate does to the object
-/// (force [N], torque [N m] per N, or per N m for the torsion column).
+/// (force [N], torque [N m] per N, or per N m for torsion columns). fz of a frictionless contact;
+/// fx fy fz of a point, tz too of a soft one; fx fy fz tx ty tz of a bonded one.
 [[nodiscard]] GraspMatrix contact_columns(const Contact& contact);
 /// G of the contacts in the order given, columns side by side.
 [[nodiscard]] GraspMatrix grasp_map(const std::vector<Contact>& contacts);
@@ -40,8 +43,13 @@ struct Scales {
 /// contact).
 [[nodiscard]] Scales default_scales(const std::vector<Contact>& contacts);
 
-/// Singular values of the scaled rows, descending, one per row; below the rounding of the largest
-/// they are 0. Criteria: least, product, least / largest.
+/// The given rows of diag(1,1,1,1/L,1/L,1/L) G diag(1 | l for torsion columns).
+[[nodiscard]] Eigen::MatrixXd scaled_grasp_map(const std::vector<Contact>& contacts,
+                                               const std::vector<Eigen::Index>& rows,
+                                               const Scales& scales);
+
+/// Singular values of a map, descending, one per row; below the rounding of the largest they are
+/// 0. Criteria: least, product, least / largest.
 struct Criteria {
   int rank = 0;
   std::vector<double> singular_values;
@@ -49,13 +57,30 @@ struct Criteria {
   double G_det = 0.0;
   double G_rat = 0.0;
 };
+[[nodiscard]] Criteria criteria(const Eigen::MatrixXd& map);
+/// Those of the scaled grasp map.
 [[nodiscard]] Criteria criteria(const std::vector<Contact>& contacts,
                                 const std::vector<Eigen::Index>& rows, const Scales& scales);
 
 /// The rows have full rank and the contacts can press, strictly inside their cones, without a
-/// resulting wrench.
+/// resulting wrench. Exact where an exact test exists, else by cuts. Friction below 1e-9 counts as
+/// none.
 [[nodiscard]] bool force_closure(const std::vector<Contact>& contacts,
                                  const std::vector<Eigen::Index>& rows);
+/// Without linearisation; for planar rows with up to three contacts, two soft contacts, three
+/// points and whatever else sees its cones as wedges. No value: there is no exact test.
+[[nodiscard]] std::optional<bool> exact_force_closure(const std::vector<Contact>& contacts,
+                                                      const std::vector<Eigen::Index>& rows);
+/// By linear programs that close in on the round cones; within 1e-8 of the total normal force of
+/// the threshold the answer is no.
+[[nodiscard]] bool force_closure_by_cuts(const std::vector<Contact>& contacts,
+                                         const std::vector<Eigen::Index>& rows);
+
+/// Ferrari-Canny quality (L1): the largest wrench that every direction of the columns' convex hull
+/// reaches, 0 if the hull does not hold the origin inside. One column per primitive wrench, torques
+/// in the scale of the forces. Fails only if the hull cannot be computed.
+[[nodiscard]] Result<double> epsilon_quality(const Eigen::MatrixXd& wrenches);
+
 /// Two normals more than 120 degrees apart.
 [[nodiscard]] bool opposition(const std::vector<Contact>& contacts);
 

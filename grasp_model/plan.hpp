@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene compiled to the cheapest exact model, and the step that moves the object.
-// Plan: what is constant. ObjectState: what moves. step() is a function of (plan, wrenches, state).
+// Plan: what is constant. ObjectState: what moves. A step is a function of (plan, forces, state).
 // Frames: W world, O object, C contact. SI units.
 #pragma once
 
 #include <array>
-#include <string>
+#include <memory>
 
 #include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/spatial.hpp"
+#include "grasp_model/contact.hpp"
+#include "grasp_model/coupled.hpp"
+#include "grasp_model/follow.hpp"
 #include "grasp_model/rotation.hpp"
 #include "grasp_model/scene.hpp"
+#include "grasp_model/spin.hpp"
+#include "grasp_model/travel.hpp"
 #include "grasp_model/zoh.hpp"
 
 namespace isograsp {
@@ -23,17 +28,26 @@ struct ObjectState {
   Vec3 w_WO_W = Vec3::Zero();  ///< angular velocity, world axes [rad/s]
   std::array<bool, kFingerCount> contact{};  ///< hysteresis: touching since the last frame
   double angle_rad = 0.0;                    ///< one free rotation: its angle, unwrapped
-  /// The last hold was too stiff for the stated tolerance (docs/grasp_model.md): finite, not exact.
+  /// Three free rotations: estimated error of the attitude made in the last hold [rad].
+  double error_rad = 0.0;
+  /// The estimate is above the scene's tolerance, or the motion was too stiff to resolve: finite,
+  /// not exact (docs/grasp_model.md).
   bool tolerance_exceeded = false;
+  /// Three free rotations: how finely the last hold was divided; where the next one begins.
+  int level = 0;
 };
 
 /// What the fingers do to the object during one hold.
 struct GraspWrench {
   Wrench F_O_W;  ///< on the object about its COM, world axes, at the start of the hold
+  /// The same as it stays constant during the hold: in world axes, or in object axes
+  /// (wrench_frame = "object").
+  Wrench held;
   std::array<bool, kFingerCount> contact{};
   std::array<double, kFingerCount>
-      utilisation{};                      ///< |f_t| / (mu f_z) before the clamp; 0 no contact
-  std::array<bool, kFingerCount> slip{};  ///< the clamp acted
+      utilisation{};                         ///< |f_t| / (mu f_z) before the clamp; 0 no contact
+  std::array<bool, kFingerCount> slip{};     ///< the clamp acted
+  std::array<bool, kFingerCount> invalid{};  ///< not finite: had no part in the wrench
 };
 
 /// The compiled model; see describe() in grasp_model/grasp.hpp for its printed form.
@@ -46,63 +60,109 @@ class Plan {
   [[nodiscard]] double hold_s() const noexcept { return hold_s_; }
   [[nodiscard]] ObjectState initial_state() const;
 
-  /// Contact hysteresis, friction clamp and grasp map: the wrench that these finger wrenches
-  /// produce from now on. Updates state.contact. Real-time safe.
+  /// One hold, from finger forces to the object's new state: contact hysteresis, friction clamp,
+  /// the rows of the grasp map that move something, the exact step. Real-time safe.
+  void step(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
+
+  /// The same in two halves with all that is worth recording, bit for bit the same motion.
+  /// First the wrench that these forces produce from now on; updates state.contact. Real-time safe.
   GraspWrench grasp(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
-
-  /// Moves the object over one hold with the wrench constant as scene.wrench_frame says. Real-time
-  /// safe.
+  /// Then the motion over one hold; of the wrench only `held` counts. Real-time safe.
   void move(const GraspWrench& wrench, ObjectState& state) const noexcept;
-  /// The same for another hold [s]; recomputes the coefficients, so it costs more.
-  void move(const GraspWrench& wrench, double hold_s, ObjectState& state) const noexcept;
+  /// The same for another hold [s]; computes the coefficients anew, so it costs more. Real-time
+  /// safe unless coupled().
+  void move(const GraspWrench& wrench, double hold_s, ObjectState& state) const;
 
-  /// What was chosen for the rotations.
   enum class Rotations : std::uint8_t { none, one_axis, three };
   [[nodiscard]] Rotations rotations() const noexcept { return rotations_; }
-  /// The force turns with the object while the object moves: translation by quadrature.
+  /// The force turns with the object while the object moves.
   [[nodiscard]] bool force_follows() const noexcept { return force_follows_; }
-  /// Substeps of a hold at rest; 0: closed form without substeps.
-  [[nodiscard]] int substeps() const noexcept;
+  /// Translations are coupled by springs or dampers whose axes are not those of the world.
+  [[nodiscard]] bool coupled() const noexcept { return coupled_; }
+  [[nodiscard]] const so3::Body& body() const noexcept { return rate_.body(); }
   /// Whether the fingers of `mask` (bit f = finger f) move the object under the scene's grasp rule.
   [[nodiscard]] bool acts(unsigned mask) const noexcept { return acts_[mask]; }
 
  private:
+  /// A contact ready for use. Columns of the grasp map for f_x f_y f_z t_z: all six rows, and only
+  /// the rows that move something, packed.
+  using Columns = Eigen::Matrix<double, 6, 4>;
+  struct Pressing {
+    std::size_t finger = 0;
+    unsigned bit = 0;
+    TouchRule rule;
+    FrictionLimit limit;
+    Columns all = Columns::Zero();
+    Columns moving = Columns::Zero();
+  };
   /// Everything that depends on the length of the hold.
   struct Coefficients {
     double hold_s = 0.0;
     std::array<LinearStep, 3> linear;
     LinearStep turn;
+    CoupledStep coupled;
   };
-  struct Panel;
 
   Plan() = default;
-  [[nodiscard]] Coefficients coefficients(double hold_s) const noexcept;
-  void move(const Coefficients& steps, const GraspWrench& wrench,
-            ObjectState& state) const noexcept;
-  void move_along_axes(const Coefficients& steps, const Vec3& force_W,
+  void compile_contacts();
+  [[nodiscard]] Coefficients coefficients(double hold_s) const;
+  template <class Use>
+  unsigned touch(const FingerWrenches& wrench_C, ObjectState& state, const Use& use) const noexcept;
+  template <int count, bool torsion>
+  void step_rows(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
+  void step_any(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
+  // `rows`: what stays constant during the hold, as GraspWrench::held, packed as rows_.
+  void move(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
+  void move_along_axes(const Coefficients& steps, const double* rows,
                        ObjectState& state) const noexcept;
+  void move_coupled(const CoupledStep& step, const double* rows, ObjectState& state) const noexcept;
   [[nodiscard]] Motion turn_about_axis(const LinearStep& step, double hold_s, double torque,
                                        const Motion& start) const noexcept;
-  void turn_freely(double hold_s, const Wrench& F_O_W, ObjectState& state) const noexcept;
-  void follow_about_axis(double hold_s, const Wrench& F_O_W, ObjectState& state) const noexcept;
-  void push_over(const Panel& panel, ObjectState& state) const noexcept;
-  void set_turn(const Motion& turn, ObjectState& state) const noexcept;
-  [[nodiscard]] double linear_rate() const noexcept;
+  void set_turn(const Motion& turn, ObjectState& state) const noexcept {
+    state.angle_rad = turn.x;
+    state.w_WO_W[axis_] = turn.v;
+    const auto [cosine, sine] = so3::cos_sin(0.5 * turn.x);
+    state.pose.q_WO.w() = branch_ * cosine;
+    state.pose.q_WO.vec()[axis_] = branch_ * sine;
+  }
+  /// Three free rotations, or a force that follows one.
+  void turn(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
+  void turn_freely(double hold_s, const Vec6& held, ObjectState& state) const noexcept;
+  void follow_about_axis(const Coefficients& steps, const Vec6& held,
+                         ObjectState& state) const noexcept;
+  /// Translations over one panel of a force that turns; `between(from, to)` gives the forces of a
+  /// part of it, should a limit be met inside.
+  template <class Between>
+  void push_over(const Panel& panel, const PanelForces& forces, const Between& between,
+                 ObjectState& state) const noexcept;
 
-  Scene scene_;
-  double hold_s_ = 0.0;
+  // What every frame reads comes first.
+  std::array<Pressing, kFingerCount> pressing_{};
+  std::size_t contacts_ = 0;
+  bool torsion_ = false;  ///< of some contact
+  std::array<bool, 8> acts_{};
+  std::array<Eigen::Index, 6> rows_{};  ///< degrees of freedom of the packed rows
+  std::size_t row_count_ = 0;
+  std::array<Eigen::Index, 3> axes_{};  ///< free translations
+  std::size_t axis_count_ = 0;
   Rotations rotations_ = Rotations::none;
-  Eigen::Index axis_ = 2;  ///< of the one free rotation
   bool force_follows_ = false;
-  double branch_ = 1.0;  ///< q of the spring's branch = branch_ * pose.q_WO
-  std::array<Oscillator, 3> linear_{};
-  Oscillator turn_;
-  so3::Body body_;
+  bool coupled_ = false;
+  Eigen::Index axis_ = 2;  ///< of the one free rotation
+  double branch_ = 1.0;    ///< q of the spring's branch = branch_ * pose.q_WO
+  double hold_s_ = 0.0;
+  Vec3 anchor_m_ = Vec3::Zero();
   Vec3 weight_W_ = Vec3::Zero();  ///< mass times gravity [N]
   std::array<bool, 6> limited_{};
   std::array<Travel, 6> travel_{};  ///< world position [m] or angle [rad]
-  std::array<bool, 8> acts_{};
   Coefficients steps_;
+
+  FreeAxes linear_;
+  CoupledAxes coupling_;
+  Oscillator turn_;
+  so3::SpinRate rate_;
+  Follower follower_;
+  Scene scene_;
 };
 
 }  // namespace isograsp

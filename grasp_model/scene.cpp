@@ -67,6 +67,20 @@ void read_limits(TomlReader& dynamics, Scene& scene) {
   }
 }
 
+/// Attitude of the axes of springs or dampers; identity unless written.
+Mat3 read_axes(TomlReader& table, std::string_view key) {
+  if (!table.has(key)) return Mat3::Identity();
+  const auto q = table.numbers(key, 4, 4);
+  if (q.size() != 4) return Mat3::Identity();
+  const Quat attitude(q[0], q[1], q[2], q[3]);
+  const double norm = attitude.coeffs().stableNorm();
+  if (!(norm > 0.0) || !std::isfinite(norm)) {
+    table.fail(key, "has no direction", "write a unit quaternion w, x, y, z");
+    return Mat3::Identity();
+  }
+  return Quat(attitude.coeffs() / norm).toRotationMatrix();
+}
+
 void read_dynamics(TomlReader table, Scene& scene) {
   for (const auto& word : table.texts("free")) {
     std::size_t dof = 0;
@@ -85,6 +99,11 @@ void read_dynamics(TomlReader table, Scene& scene) {
       (*values)[static_cast<Eigen::Index>(i)] = read[i];
     require_not_negative(table, key, values->minCoeff());
   }
+  scene.R_WK = read_axes(table, "spring_quaternion_wxyz");
+  scene.R_WD = read_axes(table, "damper_quaternion_wxyz");
+  scene.tolerance_rad = table.number("tolerance_rad", scene.tolerance_rad);
+  if (!(scene.tolerance_rad > 0.0))
+    table.fail("tolerance_rad", "is not positive", "write an angle such as 1e-9");
   scene.wrench_frame =
       static_cast<WrenchFrame>(table.choice("wrench_frame", {"hand", "object"}, 0));
   scene.gravity_m_s2 = table.vec3("gravity_m_s2", Vec3::Zero());

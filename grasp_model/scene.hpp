@@ -16,7 +16,8 @@
 namespace isograsp {
 
 enum class Shape : std::uint8_t { box, cylinder, sphere };
-enum class ContactModel : std::uint8_t { frictionless, point, soft };
+/// What a contact passes; `bonded` passes everything and pulls too (grasp maps only, no scene).
+enum class ContactModel : std::uint8_t { frictionless, point, soft, bonded };
 enum class WrenchFrame : std::uint8_t { hand, object };
 enum class GraspRule : std::uint8_t { any, opposition, closure };
 /// Degrees of freedom in the order of every array of six below.
@@ -49,6 +50,10 @@ struct Scene {
   std::array<bool, 6> free{};
   Vec6 stiffness = Vec6::Zero();  ///< [N/m], [N m/rad]
   Vec6 damping = Vec6::Zero();    ///< [N s/m], [N m s/rad]
+  Mat3 R_WK = Mat3::Identity();   ///< axes of the x y z springs in the world
+  Mat3 R_WD = Mat3::Identity();   ///< axes of the x y z dampers in the world
+  /// Three free rotations: error of the attitude allowed in one hold [rad].
+  double tolerance_rad = 1e-10;
   WrenchFrame wrench_frame = WrenchFrame::hand;
   Vec3 gravity_m_s2 = Vec3::Zero();
   Vec3 anchor_m = Vec3::Zero();

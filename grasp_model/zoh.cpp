@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grasp_model/zoh.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 namespace isograsp {
 
@@ -15,27 +12,20 @@ double phi1(double z) noexcept {
   return z == 0.0 ? 1.0 : std::expm1(z) / z;
 }
 
-/// c^2 - 4 m k without cancellation (Kahan): exact to about one rounding.
+}  // namespace
+
 double discriminant(const Oscillator& o) noexcept {
   const double product = 4.0 * o.m * o.k;
   const double error = std::fma(-4.0 * o.m, o.k, product);
   return std::fma(o.c, o.c, -product) + error;
 }
 
-}  // namespace
-
-LinearStep::LinearStep(const Oscillator& oscillator, double hold_s) noexcept
-    : oscillator_(oscillator) {
+Response response(const Oscillator& oscillator, double hold_s) noexcept {
   const auto [m, c, k] = oscillator;
   const double h = hold_s;
   if (m == 0.0) {
     const double z = -k * h / c;
-    R_ = std::exp(z);
-    P_ = h / c * phi1(z);
-    S_ = 0.0;
-    Q_ = 0.0;
-    about_rest_ = -z > 0.5;
-    return;
+    return {0.0, h / c * phi1(z), 0.0, std::exp(z)};
   }
   const double a = c * h / (2.0 * m);
   const double b2 = k * h * h / m;
@@ -89,111 +79,30 @@ LinearStep::LinearStep(const Oscillator& oscillator, double hold_s) noexcept
       p = (1.0 - r) / b2;
     }
   }
-  S_ = h * s;
-  P_ = h * h * p;
-  Q_ = q;
-  R_ = r;
-  about_rest_ = b2 * p > 0.5;
+  return {h * s, h * h * p, q, r};
 }
 
-Motion LinearStep::advance(const Motion& start, double force) const noexcept {
-  const auto [m, c, k] = oscillator_;
-  if (m == 0.0) {
-    const double rate = (force - k * start.x) / c;
-    if (about_rest_) {
-      const double rest = force / k;
-      return {rest + (start.x - rest) * R_, rate * R_};
-    }
-    return {start.x + (force - k * start.x) * P_, rate * R_};
-  }
-  if (about_rest_) {
-    const double rest = force / k;
-    const double y = start.x - rest;
-    return {rest + y * R_ + start.v * S_, start.v * Q_ - y * (k / m) * S_};
-  }
-  const double acceleration = (force - k * start.x) / m;
-  return {start.x + start.v * S_ + acceleration * P_, start.v * Q_ + acceleration * S_};
+Motion impulse_response(const Oscillator& oscillator, double hold_s) noexcept {
+  const auto [m, c, k] = oscillator;
+  const auto [S, P, Q, R] = response(oscillator, hold_s);
+  if (m == 0.0) return {R / c, -k * R / (c * c)};
+  return {S / m, Q / m};
 }
 
-Motion LinearStep::impulse() const noexcept {
-  if (oscillator_.m == 0.0)
-    return {R_ / oscillator_.c, -oscillator_.k * R_ / (oscillator_.c * oscillator_.c)};
-  return {S_ / oscillator_.m, Q_ / oscillator_.m};
-}
-
-namespace {
-
-/// Times after the start, ascending, at which the velocity is zero: at most two. Later ones repeat
-/// the first two with smaller travel. A time beyond the hold is no matter of ours.
-std::array<double, 2> turning_times(const Oscillator& o, const Motion& start,
-                                    double force) noexcept {
-  constexpr double kNever = HUGE_VAL;
-  if (o.m == 0.0) return {kNever, kNever};
-  const double alpha = o.c / (2.0 * o.m);
-  const double slope = (force - o.k * start.x) / o.m - alpha * start.v;
-  const double D = discriminant(o) / (4.0 * o.m * o.m);
-  if (D < 0.0) {
-    const double w = std::sqrt(-D);
-    double angle = std::atan2(-start.v * w, slope);
-    if (angle <= 0.0) angle += std::numbers::pi;
-    return {angle / w, (angle + std::numbers::pi) / w};
-  }
-  const double w = std::sqrt(D);
-  const double ratio = slope == 0.0 ? -HUGE_VAL : -start.v / slope;  // tanh(w t) / w
-  if (!(ratio > 0.0) || ratio * w >= 1.0) return {kNever, kNever};
-  return {w == 0.0 ? ratio : std::atanh(ratio * w) / w, kNever};
-}
-
-}  // namespace
-
-Motion advance_within(const Oscillator& oscillator, const LinearStep& step, const Travel& travel,
-                      double hold_s, Motion start, double force) noexcept {
-  const auto outside = [&travel](double x) { return x < travel.least || x > travel.most; };
-  double left_s = hold_s;
-  LinearStep whole = step;
-  // From rest at a stop the motion can reach the other one, and from there come back no further:
-  // three events at most.
-  for (int event = 0; event < 4; ++event) {
-    const double resting = force - oscillator.k * start.x;
-    const bool at_most =
-        start.x >= travel.most && (start.v > 0.0 || (start.v == 0.0 && resting >= 0.0));
-    const bool at_least =
-        start.x <= travel.least && (start.v < 0.0 || (start.v == 0.0 && resting <= 0.0));
-    if ((at_most && resting >= 0.0) || (at_least && resting <= 0.0) ||
-        (oscillator.m == 0.0 && ((start.x >= travel.most && resting >= 0.0) ||
-                                 (start.x <= travel.least && resting <= 0.0))))
-      return {start.x, 0.0};
-    if (at_most || at_least) start.v = 0.0;
-
-    // The motion is monotone between its turning points: only they and the end can be outside.
-    const auto turning_s = turning_times(oscillator, start, force);
-    double inside_s = 0.0;
-    double outside_s = -1.0;
-    for (const double t : {turning_s[0], turning_s[1], left_s}) {
-      if (t > left_s) continue;
-      const bool end = t == left_s;
-      const Motion there =
-          end ? whole.advance(start, force) : LinearStep(oscillator, t).advance(start, force);
-      if (outside(there.x)) {
-        outside_s = t;
-        break;
-      }
-      if (end) return there;
-      inside_s = t;
-    }
-    const bool beyond_most =
-        LinearStep(oscillator, outside_s).advance(start, force).x > travel.most;
-    for (int halving = 0; halving < 80; ++halving) {
-      const double middle_s = 0.5 * (inside_s + outside_s);
-      if (middle_s <= inside_s || middle_s >= outside_s) break;
-      const double x = LinearStep(oscillator, middle_s).advance(start, force).x;
-      (outside(x) ? outside_s : inside_s) = middle_s;
-    }
-    start = {beyond_most ? travel.most : travel.least, 0.0};
-    left_s -= outside_s;
-    whole = LinearStep(oscillator, left_s);
-  }
-  return start;
+LinearStep::LinearStep(const Oscillator& oscillator, double hold_s) noexcept {
+  const auto [m, c, k] = oscillator;
+  const auto [S, P, Q, R] = response(oscillator, hold_s);
+  S_ = S;
+  Q_ = Q;
+  k_ = k;
+  R_ = R;
+  P_per_m_ = m == 0.0 ? P : P / m;
+  S_per_m_ = m == 0.0 ? R / c : S / m;
+  pull_ = m == 0.0 ? k * R / c : k / m * S;
+  // Most of the way to the rest F/k is gone in one hold: what is left of the distance is the exact
+  // quantity then.
+  about_rest_ = k * P_per_m_ > 0.5;
+  if (about_rest_) compliance_ = 1.0 / k;
 }
 
 }  // namespace isograsp

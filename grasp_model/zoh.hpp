@@ -13,52 +13,60 @@ struct Oscillator {
   double k = 0.0;  ///< [N/m] or [N m/rad]
 };
 
+/// c^2 - 4 m k without cancellation (Kahan): exact to about one rounding.
+[[nodiscard]] double discriminant(const Oscillator& oscillator) noexcept;
+
 /// Position and velocity of one degree of freedom.
 struct Motion {
   double x = 0.0;
   double v = 0.0;
 };
 
-/// Coefficients of the step over one hold. Exact but for rounding, for any h >= 0: c = 0, k = 0,
-/// critical damping, stiff and overdamped alike. Real-time safe.
+/// What the hold makes of the start: response to unit start velocity S, its integral P and its
+/// derivative Q; to unit start position R = 1 - (k/m) P. For m = 0: S = Q = 0, and P is the
+/// response to a unit force (integral of R / c).
+struct Response {
+  double S = 0.0;
+  double P = 0.0;
+  double Q = 1.0;
+  double R = 1.0;
+};
+
+/// Exact but for rounding, for any h >= 0: c = 0, k = 0, critical damping, stiff and overdamped
+/// alike. Real-time safe.
+[[nodiscard]] Response response(const Oscillator& oscillator, double hold_s) noexcept;
+
+/// Motion at the end of the hold after a unit impulse at its start. Real-time safe.
+[[nodiscard]] Motion impulse_response(const Oscillator& oscillator, double hold_s) noexcept;
+
+/// The step with all that is constant computed once: seven multiplications, no division. Real-time
+/// safe.
 class LinearStep {
  public:
-  LinearStep() = default;
+  LinearStep() = default;  ///< of a locked axis: nothing moves
   LinearStep(const Oscillator& oscillator, double hold_s) noexcept;
 
   /// State after the hold. For m = 0 the velocity is what force and spring leave for the damper.
-  [[nodiscard]] Motion advance(const Motion& start, double force) const noexcept;
-
-  /// Response at the end of the hold to a unit impulse at its start: position, velocity.
-  [[nodiscard]] Motion impulse() const noexcept;
-
-  // Response to unit start velocity S, its integral P and its derivative Q; to unit start position
-  // R = 1 - (k/m) P. For m = 0: R and P = integral of R / c are used, S = Q = 0.
-  [[nodiscard]] double S() const noexcept { return S_; }
-  [[nodiscard]] double P() const noexcept { return P_; }
-  [[nodiscard]] double Q() const noexcept { return Q_; }
-  [[nodiscard]] double R() const noexcept { return R_; }
+  [[nodiscard]] Motion advance(const Motion& start, double force) const noexcept {
+    if (about_rest_) {
+      const double rest = force * compliance_;
+      const double y = start.x - rest;
+      return {rest + (y * R_ + start.v * S_), start.v * Q_ - y * pull_};
+    }
+    const double excess = force - k_ * start.x;
+    return {start.x + (start.v * S_ + excess * P_per_m_), start.v * Q_ + excess * S_per_m_};
+  }
 
  private:
-  Oscillator oscillator_;
   double S_ = 0.0;
-  double P_ = 0.0;
   double Q_ = 1.0;
+  double k_ = 0.0;
+  double P_per_m_ = 0.0;
+  double S_per_m_ = 0.0;
   double R_ = 1.0;
+  double pull_ = 0.0;        ///< (k/m) S
+  double compliance_ = 0.0;  ///< 1/k
   bool about_rest_ = false;  ///< step the distance to F/k instead of the position
 };
-
-/// Bounds of the travel.
-struct Travel {
-  double least = 0.0;
-  double most = 0.0;
-};
-
-/// The same step with stops: inside the hold the motion is followed to the crossing, stops there
-/// (no bounce) and rests or leaves as the force says. Real-time safe; costs as `step` unless a stop
-/// or a turning point lies within the hold.
-[[nodiscard]] Motion advance_within(const Oscillator& oscillator, const LinearStep& step,
-                                    const Travel& travel, double hold_s, Motion start,
-                                    double force) noexcept;
 
 }  // namespace isograsp

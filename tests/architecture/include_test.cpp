@@ -28,6 +28,8 @@ const std::map<std::string, std::string> kLibraryOf{{"Eigen/", "Eigen"},
                                                     {"boost/asio", "Boost.Asio"},
                                                     {"boost/math/", "Boost.Math"},
                                                     {"toml++/", "toml++"},
+                                                    {"glpk", "GLPK"},
+                                                    {"libqhull", "Qhull"},
                                                     {"CLI/", "CLI11"},
                                                     {"spdlog/", "spdlog"},
                                                     {"nlohmann/", "nlohmann"},
@@ -46,7 +48,7 @@ const Names kEigen{"Eigen"};
 const std::map<std::string, Rule> kRules{
     {"core", {{}, {"Eigen", "Boost.Lockfree"}, {"toml++"}}},
     {"device", {{"core"}, kEigen, {"Boost.Asio", "SocketCAN"}}},
-    {"grasp_model", {{"core"}, kEigen, {}}},
+    {"grasp_model", {{"core"}, kEigen, {"GLPK", "Qhull"}}},
     {"virtual_patient", {{"core", "grasp_model"}, kEigen, {}}},
     {"tasks", {{"core", "grasp_model"}, kEigen, {"Boost.Math"}}},
     {"storage", {{"core"}, kEigen, {"SOCI", "zstd", "SQLite"}}},
@@ -102,6 +104,7 @@ TEST(Includes, EveryFolderIncludesOnlyWhatTheMapAllows) {
 TEST(Includes, TheRulesForbidWhatTheyShould) {
   EXPECT_NE(objection("core", kRules.at("core"), "device/uri.hpp", true, true), "");
   EXPECT_NE(objection("grasp_model", kRules.at("grasp_model"), "toml++/toml.h", false, false), "");
+  EXPECT_NE(objection("grasp_model", kRules.at("grasp_model"), "glpk.h", false, true), "");
   EXPECT_NE(objection("device", kRules.at("device"), "boost/asio.hpp", false, true), "");
   EXPECT_EQ(objection("device", kRules.at("device"), "boost/asio.hpp", false, false), "");
   EXPECT_NE(objection("session", kRules.at("session"), "QObject", false, false), "");

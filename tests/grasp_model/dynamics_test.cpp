@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kHold_s = 0.01;
 constexpr int kHolds = 6000;
+/// The closed form after 6,000 holds: rounding alone.
+constexpr double kRounding = 1e-14;
+/// The kept rows miss the peaks of a stiff motion, so its excursion seems smaller.
+constexpr double kStiffRounding = 3e-14;
 constexpr int kEvery = 20;  // the reference keeps every 20th hold
 
 struct Deviation {
@@ -62,19 +66,19 @@ Deviation follow(const std::string& name) {
 }
 
 TEST(Dynamics, KnobFollowsTheReference) {
-  EXPECT_LE(follow("S1").relative(), 1e-12);
+  EXPECT_LE(follow("S1").relative(), kRounding);
 }
 TEST(Dynamics, PlanarBlockFollowsTheReference) {
-  EXPECT_LE(follow("S2").relative(), 1e-12);
+  EXPECT_LE(follow("S2").relative(), kRounding);
 }
 TEST(Dynamics, StiffBlockFollowsTheReference) {
-  EXPECT_LE(follow("S4a").relative(), 1e-12);
+  EXPECT_LE(follow("S4a").relative(), kStiffRounding);
 }
 TEST(Dynamics, OverdampedBlockFollowsTheReference) {
-  EXPECT_LE(follow("S7").relative(), 1e-12);
+  EXPECT_LE(follow("S7").relative(), kRounding);
 }
 TEST(Dynamics, FreeBlockFollowsTheReference) {
-  EXPECT_LE(follow("S3").relative(), 1e-6);
+  EXPECT_LE(follow("S3").relative(), 1e-8);
 }
 
 TEST(Dynamics, TumblingKeepsEnergyAndMomentumAndStaysNearTheReference) {
@@ -91,8 +95,8 @@ TEST(Dynamics, TumblingKeepsEnergyAndMomentumAndStaysNearTheReference) {
   const double energy_before = momentum_before.dot(state.w_WO_W);
   for (int hold = 1; hold <= kHolds; ++hold) {
     plan.move(plan.grasp({}, state), state);
-    EXPECT_NEAR(momentum().dot(state.w_WO_W) / energy_before, 1.0, 1e-7);
-    EXPECT_LE((momentum() - momentum_before).norm(), 1e-7 * momentum_before.norm());
+    EXPECT_NEAR(momentum().dot(state.w_WO_W) / energy_before, 1.0, 1e-10);
+    EXPECT_LE((momentum() - momentum_before).norm(), 1e-10 * momentum_before.norm());
     if (hold % kEvery != 0) continue;
     ASSERT_TRUE(*reference->next(expected));
     // Next to a separatrix rounding alone costs 1e-7 rad.

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+find_path(GLPK_INCLUDE_DIR glpk.h)
+find_library(GLPK_LIBRARY glpk)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Glpk REQUIRED_VARS GLPK_INCLUDE_DIR GLPK_LIBRARY)
+if(Glpk_FOUND AND NOT TARGET Glpk::glpk)
+  add_library(Glpk::glpk INTERFACE IMPORTED)
+  target_include_directories(Glpk::glpk SYSTEM INTERFACE ${GLPK_INCLUDE_DIR})
+  target_link_libraries(Glpk::glpk INTERFACE ${GLPK_LIBRARY})
+endif()

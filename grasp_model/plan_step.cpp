@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One hold: from finger forces to what moves the object, and its motion along locked axes, axes
+// alone, coupled axes and about one axis. What every frame runs is in this file, so that the
+// compiler sees it whole.
+#include <algorithm>
+#include <cmath>
+
+#include "grasp_model/plan.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// All that the contact transmits is a number.
+bool usable(const FrictionLimit& limit, const Wrench& F_C) noexcept {
+  const Vec3& f = F_C.force;
+  return std::isfinite(f.z()) &&
+         (!limit.tangential || (std::isfinite(f.x()) && std::isfinite(f.y()))) &&
+         (!limit.torsional || std::isfinite(F_C.torque.z()));
+}
+
+/// Rows of columns * force, each in the same order whatever rows there are.
+template <int rows, bool torsion>
+[[gnu::always_inline]] inline Eigen::Matrix<double, rows, 1> product(
+    const Eigen::Matrix<double, 6, 4>& columns, const ContactForce& f) noexcept {
+  Eigen::Matrix<double, rows, 1> sum =
+      (columns.col(0).head<rows>() * f.fx + columns.col(1).head<rows>() * f.fy) +
+      columns.col(2).head<rows>() * f.fz;
+  if (torsion) sum += columns.col(3).head<rows>() * f.tz;
+  return sum;
+}
+
+}  // namespace
+
+template <class Use>
+unsigned Plan::touch(const FingerWrenches& wrench_C, ObjectState& state,
+                     const Use& use) const noexcept {
+  unsigned mask = 0;
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    const Pressing& contact = pressing_[i];
+    const Wrench& measured = wrench_C[contact.finger];
+    if (!usable(contact.limit, measured)) continue;  // no sample: it stays, and does nothing
+    bool& on = state.contact[contact.finger];
+    on = contact.rule.touches(on, measured.force.z());
+    if (!on) continue;
+    mask |= contact.bit;
+    use(contact, measured, clamp_to_friction(contact.limit, measured));
+  }
+  return mask;
+}
+
+GraspWrench Plan::grasp(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
+  GraspWrench out;
+  Vec6 sum = Vec6::Zero();
+  const unsigned mask =
+      touch(wrench_C, state,
+            [&](const Pressing& contact, const Wrench& measured, const ContactForce& force) {
+              sum += product<6, true>(contact.all, force);
+              out.utilisation[contact.finger] = utilisation(contact.limit, measured);
+              out.slip[contact.finger] = force.slip;
+            });
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    const std::size_t f = pressing_[i].finger;
+    out.contact[f] = state.contact[f];
+    out.invalid[f] = !usable(pressing_[i].limit, wrench_C[f]);
+  }
+  if (!acts_[mask]) return out;
+  out.held = {sum.head<3>(), sum.tail<3>()};
+  out.F_O_W = out.held;
+  if (scene_.wrench_frame == WrenchFrame::object && rotations_ != Rotations::none)
+    out.F_O_W = {state.pose.q_WO * out.held.force, state.pose.q_WO * out.held.torque};
+  return out;
+}
+
+void Plan::move(const GraspWrench& wrench, ObjectState& state) const noexcept {
+  Vec6 held;
+  held << wrench.held.force, wrench.held.torque;
+  std::array<double, 6> rows{};
+  for (std::size_t r = 0; r < row_count_; ++r) rows[r] = held[rows_[r]];
+  move(steps_, rows.data(), state);
+}
+
+void Plan::move(const GraspWrench& wrench, double hold_s, ObjectState& state) const {
+  if (hold_s == hold_s_) {
+    move(wrench, state);
+    return;
+  }
+  Vec6 held;
+  held << wrench.held.force, wrench.held.torque;
+  std::array<double, 6> rows{};
+  for (std::size_t r = 0; r < row_count_; ++r) rows[r] = held[rows_[r]];
+  move(coefficients(hold_s), rows.data(), state);
+}
+
+inline Motion Plan::turn_about_axis(const LinearStep& step, double hold_s, double torque,
+                                    const Motion& start) const noexcept {
+  const auto dof = static_cast<std::size_t>(axis_) + 3;
+  if (!limited_[dof]) return step.advance(start, torque);
+  return advance_within(turn_, step, travel_[dof], hold_s, start, torque);
+}
+
+void Plan::move_coupled(const CoupledStep& step, const double* rows,
+                        ObjectState& state) const noexcept {
+  Vec3 x = Vec3::Zero();
+  Vec3 force_W = Vec3::Zero();
+  for (std::size_t a = 0; a < axis_count_; ++a) {
+    const Eigen::Index axis = axes_[a];
+    x[axis] = state.pose.p_WO[axis] - anchor_m_[axis];
+    force_W[axis] = rows[a] + weight_W_[axis];
+  }
+  step.advance(force_W, x, state.v_WO_W);
+  for (std::size_t a = 0; a < axis_count_; ++a)
+    state.pose.p_WO[axes_[a]] = anchor_m_[axes_[a]] + x[axes_[a]];
+}
+
+[[gnu::always_inline]] inline void Plan::move_along_axes(const Coefficients& steps,
+                                                         const double* rows,
+                                                         ObjectState& state) const noexcept {
+  for (std::size_t a = 0; a < axis_count_; ++a) {
+    const Eigen::Index axis = axes_[a];
+    const auto i = static_cast<std::size_t>(axis);
+    const double anchor = anchor_m_[axis];
+    const double force = rows[a] + weight_W_[axis];
+    double& p = state.pose.p_WO[axis];
+    const Motion start{p - anchor, state.v_WO_W[axis]};
+    Motion end;
+    if (limited_[i]) {
+      const Travel travel{travel_[i].least - anchor, travel_[i].most - anchor};
+      end = advance_within(linear_.oscillator[i], steps.linear[i], travel, steps.hold_s, start,
+                           force);
+      p = std::clamp(anchor + end.x, travel_[i].least, travel_[i].most);
+    } else {
+      end = steps.linear[i].advance(start, force);
+      p = anchor + end.x;
+    }
+    state.v_WO_W[axis] = end.v;
+  }
+}
+
+[[gnu::always_inline]] inline void Plan::move(const Coefficients& steps, const double* rows,
+                                              ObjectState& state) const noexcept {
+  if (coupled_)
+    move_coupled(steps.coupled, rows, state);
+  else if (!force_follows_)
+    move_along_axes(steps, rows, state);
+  if (rotations_ == Rotations::none) return;
+  if (force_follows_ || rotations_ == Rotations::three) {
+    turn(steps, rows, state);
+    return;
+  }
+  // One axis: the same in world and object axes, and so is the torque about it.
+  set_turn(turn_about_axis(steps.turn, steps.hold_s, rows[axis_count_],
+                           {state.angle_rad, state.w_WO_W[axis_]}),
+           state);
+}
+
+template <int count, bool torsion>
+void Plan::step_rows(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
+  using Rows = Eigen::Matrix<double, count, 1>;
+  Rows sum = Rows::Zero();
+  unsigned mask = 0;
+  // The common case without a call, so that the sum stays in registers: every finger presses within
+  // its cone or is away.
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    const Pressing& contact = pressing_[i];
+    const Wrench& measured = wrench_C[contact.finger];
+    bool& on = state.contact[contact.finger];
+    const double fz = measured.force.z();
+    if (contact.rule.touches(on, fz)) {
+      if (!surely_held<torsion>(contact.limit, measured)) return step_any(wrench_C, state);
+      on = true;
+      mask |= contact.bit;
+      const double tz = torsion && contact.limit.torsional ? measured.torque.z() : 0.0;
+      sum += product<count, torsion>(contact.moving,
+                                     {measured.force.x(), measured.force.y(), fz, tz, false});
+    } else {
+      if (!usable(contact.limit, measured)) return step_any(wrench_C, state);
+      on = false;
+    }
+  }
+  const Rows rows = acts_[mask] ? sum : Rows(Rows::Zero());
+  move(steps_, rows.data(), state);
+}
+
+void Plan::step_any(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
+  Vec6 sum = Vec6::Zero();
+  const unsigned mask = touch(
+      wrench_C, state, [&sum](const Pressing& contact, const Wrench&, const ContactForce& force) {
+        sum += product<6, true>(contact.moving, force);
+      });
+  if (!acts_[mask]) sum.setZero();
+  move(steps_, sum.data(), state);
+}
+
+void Plan::step(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
+  if (torsion_)
+    step_rows<6, true>(wrench_C, state);
+  else if (row_count_ <= 1)
+    step_rows<1, false>(wrench_C, state);
+  else if (row_count_ <= 4)
+    step_rows<4, false>(wrench_C, state);
+  else
+    step_rows<6, false>(wrench_C, state);
+}
+
+}  // namespace isograsp

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A body that turns freely: I w' = tau - C w - spring(q) - w x I w, q' = q (0, w) / 2, w in body
+// axes, torques constant during a hold. The steps that follow it. SI units, rotation vectors [rad].
+// Formulas and choice of method: docs/grasp_model.md, "Three rotations".
+#pragma once
+
+#include <array>
+
+#include "core/spatial.hpp"
+
+namespace isograsp::so3 {
+
+/// A body on a torsional spring and damper, principal axes. An inertia of 0 on one axis or on all
+/// makes that axis first order; its damping is then not 0.
+struct Body {
+  Vec3 inertia_kg_m2 = Vec3::Zero();
+  Vec3 damping = Vec3::Zero();    ///< [N m s/rad]
+  Vec3 stiffness = Vec3::Zero();  ///< [N m/rad]
+};
+
+/// Torques that are constant during a hold: one in world axes, one in body axes [N m].
+struct Torques {
+  Vec3 world = Vec3::Zero();
+  Vec3 body = Vec3::Zero();
+};
+
+/// Attitude and angular velocity in body axes [rad/s]. The branch of the spring is the sign of q.
+struct Spin {
+  Quat q_WO = Quat::Identity();
+  Vec3 w_O = Vec3::Zero();
+};
+
+/// The state as the integrators see it: q as w x y z, w_O, 0. Off the unit sphere the equations are
+/// continued smoothly, so q is normalised at the end of a hold only.
+using SpinVector = Eigen::Matrix<double, 8, 1>;
+
+/// The right-hand side of one hold. Real-time safe.
+class SpinRate {
+ public:
+  SpinRate() = default;
+  explicit SpinRate(const Body& body) noexcept;
+  void load(const Torques& torques) noexcept;
+  [[nodiscard]] SpinVector operator()(const SpinVector& y) const noexcept;
+
+  /// Massless axes have no velocity of their own: their damper balances the rest at once.
+  void settle(SpinVector& y) const noexcept;
+  [[nodiscard]] const Body& body() const noexcept { return body_; }
+  [[nodiscard]] const Torques& torques() const noexcept { return torques_; }
+  /// Fastest rate of the motion in the hold [1/s]: |w| + sqrt(max k/I) + max c/I, where |w| counts
+  /// what the torques can add to it.
+  [[nodiscard]] double fastest(const SpinVector& y, double hold_s) const noexcept;
+  /// The damper is faster than the spring: motion settles instead of swinging.
+  [[nodiscard]] bool overdamped() const noexcept { return overdamped_; }
+  /// Something turns or swings too fast to be followed in steps of `step_s`, and is not gone at the
+  /// end of the hold: a step that damps it would look exact and be wrong.
+  [[nodiscard]] bool too_fast(const SpinVector& y, double step_s, double hold_s) const noexcept;
+  /// Torque of all but damper and gyroscopic term [N m].
+  [[nodiscard]] Vec3 drive(const SpinVector& y) const noexcept;
+
+ private:
+  [[nodiscard]] Vec3 settled(const Vec3& driving, Vec3 w_O) const noexcept;
+
+  Body body_;
+  Torques torques_;
+  Vec3 inverse_inertia_ = Vec3::Zero();  ///< 0 where massless
+  double own_rate_ = 0.0;                ///< of spring and damper [1/s]
+  bool massless_ = false;
+  bool overdamped_ = false;
+  bool spring_ = false;
+  bool even_spring_ = false;  ///< the same stiffness on all axes
+  bool world_ = false;
+};
+
+[[nodiscard]] SpinVector pack(const Spin& spin) noexcept;
+[[nodiscard]] Spin unpack(const SpinVector& y) noexcept;
+
+/// End of a step and the estimate of its error [rad].
+struct SpinStep {
+  SpinVector end;
+  double error_rad = 0.0;
+};
+
+/// States at the stages of the explicit step: dormand_prince::kWeighted of them are the nodes of a
+/// quadrature of order 8 along the motion.
+using StageStates = std::array<SpinVector, 12>;
+
+/// Dormand-Prince 8(5,3), explicit, 12 evaluations. `seen`: the states at its stages, if wanted.
+/// Real-time safe.
+[[nodiscard]] SpinStep explicit_step(const SpinRate& rate, const SpinVector& start, double h_s,
+                                     StageStates* seen) noexcept;
+/// The state between the ends of a step at `share` of it: the cubic in the Lie algebra that fits
+/// both velocities. Real-time safe.
+[[nodiscard]] SpinVector between(const SpinVector& start, const SpinVector& end, double h_s,
+                                 double share) noexcept;
+/// Linearly implicit Euler steps extrapolated to order 6: damped at infinity, for bodies too stiff
+/// for the explicit step. Real-time safe.
+[[nodiscard]] SpinStep stiff_step(const SpinRate& rate, const SpinVector& start,
+                                  double h_s) noexcept;
+
+}  // namespace isograsp::so3

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads what measure.py wrote, for the table (report.py) and the picture (plot.py)."""
+
+import csv
+import json
+import statistics
+
+OURS = ("IsoGrasp", "plan")
+
+
+class Point:
+    """One engine with one method on one scene."""
+
+    def __init__(self, row):
+        self.engine, self.version, self.scene = row["engine"], row["version"], row["scene"]
+        self.integrator, self.substeps = row["integrator"], int(row["substeps"])
+        self.status, self.setup = row["status"], row["setup"]
+        self.parts = row["way"] == "parts"
+
+        def number(name):
+            return float(row[name]) if row[name] else None
+
+        self.ns, self.relative = number("ns_per_frame"), number("error_relative")
+        self.metres, self.radians = number("error_position_m"), number("error_angle_rad")
+        self.drift, self.instructions = number("drift_relative"), number("instructions_per_frame")
+        self.rounds = [float(t) for t in row["ns_rounds"].split()]
+        # A body free of all forces is judged by what it must conserve.
+        self.error = self.relative if self.drift is None else self.drift
+
+    @property
+    def ours(self):
+        return (self.engine, self.integrator) == OURS
+
+    @property
+    def by_hand(self):
+        return self.engine == "by hand"
+
+    @property
+    def peer(self):
+        return self.engine not in ("IsoGrasp", "by hand")
+
+    @property
+    def answers(self):
+        """It came to the end, with an error smaller than the motion."""
+        return self.status == "ok" and self.ns is not None and self.error <= 1
+
+    @property
+    def name(self):
+        steps = f" ×{self.substeps}" if self.substeps else ""
+        return f"{self.engine}, {self.integrator}{steps}"
+
+
+def ratio(slow, fast):
+    """How many times slower, as the median over the rounds of one run."""
+    return statistics.median(s / f for s, f in zip(slow.rounds, fast.rounds))
+
+
+class Results:
+    def __init__(self, folder):
+        with open(folder / "results.csv", newline="") as file:
+            self.points = [Point(row) for row in csv.DictReader(file)]
+        with open(folder / "scenes.csv", newline="") as file:
+            self.scenes = list(csv.DictReader(file))
+        with open(folder / "kernels.csv", newline="") as file:
+            self.kernels = list(csv.DictReader(file))
+        self.machine = json.loads((folder / "machine.json").read_text())
+
+    def of(self, scene):
+        return [p for p in self.points if p.scene == scene]
+
+    def ours(self, scene):
+        return next(p for p in self.of(scene) if p.ours)
+
+    def compared(self):
+        """Scenes that other engines run too."""
+        return [s for s in self.scenes if s["peers"] == "1"]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grasp_model/contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,10 +45,15 @@ ContactForce clamp_to_friction(const FrictionLimit& limit, const Wrench& F_C) no
   const double fx = F_C.force.x();
   const double fy = F_C.force.y();
   const double tz = limit.torsional ? F_C.torque.z() : 0.0;
-  const double asked = utilisation(limit, F_C);
-  if (!(asked > 1.0)) return {fx, fy, fz, tz, false};
-  const double kept = tz == 0.0 ? limit.mu * fz / length(fx, fy) : 1.0 / asked;
-  return {kept * fx, kept * fy, fz, kept * tz, true};
+  double kept = 1.0;
+  if (tz == 0.0) {
+    const double tangential = length(fx, fy);
+    const double holds = limit.mu * fz;
+    if (tangential > holds) kept = holds / tangential;
+  } else {
+    kept = 1.0 / std::max(1.0, utilisation(limit, F_C));
+  }
+  return {kept * fx, kept * fy, fz, kept * tz, kept < 1.0};
 }
 
 }  // namespace isograsp

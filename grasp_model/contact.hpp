@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "core/spatial.hpp"
 #include "grasp_model/scene.hpp"
@@ -43,25 +44,12 @@ struct ContactForce {
   bool slip = false;  ///< the clamp acted
 };
 
-/// (f_t / mu f_z)^2 + (t_z / gamma f_z)^2 <= 1, without root or division, for a pressing finger.
-/// False also where a product might leave the doubles, or a value is not finite: then ask
-/// clamp_to_friction. `torsion` = false: the limit is known to have none. Real-time safe.
-template <bool torsion = true>
-[[nodiscard]] inline bool surely_held(const FrictionLimit& limit, const Wrench& F_C) noexcept {
-  constexpr double kLeast = 1e-140;  // its square, and that of its inverse, are normal numbers
-  const double fx = F_C.force.x();
-  const double fy = F_C.force.y();
-  const double fz = F_C.force.z();
-  const double tangential = fx * fx + fy * fy;
-  const double holds = limit.mu * fz;
-  const double holds_squared = holds * holds;
-  if (!(holds_squared > kLeast && holds_squared < 1.0 / kLeast)) return false;
-  if (!torsion || !limit.torsional) return tangential <= holds_squared;
-  const double turns = limit.gamma_m * fz;
-  const double turns_squared = turns * turns;
-  if (!(turns_squared > kLeast && turns_squared < 1.0 / kLeast)) return false;
-  const double tz = F_C.torque.z();
-  return tangential * turns_squared + tz * tz * holds_squared <= holds_squared * turns_squared;
+/// All that the contact transmits is a number.
+[[nodiscard]] inline bool usable(const FrictionLimit& limit, const Wrench& F_C) noexcept {
+  const Vec3& f = F_C.force;
+  return std::isfinite(f.z()) &&
+         (!limit.tangential || (std::isfinite(f.x()) && std::isfinite(f.y()))) &&
+         (!limit.torsional || std::isfinite(F_C.torque.z()));
 }
 
 /// Radial clamp of the tangential force to mu f_z at the measured f_z (never a projection that
@@ -69,6 +57,30 @@ template <bool torsion = true>
 /// safe; squares that leave the doubles are met too, inputs that are not finite are not.
 [[nodiscard]] ContactForce clamp_to_friction(const FrictionLimit& limit,
                                              const Wrench& F_C) noexcept;
+
+/// The same for a pressing finger, inline and without torsion, where no square leaves the doubles:
+/// true if so, and then the same bits. Real-time safe.
+[[nodiscard]] inline bool clamp_without_torsion(const FrictionLimit& limit, const Wrench& F_C,
+                                                ContactForce& out) noexcept {
+  constexpr double kLeast = 1e-280;  // above it a square and its root keep all their digits
+  const double fx = F_C.force.x();
+  const double fy = F_C.force.y();
+  const double fz = F_C.force.z();
+  const double holds = limit.mu * fz;
+  const double holds_squared = holds * holds;
+  const double tangential_squared = fx * fx + fy * fy;
+  if (!(holds_squared > kLeast && holds_squared < 1.0 / kLeast)) return false;
+  out = {fx, fy, fz, 0.0, false};
+  if (tangential_squared <= holds_squared) return true;
+  if (!(tangential_squared < 1.0 / kLeast)) return false;
+  const double kept = holds / std::sqrt(tangential_squared);
+  out.slip = kept < 1.0;
+  if (out.slip) {
+    out.fx *= kept;
+    out.fy *= kept;
+  }
+  return true;
+}
 
 /// Share of the friction limit that a measured wrench asks for; > 1: the clamp acts. Infinite if a
 /// limit of zero is loaded; 0 for f_z <= 0 and where nothing is limited. Real-time safe.

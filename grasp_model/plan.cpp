@@ -99,6 +99,7 @@ Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
 
   plan.compile_contacts();
   plan.steps_ = plan.coefficients(hold_s);
+  plan.compile_lanes();
   if (plan.force_follows_)
     plan.follower_ = Follower(
         plan.linear_, plan.rotations_ == Rotations::three ? stage_nodes() : gauss5(), hold_s);
@@ -114,9 +115,12 @@ void Plan::compile_contacts() {
           rotations_ == Rotations::three || scene_.free[i] || static_cast<Eigen::Index>(i) != axis_;
   for (std::size_t dof = 0; dof < 6; ++dof)
     if (moves[dof]) rows_[row_count_++] = static_cast<Eigen::Index>(dof);
-  for (const Contact& contact : scene_.contacts) {
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const Contact* const found = scene_.contact_of(static_cast<Finger>(f));
+    if (found == nullptr) continue;
+    const Contact& contact = *found;
     Pressing& pressing = pressing_[contacts_++];
-    pressing.finger = index_of(contact.finger);
+    pressing.finger = f;
     pressing.bit = 1u << pressing.finger;
     pressing.rule = TouchRule(contact.threshold_N);
     pressing.limit = FrictionLimit(contact);

@@ -84,8 +84,8 @@ class Plan {
   [[nodiscard]] bool acts(unsigned mask) const noexcept { return acts_[mask]; }
 
  private:
-  /// A contact ready for use. Columns of the grasp map for f_x f_y f_z t_z: all six rows, and only
-  /// the rows that move something, packed.
+  /// A contact ready for use, in the order of fingers. Columns of the grasp map for f_x f_y f_z
+  /// t_z: all six rows, and only the rows that move something, packed.
   using Columns = Eigen::Matrix<double, 6, 4>;
   struct Pressing {
     std::size_t finger = 0;
@@ -108,8 +108,11 @@ class Plan {
   [[nodiscard]] Coefficients coefficients(double hold_s) const;
   template <class Use>
   unsigned touch(const FingerWrenches& wrench_C, ObjectState& state, const Use& use) const noexcept;
-  template <int count, bool torsion>
-  void step_rows(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
+  void compile_lanes();
+  /// Axes that move alone: plan_lanes.cpp.
+  template <int linear, bool turns>
+  static void step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
+                         ObjectState& state) noexcept;
   void step_any(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
   // `rows`: what stays constant during the hold, as GraspWrench::held, packed as rows_.
   void move(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
@@ -121,9 +124,12 @@ class Plan {
   void set_turn(const Motion& turn, ObjectState& state) const noexcept {
     state.angle_rad = turn.x;
     state.w_WO_W[axis_] = turn.v;
-    const auto [cosine, sine] = so3::cos_sin(0.5 * turn.x);
-    state.pose.q_WO.w() = branch_ * cosine;
-    state.pose.q_WO.vec()[axis_] = branch_ * sine;
+    set_attitude(turn.x, state);
+  }
+  void set_attitude(double angle_rad, ObjectState& state) const noexcept {
+    const auto [cosine, sine] = so3::cos_sin(0.5 * angle_rad);
+    state.pose.q_WO.w() = branch_ < 0.0 ? -cosine : cosine;
+    state.pose.q_WO.vec()[axis_] = branch_ < 0.0 ? -sine : sine;
   }
   /// Three free rotations, or a force that follows one.
   void turn(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
@@ -135,6 +141,20 @@ class Plan {
   template <class Between>
   void push_over(const Panel& panel, const PanelForces& forces, const Between& between,
                  ObjectState& state) const noexcept;
+
+  /// All free axes side by side, two to a register: up to three translations, then the rotation.
+  using Pair = double __attribute__((vector_size(16)));
+  template <class Value>
+  using Lanes = std::array<Value, 2>;
+  struct Alone {
+    Lanes<Pair> weight{};  ///< [N]
+    Lanes<Pair> anchor{};  ///< [m]
+    Lanes<Pair> force_share{}, position_share{}, x_of_v{}, x_of_off{}, v_of_v{}, v_of_off{};
+    Lanes<Pair> about_rest{};                                        ///< 0 or 1
+    std::array<std::array<Lanes<Pair>, 3>, kFingerCount> columns{};  ///< of f_x f_y f_z, by contact
+    /// The kernel of this plan; null if it needs more than independent axes.
+    void (*step)(const Plan&, const FingerWrenches&, ObjectState&) noexcept = nullptr;
+  };
 
   // What every frame reads comes first.
   std::array<Pressing, kFingerCount> pressing_{};
@@ -156,6 +176,7 @@ class Plan {
   std::array<bool, 6> limited_{};
   std::array<Travel, 6> travel_{};  ///< world position [m] or angle [rad]
   Coefficients steps_;
+  Alone alone_;
 
   FreeAxes linear_;
   CoupledAxes coupling_;

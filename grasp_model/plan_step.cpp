@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One hold: from finger forces to what moves the object, and its motion along locked axes, axes
-// alone, coupled axes and about one axis. What every frame runs is in this file, so that the
-// compiler sees it whole.
+// One hold of any plan: from finger forces to the wrench, and the motion along axes, coupled axes
+// and about one axis.
 #include <algorithm>
 #include <cmath>
 
@@ -11,22 +10,10 @@ namespace isograsp {
 
 namespace {
 
-/// All that the contact transmits is a number.
-bool usable(const FrictionLimit& limit, const Wrench& F_C) noexcept {
-  const Vec3& f = F_C.force;
-  return std::isfinite(f.z()) &&
-         (!limit.tangential || (std::isfinite(f.x()) && std::isfinite(f.y()))) &&
-         (!limit.torsional || std::isfinite(F_C.torque.z()));
-}
-
-/// Rows of columns * force, each in the same order whatever rows there are.
-template <int rows, bool torsion>
-[[gnu::always_inline]] inline Eigen::Matrix<double, rows, 1> product(
-    const Eigen::Matrix<double, 6, 4>& columns, const ContactForce& f) noexcept {
-  Eigen::Matrix<double, rows, 1> sum =
-      (columns.col(0).head<rows>() * f.fx + columns.col(1).head<rows>() * f.fy) +
-      columns.col(2).head<rows>() * f.fz;
-  if (torsion) sum += columns.col(3).head<rows>() * f.tz;
+/// Columns times force, each row in the same order as in plan_lanes.cpp.
+Vec6 product(const Eigen::Matrix<double, 6, 4>& columns, const ContactForce& f) noexcept {
+  Vec6 sum = (columns.col(0) * f.fx + columns.col(1) * f.fy) + columns.col(2) * f.fz;
+  if (f.tz != 0.0) sum += columns.col(3) * f.tz;
   return sum;
 }
 
@@ -55,7 +42,7 @@ GraspWrench Plan::grasp(const FingerWrenches& wrench_C, ObjectState& state) cons
   const unsigned mask =
       touch(wrench_C, state,
             [&](const Pressing& contact, const Wrench& measured, const ContactForce& force) {
-              sum += product<6, true>(contact.all, force);
+              sum += product(contact.all, force);
               out.utilisation[contact.finger] = utilisation(contact.limit, measured);
               out.slip[contact.finger] = force.slip;
             });
@@ -92,8 +79,8 @@ void Plan::move(const GraspWrench& wrench, double hold_s, ObjectState& state) co
   move(coefficients(hold_s), rows.data(), state);
 }
 
-inline Motion Plan::turn_about_axis(const LinearStep& step, double hold_s, double torque,
-                                    const Motion& start) const noexcept {
+Motion Plan::turn_about_axis(const LinearStep& step, double hold_s, double torque,
+                             const Motion& start) const noexcept {
   const auto dof = static_cast<std::size_t>(axis_) + 3;
   if (!limited_[dof]) return step.advance(start, torque);
   return advance_within(turn_, step, travel_[dof], hold_s, start, torque);
@@ -113,9 +100,8 @@ void Plan::move_coupled(const CoupledStep& step, const double* rows,
     state.pose.p_WO[axes_[a]] = anchor_m_[axes_[a]] + x[axes_[a]];
 }
 
-[[gnu::always_inline]] inline void Plan::move_along_axes(const Coefficients& steps,
-                                                         const double* rows,
-                                                         ObjectState& state) const noexcept {
+void Plan::move_along_axes(const Coefficients& steps, const double* rows,
+                           ObjectState& state) const noexcept {
   for (std::size_t a = 0; a < axis_count_; ++a) {
     const Eigen::Index axis = axes_[a];
     const auto i = static_cast<std::size_t>(axis);
@@ -137,8 +123,7 @@ void Plan::move_coupled(const CoupledStep& step, const double* rows,
   }
 }
 
-[[gnu::always_inline]] inline void Plan::move(const Coefficients& steps, const double* rows,
-                                              ObjectState& state) const noexcept {
+void Plan::move(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept {
   if (coupled_)
     move_coupled(steps.coupled, rows, state);
   else if (!force_follows_)
@@ -154,53 +139,21 @@ void Plan::move_coupled(const CoupledStep& step, const double* rows,
            state);
 }
 
-template <int count, bool torsion>
-void Plan::step_rows(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
-  using Rows = Eigen::Matrix<double, count, 1>;
-  Rows sum = Rows::Zero();
-  unsigned mask = 0;
-  // The common case without a call, so that the sum stays in registers: every finger presses within
-  // its cone or is away.
-  for (std::size_t i = 0; i < contacts_; ++i) {
-    const Pressing& contact = pressing_[i];
-    const Wrench& measured = wrench_C[contact.finger];
-    bool& on = state.contact[contact.finger];
-    const double fz = measured.force.z();
-    if (contact.rule.touches(on, fz)) {
-      if (!surely_held<torsion>(contact.limit, measured)) return step_any(wrench_C, state);
-      on = true;
-      mask |= contact.bit;
-      const double tz = torsion && contact.limit.torsional ? measured.torque.z() : 0.0;
-      sum += product<count, torsion>(contact.moving,
-                                     {measured.force.x(), measured.force.y(), fz, tz, false});
-    } else {
-      if (!usable(contact.limit, measured)) return step_any(wrench_C, state);
-      on = false;
-    }
-  }
-  const Rows rows = acts_[mask] ? sum : Rows(Rows::Zero());
-  move(steps_, rows.data(), state);
-}
-
 void Plan::step_any(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
   Vec6 sum = Vec6::Zero();
   const unsigned mask = touch(
       wrench_C, state, [&sum](const Pressing& contact, const Wrench&, const ContactForce& force) {
-        sum += product<6, true>(contact.moving, force);
+        sum += product(contact.moving, force);
       });
   if (!acts_[mask]) sum.setZero();
   move(steps_, sum.data(), state);
 }
 
 void Plan::step(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
-  if (torsion_)
-    step_rows<6, true>(wrench_C, state);
-  else if (row_count_ <= 1)
-    step_rows<1, false>(wrench_C, state);
-  else if (row_count_ <= 4)
-    step_rows<4, false>(wrench_C, state);
+  if (alone_.step != nullptr)
+    alone_.step(*this, wrench_C, state);
   else
-    step_rows<6, false>(wrench_C, state);
+    step_any(wrench_C, state);
 }
 
 }  // namespace isograsp

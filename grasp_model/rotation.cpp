@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace isograsp::so3 {
 
@@ -22,6 +23,23 @@ double cotangent_term(double t) noexcept {
 }
 
 }  // namespace
+
+CosSin cos_sin_any(double x) noexcept {
+  constexpr double kReach_rad = 1e5;
+  if (!(std::abs(x) <= kReach_rad)) return {std::cos(x), std::sin(x)};
+  // Quarter turns taken off with pi / 2 in two parts: the first has 33 bits, so that its multiples
+  // are exact (Cody and Waite).
+  constexpr double kHalfPiHigh = 0x1.921fb544p+0;
+  constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;
+  const double turns = std::nearbyint(x * (2.0 / std::numbers::pi));
+  const CosSin rest = cos_sin((x - turns * kHalfPiHigh) - turns * kHalfPiLow);
+  switch (static_cast<int>(turns) & 3) {
+    case 0: return rest;
+    case 1: return {-rest.sine, rest.cosine};
+    case 2: return {-rest.cosine, -rest.sine};
+    default: return {rest.sine, -rest.cosine};
+  }
+}
 
 Quat exp(const Vec3& phi) noexcept {
   const double half = 0.5 * length(phi);

@@ -9,26 +9,27 @@
 
 namespace isograsp::so3 {
 
-/// Cosine and sine; below 0.8 rad without a call, to 1 ulp.
+/// Cosine and sine to 1 ulp of 1, without a library call below 1e5 rad: the same bits everywhere.
 struct CosSin {
   double cosine = 1.0;
   double sine = 0.0;
 };
-[[nodiscard]] inline CosSin cos_sin(double x) noexcept {
-  constexpr double kReach_rad = 0.8;  // the first terms left out are below 1e-17
-  if (!(std::abs(x) <= kReach_rad)) return {std::cos(x), std::sin(x)};
-  // Both series at once, in pairs: cos x and sin x / x in powers of x^2.
+[[nodiscard]] CosSin cos_sin_any(double x) noexcept;
+[[nodiscard, gnu::always_inline]] inline CosSin cos_sin(double x) noexcept {
+  constexpr double kReach_rad = 0.7854;
+  if (!(std::abs(x) <= kReach_rad)) return cos_sin_any(x);
+  // cos x and sin x / x in pairs, polynomials in x^2: interpolated at the Chebyshev points of
+  // [0, 0.62], relative error 7e-17 and 4e-18.
   using Pair = Eigen::Array2d;
   const double u = x * x;
   const double u2 = u * u;
-  const double u4 = u2 * u2;
-  const Pair low = (Pair(1.0, 1.0) + u * Pair(-1.0 / 2, -1.0 / 6)) +
-                   u2 * (Pair(1.0 / 24, 1.0 / 120) + u * Pair(-1.0 / 720, -1.0 / 5040));
-  const Pair high = (Pair(1.0 / 40320, 1.0 / 362880) + u * Pair(-1.0 / 3628800, -1.0 / 39916800)) +
-                    u2 * (Pair(1.0 / 479001600, 1.0 / 6227020800) +
-                          u * Pair(-1.0 / 87178291200, -1.0 / 1307674368000)) +
-                    u4 * Pair(1.0 / 20922789888000, 1.0 / 355687428096000);
-  const Pair both = low + u4 * high;
+  const Pair low = (Pair(1.0, 1.0) + u * Pair(-0.49999999999999227565, -0.16666666666666615116)) +
+                   u2 * (Pair(0.041666666666467301687, 0.0083333333333200284316) +
+                         u * Pair(-0.001388888886959030172, -0.00019841269828391067657));
+  const Pair high = (Pair(2.4801578404008520964e-5, 2.7557313286582730739e-6) +
+                     u * Pair(-2.7555212612292537001e-7, -2.5050702774192119067e-8)) +
+                    u2 * Pair(2.0629203618557024278e-9, 1.5893901734804999415e-10);
+  const Pair both = low + (u2 * u2) * high;
   return {both[0], x * both[1]};
 }
 /// Unit quaternion of a rotation vector; no angle is too small or too large.

@@ -53,7 +53,7 @@ struct Scene {
   Mat3 R_WK = Mat3::Identity();   ///< axes of the x y z springs in the world
   Mat3 R_WD = Mat3::Identity();   ///< axes of the x y z dampers in the world
   /// Three free rotations: error of the attitude allowed in one hold [rad].
-  double tolerance_rad = 1e-10;
+  double tolerance_rad = 3e-10;
   WrenchFrame wrench_frame = WrenchFrame::hand;
   Vec3 gravity_m_s2 = Vec3::Zero();
   Vec3 anchor_m = Vec3::Zero();

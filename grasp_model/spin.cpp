@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grasp_model/dormand_prince.hpp"
 #include "grasp_model/rotation.hpp"
 
 namespace isograsp::so3 {
@@ -95,38 +96,72 @@ double SpinRate::fastest(const SpinVector& y, double hold_s) const noexcept {
   return y.segment<3>(4).norm() + gained + own_rate_;
 }
 
-Vec3 SpinRate::drive(const SpinVector& y) const noexcept {
-  Vec3 torque = torques_.body;
-  const Vec3 v = y.segment<3>(1);
+// Scalars, not vectors, on the way that every stage takes: a vector of three would be read in other
+// widths than it was written, which costs more than the arithmetic.
+[[gnu::always_inline]] inline void SpinRate::drive(const SpinVector& y, double& tx, double& ty,
+                                                   double& tz) const noexcept {
   const double w = y[0];
-  if (world_) {  // R^T tau = tau - 2 v x (w tau - v x tau) for a unit quaternion
-    const Vec3 t = 2.0 * v.cross(torques_.world);
-    torque += torques_.world - w * t + v.cross(t);
+  const double vx = y[1];
+  const double vy = y[2];
+  const double vz = y[3];
+  tx = torques_.body.x();
+  ty = torques_.body.y();
+  tz = torques_.body.z();
+  if (world_) {  // R^T tau = tau - w t + v x t, t = 2 v x tau, for a unit quaternion
+    const Vec3& tau = torques_.world;
+    const double sx = 2.0 * (vy * tau.z() - vz * tau.y());
+    const double sy = 2.0 * (vz * tau.x() - vx * tau.z());
+    const double sz = 2.0 * (vx * tau.y() - vy * tau.x());
+    tx += (tau.x() - w * sx) + (vy * sz - vz * sy);
+    ty += (tau.y() - w * sy) + (vz * sx - vx * sz);
+    tz += (tau.z() - w * sz) + (vx * sy - vy * sx);
   }
   if (spring_) {
-    if (even_spring_)
-      torque -= (body_.stiffness.x() * angle_ratio(v.squaredNorm(), w)) * v;
-    else
-      torque += spring_torque(angle_ratio(v.squaredNorm(), w) * v, body_.stiffness);
+    const double ratio = angle_ratio(vx * vx + vy * vy + vz * vz, w);
+    if (even_spring_) {
+      const double pull = body_.stiffness.x() * ratio;
+      tx -= pull * vx;
+      ty -= pull * vy;
+      tz -= pull * vz;
+    } else {
+      const Vec3 torque = spring_torque({ratio * vx, ratio * vy, ratio * vz}, body_.stiffness);
+      tx += torque.x();
+      ty += torque.y();
+      tz += torque.z();
+    }
   }
+}
+
+Vec3 SpinRate::drive(const SpinVector& y) const noexcept {
+  Vec3 torque;
+  drive(y, torque.x(), torque.y(), torque.z());
   return torque;
 }
 
-SpinVector SpinRate::operator()(const SpinVector& y) const noexcept {
-  Vec3 torque = drive(y);
+inline SpinVector SpinRate::operator()(const SpinVector& y) const noexcept {
+  double tx = 0.0;
+  double ty = 0.0;
+  double tz = 0.0;
+  drive(y, tx, ty, tz);
+  double a = y[4];
+  double b = y[5];
+  double c = y[6];
+  if (massless_) {
+    const Vec3 w_O = settled({tx, ty, tz}, {a, b, c});
+    a = w_O.x();
+    b = w_O.y();
+    c = w_O.z();
+  }
   const Vec3& I = body_.inertia_kg_m2;
-  Vec3 w_O = y.segment<3>(4);
-  if (massless_) w_O = settled(torque, w_O);
-  torque -= body_.damping.cwiseProduct(w_O);
-  torque.x() -= (I.z() - I.y()) * w_O.y() * w_O.z();
-  torque.y() -= (I.x() - I.z()) * w_O.z() * w_O.x();
-  torque.z() -= (I.y() - I.x()) * w_O.x() * w_O.y();
+  const Vec3& damping = body_.damping;
   SpinVector rate;
-  const double w = y[0];
-  const Vec3 v = y.segment<3>(1);
-  rate[0] = -0.5 * v.dot(w_O);
-  rate.segment<3>(1) = 0.5 * (w * w_O + v.cross(w_O));
-  rate.segment<3>(4) = inverse_inertia_.cwiseProduct(torque);
+  rate[0] = -0.5 * (y[1] * a + y[2] * b + y[3] * c);
+  rate[1] = 0.5 * (y[0] * a + y[2] * c - y[3] * b);
+  rate[2] = 0.5 * (y[0] * b + y[3] * a - y[1] * c);
+  rate[3] = 0.5 * (y[0] * c + y[1] * b - y[2] * a);
+  rate[4] = inverse_inertia_.x() * (tx - damping.x() * a - (I.z() - I.y()) * b * c);
+  rate[5] = inverse_inertia_.y() * (ty - damping.y() * b - (I.x() - I.z()) * c * a);
+  rate[6] = inverse_inertia_.z() * (tz - damping.z() * c - (I.y() - I.x()) * a * b);
   rate[7] = 0.0;
   return rate;
 }
@@ -158,6 +193,29 @@ bool SpinRate::too_fast(const SpinVector& y, double step_s, double hold_s) const
       return true;
   }
   return false;
+}
+
+SpinStep explicit_step(const SpinRate& rate, const SpinVector& start, double h_s,
+                       StageStates* seen) noexcept {
+  std::array<SpinVector, 12> k;
+  if (seen == nullptr)
+    dormand_prince::stages(
+        start, h_s, [&](std::size_t, const SpinVector& y) { return rate(y); }, k);
+  else
+    dormand_prince::stages(
+        start, h_s,
+        [&](std::size_t i, const SpinVector& y) {
+          (*seen)[i] = y;
+          return rate(y);
+        },
+        k);
+  SpinStep step;
+  step.end = start + h_s * dormand_prince::increment(k);
+  const double error5 = angle_of(dormand_prince::error5(k));
+  const double error3 = angle_of(dormand_prince::error3(k));
+  const double both = error5 * error5 + 0.01 * error3 * error3;
+  step.error_rad = both == 0.0 ? 0.0 : h_s * error5 * error5 / std::sqrt(both);
+  return step;
 }
 
 }  // namespace isograsp::so3

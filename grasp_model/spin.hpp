@@ -58,6 +58,7 @@ class SpinRate {
   [[nodiscard]] Vec3 drive(const SpinVector& y) const noexcept;
 
  private:
+  void drive(const SpinVector& y, double& tx, double& ty, double& tz) const noexcept;
   [[nodiscard]] Vec3 settled(const Vec3& driving, Vec3 w_O) const noexcept;
 
   Body body_;
@@ -70,6 +71,11 @@ class SpinRate {
   bool even_spring_ = false;  ///< the same stiffness on all axes
   bool world_ = false;
 };
+
+/// A difference of attitudes as the angle it means [rad].
+[[nodiscard]] inline double angle_of(const SpinVector& difference) noexcept {
+  return 2.0 * difference.head<4>().norm();
+}
 
 [[nodiscard]] SpinVector pack(const Spin& spin) noexcept;
 [[nodiscard]] Spin unpack(const SpinVector& y) noexcept;

@@ -92,17 +92,20 @@ Motion impulse_response(const Oscillator& oscillator, double hold_s) noexcept {
 LinearStep::LinearStep(const Oscillator& oscillator, double hold_s) noexcept {
   const auto [m, c, k] = oscillator;
   const auto [S, P, Q, R] = response(oscillator, hold_s);
-  S_ = S;
-  Q_ = Q;
-  k_ = k;
-  R_ = R;
-  P_per_m_ = m == 0.0 ? P : P / m;
-  S_per_m_ = m == 0.0 ? R / c : S / m;
-  pull_ = m == 0.0 ? k * R / c : k / m * S;
-  // Most of the way to the rest F/k is gone in one hold: what is left of the distance is the exact
-  // quantity then.
-  about_rest_ = k * P_per_m_ > 0.5;
-  if (about_rest_) compliance_ = 1.0 / k;
+  const double x_of_force = m == 0.0 ? P : P / m;
+  about_rest = k * x_of_force > 0.5;
+  x_of_v = S;
+  v_of_v = Q;
+  if (about_rest) {
+    force_share = 1.0 / k;
+    position_share = 1.0;
+    x_of_off = -R;
+    v_of_off = m == 0.0 ? k * R / c : k / m * S;
+  } else {
+    position_share = k;
+    x_of_off = x_of_force;
+    v_of_off = m == 0.0 ? R / c : S / m;
+  }
 }
 
 }  // namespace isograsp

@@ -39,34 +39,28 @@ struct Response {
 /// Motion at the end of the hold after a unit impulse at its start. Real-time safe.
 [[nodiscard]] Motion impulse_response(const Oscillator& oscillator, double hold_s) noexcept;
 
-/// The step with all that is constant computed once: seven multiplications, no division. Real-time
-/// safe.
-class LinearStep {
- public:
+/// The step with all that is constant computed once: no division, no branch. Real-time safe.
+struct LinearStep {
   LinearStep() = default;  ///< of a locked axis: nothing moves
   LinearStep(const Oscillator& oscillator, double hold_s) noexcept;
 
   /// State after the hold. For m = 0 the velocity is what force and spring leave for the damper.
   [[nodiscard]] Motion advance(const Motion& start, double force) const noexcept {
-    if (about_rest_) {
-      const double rest = force * compliance_;
-      const double y = start.x - rest;
-      return {rest + (y * R_ + start.v * S_), start.v * Q_ - y * pull_};
-    }
-    const double excess = force - k_ * start.x;
-    return {start.x + (start.v * S_ + excess * P_per_m_), start.v * Q_ + excess * S_per_m_};
+    const double pushed = force_share * force;
+    const double off = pushed - position_share * start.x;
+    const double base = about_rest ? pushed : start.x;
+    return {base + (x_of_v * start.v + x_of_off * off), v_of_v * start.v + v_of_off * off};
   }
 
- private:
-  double S_ = 0.0;
-  double Q_ = 1.0;
-  double k_ = 0.0;
-  double P_per_m_ = 0.0;
-  double S_per_m_ = 0.0;
-  double R_ = 1.0;
-  double pull_ = 0.0;        ///< (k/m) S
-  double compliance_ = 0.0;  ///< 1/k
-  bool about_rest_ = false;  ///< step the distance to F/k instead of the position
+  // Most of the way to the rest F/k is gone in one hold: then `off` is the distance to the rest,
+  // F/k - x, and steps from the rest; else it is the force F - k x, and steps from x.
+  bool about_rest = false;
+  double force_share = 1.0;     ///< 1/k, or 1
+  double position_share = 0.0;  ///< 1, or k
+  double x_of_v = 0.0;
+  double x_of_off = 0.0;
+  double v_of_v = 1.0;
+  double v_of_off = 0.0;
 };
 
 }  // namespace isograsp

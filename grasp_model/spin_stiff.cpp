@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two integrators of a body that turns freely.
+// The step for bodies too stiff for an explicit one, and the motion inside it.
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
 
-#include "grasp_model/dormand_prince.hpp"
 #include "grasp_model/rotation.hpp"
 #include "grasp_model/spin.hpp"
 
 namespace isograsp::so3 {
 
 namespace {
-
-/// A difference of attitudes as the angle it means [rad].
-double angle_of(const SpinVector& difference) noexcept {
-  return 2.0 * difference.head<4>().norm();
-}
 
 /// One linearly implicit Euler step: I w1 = I w0 + h (torque at the end, linearised at the start).
 SpinVector implicit_euler(const SpinRate& rate, const SpinVector& y, double h_s) noexcept {
@@ -48,29 +42,6 @@ SpinVector implicit_euler(const SpinRate& rate, const SpinVector& y, double h_s)
 }
 
 }  // namespace
-
-SpinStep explicit_step(const SpinRate& rate, const SpinVector& start, double h_s,
-                       StageStates* seen) noexcept {
-  std::array<SpinVector, 12> k;
-  if (seen == nullptr)
-    dormand_prince::stages(
-        start, h_s, [&](std::size_t, const SpinVector& y) { return rate(y); }, k);
-  else
-    dormand_prince::stages(
-        start, h_s,
-        [&](std::size_t i, const SpinVector& y) {
-          (*seen)[i] = y;
-          return rate(y);
-        },
-        k);
-  SpinStep step;
-  step.end = start + h_s * dormand_prince::increment(k);
-  const double error5 = angle_of(dormand_prince::error5(k));
-  const double error3 = angle_of(dormand_prince::error3(k));
-  const double both = error5 * error5 + 0.01 * error3 * error3;
-  step.error_rad = both == 0.0 ? 0.0 : h_s * error5 * error5 / std::sqrt(both);
-  return step;
-}
 
 SpinVector between(const SpinVector& start, const SpinVector& end, double h_s,
                    double share) noexcept {

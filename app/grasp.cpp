@@ -16,6 +16,7 @@
 
 #include "app/commands.hpp"
 #include "core/csv.hpp"
+#include "grasp_model/describe.hpp"
 #include "grasp_model/plan.hpp"
 
 namespace isograsp {
@@ -121,6 +122,7 @@ Json as_json(const Plan& plan, const Scales& scales, const std::vector<Subset>& 
   Json choices;
   for (const auto& [name, text] : describe(plan)) choices[name] = text;
   choices["hold_s"] = plan.hold_s();
+  choices["flops_per_frame"] = flops_per_frame(plan);
   choices["cost_ns_per_frame"] = cost_ns_per_frame(plan);
   document["plan"] = std::move(choices);
   return document;

@@ -16,7 +16,7 @@ inline constexpr std::array<double, 8> kWeight{0.0542937341165687622380536, 4.45
 
 /// Rates k[i] = f(i, y_i) at the stages of a step of y' = f(y).
 template <class State, class Rate>
-void stages(const State& y, double h, const Rate& f, std::array<State, 12>& k) {
+void stages(const State& y, typename State::Scalar h, const Rate& f, std::array<State, 12>& k) {
   k[0] = f(0, y);
   k[1] = f(1, y + h * (0.0526001519587677318785588 * k[0]));
   k[2] = f(2, y + h * (0.0197250569845378994544595 * k[0] + 0.0591751709536136983633786 * k[1]));

@@ -17,8 +17,6 @@
 
 namespace isograsp {
 
-class Plan;
-
 /// Any number of contacts; a scene has at most three.
 using GraspMatrix = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -86,8 +84,5 @@ struct Criteria {
 
 /// Whether the fingers of `mask` (bit f = finger f) may move the object under the scene's rule.
 [[nodiscard]] bool grasp_rule_holds(const Scene& scene, unsigned mask);
-
-/// What the plan chose and why: pairs of a name (a JSON key) and a text.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> describe(const Plan& plan);
 
 }  // namespace isograsp

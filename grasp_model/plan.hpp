@@ -50,7 +50,7 @@ struct GraspWrench {
   std::array<bool, kFingerCount> invalid{};  ///< not finite: had no part in the wrench
 };
 
-/// The compiled model; see describe() in grasp_model/grasp.hpp for its printed form.
+/// The compiled model; see describe() in grasp_model/describe.hpp for its printed form.
 class Plan {
  public:
   /// Compiles for holds of `hold_s`. Refuses what the model cannot do exactly.

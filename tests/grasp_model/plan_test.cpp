@@ -181,6 +181,31 @@ TEST(Plan, TravelLimitsStopTheBlockAndTheKnob) {
   EXPECT_GE(least_angle, -0.1);
 }
 
+TEST(Plan, UnderAForceThatTurnsTheStopIsMetInsideTheHold) {
+  // One hold of 50 ms against 64 short ones: the fingers push the same in object axes.
+  for (const std::string free : {"\"x\", \"y\", \"rz\"", "\"x\", \"y\", \"rx\", \"ry\", \"rz\""}) {
+    const auto scene = test::scene_of(test::block(
+        dynamics(free,
+                 "wrench_frame = \"object\"\nlimits = [{dof = \"x\", max_m = 0.004}, "
+                 "{dof = \"y\", min_m = -0.002, max_m = 0.002}]"),
+        "[initial]\nvelocity_m_s = [0.1, 0.05, 0]\nangular_velocity_rad_s = [0, 0, 6]\n" +
+            test::kDeviceContacts));
+    const double hold_s = 0.05;
+    const Plan whole = test::plan_of(scene, hold_s);
+    const Plan part = test::plan_of(scene, hold_s / 64);
+    ObjectState a = whole.initial_state();
+    ObjectState b = a;
+    whole.step(kPress, a);
+    for (int i = 0; i < 64; ++i) part.step(kPress, b);
+    EXPECT_EQ(b.pose.p_WO.y(), 0.002);  // it has met this stop, and stays
+    EXPECT_EQ(a.pose.p_WO.y(), b.pose.p_WO.y());
+    EXPECT_EQ(a.v_WO_W.y(), 0.0);
+    EXPECT_NEAR(a.pose.p_WO.x(), b.pose.p_WO.x(), 1e-10);
+    EXPECT_NEAR(a.v_WO_W.x(), b.v_WO_W.x(), 1e-8);
+    EXPECT_LE(angle_between(a.pose.q_WO, b.pose.q_WO), 1e-9);
+  }
+}
+
 TEST(Plan, GraspRulesDecideWhetherFingersMoveTheBlock) {
   const auto force = [](const std::string& rule, const FingerWrenches& forces) {
     const Plan plan = test::plan_of(test::scene_of(

@@ -127,6 +127,60 @@ TEST(LinearStep, WithoutMassTheDamperFollowsTheForceAtOnce) {
   EXPECT_NEAR(a.v, b.v, 1e-6);
 }
 
+TEST(LinearStep, AgreesWithTheBenchmarksOfAnotherProgram) {
+  // Drake (BSD-3), multibody/benchmarks/mass_damper_spring: closed forms, and for the overdamped
+  // case numbers that its authors made with MotionGenesis.
+  const double w = 3.0;
+  const double wd = w * std::sqrt(1.0 - 0.04);
+  const double period_s = 2.0 * 3.14159265358979323846 / wd;
+  const Motion undamped = LinearStep({1, 0, 9}, 4.25).advance({3, 0}, 0.0);
+  EXPECT_NEAR(undamped.x, 3.0 * std::cos(3.0 * 4.25), 2e-14);
+  const Motion underdamped = LinearStep({1, 1.2, 9}, period_s).advance({3, 0}, 0.0);
+  EXPECT_NEAR(underdamped.x, 3.0 * std::exp(-0.2 * w * period_s), 1e-14);
+  EXPECT_NEAR(underdamped.v, 0.0, 1e-14);
+  const Motion critical = LinearStep({1, 6, 9}, 0.25).advance({0, 3}, 0.0);
+  EXPECT_NEAR(critical.x, 3.0 * 0.25 * std::exp(-0.75), 1e-15);
+  EXPECT_NEAR(critical.v, 3.0 * 0.25 * std::exp(-0.75), 1e-15);
+  const Motion overdamped = LinearStep({1, 9, 9}, 0.25).advance({0, 3}, 0.0);
+  EXPECT_NEAR(overdamped.x, 0.2730433627750083, 1e-14 * 0.28);
+  EXPECT_NEAR(overdamped.v, 0.1082082477370706, 1e-14 * 0.28);
+}
+
+TEST(LinearStep, IsANumberAndStableForEveryMassSpringAndDamper) {
+  // omega h in [0, 1e6], zeta in [0, 1e6], m in [1e-6, 1e3].
+  const double h = 0.01;
+  int cases = 0;
+  for (const double m : {1e-6, 1e-3, 0.3, 1e3})
+    for (const double turn : {0.0, 1e-9, 1e-4, 0.3, 0.999, 1.0, 1.001, 3.0, 50.0, 1e3, 1e6})
+      for (const double zeta :
+           {0.0, 1e-12, 0.05, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.5, 30.0, 1e3, 1e6}) {
+        const double w = turn / h;
+        const Oscillator o{m, 2.0 * zeta * m * (w == 0.0 ? 1.0 / h : w), m * w * w};
+        const Motion end = LinearStep(o, h).advance({0.02, -0.3}, 1.5);
+        EXPECT_TRUE(std::isfinite(end.x) && std::isfinite(end.v))
+            << m << ' ' << turn << ' ' << zeta;
+        const Motion free = LinearStep(o, h).advance({0.02, -0.3}, 0.0);
+        const auto energy = [&o](const Motion& at) {
+          return 0.5 * (o.m * at.v * at.v + o.k * at.x * at.x);
+        };
+        // The phase is known to eps omega h, and so is what the spring holds.
+        EXPECT_LE(energy(free), energy({0.02, -0.3}) * (1.0 + 8 * kEpsilon * (1.0 + turn)));
+        ++cases;
+      }
+  EXPECT_EQ(cases, 4 * 11 * 10);
+}
+
+TEST(LinearStep, WithoutDamperTheMotionRunsBackwardsToItsStart) {
+  for (const double k : {0.0, 30.0, 3e5, 1e7}) {
+    const Oscillator o{0.3, 0.0, k};
+    const LinearStep step(o, 0.01);
+    const Motion there = step.advance({0.02, -0.1}, 1.5);
+    const Motion back = step.advance({there.x, -there.v}, 1.5);
+    const double turn = 0.01 * std::sqrt(k / 0.3);
+    EXPECT_NEAR(back.x, 0.02, 8 * kEpsilon * (1.0 + turn) * (0.03 + 1.5 / std::max(k, 50.0)));
+  }
+}
+
 TEST(AdvanceWithin, FarFromTheStopsItIsTheSameStep) {
   for (const auto& o : kOscillators) {
     const LinearStep step(o, 0.01);

@@ -19,7 +19,8 @@ std::string library_folder() {
   if (const auto chosen = environment("ISOGRASP_LIBRARY"); !chosen.empty()) return chosen;
   std::error_code ignored;
   if (fs::is_directory(ISOGRASP_SOURCE_LIBRARY, ignored)) return ISOGRASP_SOURCE_LIBRARY;
-  return ISOGRASP_INSTALLED_LIBRARY;
+  // PREFIX/bin/isograsp is this program: the prefix is where it was installed or moved to.
+  return fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path() / "share/isograsp";
 }
 
 std::string default_database() {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp simulate: the grasp model alone, finger forces in, trajectory out
 // (docs/file_formats.md). Streams: its memory does not grow with the recording.
+#include <array>
 #include <memory>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -28,26 +30,54 @@ constexpr std::string_view kTrajectoryHeader =
     "t_s,x_m,y_m,z_m,qw,qx,qy,qz,vx_mps,vy_mps,vz_mps,wx_radps,wy_radps,wz_radps,"
     "fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm,thumb_contact,index_contact,middle_contact\n";
 
-void append_row(std::string& text, double t_s, const ObjectState& state,
-                const GraspWrench& wrench) {
-  append_number(text, t_s);
-  const Quat& q = state.pose.q_WO;
-  const auto append = [&text](std::initializer_list<double> values) {
-    for (const double value : values) {
-      text += ',';
-      append_number(text, value);
+/// Prints rows straight into one block, which goes to the file when it is full.
+class TrajectoryWriter {
+ public:
+  explicit TrajectoryWriter(FileWriter file) : file_(std::move(file)) {
+    file_.write(kTrajectoryHeader);
+  }
+
+  void add(double t_s, const ObjectState& state, const GraspWrench& wrench) {
+    const Vec3& p = state.pose.p_WO;
+    const Quat& q = state.pose.q_WO;
+    const Vec3& v = state.v_WO_W;
+    const Vec3& w = state.w_WO_W;
+    const Vec3& f = wrench.F_O_W.force;
+    const Vec3& tau = wrench.F_O_W.torque;
+    const std::array<double, kNumbers> numbers{t_s,   p.x(), p.y(), p.z(),   q.w(),   q.x(),  q.y(),
+                                               q.z(), v.x(), v.y(), v.z(),   w.x(),   w.y(),  w.z(),
+                                               f.x(), f.y(), f.z(), tau.x(), tau.y(), tau.z()};
+    if (block_.size() - used_ < kLongestRow) flush();
+    char* at = block_.data() + used_;
+    for (const double number : numbers) {
+      at = print_number(at, number);
+      *at++ = ',';
     }
-  };
-  const auto append_vector = [&append](const Vec3& v) { append({v.x(), v.y(), v.z()}); };
-  append_vector(state.pose.p_WO);
-  append({q.w(), q.x(), q.y(), q.z()});
-  append_vector(state.v_WO_W);
-  append_vector(state.w_WO_W);
-  append_vector(wrench.F_O_W.force);
-  append_vector(wrench.F_O_W.torque);
-  for (const bool touching : wrench.contact) text += touching ? ",1" : ",0";
-  text += '\n';
-}
+    for (const bool touching : wrench.contact) {
+      *at++ = touching ? '1' : '0';
+      *at++ = ',';
+    }
+    at[-1] = '\n';
+    used_ = static_cast<std::size_t>(at - block_.data());
+  }
+  [[nodiscard]] Result<void> commit() {
+    flush();
+    return file_.commit();
+  }
+
+ private:
+  static constexpr std::size_t kNumbers = 20;
+  static constexpr std::size_t kLongestRow = kNumbers * (kLongestNumber + 1) + 2 * kFingerCount;
+
+  void flush() {
+    file_.write({block_.data(), used_});
+    used_ = 0;
+  }
+
+  FileWriter file_;
+  std::vector<char> block_ = std::vector<char>(std::size_t{1} << 16);
+  std::size_t used_ = 0;
+};
 
 Result<void> simulate(const SimulateOptions& options) {
   if (auto different = check_different(options.forces, options.out); !different) return different;
@@ -67,7 +97,7 @@ Result<void> simulate(const SimulateOptions& options) {
   auto out = FileWriter::create(options.out);
   if (!out) return out.error();
 
-  std::string rows(kTrajectoryHeader);
+  TrajectoryWriter trajectory(std::move(*out));
   ObjectState state = plan->initial_state();
   GraspWrench wrench;
   StaleRule stale;
@@ -95,17 +125,12 @@ Result<void> simulate(const SimulateOptions& options) {
     if (more && !grid->regular) hold_s = next.t_s - row.t_s;
     frozen = stale.apply(row.wrench_C, row.present, used, hold_s) == StaleRule::Verdict::frozen;
     if (!frozen) wrench = plan->grasp(row.wrench_C, state);
-    append_row(rows, row.t_s, state, wrench);
+    trajectory.add(row.t_s, state, wrench);
     move(hold_s);
-    if (!more) append_row(rows, row.t_s + hold_s, state, wrench);
-    constexpr std::size_t kChunk = std::size_t{1} << 16;
-    if (!more || rows.size() > kChunk) {
-      out->write(rows);
-      rows.clear();
-    }
+    if (!more) trajectory.add(row.t_s + hold_s, state, wrench);
     row = next;
   }
-  if (const auto done = out->commit(); !done) return done.error();
+  if (const auto done = trajectory.commit(); !done) return done.error();
   const auto count = [holds](std::size_t n) {
     return std::to_string(n) + " of " + std::to_string(holds) + " holds";
   };

@@ -33,7 +33,9 @@ function(isograsp_module name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/isograsp>)
   list(TRANSFORM ARG_USES PREPEND isograsp::)
   target_link_libraries(isograsp_${name}
-    PUBLIC ${ARG_USES} ${ARG_PUBLIC_LIBS} PRIVATE isograsp_options ${ARG_PRIVATE_LIBS})
+    PUBLIC ${ARG_USES} ${ARG_PUBLIC_LIBS}
+    PRIVATE $<BUILD_INTERFACE:isograsp_options> ${ARG_PRIVATE_LIBS})
+  target_compile_features(isograsp_${name} PUBLIC cxx_std_20)
 endfunction()
 
 function(isograsp_test name)

@@ -14,8 +14,11 @@
 
 namespace isograsp {
 
-/// Appends the shortest decimal that reads back to the same double; nothing for NaN (an empty
-/// field).
+/// Characters of the longest number, -2.2250738585072014e-308.
+inline constexpr std::size_t kLongestNumber = 24;
+/// Writes the shortest decimal that reads back to the same double; nothing for NaN (an empty
+/// field). Returns its end. @pre room for kLongestNumber characters
+char* print_number(char* at, double value) noexcept;
 void append_number(std::string& text, double value);
 [[nodiscard]] std::string format_number(double value);
 
@@ -40,18 +43,28 @@ class CsvReader {
   /// Reads the next row; an empty field becomes NaN. False at the end of the file.
   /// @pre row.size() == columns().size()
   [[nodiscard]] Result<bool> next(std::span<double> row);
+  /// The same for one column; does not look at the fields behind it, nor for numbers in those
+  /// before it. @pre 0 <= column < columns().size()
+  [[nodiscard]] Result<bool> next(int column, double& value);
 
   /// An error at the row read last.
   [[nodiscard]] Error error_here(std::string field, std::string what, std::string remedy) const;
 
  private:
-  bool read_line();
+  Result<bool> read_line();
+  Result<bool> read_row_line();
+  void fill();
+  [[nodiscard]] Error too_short(std::size_t column) const;
+  [[nodiscard]] Error not_a_number(std::size_t column, std::string_view field) const;
 
   std::string path_;
   std::ifstream in_;
   std::vector<std::string> columns_;
   std::vector<std::string> comments_;
-  std::string text_;  ///< the current line
+  std::vector<char> block_;  ///< a part of the file
+  std::size_t begin_ = 0;    ///< in block_: first character that no line has taken yet
+  std::size_t end_ = 0;      ///< in block_: behind the last character read
+  std::string_view text_;    ///< the current line, in block_
   int line_ = 0;
 };
 

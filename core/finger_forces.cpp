@@ -91,22 +91,24 @@ Result<bool> FingerForcesReader::next(FingerForcesRow& row) {
   return true;
 }
 
-Result<TimeGrid> read_time_grid(const std::string& path) {
+namespace {
+/// The grid of all times that `next_time(csv, column, t_s)` reads.
+template <class NextTime>
+Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) {
   auto csv = CsvReader::open(path);
   if (!csv) return csv.error();
   const int time = csv->find("t_s");
   if (time < 0)
     return csv->error_here("t_s", "the column is missing", "add the time of each row in seconds");
-  std::vector<double> fields(csv->columns().size());
   double previous = 0.0;
   double largest = 0.0;
   double least_step = std::numeric_limits<double>::infinity();
   double largest_step = 0.0;
   TimeGrid grid;
   for (std::size_t row = 0;; ++row) {
-    const auto more = csv->next(fields);
+    double t = 0.0;
+    const auto more = next_time(*csv, time, t);
     if (!more) return more.error();
-    const double t = fields[static_cast<std::size_t>(time)];
     if (!*more) {
       if (row < 2) return csv->error_here("", "fewer than two rows", "give at least two rows");
       break;
@@ -127,6 +129,21 @@ Result<TimeGrid> read_time_grid(const std::string& path) {
   const double tolerance = 4.0 * ulp;
   grid.regular = grid.hold_s - least_step <= tolerance && largest_step - grid.hold_s <= tolerance;
   return grid;
+}
+}  // namespace
+
+Result<TimeGrid> read_time_grid(const std::string& path) {
+  auto grid =
+      scan_times(path, [](CsvReader& csv, int time, double& t_s) { return csv.next(time, t_s); });
+  if (grid) return grid;
+  // What is wrong first in the file is what to name, and it may stand in another column.
+  std::vector<double> fields;
+  return scan_times(path, [&fields](CsvReader& csv, int time, double& t_s) {
+    fields.resize(csv.columns().size());
+    auto more = csv.next(fields);
+    t_s = fields[static_cast<std::size_t>(time)];
+    return more;
+  });
 }
 
 std::vector<std::string> finger_forces_columns() {

@@ -55,7 +55,8 @@ struct TimeGrid {
   bool regular = false;
   double hold_s = 0.0;  ///< t_1 - t_0
 };
-/// Reads the file once. At least two rows are required.
+/// Looks at the times alone; other columns are checked by the reader. At least two rows are
+/// required.
 [[nodiscard]] Result<TimeGrid> read_time_grid(const std::string& path);
 
 /// Names of the columns in the standard order: t_s, thumb_fx_N … middle_tz_Nm.

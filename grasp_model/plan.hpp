@@ -144,14 +144,13 @@ class Plan {
 
   /// All free axes side by side, two to a register: up to three translations, then the rotation.
   using Pair = double __attribute__((vector_size(16)));
-  template <class Value>
-  using Lanes = std::array<Value, 2>;
+  using Lanes = std::array<Pair, 2>;
   struct Alone {
-    Lanes<Pair> weight{};  ///< [N]
-    Lanes<Pair> anchor{};  ///< [m]
-    Lanes<Pair> force_share{}, position_share{}, x_of_v{}, x_of_off{}, v_of_v{}, v_of_off{};
-    Lanes<Pair> about_rest{};                                        ///< 0 or 1
-    std::array<std::array<Lanes<Pair>, 3>, kFingerCount> columns{};  ///< of f_x f_y f_z, by contact
+    Lanes weight{};  ///< [N]
+    Lanes anchor{};  ///< [m]
+    Lanes force_share{}, position_share{}, x_of_v{}, x_of_off{}, v_of_v{}, v_of_off{};
+    Lanes about_rest{};                                        ///< 0 or 1
+    std::array<std::array<Lanes, 3>, kFingerCount> columns{};  ///< of f_x f_y f_z, by contact
     /// The kernel of this plan; null if it needs more than independent axes.
     void (*step)(const Plan&, const FingerWrenches&, ObjectState&) noexcept = nullptr;
   };

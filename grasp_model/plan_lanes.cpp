@@ -80,7 +80,7 @@ void Plan::compile_lanes() {
       rotations_ == Rotations::three)
     return;
   const bool turns = rotations_ == Rotations::one_axis;
-  const auto put = [](Lanes<Pair>& lanes, std::size_t lane, double value) {
+  const auto put = [](Lanes& lanes, std::size_t lane, double value) {
     lanes[lane / 2][lane % 2] = value;
   };
   for (std::size_t lane = 0; lane < row_count_; ++lane) {

@@ -130,6 +130,9 @@ Group object_columns() {
     add("slip_" + finger, [f](const auto& s) { return number(s.grasp.slip[f]); });
     add("utilisation_" + finger, [f](const auto& s) { return s.grasp.utilisation[f]; });
   }
+  // Of the hold that led here.
+  add("model_error_rad", [](const auto& s) { return s.object.error_rad; });
+  add("model_inexact", [](const auto& s) { return number(s.object.tolerance_exceeded); });
   return group;
 }
 

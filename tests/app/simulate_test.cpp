@@ -11,7 +11,10 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "core/csv.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -147,6 +150,58 @@ TEST(Simulate, AnIrregularGridHoldsEachRowForItsOwnTime) {
   EXPECT_NEAR(t.at(2, "vx_mps"), 0.05, 1e-16);
   EXPECT_NEAR(t.at(3, "vx_mps"), 0.09, 1e-16);
   EXPECT_NEAR(t.at(3, "t_s"), 0.09, 1e-16);
+}
+
+TEST(Simulate, EveryRowOfALongRecordingComesOutOnceAndInOrder) {
+  std::string forces = kHeader;
+  constexpr std::size_t kRows = 3000;  // several blocks, and not a whole number of them
+  for (std::size_t i = 0; i < kRows; ++i)
+    forces += std::to_string(i) + ",0,0," + std::to_string(i % 7) + "\n";
+  const auto t = simulate(scene(), forces);
+  ASSERT_EQ(t.rows.size(), kRows + 1) << t.answer.err;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    ASSERT_EQ(t.at(i, "t_s"), static_cast<double>(i));
+    ASSERT_EQ(t.at(i, "fx_N"), static_cast<double>(i % 7));
+  }
+  EXPECT_EQ(t.at(kRows, "t_s"), static_cast<double>(kRows));
+}
+
+/// Largest memory that the program held while it simulated `rows` rows [KiB].
+long peak_memory_KiB(std::size_t rows) {
+  const test::TemporaryFolder folder;
+  // Written as it is made: what this process holds is the least that the system reports.
+  std::ofstream(folder.path("forces.csv")) << kHeader;
+  std::ofstream forces(folder.path("forces.csv"), std::ios::app);
+  for (std::size_t i = 0; i < rows; ++i) forces << i << ",0.125,0.25,1.5\n";
+  forces.close();
+  std::vector<std::string> words{ISOGRASP_EXECUTABLE,
+                                 "simulate",
+                                 "--scene",
+                                 folder.write("scene.toml", scene()),
+                                 "--forces",
+                                 folder.path("forces.csv"),
+                                 "--out",
+                                 folder.path("trajectory.csv")};
+  std::vector<char*> arguments;
+  for (auto& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  int status = -1;
+  rusage used{};
+  EXPECT_EQ(posix_spawn(&child, ISOGRASP_EXECUTABLE, nullptr, nullptr, arguments.data(), environ),
+            0);
+  EXPECT_EQ(wait4(child, &status, 0, &used), child);
+  EXPECT_EQ(status, 0);
+  return used.ru_maxrss;
+}
+
+TEST(Simulate, MemoryDoesNotGrowWithTheRecording) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers keep what is freed";
+#endif
+  // 150 000 rows of 20 numbers would be 24 MB, their text more.
+  constexpr long kSlack_KiB = 4096;  // pages of the libraries that one run touches and one does not
+  EXPECT_LE(peak_memory_KiB(150000), peak_memory_KiB(3000) + kSlack_KiB);
 }
 
 TEST(Simulate, AGridThatIsRegularButForRoundingHasOneHold) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv.hpp"
 
+#include <array>
+#include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -31,7 +34,8 @@ TEST(Numbers, EveryDoubleReadsBackToTheSameBits) {
 
 TEST(Numbers, TextNanInfinityAndTrailingCharactersAreNotNumbers) {
   double value = 7.0;
-  for (const char* text : {"", "abc", "nan", "NaN", "inf", "-inf", "1.0x", "1 2", "0x10", "1e999"})
+  for (const char* text :
+       {"", "abc", "nan", "NaN", "inf", "-inf", "1.0x", "1 2", "0x10", "1e999", "+-1"})
     EXPECT_FALSE(parse_number(text, value)) << text;
   EXPECT_EQ(value, 7.0);
 }
@@ -88,6 +92,88 @@ TEST(Csv, WindowsLineEndsByteOrderMarkAndCommentsAreAccepted) {
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->column("x_m")[1], 2.0);
   EXPECT_EQ(CsvReader::open(path)->comments().at(0), "made elsewhere");
+}
+
+TEST(Csv, EveryWayToWriteANumberGivesTheBitsOfFromChars) {
+  std::vector<std::string> fields{
+      // Halfway between two doubles: the even one.
+      "9007199254740993", "9007199254740995", "9007199254740993.0", "4503599627370496.5",
+      "4503599627370497.5", "9007199254740993.001", "9007199254740992",
+      // Most digits and decimals, and one more.
+      "9999999999999999999", "0.9999999999999999999", "0.0000000000000000001",
+      "99999999999999999999", "0.00000000000000000001", "18446744073709551615",
+      // Forms.
+      "0", "-0", "0.0", "-0.000", "5.", ".5", "-.5", "1e3", "1.5e-7", "00012.50", "-1E+2"};
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100000; ++i) {
+    std::string field = random() % 2 == 0 ? "-" : "";
+    const auto whole = random() % 8;
+    for (std::uint64_t d = 0; d <= whole; ++d) field += static_cast<char>('0' + random() % 10);
+    field += '.';
+    const auto decimals = random() % 18;
+    for (std::uint64_t d = 0; d <= decimals; ++d) field += static_cast<char>('0' + random() % 10);
+    fields.push_back(field);
+    fields.push_back(format_number(static_cast<double>(random() >> 11) * 0x1p-53));
+  }
+  const TemporaryFolder folder;
+  std::string text = "a,b\n";
+  for (const auto& field : fields) text += field + "," + field + "\n";
+  auto reader = CsvReader::open(folder.write("n.csv", text));
+  ASSERT_TRUE(reader) << reader.error().message();
+  for (const auto& field : fields) {
+    double expected = 0.0;
+    std::from_chars(field.data(), field.data() + field.size(), expected);
+    std::array<double, 2> row{};
+    ASSERT_TRUE(reader->next(row)) << field;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(row[0]), std::bit_cast<std::uint64_t>(expected))
+        << field;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(row[1]), std::bit_cast<std::uint64_t>(expected))
+        << field;
+  }
+}
+
+TEST(Csv, LinesOfAnyLengthAreWholeWhereverTheFileIsCut) {
+  const TemporaryFolder folder;
+  const std::string comment(200000, 'c');
+  std::string text = "#" + comment + "\n# second\na,b\n";
+  for (int i = 0; i < 20000; ++i)
+    text += std::to_string(i) + "," + std::string(static_cast<std::size_t>(i % 13), ' ') + "7\n";
+  text += "20000,7";  // the last line has no end
+  auto reader = CsvReader::open(folder.write("l.csv", text));
+  ASSERT_TRUE(reader) << reader.error().message();
+  EXPECT_EQ(reader->comments(), (std::vector<std::string>{comment, "second"}));
+  std::array<double, 2> row{};
+  for (int i = 0; i <= 20000; ++i) {
+    const auto more = reader->next(row);
+    ASSERT_TRUE(more && *more) << i;
+    ASSERT_EQ(row, (std::array{static_cast<double>(i), 7.0}));
+    ASSERT_EQ(reader->line(), i + 4);
+  }
+  EXPECT_FALSE(*reader->next(row));
+  EXPECT_FALSE(*reader->next(row));
+}
+
+TEST(Csv, OneColumnIsReadWithoutLookingAtTheOthers) {
+  const TemporaryFolder folder;
+  auto reader = CsvReader::open(folder.write("o.csv", "a,b,c\n1,2,x\n# no row\n\nx,,y\n5\n"));
+  ASSERT_TRUE(reader);
+  double value = 0.0;
+  ASSERT_TRUE(*reader->next(1, value));
+  EXPECT_EQ(value, 2.0);
+  ASSERT_TRUE(*reader->next(1, value));
+  EXPECT_TRUE(std::isnan(value));
+  const auto shorter = reader->next(1, value);
+  ASSERT_FALSE(shorter);
+  EXPECT_NE(shorter.error().message().find(":6: b: the line ends before this column; give every "
+                                           "line 3 fields"),
+            std::string::npos)
+      << shorter.error().message();
+}
+
+TEST(Csv, AFileThatCannotBeReadIsNotAnEmptyOne) {
+  const auto reader = CsvReader::open("/proc/self/mem");  // opens, but page 0 cannot be read
+  ASSERT_FALSE(reader);
+  EXPECT_NE(reader.error().message().find("cannot be read"), std::string::npos);
 }
 
 }  // namespace

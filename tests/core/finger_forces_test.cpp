@@ -60,6 +60,15 @@ TEST(FingerForces, AGridWithinFourUlpIsRegularAndAJitteredOneIsNot) {
   EXPECT_FALSE(read_time_grid(folder.write("one.csv", "t_s\n0\n")));
 }
 
+TEST(FingerForces, OfTwoFaultsTheFirstInTheFileIsNamed) {
+  const TemporaryFolder folder;
+  const auto grid =
+      read_time_grid(folder.write("t.csv", "t_s,thumb_fx_N\n0,0\n0.01,x\n0.02,0\n0.02,0\n"));
+  ASSERT_FALSE(grid);
+  EXPECT_NE(grid.error().message().find(":3: thumb_fx_N: 'x' is not"), std::string::npos)
+      << grid.error().message();
+}
+
 TEST(FingerForces, AWrittenRowReadsBackTheSame) {
   const TemporaryFolder folder;
   FingerForcesRow row;

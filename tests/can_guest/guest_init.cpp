@@ -52,12 +52,13 @@ int main(int argc, char** argv) {
   setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   mount_at("proc", "/proc");
   mount_at("sysfs", "/sys");
-  mount_at("tmpfs", "/tmp");
+  mount_at("tmpfs", "/mnt");  // not /tmp: the program may stand there
   for (const char* module : {"net/can/can.ko", "net/can/can-raw.ko",
                              "drivers/net/can/dev/can-dev.ko", "drivers/net/can/vcan.ko"})
     load_module(module);
   setenv("PATH", "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", 1);
-  setenv("HOME", "/tmp", 1);
+  setenv("HOME", "/mnt", 1);
+  setenv("TMPDIR", "/mnt", 1);
   setenv("ISOGRASP_CAN_INTERFACE", "vcan0", 1);
   run({"ip", "link", "set", "lo", "up"});
   run({"ip", "link", "add", "dev", "vcan0", "type", "vcan"});

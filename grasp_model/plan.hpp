@@ -114,6 +114,7 @@ class Plan {
   static void step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
                          ObjectState& state) noexcept;
   void step_any(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
+  [[nodiscard]] std::array<double, 6> rows_of(const Wrench& held) const noexcept;
   // `rows`: what stays constant during the hold, as GraspWrench::held, packed as rows_.
   void move(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
   void move_along_axes(const Coefficients& steps, const double* rows,

@@ -59,24 +59,23 @@ GraspWrench Plan::grasp(const FingerWrenches& wrench_C, ObjectState& state) cons
   return out;
 }
 
-void Plan::move(const GraspWrench& wrench, ObjectState& state) const noexcept {
-  Vec6 held;
-  held << wrench.held.force, wrench.held.torque;
+std::array<double, 6> Plan::rows_of(const Wrench& held) const noexcept {
+  Vec6 all;
+  all << held.force, held.torque;
   std::array<double, 6> rows{};
-  for (std::size_t r = 0; r < row_count_; ++r) rows[r] = held[rows_[r]];
-  move(steps_, rows.data(), state);
+  for (std::size_t r = 0; r < row_count_; ++r) rows[r] = all[rows_[r]];
+  return rows;
+}
+
+void Plan::move(const GraspWrench& wrench, ObjectState& state) const noexcept {
+  move(steps_, rows_of(wrench.held).data(), state);
 }
 
 void Plan::move(const GraspWrench& wrench, double hold_s, ObjectState& state) const {
-  if (hold_s == hold_s_) {
+  if (hold_s == hold_s_)
     move(wrench, state);
-    return;
-  }
-  Vec6 held;
-  held << wrench.held.force, wrench.held.torque;
-  std::array<double, 6> rows{};
-  for (std::size_t r = 0; r < row_count_; ++r) rows[r] = held[rows_[r]];
-  move(coefficients(hold_s), rows.data(), state);
+  else
+    move(coefficients(hold_s), rows_of(wrench.held).data(), state);
 }
 
 Motion Plan::turn_about_axis(const LinearStep& step, double hold_s, double torque,

@@ -54,18 +54,6 @@ bool away_from_threshold(const std::vector<Contact>& contacts, const Kind& kind)
          force_closure(with_friction(contacts, 1.0 + kAway), kind.rows());
 }
 
-Contact contact_at(const Vec3& p, const Vec3& normal, ContactModel model, double friction,
-                   double torsion_m = 0.0) {
-  Contact contact;
-  contact.p_OC = p;
-  const Vec3 z = normal.normalized();
-  contact.R_OC << z.unitOrthogonal(), z.cross(z.unitOrthogonal()), z;
-  contact.model = model;
-  contact.friction = friction;
-  contact.torsion_m = torsion_m;
-  return contact;
-}
-
 TEST(ForceClosure, AgreesWithTheGoldenCases) {
   const auto cases = test::golden_grasps();
   const auto rows = test::golden("force_closure.csv");
@@ -157,8 +145,8 @@ TEST(ForceClosure, ThumbAgainstIndexNeedsFrictionAboveTheSlopeOfTheirLine) {
   constexpr double kSlope = 12.5 / 65.0;
   for (const double side : {-1e-9, 1e-9}) {
     const std::vector<Contact> contacts{
-        contact_at({-0.0325, 0, 0}, Vec3::UnitX(), kPoint, kSlope + side),
-        contact_at({0.0325, 0.0125, 0}, -Vec3::UnitX(), kPoint, kSlope + side)};
+        test::contact_at({-0.0325, 0, 0}, Vec3::UnitX(), kPoint, kSlope + side),
+        test::contact_at({0.0325, 0.0125, 0}, -Vec3::UnitX(), kPoint, kSlope + side)};
     EXPECT_EQ(force_closure(contacts, kPlanarRows), side > 0.0);
     EXPECT_FALSE(force_closure(contacts, kAllRows));  // they cannot resist a turn about their line
     auto soft = contacts;
@@ -178,8 +166,9 @@ TEST(ForceClosure, ThreeLeaningFingersNeedFrictionAboveTheirLean) {
     for (int i = 0; i < 3; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / 3.0;
       const Vec3 out(std::cos(angle), std::sin(angle), 0.0);
-      contacts.push_back(contact_at(0.03 * out, Vec3(0, 0, std::sin(kLean)) - std::cos(kLean) * out,
-                                    kPoint, std::tan(kLean) + side));
+      contacts.push_back(test::contact_at(0.03 * out,
+                                          Vec3(0, 0, std::sin(kLean)) - std::cos(kLean) * out,
+                                          kPoint, std::tan(kLean) + side));
     }
     EXPECT_EQ(force_closure(contacts, kAllRows), side > 0.0);
   }
@@ -215,8 +204,8 @@ TEST(ForceClosure, OfTwistedSoftFingersReachesBeyondTheirLine) {
                                                     const std::vector<Eigen::Index>&)) {
     const double mu = share * std::tan(kLean);
     return test(
-        {contact_at({-0.03, 0, 0}, {std::cos(kLean), std::sin(kLean), 0}, kSoft, mu, 0.006),
-         contact_at({0.03, 0, 0}, {-std::cos(kLean), 0, std::sin(kLean)}, kSoft, mu, 0.006)},
+        {test::contact_at({-0.03, 0, 0}, {std::cos(kLean), std::sin(kLean), 0}, kSoft, mu, 0.006),
+         test::contact_at({0.03, 0, 0}, {-std::cos(kLean), 0, std::sin(kLean)}, kSoft, mu, 0.006)},
         kAllRows);
   };
   for (const auto test : {&force_closure, &force_closure_by_cuts}) {
@@ -280,7 +269,7 @@ TEST(ForceClosure, MoreFrictionOrOneMoreContactNeverLosesIt) {
 
 TEST(ForceClosure, IsRefusedWhereTheMapLosesRank) {
   const auto at = [](double x, double y, const Vec3& normal, ContactModel model) {
-    return contact_at({x, y, 0}, normal, model, 5.0, 0.01);
+    return test::contact_at({x, y, 0}, normal, model, 5.0, 0.01);
   };
   const Vec3 right = Vec3::UnitX();
   const Vec3 up = Vec3::UnitY();
@@ -294,7 +283,7 @@ TEST(ForceClosure, IsRefusedWhereTheMapLosesRank) {
     EXPECT_FALSE(force_closure({at(0, 0, right, model), at(0, 0, -right, model)}, kAllRows));
   // All on one side: full rank, but nothing opposes.
   EXPECT_FALSE(force_closure({at(-0.03, 0, right, kPoint), at(-0.03, 0.02, right, kPoint),
-                              contact_at({-0.03, 0.01, 0.02}, right, kPoint, 0.9)},
+                              test::contact_at({-0.03, 0.01, 0.02}, right, kPoint, 0.9)},
                              kAllRows));
 }
 
@@ -316,10 +305,10 @@ TEST(ForceClosure, OfFrictionlessFingersIsFormClosure) {
   const auto hold = [](double aside) {
     const Vec3 x = Vec3::UnitX();
     const Vec3 y = Vec3::UnitY();
-    return std::vector<Contact>{contact_at({-1, aside, 0}, x, kFrictionless, 0),
-                                contact_at({1, -aside, 0}, -x, kFrictionless, 0),
-                                contact_at({aside, 1, 0}, -y, kFrictionless, 0),
-                                contact_at({-aside, -1, 0}, y, kFrictionless, 0)};
+    return std::vector<Contact>{test::contact_at({-1, aside, 0}, x, kFrictionless, 0),
+                                test::contact_at({1, -aside, 0}, -x, kFrictionless, 0),
+                                test::contact_at({aside, 1, 0}, -y, kFrictionless, 0),
+                                test::contact_at({-aside, -1, 0}, y, kFrictionless, 0)};
   };
   EXPECT_FALSE(force_closure(hold(0.0), kPlanarRows));
   EXPECT_FALSE(force_closure(hold(0.2), kPlanarRows));  // each pair turns it the same way

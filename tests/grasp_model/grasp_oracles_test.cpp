@@ -41,16 +41,6 @@ Eigen::MatrixXd matrix_of(const Json& rows) {
   return m;
 }
 
-Contact contact_at(const Vec3& p, const Vec3& normal, ContactModel model, double friction) {
-  Contact contact;
-  contact.p_OC = p;
-  const Vec3 z = normal.normalized();
-  contact.R_OC << z.unitOrthogonal(), z.cross(z.unitOrthogonal()), z;
-  contact.model = model;
-  contact.friction = friction;
-  return contact;
-}
-
 TEST(GraspOracles, ClosureAgreesWithTwoCourses) {
   const Json cases = oracles("closure_cases.json");
   if (cases.is_null()) GTEST_SKIP() << "no recorded oracles";
@@ -61,9 +51,9 @@ TEST(GraspOracles, ClosureAgreesWithTwoCourses) {
     std::vector<Contact> contacts;
     for (std::size_t i = 0; i < one["points"].size(); ++i)
       contacts.push_back(
-          contact_at(vector_of(one["points"][i]), vector_of(one["normals"][i]),
-                     kind == "form" ? ContactModel::frictionless : ContactModel::point,
-                     kind == "form" ? 0.0 : one["mu"][i].get<double>()));
+          test::contact_at(vector_of(one["points"][i]), vector_of(one["normals"][i]),
+                           kind == "form" ? ContactModel::frictionless : ContactModel::point,
+                           kind == "form" ? 0.0 : one["mu"][i].get<double>()));
     ++compared[kind];
     if (kind == "form" || kind == "force") {
       EXPECT_EQ(force_closure(contacts, rows), one["expected"].get<bool>()) << one["id"];
@@ -105,8 +95,9 @@ TEST(GraspOracles, EpsilonAgreesWithDexNet) {
     const auto edges = one["cone_edges"].get<std::size_t>();
     std::vector<Contact> contacts;
     for (std::size_t i = 0; i < one["contact_points"].size(); ++i)
-      contacts.push_back(contact_at(vector_of(one["contact_points"][i]),
-                                    vector_of(one["inward_normals"][i]), ContactModel::point, mu));
+      contacts.push_back(test::contact_at(vector_of(one["contact_points"][i]),
+                                          vector_of(one["inward_normals"][i]), ContactModel::point,
+                                          mu));
     const auto& forces = one["primitive_forces"];
     ASSERT_EQ(forces.size(), edges * contacts.size());
     Eigen::MatrixXd wrenches(6, static_cast<Eigen::Index>(forces.size()));
@@ -155,9 +146,9 @@ TEST(GraspOracles, MapsAndCriteriaAgreeWithSynGrasp) {
     Eigen::MatrixXd to_base = Eigen::MatrixXd::Zero(width * count, width * count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      contacts.push_back(contact_at(vector_of(one["contact_points"][k]) - centre,
-                                    vector_of(one["inward_normals"][k]),
-                                    soft ? ContactModel::soft : ContactModel::point, 1.0));
+      contacts.push_back(test::contact_at(vector_of(one["contact_points"][k]) - centre,
+                                          vector_of(one["inward_normals"][k]),
+                                          soft ? ContactModel::soft : ContactModel::point, 1.0));
       to_base.block<3, 3>(width * i, 3 * i) = contacts.back().R_OC.transpose();
       if (soft) to_base(width * i + 3, 3 * count + i) = 1.0;
     }

@@ -20,6 +20,19 @@ inline const std::map<std::string, ContactModel> kModels{{"FL", ContactModel::fr
 inline const std::vector<Eigen::Index> kAllRows{0, 1, 2, 3, 4, 5};
 inline const std::vector<Eigen::Index> kPlanarRows{0, 1, 5};
 
+/// A contact that presses along `normal`, with any tangent.
+inline Contact contact_at(const Vec3& p_OC, const Vec3& normal, ContactModel model, double friction,
+                          double torsion_m = 0.0) {
+  Contact contact;
+  contact.p_OC = p_OC;
+  const Vec3 z = normal.normalized();
+  contact.R_OC << z.unitOrthogonal(), z.cross(z.unitOrthogonal()), z;
+  contact.model = model;
+  contact.friction = friction;
+  contact.torsion_m = torsion_m;
+  return contact;
+}
+
 struct GoldenGrasp {
   std::vector<Contact> contacts;
   std::vector<double> force_coordinates;

@@ -3,10 +3,9 @@
 // the plan: the equations of motion as they stand in docs/grasp_model.md, in extended precision and
 // small steps, contacts by the letter of the table.
 #include <cmath>
-#include <random>
 
 #include "grasp_model/dormand_prince.hpp"
-#include "tests/grasp_model/support.hpp"
+#include "tests/grasp_model/grasps.hpp"
 
 namespace isograsp {
 namespace {
@@ -17,26 +16,14 @@ using RealQuat = Eigen::Quaternion<Real>;
 /// p_WO, v_WO_W, q (w x y z), w_O
 using RealState = Eigen::Matrix<Real, 13, 1>;
 
-class Dice {
+class Dice : public test::RandomGrasps {
  public:
-  explicit Dice(std::uint64_t seed) : random_(seed) {}
-  double uniform(double least, double most) {
-    return least + (most - least) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
+  using RandomGrasps::RandomGrasps;
   /// Of any size between the two.
   double spread(double least, double most) {
     return least * std::pow(most / least, uniform(0.0, 1.0));
   }
   bool chance(double p) { return uniform(0.0, 1.0) < p; }
-  Vec3 direction() {
-    Vec3 v;
-    do v = Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-    while (v.norm() < 0.1 || v.norm() > 1.0);
-    return v.normalized();
-  }
-
- private:
-  std::mt19937_64 random_;
 };
 
 enum class Turning { none, one_axis, three };

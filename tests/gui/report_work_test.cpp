@@ -17,13 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 class LongWork : public QtTest {
  protected:
   /// A course of six sessions is made once and copied for each test.
@@ -126,7 +119,7 @@ TEST_F(ReportInTheBackground, CancelledAnywhereItLeavesNoFileAndTheOldOneAsItWas
   cancel_at("page 2");
   report().start(kCode, pdf_);
   ASSERT_TRUE(wait_until([&] { return !report().running(); }));
-  EXPECT_EQ(read(pdf_), "the old report");
+  EXPECT_EQ(read_file(pdf_), "the old report");
 }
 
 TEST_F(ReportInTheBackground, CanBeWrittenAfterOneWasCancelled) {
@@ -134,7 +127,7 @@ TEST_F(ReportInTheBackground, CanBeWrittenAfterOneWasCancelled) {
   report().cancel();
   report().start(kCode, pdf_);
   ASSERT_TRUE(wait_until([&] { return !report().running(); }));
-  EXPECT_EQ(read(pdf_).substr(0, 5), "%PDF-");
+  EXPECT_EQ(read_file(pdf_).substr(0, 5), "%PDF-");
   EXPECT_FALSE(fs::exists(reports_ + "/never.pdf"));
 }
 

@@ -25,13 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// Spaces of all kinds become one plain space, so that line breaks of a layout do not matter.
 std::string plain(std::string text) {
   for (const std::string space : {"\u00a0", "\n", "\f"})
@@ -80,7 +73,7 @@ class Report : public testing::Test {
     const std::string command =
         "pdftotext -layout " + pages + " '" + pdf_ + "' '" + folder_.path("text.txt") + "' 2>&1";
     if (std::system(command.c_str()) != 0) return "";
-    return plain(read(folder_.path("text.txt")));
+    return plain(test::read_file(folder_.path("text.txt")));
   }
   [[nodiscard]] static bool have_pdftotext() {
     return std::system("command -v pdftotext > /dev/null") == 0;
@@ -203,8 +196,9 @@ TEST_F(Report, EveryPageOfSimulatedDataSaysSo) {
   const auto content = gather("SIM-01");
   EXPECT_EQ(watermark(content), "SIMULATED DEVICE");
   write(content, "simulated");
-  EXPECT_NE(read(html_).find("<div class=\"watermark\" aria-hidden=\"true\">SIMULATED DEVICE"),
-            std::string::npos);
+  EXPECT_NE(
+      test::read_file(html_).find("<div class=\"watermark\" aria-hidden=\"true\">SIMULATED DEVICE"),
+      std::string::npos);
   if (!have_pdftotext()) GTEST_SKIP() << "pdftotext is not installed";
   int pages = 0;
   for (int page = 1; page <= 9; ++page) {
@@ -226,7 +220,7 @@ TEST_F(Report, MeasuredDataCarryNoWatermarkAndRecordedDataCarryTheirOwn) {
   const auto content = gather("REC-1");
   EXPECT_EQ(watermark(content), "REPLAYED RECORDING");
   write(content, "recorded");
-  const auto html = read(html_);
+  const auto html = test::read_file(html_);
   EXPECT_NE(html.find("a replayed recording, not measured with this device"), std::string::npos);
   EXPECT_NE(html.find("index sensor stands in for the thumb"), std::string::npos);
 }
@@ -235,7 +229,7 @@ TEST_F(Report, PdfAndHtmlHoldTheSameNumbers) {
   test::add_course(*store_, "TK-104", false);
   const auto content = gather("TK-104");
   write(content, "course");
-  const auto html = plain(read(html_));
+  const auto html = plain(test::read_file(html_));
   const auto pdf = pdf_text();
   const auto rows = glance_rows(content);
   EXPECT_EQ(rows.size(), 4u);
@@ -257,10 +251,10 @@ TEST_F(Report, PdfAndHtmlHoldTheSameNumbers) {
 TEST_F(Report, TheSameDataGiveTheSameReport) {
   test::add_course(*store_, "TK-104", false);
   write(gather("TK-104"), "first");
-  const auto html = read(html_);
+  const auto html = test::read_file(html_);
   const auto pdf = pdf_text();
   write(gather("TK-104"), "second");
-  EXPECT_EQ(read(html_), html);
+  EXPECT_EQ(test::read_file(html_), html);
   EXPECT_EQ(pdf_text(), pdf);
 }
 
@@ -293,7 +287,7 @@ TEST_F(Report, APatientWithoutTrialsGetsAReportThatSaysSo) {
   const auto content = gather("NEW-1");
   EXPECT_TRUE(content.sections.empty());
   write(content, "empty");
-  EXPECT_NE(plain(read(html_)).find(nothing_yet()), std::string::npos);
+  EXPECT_NE(plain(test::read_file(html_)).find(nothing_yet()), std::string::npos);
 }
 
 TEST_F(Report, APathThatCannotBeWrittenLeavesNothing) {
@@ -308,7 +302,7 @@ TEST_F(Report, APathThatCannotBeWrittenLeavesNothing) {
     EXPECT_FALSE(write_html(content, path).ok());
     EXPECT_FALSE(fs::exists(path));
   }
-  EXPECT_EQ(read(blocker), "not a folder");
+  EXPECT_EQ(test::read_file(blocker), "not a folder");
 }
 
 TEST(MeasureWords, NumbersArePrintedWithThreeDigitsAndAPrintedUnit) {

@@ -19,13 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// A PDF without what names the moment of its making.
 std::string timeless(const std::string& pdf) {
   static const std::regex kMoment(
@@ -83,8 +76,8 @@ TEST_F(Writing, InStepsAndBesideAnotherReportGivesTheSameFileAsAtOnce) {
       one->paint_next();
       if (!other->complete()) other->paint_next();
     }
-    EXPECT_EQ(timeless(one->take()), timeless(read(path))) << ending;
-    EXPECT_EQ(timeless(other->take()), timeless(read(path))) << ending;
+    EXPECT_EQ(timeless(one->take()), timeless(test::read_file(path))) << ending;
+    EXPECT_EQ(timeless(other->take()), timeless(test::read_file(path))) << ending;
   }
 }
 
@@ -118,7 +111,7 @@ TEST_F(Writing, StoppedAnywhereLeavesNoFileAndTheOldOneAsItWas) {
     }
     const auto old = folder_->write("old_" + name, "the old report");
     stop_before_step(steps - 1, old);
-    EXPECT_EQ(read(old), "the old report");
+    EXPECT_EQ(test::read_file(old), "the old report");
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// isograsp db: care of the database. Nothing here but `init` and `backup` writes a file.
+// isograsp db: care of the database. Nothing here but `init`, `backup` and `migrate` writes a file.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -224,11 +224,16 @@ Result<void> backup(const DbOptions& options) {
 }
 
 Result<void> migrate(const DbOptions& options) {
-  const auto store = SessionStore::open(options.file, SessionStore::Open::existing);
-  if (!store) return store.error();
-  print(options, {{"file", options.file}, {"format", kDatabaseFormat}, {"migrated", false}},
-        options.file + ": format " + std::to_string(kDatabaseFormat) +
-            " is current; nothing to migrate");
+  const auto done = SessionStore::migrate(options.file);
+  if (!done) return done.error();
+  const bool migrated = !done->copy.empty();
+  const std::string format = "format " + std::to_string(kDatabaseFormat);
+  Json json{{"file", options.file}, {"format", kDatabaseFormat}, {"migrated", migrated}};
+  if (migrated) json["copy"] = done->copy;
+  print(options, json,
+        migrated ? options.file + ": brought from format " + std::to_string(done->from) + " to " +
+                       format + "; as it was: " + done->copy
+                 : options.file + ": " + format + " is current; nothing to migrate");
   return {};
 }
 

@@ -95,6 +95,10 @@ Json as_json(const Measure& measure) {
   return one;
 }
 
+Json or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 /// The sidecar of one trial.
 Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64_t infinite) {
   const SessionRecord& session = *source.session;
@@ -129,8 +133,15 @@ Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64
                    {"dropped", trial.dropped},
                    {"worst_lateness_s", trial.worst_lateness_s},
                    {"worst_compute_s", trial.worst_compute_s}};
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    json["trial"]["contact_threshold_N"][std::string(kFingerNames[f])] =
+        or_null(trial.threshold_N[f]);
+  json["trial"]["zero_drift_N"] = or_null(trial.zero_drift_N);
+  json["trial"]["zero_drifted"] = trial.zero_drifted;
   json["health"] = Json::parse(trial.health_json, nullptr, false);
   if (json["health"].is_discarded()) json["health"] = nullptr;
+  json["timing"] = Json::parse(trial.timing_json, nullptr, false);
+  if (json["timing"].is_discarded()) json["timing"] = nullptr;
 
   json["columns"] = Json::array();
   for (const auto& group : trial.groups)
@@ -148,6 +159,15 @@ Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64
                                  {"units", "N N N Nm Nm Nm"},
                                  {"mean", as_json(zero.mean)},
                                  {"sd", as_json(zero.sd)}};
+
+  const auto rests = store.resting_forces(session.id);
+  if (!rests) return rests.error();
+  for (const auto& rest : *rests)
+    if (rest.trial_id == trial.id)
+      json["resting_force"] = {
+          {"duration_s", rest.duration_s}, {"since_strapping_s", or_null(rest.since_strapping_s)},
+          {"samples", rest.samples},       {"units", "N N N Nm Nm Nm"},
+          {"mean", as_json(rest.mean)},    {"sd", as_json(rest.sd)}};
 
   const auto measures = store.measures(trial.id);
   if (!measures) return measures.error();

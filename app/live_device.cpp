@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 
+#include "app/console.hpp"
 #include "device/frame_clock.hpp"
 #include "device/uri.hpp"
 #include "session/simulated_person.hpp"
@@ -45,17 +46,24 @@ Stimulus press_hold_release(double t_s, double grip_N) {
   return screen;
 }
 
-Result<LiveDevice> LiveDevice::open(const std::string& text) {
+Result<LiveDevice> LiveDevice::open(const std::string& text, const std::shared_ptr<BusTap>& tap) {
   LiveDevice live;
   const auto uri = Uri::parse(text);
   if (!uri) return uri.error();
   auto person = simulated_person(*uri);
   if (!person) return person.error();
   live.person_ = *std::move(person);
-  auto device = open_device(text, {live.person_.get()});
+  auto device = open_device(text, {live.person_.get(), tap});
   if (!device) return device.error();
   live.device_ = *std::move(device);
   return live;
+}
+
+Result<void> LiveDevice::ask_for(Realtime wish) {
+  const auto got = enter_realtime(wish);
+  if (!got) return got.error();
+  if (const auto words = describe(*got); !words.empty()) print_note("acquisition with " + words);
+  return {};
 }
 
 Result<void> LiveDevice::run(double duration_s,
@@ -64,7 +72,9 @@ Result<void> LiveDevice::run(double duration_s,
   SteadyClock clock;
   if (auto started = device_->start(clock); !started) return started;
   const DeviceInfo& info = device_->info();
-  FrameClock frames(info.frame_period_s, info.sample_period_s, info.on_grid, device_->now(clock));
+  const Timestamp start = device_->now(clock);
+  FrameClock frames(info.frame_period_s, info.sample_period_s, info.on_grid, start);
+  std::optional<Timestamp> last_frame;
   FingerFrame frame;
   SensorSample sample;
   bool more = true;
@@ -74,7 +84,13 @@ Result<void> LiveDevice::run(double duration_s,
     if (status == ReadStatus::sample) frames.push(sample);
     while (more && frames.pop(device_->now(clock), frame)) {
       if (person_) person_->see(press_hold_release(frame.t_s, grip_force(frame.wrench_C)));
-      more = (duration_s <= 0.0 || frame.t_s < duration_s) && on_frame(frame);
+      if (!(more = duration_s <= 0.0 || frame.t_s < duration_s)) break;
+      const Timestamp ready = clock.now();
+      if (last_frame) timing_.period.add(to_seconds(ready - *last_frame));
+      last_frame = ready;
+      timing_.lateness.add(to_seconds(device_->now(clock) - start) - frame.t_s);
+      more = on_frame(frame);
+      timing_.compute.add(to_seconds(clock.now() - ready));
     }
   }
   device_->stop();

@@ -11,6 +11,8 @@
 #include "core/result.hpp"
 #include "core/stimulus.hpp"
 #include "device/force_device.hpp"
+#include "session/realtime.hpp"
+#include "session/timing.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
 namespace isograsp {
@@ -21,18 +23,25 @@ namespace isograsp {
 
 class LiveDevice {
  public:
-  [[nodiscard]] static Result<LiveDevice> open(const std::string& uri);
+  /// `tap` gets the raw frames of a device on a bus.
+  [[nodiscard]] static Result<LiveDevice> open(const std::string& uri,
+                                               const std::shared_ptr<BusTap>& tap = nullptr);
 
   [[nodiscard]] ForceDevice& device() noexcept { return *device_; }
+  /// This thread, which run() works on, asks for real time and notes on standard error what it got.
+  [[nodiscard]] static Result<void> ask_for(Realtime wish);
   /// Starts the device and hands every frame on until `duration_s` is over (0: no end), the
   /// recording ends, Ctrl-C is pressed or `on_frame` returns false; then stops it.
   [[nodiscard]] Result<void> run(double duration_s,
                                  const std::function<bool(const FingerFrame&)>& on_frame);
+  /// Of the frames of run(); the work is that of `on_frame`.
+  [[nodiscard]] const Timing& timing() const noexcept { return timing_; }
 
  private:
   LiveDevice() = default;
   std::unique_ptr<VirtualPatient> person_;
   std::unique_ptr<ForceDevice> device_;
+  Timing timing_;
 };
 
 /// From now on Ctrl-C and SIGTERM set a flag instead of ending the program.

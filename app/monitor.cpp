@@ -9,6 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/live_device.hpp"
+#include "app/realtime_option.hpp"
 
 namespace isograsp {
 
@@ -18,6 +19,7 @@ struct MonitorOptions {
   std::string device;
   double duration_s = 0.0;
   bool json = false;
+  RealtimeOption realtime;
 };
 
 /// What was seen so far of one finger.
@@ -42,7 +44,8 @@ void print_live(const FingerFrame& frame, const DeviceHealth& health) {
 
 nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& health,
                                const std::array<Seen, kFingerCount>& seen, double seconds,
-                               std::uint64_t frames, std::uint64_t missing) {
+                               std::uint64_t frames, std::uint64_t missing,
+                               const Timing& timing) {
   nlohmann::ordered_json document{
       {"device", info.uri},
       {"description", info.description},
@@ -52,9 +55,13 @@ nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& healt
       {"frames_with_missing_values", missing},
       {"state", name_of(health.state)},
       {"fault", health.fault == DeviceFault::none ? nlohmann::ordered_json(nullptr)
-                                                  : nlohmann::ordered_json(describe(health.fault))},
+                                                  : nlohmann::ordered_json(name_of(health.fault))},
+      {"fault_text", describe(health.fault, health.finger)},
       {"foreign_frames", health.foreign_frames},
-      {"kernel_drops", health.kernel_drops}};
+      {"kernel_drops", health.bus.kernel_drops},
+      {"bus_overflows", health.bus.overflows},
+      {"error_frames", health.bus.error_frames},
+      {"unsent_frames", health.bus.unsent}};
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& counters = health.sensors[f];
     const auto& w = seen[f].last_C;
@@ -68,34 +75,43 @@ nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& healt
          {"good", counters.good},
          {"invalid", counters.invalid},
          {"torn", counters.torn},
+         {"duplicate", counters.duplicate},
+         {"late", counters.late},
          {"lost", counters.lost},
-         {"overloaded", counters.overloaded}});
+         {"stale", counters.stale},
+         {"saturated", counters.saturated},
+         {"overload", counters.overload},
+         {"status_errors", counters.status_errors},
+         {"restarts", counters.restarts}});
   }
+  document["timing"] = nlohmann::ordered_json::parse(as_json(timing));
   return document;
 }
 
 void print_summary(const DeviceInfo& info, const DeviceHealth& health, double seconds) {
   std::printf("%s, %.2f s\n", info.description.c_str(), seconds);
   if (health.fault != DeviceFault::none)
-    std::printf("%s\n", std::string(describe(health.fault)).c_str());
-  std::printf("%-7s %8s %8s %8s %8s %8s %10s\n", "", "rate/Hz", "good", "invalid", "torn", "lost",
-              "overloaded");
+    std::printf("%s\n", std::string(describe(health.fault, health.finger)).c_str());
+  std::printf("%-7s %8s %8s %8s %8s %8s %8s %8s %9s %8s %8s\n", "", "rate/Hz", "good", "invalid",
+              "torn", "late", "lost", "stale", "saturated", "overload", "restarts");
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& c = health.sensors[f];
-    std::printf("%-7s %8.2f %8llu %8llu %8llu %8llu %10llu\n", std::string(kFingerNames[f]).c_str(),
-                seconds > 0.0 ? static_cast<double>(c.good) / seconds : 0.0,
-                static_cast<unsigned long long>(c.good), static_cast<unsigned long long>(c.invalid),
-                static_cast<unsigned long long>(c.torn), static_cast<unsigned long long>(c.lost),
-                static_cast<unsigned long long>(c.overloaded));
+    const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    std::printf("%-7s %8.2f %8llu %8llu %8llu %8llu %8llu %8llu %9llu %8llu %8llu\n",
+                std::string(kFingerNames[f]).c_str(),
+                seconds > 0.0 ? static_cast<double>(c.good) / seconds : 0.0, number(c.good),
+                number(c.invalid), number(c.torn), number(c.late), number(c.lost), number(c.stale),
+                number(c.saturated), number(c.overload), number(c.restarts));
   }
   std::printf("foreign frames %llu, frames that the kernel dropped %llu\n",
               static_cast<unsigned long long>(health.foreign_frames),
-              static_cast<unsigned long long>(health.kernel_drops));
+              static_cast<unsigned long long>(health.bus.kernel_drops));
 }
 
 Result<void> run_monitor(const MonitorOptions& options) {
   auto live = LiveDevice::open(options.device);
   if (!live) return live.error();
+  if (auto got = LiveDevice::ask_for(options.realtime.wish()); !got) return got.error();
   constexpr double kPrintEvery_s = 0.5;
   std::array<Seen, kFingerCount> seen{};
   std::uint64_t frames = 0;
@@ -122,7 +138,7 @@ Result<void> run_monitor(const MonitorOptions& options) {
   if (!done) return done.error();
   const DeviceInfo& info = live->device().info();
   if (options.json)
-    std::puts(as_json(info, health, seen, seconds, frames, missing).dump(2).c_str());
+    std::puts(as_json(info, health, seen, seconds, frames, missing, live->timing()).dump(2).c_str());
   else
     print_summary(info, health, seconds);
   return {};
@@ -138,9 +154,9 @@ void add_monitor(CLI::App& app, Action& action) {
   command->add_option("--duration", options->duration_s, "Seconds; without it until Ctrl-C")
       ->check(CLI::Range(0.001, 1e6));
   command->add_flag("--json", options->json, "Print one JSON document at the end");
+  options->realtime.add_to(*command);
   command->footer("Example:\n  isograsp monitor --device 'can://can0?protocol=rft' --duration 10");
-  command->callback([options, &action] {
-    action = [options] { return run_monitor(*options); }; });
+  command->callback([options, &action] { action = [options] { return run_monitor(*options); }; });
 }
 
 }  // namespace isograsp

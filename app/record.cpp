@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp record: finger forces of a device to CSV, and the raw frames of its bus to a log.
-#include <atomic>
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/live_device.hpp"
+#include "app/realtime_option.hpp"
+#include "app/raw_log.hpp"
 #include "core/csv.hpp"
 #include "core/finger_forces.hpp"
-#include "device/can_bus.hpp"
-#include "device/candump_log.hpp"
-#include "device/uri.hpp"
 
 namespace isograsp {
 
@@ -25,77 +22,18 @@ struct RecordOptions {
   std::string out;
   std::string raw;
   double duration_s = 0.0;
-};
-
-/// Writes every frame of a bus to a candump log, commands included, on a thread and a socket of its
-/// own: the log is complete whatever the driver does.
-class RawLog {
- public:
-  [[nodiscard]] static Result<std::unique_ptr<RawLog>> open(const RecordOptions& options) {
-    const auto uri = Uri::parse(options.device);
-    if (!uri) return uri.error();
-    if (uri->scheme != "can")
-      return Error{Error::Code::bad_input,
-                   "only devices on a bus have raw frames",
-                   "leave it out, or record a can:// device",
-                   "",
-                   0,
-                   "--raw"};
-    auto bus = open_socketcan(uri->target, {});
-    if (!bus) return bus.error();
-    auto file = FileWriter::create(options.raw);
-    if (!file) return file.error();
-    return std::unique_ptr<RawLog>(new RawLog(uri->target, *std::move(bus), *std::move(file)));
-  }
-
-  Result<void> start() {
-    if (auto started = bus_->start(clock_); !started) return started;
-    thread_ = std::thread([this] { run(); });
-    return {};
-  }
-  Result<void> finish() {
-    stop();
-    return file_.commit();
-  }
-  ~RawLog() { stop(); }
-
- private:
-  RawLog(std::string interface, std::unique_ptr<CanBus> bus, FileWriter file)
-      : interface_(std::move(interface)), bus_(std::move(bus)), file_(std::move(file)) {}
-
-  void stop() {
-    running_ = false;
-    if (thread_.joinable()) thread_.join();
-  }
-  void run() {
-    constexpr Timestamp kLook = std::chrono::milliseconds(50);
-    ReceivedFrame in;
-    while (true) {
-      const BusEvent event = bus_->receive(clock_.now() + kLook, in);
-      if (event == BusEvent::frame || event == BusEvent::bus_off)
-        file_.write(format_candump_line(in.wall_time, interface_, in.frame) + "\n");
-      else if (!running_)
-        return;
-    }
-  }
-
-  std::string interface_;
-  SteadyClock clock_;
-  std::unique_ptr<CanBus> bus_;
-  FileWriter file_;
-  std::atomic<bool> running_{true};
-  std::thread thread_;
+  RealtimeOption realtime;
 };
 
 Result<void> run_record(const RecordOptions& options) {
-  auto live = LiveDevice::open(options.device);
-  if (!live) return live.error();
   std::unique_ptr<RawLog> raw;
   if (!options.raw.empty()) {
-    auto opened = RawLog::open(options);
+    auto opened = RawLog::open(options.device, options.raw);
     if (!opened) return opened.error();
     raw = *std::move(opened);
   }
+  auto live = LiveDevice::open(options.device, raw ? raw->tap() : nullptr);
+  if (!live) return live.error();
   auto file = FileWriter::create(options.out);
   if (!file) return file.error();
 
@@ -106,8 +44,8 @@ Result<void> run_record(const RecordOptions& options) {
   for (const auto& name : finger_forces_columns()) text += (name == "t_s" ? "" : ",") + name;
   file->write(text + "\n");
 
-  if (raw)
-    if (auto started = raw->start(); !started) return started;
+  if (raw) raw->start();
+  if (auto got = LiveDevice::ask_for(options.realtime.wish()); !got) return got.error();
   std::uint64_t rows = 0;
   std::uint64_t missing = 0;
   ProgressBar progress("Recording");
@@ -147,10 +85,11 @@ void add_record(CLI::App& app, Action& action) {
   command->add_option("--device", options->device, "Device URI (see: isograsp devices)")
       ->required();
   command->add_option("--out", options->out, "Finger-forces file to write (CSV)")->required();
-  command->add_option("--raw", options->raw, "Log of every frame on the bus (candump format)");
+  command->add_option("--raw", options->raw, "Log of the frames to and from the sensors");
   command->add_option("--duration", options->duration_s, "Seconds")
       ->required()
       ->check(CLI::Range(0.001, 1e6));
+  options->realtime.add_to(*command);
   command->footer(
       "Example:\n  isograsp record --device 'can://can0?protocol=rft' --out forces.csv --raw "
       "frames.log --duration 60");

@@ -11,6 +11,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/paths.hpp"
+#include "app/realtime_option.hpp"
 #include "session/protocol_run.hpp"
 #include "session/session.hpp"
 
@@ -31,6 +32,7 @@ void print_trial(const TrialOutcome& outcome) {
   const TrialRecord& trial = outcome.trial;
   std::printf("\n  Trial %d  %s%s  [%s]\n", trial.number, trial.task_name.c_str(),
               trial.practice ? ", practice" : "", std::string(name_of(trial.status)).c_str());
+  if (outcome.rest) std::printf("    %s\n", outcome.rest->words.c_str());
   for (const auto& measure : outcome.measures) print_measure(measure);
 }
 
@@ -59,20 +61,28 @@ Result<void> run_session(const RunOptions& options) {
   config.software_version = ISOGRASP_VERSION;
   config.virtual_time = options.fast;
   config.started_utc = options.started_utc;
+  config.operator_name = options.operator_name;
+  config.realtime = options.realtime;
   auto session = Session::open(config);
   if (!session) return session.error();
 
   if (!options.quiet) {
     if ((*session)->patient_is_new())
       print_note("patient " + options.patient + " is new and was created");
+    if (const auto got = describe((*session)->realtime()); !got.empty())
+      print_note("acquisition with " + got);
     std::printf("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
                 (*session)->device().description.c_str());
     std::fflush(stdout);
   }
   ProgressBar bar("Session");
-  const auto result = run_protocol(**session, *protocol, [&](const ProtocolProgress& at) {
-    if (!options.quiet) bar.show(static_cast<double>(at.step) / std::max(1, at.steps), at.doing);
-  });
+  const auto result = run_protocol(
+      **session, *protocol,
+      [&](const ProtocolProgress& at) {
+        if (!options.quiet)
+          bar.show(static_cast<double>(at.step) / std::max(1, at.steps), at.doing);
+      },
+      options.serviced);
   (*session)->close();
   bar.end();
   if (!result) return result.error();
@@ -83,6 +93,7 @@ Result<void> run_session(const RunOptions& options) {
 
 void add_run(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
+  auto realtime = std::make_shared<RealtimeOption>();
   auto* command = app.add_subcommand("run", "A session without a window");
   command->add_option("--protocol-file", options->protocol_file, "Protocol (TOML)")->required();
   command->add_option("--device", options->device, "Device URI, e.g. sim://healthy?seed=7")
@@ -90,11 +101,19 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--db", options->database, "Database; made if it does not exist")->required();
   command->add_option("--patient", options->patient, "Patient code; created if new")->required();
   command->add_option("--hand", options->hand, "right or left")->capture_default_str();
+  command->add_option("--operator", options->operator_name,
+                      "Who runs it, stored with zero and resting force");
   command->add_flag("--fast", options->fast, "Simulated and replayed devices in virtual time");
+  command->add_flag("--serviced", options->serviced,
+                    "The device was serviced or remounted: its zero may differ from the last one");
+  realtime->add_to(*command);
   command->footer(
       "Example:\n  isograsp run --protocol-file library/protocols/demonstration.toml \\\n"
       "    --device 'sim://healthy?seed=7' --db clinic.db --patient DEMO-01 --fast");
-  command->callback([options, &action] { action = [options] { return run_session(*options); }; });
+  command->callback([options, realtime, &action] {
+    options->realtime = realtime->wish();
+    action = [options] { return run_session(*options); };
+  });
 }
 
 }  // namespace isograsp

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/result.hpp"
+#include "session/realtime.hpp"
 
 namespace isograsp {
 
@@ -17,6 +18,9 @@ struct RunOptions {
   bool fast = false;
   bool quiet = false;       ///< no progress bar and no scores
   std::string started_utc;  ///< empty: now
+  std::string operator_name;
+  bool serviced = false;  ///< the operator confirms that the device was serviced or remounted
+  Realtime realtime = Realtime::prefer;
 };
 
 /// Runs the protocol, records it and prints the scores.

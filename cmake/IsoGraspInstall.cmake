@@ -21,6 +21,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/IsoGraspConfigVersion.cma
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/IsoGraspConfig.cmake
   ${PROJECT_BINARY_DIR}/IsoGraspConfigVersion.cmake ${PROJECT_SOURCE_DIR}/cmake/FindGlpk.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/FindComedi.cmake
   DESTINATION ${package} COMPONENT development)
 
 if(ISOGRASP_APPLICATION)

@@ -14,6 +14,13 @@ std::string utc_text(std::time_t time) {
   return text;
 }
 
+std::optional<std::time_t> time_of_utc(const std::string& text) {
+  std::tm parts{};
+  const char* const end = strptime(text.c_str(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  if (end == nullptr || *end != '\0') return std::nullopt;
+  return timegm(&parts);
+}
+
 Timestamp SteadyClock::now() const noexcept {
   timespec t{};
   clock_gettime(CLOCK_MONOTONIC, &t);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <ctime>
+#include <optional>
 #include <string>
 
 namespace isograsp {
@@ -22,6 +23,8 @@ using Timestamp = std::chrono::nanoseconds;
 
 /// Wall time as ISO 8601 in UTC: 2026-03-05T09:30:00Z.
 [[nodiscard]] std::string utc_text(std::time_t time);
+/// The reverse, for exactly this form.
+[[nodiscard]] std::optional<std::time_t> time_of_utc(const std::string& text);
 
 class Clock {
  public:

@@ -18,11 +18,20 @@ constexpr std::array<const char*, 6> kAxisColumns{"fx_N",  "fy_N",  "fz_N",
 constexpr double kStandardGravity = 9.80665;  // m/s^2, exact by definition
 constexpr double kPound_kg = 0.45359237;      // exact by definition
 constexpr double kInch_m = 0.0254;            // exact by definition
+constexpr double kLeastRate_Hz = 1e-6;        // a row in eleven days
 
 struct Unit {
   std::string name;
   double value = 1.0;  ///< N, N m, or per second
 };
+
+/// Refuses a multiple that a number cannot say in SI units.
+void require_size(TomlReader& reader, std::string_view key, double scale, double size) {
+  if (scale == 0.0)
+    reader.fail(key, "is zero", "write how many units one step is");
+  else if (!std::isnormal(size))
+    reader.fail(key, "is out of range", "write how many units one step is");
+}
 
 /// A unit with the multiple of it that one step of the log means (1, or e.g. newtons per count).
 Unit force_unit(TomlReader& reader, const Unit& fallback) {
@@ -35,7 +44,7 @@ Unit force_unit(TomlReader& reader, const Unit& fallback) {
   }
   if (reader.has("force_scale")) {
     const double scale = reader.number("force_scale");
-    if (scale == 0.0) reader.fail("force_scale", "is zero", "write how many units one step is");
+    require_size(reader, "force_scale", scale, scale * unit.value);
     unit = {format_number(scale) + " " + unit.name, scale * unit.value};
   }
   return unit;
@@ -51,7 +60,7 @@ Unit torque_unit(TomlReader& reader, const Unit& fallback) {
   }
   if (reader.has("torque_scale")) {
     const double scale = reader.number("torque_scale");
-    if (scale == 0.0) reader.fail("torque_scale", "is zero", "write how many units one step is");
+    require_size(reader, "torque_scale", scale, scale * unit.value);
     unit = {format_number(scale) + " " + unit.name, scale * unit.value};
   }
   return unit;
@@ -81,6 +90,8 @@ void read_time(TomlReader& root, CsvMapping& mapping) {
     mapping.rate_Hz = root.number("rate_Hz");
     if (!(*mapping.rate_Hz > 0.0))
       root.fail("rate_Hz", "is not positive", "write rows per second, e.g. 120");
+    else if (*mapping.rate_Hz < kLeastRate_Hz)
+      root.fail("rate_Hz", "is out of range", "write rows per second, e.g. 120");
     return;
   }
   constexpr std::array<double, 4> kPerSecond{1.0, 1e3, 1e6, 1e9};
@@ -151,6 +162,9 @@ Result<void> append_sample(std::string& text, const Log& log) {
     const double value = column < 0 ? 0.0
                                     : log.finger->axes[axis].sign * scale *
                                           log.fields[static_cast<std::size_t>(column)];
+    if (!std::isfinite(value))
+      return log.reader.error_here(log.finger->axes[axis].column, "is too large in SI units",
+                                   "correct the number, or the scale of the mapping");
     append_number(text, value + 0.0);  // + 0: a turned sign makes no "-0"
   }
   return {};

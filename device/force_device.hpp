@@ -6,15 +6,21 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/stimulus.hpp"
 #include "core/time.hpp"
+#include "device/bus/bus.hpp"
+#include "device/platform.hpp"
 
 namespace isograsp {
+
+struct BusTap;
 
 /// One sample of one sensor.
 struct SensorSample {
@@ -28,11 +34,17 @@ struct SensorSample {
 
 /// Counters of one sensor since start(); they never decrease.
 struct SensorCounters {
-  std::uint64_t good = 0;        ///< valid samples
-  std::uint64_t invalid = 0;     ///< samples that the device marked as having no value
-  std::uint64_t torn = 0;        ///< half samples
-  std::uint64_t lost = 0;        ///< samples missing by count or by time
-  std::uint64_t overloaded = 0;  ///< samples with an overload or saturation flag
+  std::uint64_t good = 0;           ///< valid samples
+  std::uint64_t invalid = 0;        ///< samples that came but mean nothing, whatever the reason
+  std::uint64_t torn = 0;           ///< half samples
+  std::uint64_t duplicate = 0;      ///< frames that came twice
+  std::uint64_t late = 0;           ///< answers that came when nobody waited any more
+  std::uint64_t lost = 0;           ///< samples missing by count or by time
+  std::uint64_t stale = 0;          ///< samples that repeat one value for longer than half a second
+  std::uint64_t saturated = 0;      ///< samples at the end of the range
+  std::uint64_t overload = 0;       ///< samples with the sensor's own overload sign
+  std::uint64_t status_errors = 0;  ///< samples that the sensor itself called wrong
+  std::uint64_t restarts = 0;       ///< times that the sensor had to be set up again
 };
 
 enum class DeviceState : std::uint8_t {
@@ -47,24 +59,40 @@ enum class DeviceState : std::uint8_t {
 [[nodiscard]] std::string_view name_of(DeviceState state) noexcept;
 
 /// Why a device is degraded or faulted; words for both screens come from describe().
+/// In the order of their weight, the gravest first.
 enum class DeviceFault : std::uint8_t {
   none,
-  silence,
-  torn_samples,
-  bus_off,
-  interface_down,
   interface_gone,
-  overload
+  interface_down,
+  bus_off,
+  silence,          ///< a sensor sends nothing
+  wrong_sensor,     ///< a sensor came back as another one, or refuses its settings
+  frozen,           ///< a sensor repeats one value: it does not measure
+  status,           ///< a sensor says that it is broken
+  overload,         ///< a sensor is overloaded or at the end of its range
+  restarted,        ///< a sensor forgot its state: the zero must be checked
+  damaged_samples,  ///< samples arrive torn or are lost
+  bus_overflow,     ///< the bus adapter, or this computer, loses frames
+  bus_warning       ///< the bus counts many errors
 };
-/// One plain sentence for the therapist, with what to do.
-[[nodiscard]] std::string_view describe(DeviceFault fault) noexcept;
+inline constexpr std::size_t kDeviceFaultCount = 13;
+/// Whether forces are missing because of it: the device is faulted, not only degraded.
+[[nodiscard]] constexpr bool stops_forces(DeviceFault fault) noexcept {
+  return fault != DeviceFault::none && fault <= DeviceFault::status;
+}
+/// One word for machines: "silence", "bus_off".
+[[nodiscard]] std::string_view name_of(DeviceFault fault) noexcept;
+/// One plain sentence for the therapist, with what to do. Static text: real-time safe.
+[[nodiscard]] std::string_view describe(DeviceFault fault,
+                                        std::optional<Finger> finger = std::nullopt) noexcept;
 
 struct DeviceHealth {
   DeviceState state = DeviceState::absent;
   DeviceFault fault = DeviceFault::none;
+  std::optional<Finger> finger;  ///< whose sensor has the fault; none: the bus
   std::array<SensorCounters, kFingerCount> sensors{};
   std::uint64_t foreign_frames = 0;  ///< frames on the bus that are not ours
-  std::uint64_t kernel_drops = 0;    ///< frames that the kernel had no room for
+  BusCounters bus;
 };
 
 /// What the device is; fixed after open_device().
@@ -77,9 +105,11 @@ struct DeviceInfo {
   double sample_period_s = 0.01;  ///< nominal, of each sensor
   double frame_period_s = 0.01;   ///< of the grid that the frame clock should make
   double delay_s = 0.0;           ///< known delay from force to stamp (filter)
+  std::optional<Hand> hand;       ///< the platform is mounted for this hand only
   std::array<std::string, kFingerCount> serial_numbers;
   std::array<Vec6, kFingerCount> units_per_count;  ///< [N, N m] per raw count; 0: no counts
   std::array<Vec6, kFingerCount> range;            ///< largest force and torque [N, N m]
+  Platform platform;                               ///< where the supports stand
   std::vector<std::string> provenance;  ///< where recorded data come from, what was overridden
 };
 
@@ -110,12 +140,12 @@ class ForceDevice {
   virtual void stop() noexcept = 0;
 };
 
-/// Who presses a simulated device; other devices ignore it.
 struct DeviceOptions {
-  FingerSource* source = nullptr;  ///< required by sim://; must outlive the device
+  FingerSource* source = nullptr;  ///< presses sim://, which needs it; must outlive the device
+  std::shared_ptr<BusTap> tap;     ///< gets every frame of a bus; devices without one refuse it
 };
 
-/// Opens sim://…, replay://FILE?speed=…, can://IFACE?protocol=rft&config=….
+/// Opens sim://…, replay://FILE?speed=…, can://IFACE?protocol=…&config=…, udp://…, serial://….
 /// Errors name the scheme, parameter or interface and what would be needed.
 [[nodiscard]] Result<std::unique_ptr<ForceDevice>> open_device(const std::string& uri,
                                                                const DeviceOptions& options = {});

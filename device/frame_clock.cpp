@@ -79,10 +79,13 @@ void FrameClock::push(const SensorSample& sample) noexcept {
   // the grid does not fill the store.
   const bool inner =
       track.count >= 2 && interval(track.after[track.count - 2].stamp) == interval(sample.stamp);
-  if (inner)
+  if (inner) {
+    const std::uint8_t told = track.last().flags;  // an overload between grid points is one too
     track.last() = sample;
-  else if (track.count < track.after.size())
+    track.last().flags |= told;
+  } else if (track.count < track.after.size()) {
     track.after[track.count++] = sample;
+  }
 }
 
 bool FrameClock::settled(const Track& track) const noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which scheme of a device URI is opened by whom.
-#include "device/can_device.hpp"
 #include "device/force_device.hpp"
+#include "device/open_sensors.hpp"
 #include "device/replay_device.hpp"
 #include "device/sim_device.hpp"
 #include "device/uri.hpp"
@@ -12,11 +12,16 @@ Result<std::unique_ptr<ForceDevice>> open_device(const std::string& text,
                                                  const DeviceOptions& options) {
   const auto uri = Uri::parse(text);
   if (!uri) return uri.error();
+  const bool on_bus = uri->scheme == "can" || uri->scheme == "udp" || uri->scheme == "serial";
+  if (options.tap != nullptr && !on_bus)
+    return uri->error("", "the device has no raw frames", "record raw frames of a bus only");
   if (uri->scheme == "sim") return open_sim_device(*uri, options);
   if (uri->scheme == "replay") return open_replay_device(*uri);
-  if (uri->scheme == "can") return open_can_device(*uri);
-  return uri->error("", "no device is called " + uri->scheme + "://",
-                    "use sim://healthy, replay://FILE.csv or can://can0?protocol=rft");
+  if (on_bus || uri->scheme == "comedi") return open_sensors(*uri, options);
+  return uri->error(
+      "", "no device is called " + uri->scheme + "://",
+      "use sim://healthy, replay://FILE.csv, can://, udp://, serial:// or comedi:// (see: isograsp "
+      "devices)");
 }
 
 }  // namespace isograsp

@@ -85,7 +85,7 @@ class SimDevice final : public ForceDevice {
       return sample;
     }
     ++counters.good;
-    if (reading.flags != 0) ++counters.overloaded;
+    if (reading.flags != 0) ++counters.saturated;
     sample.wrench_C = reading.wrench_C;
     sample.raw_counts = reading.raw_counts;
     sample.flags = reading.flags;

@@ -94,7 +94,8 @@ Result<void> Uri::require_known(std::initializer_list<std::string_view> known) c
 
 std::string Uri::text_or(const std::string& key, std::string fallback) const {
   const auto found = parameters.find(key);
-  return found == parameters.end() ? std::move(fallback) : found->second;
+  if (found == parameters.end()) return fallback;
+  return found->second;
 }
 
 Result<double> Uri::number_or(const std::string& key, double fallback, double least,

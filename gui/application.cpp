@@ -51,7 +51,8 @@ Result<void> run_application(const ApplicationConfig& config) {
   QApplication::setApplicationName(QStringLiteral("IsoGrasp"));
   QApplication::setApplicationVersion(QString::fromStdString(config.software_version));
   dress(application);
-  Windows windows({config.database, config.device_uri, config.library, config.software_version});
+  Windows windows({config.database, config.device_uri, config.library, config.software_version,
+                   config.operator_name, config.realtime});
   windows.show();
   QApplication::exec();
   return {};

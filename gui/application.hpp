@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/result.hpp"
+#include "session/realtime.hpp"
 
 namespace isograsp {
 
@@ -13,6 +14,8 @@ struct ApplicationConfig {
   std::string device_uri;  ///< chosen at start; empty: the therapist chooses
   std::string library;
   std::string software_version;
+  std::string operator_name = {};
+  Realtime realtime = Realtime::prefer;
 };
 
 /// Returns when the therapist window is closed. Errors: failed, if there is no display or

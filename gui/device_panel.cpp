@@ -53,6 +53,16 @@ DevicePanel::DevicePanel(SessionPresenter& presenter, QWidget* parent)
   asking->addWidget(question);
   asking->addLayout(answers);
   confirm_->hide();
+  changed_ = new QPushButton(tr("Empty; was serviced: ta&ke it"));
+  changed_->setObjectName("zero_changed");
+  describe(*changed_, tr("The device was serviced or remounted: accept its new zero"),
+           tr("The empty device reads something else than at its last zero because it was serviced "
+              "or remounted; this is stored with the zero (Alt+K)"));
+  changed_->hide();
+  strapped_ = new QPushButton(tr("Hand is &in and strapped"));
+  strapped_->setObjectName("strapped");
+  describe(*strapped_, tr("The hand is in and strapped"),
+           tr("From now a minute to settle, then the resting force can be measured (Alt+I)"));
   progress_ = new QProgressBar;
   progress_->setObjectName("device_progress");
   auto place = progress_->sizePolicy();
@@ -67,6 +77,8 @@ DevicePanel::DevicePanel(SessionPresenter& presenter, QWidget* parent)
   column_->addLayout(state);
   column_->addWidget(zero_);
   column_->addWidget(confirm_);
+  column_->addWidget(changed_);
+  column_->addWidget(strapped_);
   column_->addWidget(progress_);
 
   fill(presenter_.device_uri());
@@ -90,6 +102,8 @@ DevicePanel::DevicePanel(SessionPresenter& presenter, QWidget* parent)
     zero_->show();
     presenter_.set_zero();
   });
+  connect(changed_, &QPushButton::clicked, this, [this] { presenter_.set_zero(true); });
+  connect(strapped_, &QPushButton::clicked, &presenter_, &SessionPresenter::mark_strapped);
   connect(not_yet_, &QPushButton::clicked, this, [this] {
     confirm_->hide();
     zero_->show();
@@ -153,6 +167,8 @@ void DevicePanel::refresh() {
   zero_->setEnabled(view.may_zero);
   mark_next(*zero_, view.next() == Step::zero);
   mark_next(*confirmed_, true);
+  changed_->setVisible(view.may_accept_changed);
+  strapped_->setEnabled(view.may_strap);
   if (!view.may_zero && confirm_->isVisible()) {
     confirm_->hide();
     zero_->show();

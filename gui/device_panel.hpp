@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choosing and connecting the device, its state in words, and the zero of the empty device.
+// Choosing and connecting the device, its state in words, the zero of the empty device, and the
+// moment in which the hand is strapped.
 #pragma once
 
 #include <QComboBox>
@@ -34,6 +35,8 @@ class DevicePanel final : public Card {
   QFrame* confirm_;  ///< instead of the button: the operator confirms that nothing touches
   QPushButton* confirmed_;
   QPushButton* not_yet_;
+  QPushButton* changed_;  ///< only after a zero that was refused because it differs
+  QPushButton* strapped_;
   QProgressBar* progress_;
 };
 

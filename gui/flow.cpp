@@ -54,12 +54,12 @@ void decide_device(const FlowFacts& facts, FlowView& view) {
     return say(facts.recorded ? Mood::ready : Mood::fault,
                facts.recorded ? "The recording is over" : "The device sends no more forces");
   if (facts.anything_arrived && facts.health.state == DeviceState::faulted)
-    return say(Mood::fault, std::string(describe(facts.health.fault)));
+    return say(Mood::fault, std::string(describe(facts.health.fault, facts.health.finger)));
   if (facts.frozen)
     return say(Mood::fault, "No forces arrive: check the cable and power of the device");
   if (!facts.anything_arrived) return say(Mood::busy, "Waiting for the first forces …");
   if (facts.health.fault != DeviceFault::none)
-    return say(Mood::attention, std::string(describe(facts.health.fault)));
+    return say(Mood::attention, std::string(describe(facts.health.fault, facts.health.finger)));
   if (facts.stage == Stage::paused && facts.pause_cause == PauseCause::missing_samples)
     return say(Mood::attention, "Connected, but samples were missing");
   if (facts.stage == Stage::zeroing) return say(Mood::busy, "Measuring the empty device …");
@@ -71,6 +71,16 @@ std::string maximum_words(const FlowFacts& facts) {
   char words[96];
   std::snprintf(words, sizeof words, "Maximum %.0f N.", facts.maximum_force_N);
   return words;
+}
+
+/// The second act, with the hand in; the first one was the zero of the empty device.
+std::string rest_sentence(const FlowFacts& facts) {
+  if (facts.settling_s > 0)
+    return "Hand strapped. It settles: " + std::to_string(facts.settling_s) +
+           " s until the resting force.";
+  if (facts.strapped) return "The hand has settled. It relaxes: start the resting force.";
+  return (facts.zero_remark.empty() ? "Zero is set." : facts.zero_remark) +
+         " Strap the hand in and say so; after a minute start the resting force.";
 }
 
 /// Sentence and mood while a session is open and the device is sound.
@@ -90,15 +100,16 @@ void decide_session_sentence(const FlowFacts& facts, FlowView& view) {
       return say(Mood::ready, "The recording is over. Disconnect to end the session.");
     case Stage::idle: break;
   }
-  if (!facts.zero_refusal.empty() && !facts.zeroed)
+  if (!facts.zero_refusal.empty())
     return say(Mood::attention, "Zero refused: " + facts.zero_refusal);
   const auto next = view.next();
   if (next == Step::zero)
     return say(Mood::attention, "Device connected. Set the zero with the device empty.");
-  if (next == Step::rest)
-    return say(Mood::ready, "Zero is set. Hand in, strapped and relaxed: start the resting force.");
+  if (next == Step::rest) return say(Mood::ready, rest_sentence(facts));
   if (next == Step::maximum)
-    return say(Mood::ready, "Resting force is known. Next: the maximum grip force.");
+    return say(Mood::ready,
+               (facts.rest_words.empty() ? "Resting force is known." : facts.rest_words) +
+                   " Next: the maximum grip force.");
   if (facts.recorded) return say(Mood::ready, "Recording ready. Choose a task and press Start.");
   if (next == Step::task && facts.maximum_attempts < 2)
     return say(Mood::ready, maximum_words(facts) +
@@ -142,6 +153,8 @@ std::string start_hint(const FlowFacts& facts) {
   if (facts.stage == Stage::zeroing) return "Wait until the zero is set.";
   if (in_trial(facts)) return "A trial is running.";
   if (!facts.task_chosen) return "Choose a task.";
+  if (facts.task_kind == TaskKind::rest && facts.settling_s > 0)
+    return "The strapped hand settles: " + std::to_string(facts.settling_s) + " s.";
   if (facts.task_needs_maximum && !(facts.maximum_force_N > 0.0))
     return "This task is scaled to the maximum: measure the maximum grip force first.";
   return "";
@@ -184,6 +197,8 @@ FlowView decide(const FlowFacts& facts) {
   view.may_cancel_connecting = facts.connection == Connection::opening;
   view.may_disconnect = open && !in_trial(facts) && facts.stage != Stage::zeroing;
   view.may_zero = quiet && sound && !facts.recorded;
+  view.may_accept_changed = view.may_zero && facts.zero_only_changed;
+  view.may_strap = view.may_zero && facts.zeroed && !facts.strapped;
   view.may_choose_task = !in_trial(facts) && !facts.starting;
   view.start_hint = start_hint(facts);
   view.may_start = quiet && sound && view.start_hint.empty();

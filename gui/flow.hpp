@@ -46,7 +46,12 @@ struct FlowFacts {
   PauseCause pause_cause = PauseCause::none;
   DeviceHealth health;
   bool zeroed = false;
-  std::string zero_refusal;  ///< why the last zero was refused
+  std::string zero_refusal;        ///< why the last zero was refused
+  bool zero_only_changed = false;  ///< … only because it differs from the last empty zero
+  std::string zero_remark;         ///< what is to be known about the accepted one
+  int settling_s = 0;              ///< until the strapped hand may rest; 0: now, as far as known
+  bool strapped = false;           ///< the therapist said so
+  std::string rest_words;          ///< what the resting force suggests
   bool rest_done = false;
   int maximum_attempts = 0;
   double maximum_force_N = 0.0;
@@ -77,6 +82,8 @@ struct FlowView {
   bool may_cancel_connecting = false;
   bool may_disconnect = false;
   bool may_zero = false;
+  bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
+  bool may_strap = false;
   bool may_choose_task = false;
   bool may_start = false;
   bool may_pause = false;

@@ -65,6 +65,19 @@ void FingerBar::paintEvent(QPaintEvent*) {
   painter.drawRect(QRectF(zero - 0.5, bar_top - 2.0, 1.0, kBar_px + 4.0));
 }
 
+namespace {
+
+QString grip_words(const Snapshot& now) {
+  if (now.frames == 0) return QObject::tr("Grip  –");
+  const auto grip = QObject::tr("Grip  <b>%1 N</b>").arg(short_number(now.grip_N));
+  const auto push = push_words(now.push);
+  if (push.isEmpty()) return grip + QStringLiteral("<br>&nbsp;");
+  const bool much = *now.push.share_of_grip_percent >= kRemarkablePush_percent;
+  return grip + QStringLiteral("<br>") + (much ? QStringLiteral("<b>! %1</b>").arg(push) : push);
+}
+
+}  // namespace
+
 LivePanel::LivePanel(SessionPresenter& presenter, QWidget* parent)
     : Card(tr("Live forces"), parent), presenter_(presenter) {
   auto* head = new QHBoxLayout;
@@ -76,7 +89,9 @@ LivePanel::LivePanel(SessionPresenter& presenter, QWidget* parent)
   grip_ = new QLabel;
   grip_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   grip_->setMinimumWidth(92);
-  grip_->setToolTip(tr("Grip: the smaller of the thumb and the two fingers together"));
+  grip_->setToolTip(
+      tr("Grip: the smaller of the thumb and the two fingers together. Push: what the whole hand "
+         "pushes the platform, in % of the grip; from 20 % on arm or trunk take part"));
   head->addWidget(grip_);
   plot_ = new LivePlot;
   take_rest(*plot_, 150);
@@ -85,8 +100,6 @@ LivePanel::LivePanel(SessionPresenter& presenter, QWidget* parent)
   health_ = new QLabel;
   health_->setObjectName("health");
   health_->setProperty("role", "quiet");
-  health_->setToolTip(
-      tr("Health of the stream: gaps are bridged for at most 50 ms, then the trial waits"));
   column_->addLayout(head);
   column_->addWidget(plot_, 1);
   column_->addWidget(health_);
@@ -102,12 +115,15 @@ void LivePanel::refresh() {
   const double full_N = presenter_.forces().range().most_N;
   for (std::size_t f = 0; f < kFingerCount; ++f)
     fingers_[f]->show_force(now.forces.wrench_C[f].force.z(), full_N, now.forces.flags[f], known);
-  grip_->setText(known ? tr("Grip  <b>%1 N</b>").arg(short_number(now.grip_N)) : tr("Grip  –"));
+  grip_->setText(grip_words(now));
   plot_->show_forces(presenter_.forces());
   // Numbers that change thirty times a second cannot be read: twice is enough.
   constexpr int kTextEvery = 30;
   if (polls_ % kTextEvery != 1) return;
   health_->setText(health_line(now, presenter_.worst_lateness_s()));
+  health_->setToolTip(
+      tr("Health of the stream: gaps are bridged for at most 50 ms, then the trial waits.\n") +
+      timing_details(now.timing, presenter_.realtime()));
   for (const Finger finger : kFingers) {
     const auto f = index_of(finger);
     fingers_[f]->setAccessibleName(

@@ -2,10 +2,13 @@
 #include "gui/session_presenter.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "core/files.hpp"
 #include "reports/progress.hpp"
+#include "session/contact_threshold.hpp"
 
 namespace isograsp {
 
@@ -87,8 +90,13 @@ FlowFacts SessionPresenter::facts() const {
     facts.health = snapshot_.health;
     facts.zeroed = snapshot_.zeroed;
     facts.maximum_force_N = session_->maximum_force_N();
+    facts.settling_s = static_cast<int>(std::ceil(session_->settling_s()));
   }
   facts.zero_refusal = zero_refusal_;
+  facts.zero_only_changed = zero_only_changed_;
+  facts.zero_remark = zero_remark_;
+  facts.strapped = strapped_;
+  facts.rest_words = rest_words_;
   facts.rest_done = rest_done_;
   facts.maximum_attempts = maximum_attempts_;
   facts.task_done = task_done_;
@@ -157,6 +165,8 @@ void SessionPresenter::connect_device() {
   config.device_uri = device_uri_;
   config.library = config_.library;
   config.software_version = config_.software_version;
+  config.operator_name = config_.operator_name;
+  config.realtime = config_.realtime;
   connection_ = Connection::opening;
   connection_error_.clear();
   opening_ = {};
@@ -202,6 +212,11 @@ void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
   forces_.clear();
   worst_lateness_s_ = 0.0;
   zero_refusal_.clear();
+  zero_remark_.clear();
+  rest_words_.clear();
+  zero_only_changed_ = strapped_ = false;
+  if (const auto got = realtime(); !got.empty() && !std::exchange(realtime_said_, true))
+    std::fprintf(stderr, "isograsp: note: acquisition with %s\n", got.c_str());
   zero_asked_ = rest_done_ = task_done_ = starting_ = just_completed_ = false;
   maximum_attempts_ = 0;
   running_.reset();
@@ -245,18 +260,38 @@ void SessionPresenter::close_session(const std::string& why) {
   update();
 }
 
-void SessionPresenter::set_zero() {
-  if (!view_.may_zero) return;
+void SessionPresenter::set_zero(bool accept_changed) {
+  if (!(accept_changed ? view_.may_accept_changed : view_.may_zero)) return;
   zero_refusal_.clear();
-  if (auto started = session_->start_zero(); started)
+  zero_remark_.clear();
+  zero_only_changed_ = false;
+  ZeroRequest request;
+  request.device_is_empty = true;
+  request.accept_changed = accept_changed;
+  if (auto started = session_->start_zero(request); started) {
     zero_asked_ = true;
-  else
+    strapped_ = false;  // the hand is out
+  } else {
     refuse(started.error());
+  }
   update();
+}
+
+void SessionPresenter::mark_strapped() {
+  if (!view_.may_strap) return;
+  session_->strapped();
+  strapped_ = true;
+  update();
+}
+
+std::string SessionPresenter::realtime() const {
+  return session_ == nullptr ? "" : describe(session_->realtime());
 }
 
 void SessionPresenter::start() {
   if (!view_.may_start) return;
+  zero_refusal_.clear();
+  zero_only_changed_ = false;
   const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
   if (auto started = session_->start_trial(spec, practice_); !started) {
     refuse(started.error());
@@ -286,7 +321,8 @@ void SessionPresenter::prepare_picture(const TaskSpec& spec) {
   if (!text) return refuse(text.error());
   auto scene = parse_scene(*text, *path);
   if (!scene) return refuse(scene.error());
-  scene_ = std::make_shared<Scene>(for_hand(*std::move(scene), session_->record().hand));
+  scene_ = std::make_shared<Scene>(with_thresholds(
+      for_hand(*std::move(scene), session_->record().hand), session_->contact_thresholds_N()));
 }
 
 void SessionPresenter::pause() {
@@ -338,6 +374,8 @@ void SessionPresenter::take(const SessionNews& news) {
   if (news.zero) {
     zero_asked_ = false;
     zero_refusal_ = news.zero->accepted ? "" : news.zero->reason;
+    zero_only_changed_ = news.zero->only_changed;
+    zero_remark_ = news.zero->remark;
     if (news.zero->accepted && !rest_done_) select_first(TaskKind::rest);
     Q_EMIT changed();
   }
@@ -349,6 +387,7 @@ void SessionPresenter::take_trial(const TrialOutcome& outcome) {
   starting_ = false;
   last_trial_ = outcome;
   live_score_ = outcome.measures;
+  if (outcome.rest) rest_words_ = outcome.rest->words;
   just_completed_ = outcome.trial.status == TrialStatus::completed;
   if (just_completed_ && running_ != nullptr) {
     switch (kind_of(*running_)) {

@@ -26,6 +26,8 @@ struct GuiConfig {
   std::string device_uri;  ///< chosen at start; empty: the therapist chooses
   std::string library;     ///< folder with tasks/ and scenes/
   std::string software_version;
+  std::string operator_name = {};        ///< stored with zero and resting force
+  Realtime realtime = Realtime::prefer;  ///< of the acquisition thread
 };
 
 class SessionPresenter final : public QObject {
@@ -49,7 +51,10 @@ class SessionPresenter final : public QObject {
   void disconnect_device();
   /// At once, whatever is running or being opened: the program is about to end.
   void end_session();
-  void set_zero();  ///< the operator has confirmed that the device is empty
+  /// The operator has confirmed that the device is empty, and perhaps that it was serviced or
+  /// remounted since its last zero.
+  void set_zero(bool accept_changed = false);
+  void mark_strapped();  ///< the hand is in and strapped
   void start();
   void pause();
   void resume();
@@ -82,6 +87,8 @@ class SessionPresenter final : public QObject {
     return last_trial_;
   }
   [[nodiscard]] double worst_lateness_s() const noexcept { return worst_lateness_s_; }
+  /// What the acquisition thread was given; empty: not asked for.
+  [[nodiscard]] std::string realtime() const;
   /// What the patient's screen shows now.
   [[nodiscard]] PatientPicture picture() const;
 
@@ -132,6 +139,11 @@ class SessionPresenter final : public QObject {
   ForceHistory forces_;
   double worst_lateness_s_ = 0.0;
   std::string zero_refusal_;
+  bool zero_only_changed_ = false;
+  std::string zero_remark_;
+  bool strapped_ = false;
+  std::string rest_words_;
+  bool realtime_said_ = false;  ///< on standard error, once
   bool rest_done_ = false;
   int maximum_attempts_ = 0;
   bool task_done_ = false;

@@ -50,7 +50,7 @@ QString local_time(const std::string& utc) {
 
 QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
   if (snapshot.frames == 0) return QObject::tr("No forces yet");
-  std::uint64_t lost = snapshot.health.kernel_drops;
+  std::uint64_t lost = snapshot.health.bus.kernel_drops;
   std::uint64_t damaged = 0;
   for (const auto& sensor : snapshot.health.sensors) {
     lost += sensor.lost;
@@ -67,6 +67,25 @@ QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
   if (snapshot.recorder_dropped > 0)
     line += QObject::tr("   ·   not recorded %1").arg(snapshot.recorder_dropped);
   return line;
+}
+
+QString timing_details(const TimingSummary& timing, const std::string& realtime) {
+  const auto line = [](const QString& what, const Quantiles& q) {
+    const auto ms = [](double duration_s) { return QString::number(duration_s * 1e3, 'f', 2); };
+    return QObject::tr("%1: half within %2 ms, 99 % within %3, 99.9 % within %4, longest %5\n")
+        .arg(what, ms(q.median_s), ms(q.most_of_100_s), ms(q.most_of_1000_s), ms(q.largest_s));
+  };
+  return line(QObject::tr("From frame to frame"), timing.period) +
+         line(QObject::tr("Late"), timing.lateness) +
+         line(QObject::tr("Work on a frame"), timing.compute) +
+         (realtime.empty()
+              ? QObject::tr("Real time was not asked for")
+              : QObject::tr("Acquisition with %1").arg(QString::fromStdString(realtime)));
+}
+
+QString push_words(const NetPush& push) {
+  if (!push.share_of_grip_percent) return {};
+  return QObject::tr("Push %1 %").arg(*push.share_of_grip_percent, 0, 'f', 0);
 }
 
 QString status_words(TrialStatus status) {

@@ -22,6 +22,10 @@ namespace isograsp {
 [[nodiscard]] QString local_time(const std::string& utc);
 /// One line: rate is kept, gaps, losses, lateness.
 [[nodiscard]] QString health_line(const Snapshot& snapshot, double worst_lateness_s);
+/// Several lines: period, lateness and work of the frames so far, and what real time was given.
+[[nodiscard]] QString timing_details(const TimingSummary& timing, const std::string& realtime);
+/// "Push 12 %" of the grip; empty where it cannot be told.
+[[nodiscard]] QString push_words(const NetPush& push);
 /// How a trial ended.
 [[nodiscard]] QString status_words(TrialStatus status);
 

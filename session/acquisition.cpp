@@ -62,6 +62,9 @@ void Acquisition::obey(const Command& command) noexcept {
   switch (command.kind) {
     case Command::Kind::zero:
       zeroing_ = Zeroing(frame_clock_.period_s());
+      settle_s_ = command.settle_s;
+      accept_changed_ = command.accept_changed;
+      now_.zero_progress = 0.0;
       now_.stage = Stage::zeroing;
       break;
     case Command::Kind::begin: begin_trial(*command.setup); break;
@@ -86,17 +89,33 @@ void Acquisition::process(FingerFrame& frame) noexcept {
   subtract_zero(frame);
   guard(frame);
   now_.grip_N = grip_force(frame.wrench_C);
+  now_.push = net_push(device_.info().platform, frame, now_.grip_N);
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    now_.centre_of_pressure[f] = (frame.flags[f] & bit(SampleFlag::missing)) != 0
+                                     ? std::nullopt
+                                     : centre_of_pressure(frame.wrench_C[f]);
   if (trial_ != nullptr) run_trial(frame);
 }
 
 void Acquisition::add_to_zero(const FingerFrame& frame) noexcept {
+  if (settle_s_ > 0.0) {
+    settle_s_ -= frame_clock_.period_s();
+    return;
+  }
   zeroing_.add(frame);
   now_.zero_progress = zeroing_.progress();
   if (!zeroing_.complete() && !zeroing_.hopeless()) return;
   item_.zero_refusal = ZeroRefusal{};
+  item_.zero_change_N.reset();
+  item_.zero_drift_N.reset();
+  item_.change_confirmed = false;
   if (zeroing_.complete()) {
     item_.zero = zeroing_.statistics();
-    item_.zero_refusal = check_zero(item_.zero, zero_);
+    const auto& last = zero_ ? zero_ : options_.last_zero;
+    item_.zero_refusal = check_zero(item_.zero, accept_changed_ ? std::nullopt : last);
+    item_.change_confirmed = accept_changed_ && check_zero(item_.zero, last).has_value();
+    if (last) item_.zero_change_N = largest_force_change_N(item_.zero.mean, *last);
+    if (zero_) item_.zero_drift_N = largest_force_change_N(item_.zero.mean, *zero_);
   }
   if (!item_.zero_refusal) zero_ = item_.zero.mean;
   now_.zeroed = zero_.has_value();
@@ -141,6 +160,7 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
   TrialSample& sample = item_.sample;
   sample.t_s = static_cast<double>(trial_frames_++) * frame_clock_.period_s();
   sample.forces = frame;
+  sample.push = now_.push;
   sample.task = now_.task;
   if (!moving) sample.task.phase = Phase::paused;
   sample.object = now_.object;
@@ -193,8 +213,9 @@ void Acquisition::pause(PauseCause cause) noexcept {
   now_.stage = Stage::paused;
   now_.pause_cause = cause;
   push_event(cause == PauseCause::therapist ? "pause" : kFaultEvent,
-             cause == PauseCause::device_fault ? describe(now_.health.fault).data()
-                                               : describe(cause).data());
+             cause == PauseCause::device_fault
+                 ? describe(now_.health.fault, now_.health.finger).data()
+                 : describe(cause).data());
 }
 
 void Acquisition::resume() noexcept {
@@ -223,7 +244,22 @@ void Acquisition::publish(Timestamp frame_ready) noexcept {
   last_compute_s_ = now_.compute_s;
   worst_compute_s_ = std::max(worst_compute_s_, now_.compute_s);
   worst_lateness_s_ = std::max(worst_lateness_s_, now_.lateness_s);
+  if (now_.stage != Stage::finished) measure_timing();
   snapshots_.publish(now_);
+}
+
+void Acquisition::measure_timing() noexcept {
+  const auto add = [this](Timing& timing) {
+    if (last_published_) timing.period.add(to_seconds(now_.published - *last_published_));
+    timing.lateness.add(now_.lateness_s);
+    timing.compute.add(now_.compute_s);
+  };
+  add(timing_);
+  if (trial_ != nullptr) add(trial_->timing);
+  last_published_ = now_.published;
+  constexpr double kRenewEvery_s = 1.0;
+  const auto every = static_cast<std::int64_t>(std::ceil(kRenewEvery_s / frame_clock_.period_s()));
+  if (now_.frames % every == 0) now_.timing = summary_of(timing_);
 }
 
 void Acquisition::show_to_viewer() noexcept {

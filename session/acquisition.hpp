@@ -28,6 +28,8 @@ struct TrialSetup {
   TaskContext context;
   std::unique_ptr<Task> task;
   std::optional<Plan> plan;  ///< none: a force task
+  std::optional<double> since_strapping_s;
+  Timing timing;  ///< filled while the trial runs, read after its end
 };
 
 /// RecordItem::event_kind of a pause that the device caused.
@@ -49,6 +51,9 @@ struct RecordItem {
   std::int64_t dropped = 0;                 ///< end: samples of this trial without room
   Zeroing::Statistics zero;                 ///< zero
   std::optional<ZeroRefusal> zero_refusal;  ///< zero: nothing: it is in force
+  std::optional<double> zero_change_N;      ///< zero: from the last one of the same device
+  std::optional<double> zero_drift_N;       ///< zero: from the last one of this session
+  bool change_confirmed = false;            ///< zero: beyond the band, as the operator confirmed
 };
 
 struct Command {
@@ -56,14 +61,17 @@ struct Command {
   Kind kind = Kind::zero;
   TrialSetup* setup = nullptr;  ///< begin
   const char* reason = "";      ///< abort: static text
+  bool accept_changed = false;  ///< zero: the device was serviced or remounted
+  double settle_s = 0.0;        ///< zero: time before the second that is measured
 };
 
 class Acquisition {
  public:
   struct Options {
-    double ring_s = 10.0;              ///< how much the ring to the recorder holds at least
-    bool resume_by_itself = false;     ///< recorded data: nobody is at the other end to be asked
-    VirtualPatient* viewer = nullptr;  ///< a simulated person who watches the screen
+    double ring_s = 10.0;                ///< how much the ring to the recorder holds at least
+    bool resume_by_itself = false;       ///< recorded data: nobody is at the other end to be asked
+    VirtualPatient* viewer = nullptr;    ///< a simulated person who watches the screen
+    std::optional<SixAxes> last_zero{};  ///< of the same device in an earlier session
   };
   /// `device` is streaming on `clock` since `start`.
   Acquisition(ForceDevice& device, Clock& clock, Timestamp start, const Options& options);
@@ -83,6 +91,8 @@ class Acquisition {
   void subtract_zero(FingerFrame& frame) const noexcept;
   /// Applies the stale rule and pauses or resumes the trial by it.
   void guard(FingerFrame& frame) noexcept;
+  /// Counts how punctual the frame just published is.
+  void measure_timing() noexcept;
   void run_trial(const FingerFrame& frame) noexcept;
   void begin_trial(TrialSetup& setup) noexcept;
   void end_trial(TrialStatus status, const char* reason) noexcept;
@@ -106,13 +116,17 @@ class Acquisition {
 
   Snapshot now_;  ///< the state that is published
   Zeroing zeroing_;
-  std::optional<std::array<Vec6, kFingerCount>> zero_;  ///< in force; nothing: none yet
+  double settle_s_ = 0.0;  ///< left before zeroing_ begins
+  bool accept_changed_ = false;
+  std::optional<SixAxes> zero_;  ///< in force; nothing: none yet
   TrialSetup* trial_ = nullptr;
   std::int64_t trial_frames_ = 0;
   double last_compute_s_ = 0.0;
   double worst_lateness_s_ = 0.0;
   double worst_compute_s_ = 0.0;
   std::uint64_t dropped_before_trial_ = 0;
+  Timing timing_;  ///< of the session
+  std::optional<Timestamp> last_published_;
   RecordItem item_;  ///< reused: too large for comfort on the stack of every frame
 };
 

@@ -31,8 +31,8 @@ Result<TaskSpec> read_task(const std::string& name, const std::string& protocol_
 
 class Run {
  public:
-  Run(Session& session, const std::function<void(const ProtocolProgress&)>& progress)
-      : session_(session), progress_(progress) {}
+  Run(Session& session, const std::function<void(const ProtocolProgress&)>& progress, bool serviced)
+      : session_(session), progress_(progress), serviced_(serviced) {}
 
   Result<ProtocolResult> all(const ReadyProtocol& protocol) {
     for (const auto& step : protocol.spec.steps) position_.steps += step.repetitions;
@@ -55,20 +55,27 @@ class Run {
   Result<void> zero_step() {
     report("Instrument zero");
     std::string reason;
+    std::string remedy;
     for (int attempt = 0; attempt < kZeroAttempts; ++attempt) {
-      session_.let_pass(kSettle_s);
-      if (auto started = session_.start_zero(); !started) return started;
+      ZeroRequest request;
+      request.device_is_empty = true;  // whoever starts a session without a window promises it
+      request.settle_s = kSettle_s;
+      request.accept_changed = serviced_;
+      if (auto started = session_.start_zero(request); !started) return started;
       for (const auto& news : session_.wait_for_news()) {
         if (news.failure) return failure(*news.failure, "");
         if (!news.zero) continue;
         if (news.zero->accepted) {
+          serviced_ = false;
           ++position_.step;
           return {};
         }
         reason = news.zero->reason;
+        remedy =
+            news.zero->only_changed ? "after a service or remounting run it with --serviced" : "";
       }
     }
-    return failure("the instrument zero was refused: " + reason, "");
+    return failure("the instrument zero was refused: " + reason, remedy);
   }
 
   Result<void> task_step(const ProtocolStep& step, const TaskSpec& spec) {
@@ -117,6 +124,7 @@ class Run {
 
   Session& session_;
   const std::function<void(const ProtocolProgress&)>& progress_;
+  bool serviced_;
   ProtocolProgress position_;
   ProtocolResult result_;
 };
@@ -160,8 +168,9 @@ Result<ReadyProtocol> read_protocol(const std::string& path, const std::string& 
 }
 
 Result<ProtocolResult> run_protocol(Session& session, const ReadyProtocol& protocol,
-                                    const std::function<void(const ProtocolProgress&)>& progress) {
-  return Run(session, progress).all(protocol);
+                                    const std::function<void(const ProtocolProgress&)>& progress,
+                                    bool serviced) {
+  return Run(session, progress, serviced).all(protocol);
 }
 
 }  // namespace isograsp

@@ -28,10 +28,12 @@ struct ReadyProtocol {
 [[nodiscard]] Result<ReadyProtocol> read_protocol(const std::string& path,
                                                   const std::string& library);
 
-/// Runs `protocol` in `session`. A zero that is refused three times, or a trial that a device fault
-/// interrupts twice, ends the protocol with an error; what was recorded stays.
+/// Runs `protocol` in `session`; `serviced`: the operator has confirmed that the device was
+/// serviced or remounted, so that its first zero may differ from the last one. A zero that is
+/// refused three times, or a trial that a device fault interrupts twice, ends the protocol with an
+/// error; what was recorded stays.
 [[nodiscard]] Result<ProtocolResult> run_protocol(
     Session& session, const ReadyProtocol& protocol,
-    const std::function<void(const ProtocolProgress&)>& progress);
+    const std::function<void(const ProtocolProgress&)>& progress, bool serviced = false);
 
 }  // namespace isograsp

@@ -2,9 +2,11 @@
 #include "session/recorder.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "core/csv.hpp"
+#include "session/resting.hpp"
 #include "tasks/score.hpp"
 
 namespace isograsp {
@@ -13,25 +15,39 @@ namespace {
 
 std::string health_as_json(const DeviceHealth& health) {
   std::ostringstream json;
-  json << "{\"state\": \"" << name_of(health.state) << "\"";
+  json << "{\"state\": \"" << name_of(health.state) << "\", \"fault\": \"" << name_of(health.fault)
+       << "\", \"fault_finger\": "
+       << (health.finger ? "\"" + std::string(name_of(*health.finger)) + "\"" : "null");
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& s = health.sensors[f];
     json << ", \"" << kFingerNames[f] << "\": {\"good\": " << s.good
-         << ", \"invalid\": " << s.invalid << ", \"torn\": " << s.torn << ", \"lost\": " << s.lost
-         << ", \"overloaded\": " << s.overloaded << "}";
+         << ", \"invalid\": " << s.invalid << ", \"torn\": " << s.torn
+         << ", \"duplicate\": " << s.duplicate << ", \"late\": " << s.late
+         << ", \"lost\": " << s.lost << ", \"stale\": " << s.stale
+         << ", \"saturated\": " << s.saturated << ", \"overload\": " << s.overload
+         << ", \"status_errors\": " << s.status_errors << ", \"restarts\": " << s.restarts << "}";
   }
   json << ", \"foreign_frames\": " << health.foreign_frames
-       << ", \"kernel_drops\": " << health.kernel_drops << "}";
+       << ", \"kernel_drops\": " << health.bus.kernel_drops
+       << ", \"overflows\": " << health.bus.overflows
+       << ", \"error_frames\": " << health.bus.error_frames << ", \"unsent\": " << health.bus.unsent
+       << "}";
   return json.str();
+}
+
+std::string newtons(double force_N) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g N", force_N);
+  return text;
 }
 
 }  // namespace
 
-Recorder::Recorder(std::unique_ptr<SessionStore> store, RowId session, double rate_Hz,
+Recorder::Recorder(std::unique_ptr<SessionStore> store, const SessionRecord& session,
                    Ring<RecordItem>& records, bool live_score)
     : store_(std::move(store)),
       session_(session),
-      rows_per_block_(static_cast<std::size_t>(std::lround(rate_Hz))),
+      rows_per_block_(static_cast<std::size_t>(std::lround(session.rate_Hz))),
       records_(records),
       live_score_wanted_(live_score) {}
 
@@ -44,7 +60,7 @@ bool Recorder::pump() {
   }
   for (auto& event : events) {
     event.trial_id = trial_id_;
-    stored(store_->add_event(session_, event));
+    stored(store_->add_event(session_.id, event));
   }
   return !finished_;
 }
@@ -62,7 +78,7 @@ void Recorder::take(const RecordItem& item) {
 
 void Recorder::add_pause(const RecordItem& item) {
   if (!failed_)
-    stored(store_->add_event(session_,
+    stored(store_->add_event(session_.id,
                              {trial_id_, item.session_time_s, item.event_kind, item.reason}));
   if (std::string_view(item.event_kind) != kFaultEvent) return;
   SessionNews news;
@@ -127,13 +143,17 @@ void Recorder::end(const RecordItem& item) {
   outcome.trial.worst_compute_s = item.worst_compute_s;
   outcome.trial.dropped = item.dropped;
   outcome.trial.health_json = health_as_json(item.health);
+  outcome.trial.timing_json = as_json(trial_->timing);
   outcome.reason = item.reason;
   outcome.measures = score(trial_->spec, signals_);
   if (!failed_) {
     if (item.status == TrialStatus::aborted)
-      stored(store_->add_event(session_, {trial_id_, item.session_time_s, "abort", item.reason}));
+      stored(
+          store_->add_event(session_.id, {trial_id_, item.session_time_s, "abort", item.reason}));
     stored(store_->end_trial(outcome.trial, outcome.measures));
   }
+  if (item.status == TrialStatus::completed && std::holds_alternative<RestSpec>(trial_->spec.kind))
+    outcome.rest = add_rest(item);
   trial_ = nullptr;
   trial_id_ = 0;
   SessionNews news;
@@ -141,24 +161,81 @@ void Recorder::end(const RecordItem& item) {
   publish(std::move(news));
 }
 
+std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
+  const auto rest = resting_force(signals_);
+  if (!rest) return std::nullopt;
+  RestOutcome outcome;
+  outcome.words = describe(*rest);
+  RestingForceRecord& record = outcome.rest;
+  record.session_id = session_.id;
+  record.trial_id = trial_id_;
+  record.session_time_s = item.session_time_s;
+  record.recorded_utc = utc_at(item.session_time_s);
+  record.operator_name = session_.operator_name;
+  record.duration_s = std::get<RestSpec>(trial_->spec.kind).duration_s;
+  record.since_strapping_s = trial_->since_strapping_s;
+  record.samples = rest->samples;
+  record.mean = rest->mean;
+  record.sd = rest->sd;
+  if (failed_) return outcome;
+  if (const auto id = store_->add_resting_force(record))
+    record.id = *id;
+  else
+    stored(id.error());
+  return outcome;
+}
+
 void Recorder::add_zero(const RecordItem& item) {
   ZeroOutcome outcome;
   outcome.accepted = !item.zero_refusal.has_value();
-  outcome.zero = {0, session_, item.session_time_s, item.zero.mean, item.zero.sd};
-  if (outcome.accepted && !failed_) {
-    const auto id = store_->add_zero(outcome.zero);
-    if (id)
-      zero_id_ = outcome.zero.id = *id;
-    else
-      stored(id.error());
-  } else if (!outcome.accepted) {
-    outcome.reason = describe(*item.zero_refusal);
-    if (!failed_)
-      stored(store_->add_event(session_, {0, item.session_time_s, "zero refused", outcome.reason}));
-  }
+  InstrumentZeroRecord& zero = outcome.zero;
+  zero.session_id = session_.id;
+  zero.session_time_s = item.session_time_s;
+  zero.mean = item.zero.mean;
+  zero.sd = item.zero.sd;
+  zero.recorded_utc = utc_at(item.session_time_s);
+  zero.operator_name = session_.operator_name;
+  zero.change_N = item.zero_change_N;
+  zero.drift_N = item.zero_drift_N;
+  zero.drifted = zero.drift_N && *zero.drift_N > ZeroLimits().force_drift_N;
+  if (outcome.accepted)
+    take_zero(item, outcome);
+  else
+    refuse_zero(item, outcome);
   SessionNews news;
   news.zero = std::move(outcome);
   publish(std::move(news));
+}
+
+void Recorder::take_zero(const RecordItem& item, ZeroOutcome& outcome) {
+  InstrumentZeroRecord& zero = outcome.zero;
+  zero.change_confirmed = item.change_confirmed;
+  if (zero.change_confirmed)
+    outcome.remark += "It differs from the last empty zero by " + newtons(*zero.change_N) +
+                      "; confirmed as serviced or remounted. ";
+  if (zero.drifted)
+    outcome.remark += "The zero has drifted by " + newtons(*zero.drift_N) +
+                      " since the one before: the trials between are marked. ";
+  if (failed_) return;
+  if (const auto id = store_->add_zero(zero))
+    zero_id_ = zero.id = *id;
+  else
+    stored(id.error());
+  if (!outcome.remark.empty())
+    stored(store_->add_event(session_.id, {0, item.session_time_s, "zero", outcome.remark}));
+}
+
+void Recorder::refuse_zero(const RecordItem& item, ZeroOutcome& outcome) {
+  outcome.reason = describe(*item.zero_refusal);
+  outcome.only_changed = item.zero_refusal->why == ZeroRefusal::Why::changed;
+  if (!failed_)
+    stored(
+        store_->add_event(session_.id, {0, item.session_time_s, "zero refused", outcome.reason}));
+}
+
+std::string Recorder::utc_at(double session_time_s) const {
+  const auto started = time_of_utc(session_.started_utc);
+  return started ? utc_text(*started + std::lround(session_time_s)) : "";
 }
 
 bool Recorder::stored(const Result<void>& result) {
@@ -200,7 +277,7 @@ void Recorder::add_event(const EventRecord& event) {
 }
 
 Result<void> Recorder::end_session() {
-  return store_->end_session(session_);
+  return store_->end_session(session_.id);
 }
 
 }  // namespace isograsp

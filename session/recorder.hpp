@@ -17,8 +17,9 @@ namespace isograsp {
 
 class Recorder {
  public:
-  /// `live_score`: renew live_score() after every second of a trial.
-  Recorder(std::unique_ptr<SessionStore> store, RowId session, double rate_Hz,
+  /// `session` has its row in the store. `live_score`: renew live_score() after every second of a
+  /// trial.
+  Recorder(std::unique_ptr<SessionStore> store, const SessionRecord& session,
            Ring<RecordItem>& records, bool live_score);
 
   /// Takes all that waits in the ring; recorder thread. False once the device has finished.
@@ -42,12 +43,18 @@ class Recorder {
   void write_block();
   void end(const RecordItem& item);
   void add_zero(const RecordItem& item);
+  void take_zero(const RecordItem& item, ZeroOutcome& outcome);
+  void refuse_zero(const RecordItem& item, ZeroOutcome& outcome);
+  /// Of a rest trial that was completed.
+  [[nodiscard]] std::optional<RestOutcome> add_rest(const RecordItem& item);
+  /// Wall time of this moment of the session.
+  [[nodiscard]] std::string utc_at(double session_time_s) const;
   void publish(SessionNews news);
   /// Reports a failed write once; nothing more is written afterwards.
   bool stored(const Result<void>& result);
 
   std::unique_ptr<SessionStore> store_;
-  RowId session_;
+  SessionRecord session_;
   std::size_t rows_per_block_;
   Ring<RecordItem>& records_;
   bool live_score_wanted_;

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <ctime>
 #include <filesystem>
+#include <future>
+#include <latch>
 #include <limits>
 #include <thread>
 
@@ -13,7 +15,9 @@
 #include "core/time.hpp"
 #include "device/uri.hpp"
 #include "session/acquisition.hpp"
+#include "session/contact_threshold.hpp"
 #include "session/recorder.hpp"
+#include "session/resting.hpp"
 #include "session/simulated_person.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
@@ -36,16 +40,6 @@ std::string joined_lines(const std::vector<std::string>& lines) {
   std::string text;
   for (const auto& line : lines) text += line + "\n";
   return text;
-}
-
-/// A device that says which hand it is set up for must agree with the session.
-Result<void> check_hand(const Uri& uri, Hand hand) {
-  const std::string said = uri.text_or("hand", std::string(name_of(hand)));
-  if (said == name_of(hand)) return {};
-  return uri.error("hand",
-                   "the device is set up for the " + said + " hand, the session for the " +
-                       std::string(name_of(hand)),
-                   "give both the same hand");
 }
 
 /// SD of the grip force of the empty device: of the noisier side of min(thumb, index + middle).
@@ -81,7 +75,13 @@ struct Session::Parts {
   bool patient_is_new = false;
   double maximum_force_N = 0.0;
   std::optional<double> resting_force_N;
-  double noise_sd_N = 0.0;
+  std::optional<InstrumentZeroRecord> zero;  ///< in force
+  std::optional<double> strapped_at_s;       ///< session time
+  RealtimeGrant realtime;
+  std::latch go{1};  ///< the acquisition thread may begin
+  bool gone = false;
+
+  ~Parts() { stop_threads(); }
 
   [[nodiscard]] bool virtual_time() const { return clock->is_virtual(); }
 
@@ -91,11 +91,29 @@ struct Session::Parts {
     recorder->pump();
   }
 
-  void start_threads() {
-    acquisition_thread = std::thread([this] {
+  /// The acquisition thread asks for real time and waits; before anything is written, so that a
+  /// refusal leaves no trace.
+  Result<void> make_acquisition_thread() {
+    std::promise<Result<RealtimeGrant>> granted;
+    auto grant = granted.get_future();
+    acquisition_thread = std::thread([this, granted = std::move(granted)]() mutable {
+      granted.set_value(enter_realtime(config.realtime));
+      go.wait();
       while (!stop.load(std::memory_order_relaxed) && acquisition->tick()) {
       }
     });
+    auto got = grant.get();
+    if (!got) return got.error();
+    realtime = *std::move(got);
+    return {};
+  }
+
+  void let_go() {
+    if (!std::exchange(gone, true)) go.count_down();
+  }
+
+  void start_threads() {
+    let_go();
     recorder_thread = std::thread([this] {
       constexpr auto kPoll = std::chrono::milliseconds(10);
       while (!stop.load(std::memory_order_relaxed)) {
@@ -103,6 +121,13 @@ struct Session::Parts {
         std::this_thread::sleep_for(kPoll);
       }
     });
+  }
+
+  void stop_threads() {
+    stop = true;
+    let_go();
+    if (acquisition_thread.joinable()) acquisition_thread.join();
+    if (recorder_thread.joinable()) recorder_thread.join();
   }
 
   Result<void> send(const Command& command) {
@@ -114,7 +139,7 @@ struct Session::Parts {
   void learn(const std::vector<SessionNews>& news) {
     for (const auto& item : news) {
       if (item.zero || item.trial || item.failure) pending = false;
-      if (item.zero && item.zero->accepted) noise_sd_N = grip_noise(item.zero->zero);
+      if (item.zero && item.zero->accepted) zero = item.zero->zero;
       if (!item.trial || item.trial->trial.status != TrialStatus::completed) continue;
       const auto& kind = setups.back()->spec.kind;
       if (std::holds_alternative<MaximumSpec>(kind))
@@ -124,6 +149,18 @@ struct Session::Parts {
     }
   }
 };
+
+Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for, Hand hand) {
+  if (mounted_for == name_of(hand)) return {};
+  return Error{Error::Code::bad_input,
+               "the device is set up for the " + std::string(mounted_for) +
+                   " hand, the session for the " + std::string(name_of(hand)),
+               "turn the platform and choose the configuration for that hand, or choose the " +
+                   std::string(mounted_for) + " hand",
+               device_uri,
+               0,
+               "hand"};
+}
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
@@ -136,17 +173,25 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   parts->config = config;
   const auto uri = Uri::parse(config.device_uri);
   if (!uri) return uri.error();
-  if (auto same = check_hand(*uri, config.hand); !same) return same.error();
+  const std::string said = uri->text_or("hand", std::string(name_of(config.hand)));
+  if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same.error();
   if (auto good = check_patient_code(config.patient_code); !good) return good.error();
   auto viewer = simulated_person(*uri);
   if (!viewer) return viewer.error();
   parts->viewer = std::move(*viewer);
-  auto device = open_device(config.device_uri, {parts->viewer.get()});
+  DeviceOptions device_options;
+  device_options.source = parts->viewer.get();
+  auto device = open_device(config.device_uri, device_options);
   if (!device) return device.error();
   parts->device = std::move(*device);
   const DeviceInfo& info = parts->device->info();
+  if (info.hand)
+    if (auto same = check_hand(config.device_uri, name_of(*info.hand), config.hand); !same)
+      return same.error();
   if (config.virtual_time && !info.simulated && !info.recorded)
     return uri->error("", "a real device cannot run in virtual time", "leave out --fast");
+  if (!config.virtual_time)
+    if (auto made = parts->make_acquisition_thread(); !made) return made.error();
 
   auto store =
       SessionStore::open(config.database, config.create_database ? SessionStore::Open::create
@@ -176,8 +221,13 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   record.device_delay_s = info.delay_s;
   record.software_version = config.software_version;
   record.cpu_features = cpu_features();
+  record.serial_numbers = info.serial_numbers;
+  record.operator_name = config.operator_name;
+  record.realtime = describe(parts->realtime);
   if (uri->parameters.contains("seed"))
     record.seed = std::strtoull(uri->parameters.at("seed").c_str(), nullptr, 10);
+  const auto last_zero = (*store)->last_zero(record);
+  if (!last_zero) return last_zero.error();
   const auto session_id = (*store)->begin_session(record);
   if (!session_id) return session_id.error();
   record.id = *session_id;
@@ -193,9 +243,10 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   Acquisition::Options options;
   options.resume_by_itself = info.recorded;
   options.viewer = parts->viewer.get();
+  if (*last_zero) options.last_zero = (*last_zero)->mean;
   parts->acquisition =
       std::make_unique<Acquisition>(*parts->device, *parts->clock, parts->clock->now(), options);
-  parts->recorder = std::make_unique<Recorder>(std::move(*store), record.id, record.rate_Hz,
+  parts->recorder = std::make_unique<Recorder>(std::move(*store), record,
                                                parts->acquisition->records(), !config.virtual_time);
   if (!config.virtual_time) parts->start_threads();
   return std::unique_ptr<Session>(new Session(std::move(parts)));
@@ -223,12 +274,39 @@ double Session::resting_force_N() const noexcept {
   return parts_->resting_force_N.value_or(0.0);
 }
 
-Result<void> Session::start_zero() {
+std::array<std::optional<double>, kFingerCount> Session::contact_thresholds_N() const {
+  return contact_thresholds(parts_->zero, parts_->maximum_force_N);
+}
+const RealtimeGrant& Session::realtime() const noexcept {
+  return parts_->realtime;
+}
+
+void Session::strapped() {
+  const double now_s = snapshot().session_time_s;
+  parts_->strapped_at_s = now_s;
+  parts_->recorder->add_event({0, now_s, "strapped", ""});
+}
+
+double Session::settling_s() noexcept {
+  const auto& at_s = parts_->strapped_at_s;
+  return at_s ? std::max(0.0, *at_s + kSettleAfterStrapping_s - snapshot().session_time_s) : 0.0;
+}
+
+Result<void> Session::start_zero(const ZeroRequest& request) {
+  if (!request.device_is_empty)
+    return Error{Error::Code::bad_input,
+                 "nobody has confirmed that the device is empty",
+                 "take the hand out, let nothing touch the supports, and confirm that",
+                 "",
+                 0,
+                 ""};
   if (parts_->pending)
     return Error{
         Error::Code::failed, "a trial or a zero is still running", "wait for its end", "", 0, ""};
-  auto sent = parts_->send({Command::Kind::zero, nullptr, ""});
+  auto sent =
+      parts_->send({Command::Kind::zero, nullptr, "", request.accept_changed, request.settle_s});
   parts_->pending = sent.ok();
+  if (sent) parts_->strapped_at_s.reset();
   return sent;
 }
 
@@ -237,13 +315,22 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
   if (p.pending)
     return Error{
         Error::Code::failed, "a trial or a zero is still running", "wait for its end", "", 0, ""};
+  if (const double wait_s = settling_s();
+      wait_s > 0.0 && std::holds_alternative<RestSpec>(spec.kind))
+    return Error{Error::Code::failed,
+                 "the hand was strapped less than a minute ago and still settles",
+                 "wait another " + std::to_string(std::lround(std::ceil(wait_s))) + " s",
+                 "",
+                 0,
+                 ""};
   auto setup = std::make_unique<TrialSetup>();
+  if (p.strapped_at_s) setup->since_strapping_s = snapshot().session_time_s - *p.strapped_at_s;
   setup->spec = spec;
   setup->context.period_s = p.device->info().frame_period_s;
   setup->context.maximum_force_N = p.maximum_force_N;
   setup->context.resting_force_N =
       p.resting_force_N.value_or(std::numeric_limits<double>::quiet_NaN());
-  setup->context.noise_sd_N = p.noise_sd_N;
+  if (p.zero) setup->context.noise_sd_N = grip_noise(*p.zero);
   setup->context.seed = p.record.seed;
   TrialRecord& record = setup->record;
   if (const std::string name = spec.scene(); !name.empty()) {
@@ -251,11 +338,14 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
     if (!path) return path.error();
     const auto text = read_text(*path);
     if (!text) return text.error();
-    const auto scene = parse_scene(*text, *path);
+    auto scene = parse_scene(*text, *path);
     if (!scene) return scene.error();
-    auto plan = Plan::compile(for_hand(*scene, p.config.hand), setup->context.period_s);
+    const Scene used =
+        with_thresholds(for_hand(*std::move(scene), p.config.hand), contact_thresholds_N());
+    auto plan = Plan::compile(used, setup->context.period_s);
     if (!plan) return plan.error();
     setup->plan = std::move(*plan);
+    record.threshold_N = thresholds_of(used);
     record.scene_text = *text;
   }
   auto task = make_task(spec, setup->context);
@@ -269,7 +359,7 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
   record.practice = practice;
   record.maximum_force_N = p.maximum_force_N;
   record.resting_force_N = p.resting_force_N.value_or(0.0);
-  auto sent = p.send({Command::Kind::begin, setup.get(), ""});
+  auto sent = p.send({Command::Kind::begin, setup.get()});
   if (!sent) return sent;
   p.setups.push_back(std::move(setup));
   p.pending = true;
@@ -277,10 +367,10 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
 }
 
 void Session::pause() {
-  (void)parts_->send({Command::Kind::pause, nullptr, ""});
+  (void)parts_->send({Command::Kind::pause});
 }
 void Session::resume() {
-  (void)parts_->send({Command::Kind::resume, nullptr, ""});
+  (void)parts_->send({Command::Kind::resume});
 }
 void Session::abort(const char* reason) {
   (void)parts_->send({Command::Kind::abort, nullptr, reason});
@@ -335,9 +425,7 @@ void Session::close() {
     abort("The session was closed.");
     (void)wait_for_news();
   }
-  p.stop = true;
-  if (p.acquisition_thread.joinable()) p.acquisition_thread.join();
-  if (p.recorder_thread.joinable()) p.recorder_thread.join();
+  p.stop_threads();
   p.device->stop();
   p.recorder->pump();
   (void)p.recorder->end_session();

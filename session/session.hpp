@@ -13,6 +13,7 @@
 
 #include "core/measure.hpp"
 #include "core/result.hpp"
+#include "session/realtime.hpp"
 #include "session/snapshot.hpp"
 #include "storage/session_store.hpp"
 #include "tasks/task_spec.hpp"
@@ -31,21 +32,42 @@ struct SessionConfig {
   std::string protocol_text;
   std::string software_version;
   std::string started_utc;    ///< ISO 8601; empty: now (demonstration data lie in the past)
-  bool virtual_time = false;  ///< simulated and replayed devices only
+  std::string operator_name;  ///< who runs it; stored with zero and resting force; may be empty
+  Realtime realtime = Realtime::prefer;  ///< of the acquisition thread; not in virtual time
+  bool virtual_time = false;             ///< simulated and replayed devices only
+};
+
+/// An instrument zero is asked for.
+struct ZeroRequest {
+  /// The operator has confirmed it. Without it nothing is measured: muscle tone would become zero.
+  bool device_is_empty = false;
+  /// The operator has confirmed that the device was serviced or remounted: this zero may lie
+  /// outside the band round the last one. Kept with the zero where it made the difference.
+  bool accept_changed = false;
+  double settle_s = 0.0;  ///< before the second that is measured: a simulated hand leaves
 };
 
 /// The instrument zero ended.
 struct ZeroOutcome {
   bool accepted = false;
-  std::string reason;  ///< why not, in words for the therapist
+  std::string reason;         ///< why not, in words for the therapist
+  bool only_changed = false;  ///< refused, but ZeroRequest::accept_changed would allow it
+  std::string remark;         ///< accepted, but this is to be known; may be empty
   InstrumentZeroRecord zero;
+};
+
+/// What each finger pressed at rest, and what that suggests.
+struct RestOutcome {
+  RestingForceRecord rest;
+  std::string words;
 };
 
 /// A trial ended and is durable.
 struct TrialOutcome {
   TrialRecord trial;
   std::vector<Measure> measures;
-  std::string reason;  ///< why it was not completed
+  std::string reason;                              ///< why it was not completed
+  std::optional<RestOutcome> rest = std::nullopt;  ///< of a completed resting-force trial
 };
 
 /// What happened since the owner looked last; exactly one of the members is set.
@@ -74,10 +96,15 @@ class Session {
   /// second.
   [[nodiscard]] std::vector<Measure> live_score() const;
 
-  /// Instrument zero: the operator confirms that the device is empty. News: ZeroOutcome.
-  [[nodiscard]] Result<void> start_zero();
-  /// Prepares and starts a trial. Fails if one is running or the task lacks its context (maximum).
-  /// News: TrialOutcome.
+  /// Instrument zero. Refused without the confirmation that the device is empty. News: ZeroOutcome.
+  [[nodiscard]] Result<void> start_zero(const ZeroRequest& request);
+  /// The hand was put in and strapped just now; a resting force may be measured a minute later.
+  /// Without this call it is not known. Taken back by the next zero.
+  void strapped();
+  /// Time until a resting force may be measured [s]; 0: now, as far as is known.
+  [[nodiscard]] double settling_s() noexcept;
+  /// Prepares and starts a trial. Fails if one is running, if the task lacks its context (maximum)
+  /// or if a hand that is to rest was strapped less than a minute ago. News: TrialOutcome.
   [[nodiscard]] Result<void> start_trial(const TaskSpec& spec, bool practice);
   /// The trial stands still until resume(); task clock and object freeze, recording goes on.
   void pause();
@@ -90,6 +117,10 @@ class Session {
   /// Context for tasks from this session's trials so far [N]; 0: not measured yet.
   [[nodiscard]] double maximum_force_N() const noexcept;
   [[nodiscard]] double resting_force_N() const noexcept;
+  /// From which force on a finger touches an object; nothing: as the scene says.
+  [[nodiscard]] std::array<std::optional<double>, kFingerCount> contact_thresholds_N() const;
+  /// What the acquisition thread was given.
+  [[nodiscard]] const RealtimeGrant& realtime() const noexcept;
 
   /// News since the last call, without waiting.
   [[nodiscard]] std::vector<SessionNews> take_news();
@@ -108,6 +139,10 @@ class Session {
   explicit Session(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };
+
+/// Refuses a platform that is mounted for the other hand, in words for the therapist.
+[[nodiscard]] Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for,
+                                      Hand hand);
 
 /// Finds NAME(.toml) beside `beside` (a file; may be empty) or in LIBRARY/FOLDER and returns its
 /// path.

@@ -9,6 +9,16 @@ std::string_view name_of(Stage stage) noexcept {
   return kNames[static_cast<std::size_t>(stage)];
 }
 
+NetPush net_push(const Platform& platform, const FingerFrame& forces, double grip_N) noexcept {
+  NetPush push;
+  push.known = !forces.any(SampleFlag::missing);
+  if (!push.known) return push;
+  push.wrench_P = net_wrench(platform, forces.wrench_C);
+  if (grip_N >= kLeastGripForPush_N)
+    push.share_of_grip_percent = 100.0 * push.wrench_P.force.norm() / grip_N;
+  return push;
+}
+
 std::string_view describe(PauseCause cause) noexcept {
   switch (cause) {
     case PauseCause::none: return "";

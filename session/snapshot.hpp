@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "core/finger.hpp"
 #include "device/force_device.hpp"
 #include "grasp_model/plan.hpp"
+#include "session/timing.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp {
@@ -26,6 +28,20 @@ enum class PauseCause : std::uint8_t { none, therapist, missing_samples, device_
 /// One plain sentence: why the trial stands still and what to do.
 [[nodiscard]] std::string_view describe(PauseCause cause) noexcept;
 
+/// What arm and trunk push: finger forces that only squeeze cancel in it. Frame P of the platform.
+struct NetPush {
+  bool known = false;  ///< false: a finger has no value
+  Wrench wrench_P;     ///< [N, N m]
+  /// |force| in % of the grip; nothing while the grip is below kLeastGripForPush_N.
+  std::optional<double> share_of_grip_percent;
+};
+inline constexpr double kLeastGripForPush_N = 0.5;
+/// From here on it is remarked on: the trial measures more than the hand.
+inline constexpr double kRemarkablePush_percent = 20.0;
+/// `forces` after zero, held values in place. Real-time safe.
+[[nodiscard]] NetPush net_push(const Platform& platform, const FingerFrame& forces,
+                               double grip_N) noexcept;
+
 /// Trivially copyable in spirit: no heap. Published once per frame.
 struct Snapshot {
   std::int64_t frames = 0;      ///< frames so far; 0: nothing has arrived yet
@@ -39,6 +55,9 @@ struct Snapshot {
   bool zeroed = false;         ///< an instrument zero is in force
   double zero_progress = 0.0;  ///< 0 … 1 while zeroing
   double grip_N = 0.0;         ///< min(thumb, index + middle), signed
+  NetPush push;                ///< of the whole hand on the platform
+  /// Where each pad presses on its support, x and y of C [m]; nothing below 2 N.
+  std::array<std::optional<Eigen::Vector2d>, kFingerCount> centre_of_pressure{};
 
   int trial_number = 0;  ///< of the running trial; 0: none
   TaskView task;         ///< of the running trial
@@ -48,6 +67,7 @@ struct Snapshot {
 
   double lateness_s = 0.0;             ///< grid instant -> published
   double compute_s = 0.0;              ///< newest sample in hand -> published
+  TimingSummary timing;                ///< of the session so far; renewed every second
   std::uint64_t frames_with_gap = 0;   ///< frames with a held or missing finger
   std::uint64_t recorder_dropped = 0;  ///< samples that found the recorder's ring full
 };

@@ -90,6 +90,19 @@ Group force_columns() {
     group.columns.push_back({std::string(kFingerNames[f]) + "_flags", [f](const auto& s) {
                                return static_cast<double>(s.forces.flags[f]);
                              }});
+  for (const int axis : {0, 1, 2, 3, 4, 5}) {
+    const bool force = axis < 3;
+    group.columns.push_back(
+        {std::string(force ? "net_f" : "net_t") + "xyz"[axis % 3] + (force ? "_N" : "_Nm"),
+         [axis](const auto& s) {
+           const auto& w = s.push.wrench_P;
+           if (!s.push.known) return kMissing;
+           return axis < 3 ? w.force[axis] : w.torque[axis - 3];
+         }});
+  }
+  group.columns.push_back({"net_push_percent", [](const auto& s) {
+                             return s.push.share_of_grip_percent.value_or(kMissing);
+                           }});
   return group;
 }
 

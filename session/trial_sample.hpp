@@ -7,6 +7,7 @@
 
 #include "core/finger.hpp"
 #include "grasp_model/plan.hpp"
+#include "session/snapshot.hpp"
 #include "storage/session_store.hpp"
 #include "tasks/task.hpp"
 
@@ -15,6 +16,7 @@ namespace isograsp {
 struct TrialSample {
   double t_s = 0.0;    ///< since the trial began; runs on while paused
   FingerFrame forces;  ///< zeroed; held values stand in where flagged
+  NetPush push;
   TaskView task;
   TaskContext context;
   ObjectState object;  ///< at t_s, before this frame's wrench acts

@@ -65,6 +65,13 @@ Zeroing::Statistics Zeroing::statistics() const noexcept {
   return s;
 }
 
+double largest_force_change_N(const SixAxes& a, const SixAxes& b) noexcept {
+  double largest_N = 0.0;
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    largest_N = std::max(largest_N, (a[f] - b[f]).head<3>().cwiseAbs().maxCoeff());
+  return largest_N;
+}
+
 std::optional<ZeroRefusal> check_zero(
     const Zeroing::Statistics& statistics,
     const std::optional<std::array<Vec6, kFingerCount>>& last_mean,
@@ -96,7 +103,7 @@ std::string describe(const ZeroRefusal& refusal) {
   if (refusal.why == Why::gaps)
     return "Samples are missing: check the cables of the device, then set the zero again.";
   const auto sentence = [&refusal](const char* what, const char* unit, const char* remedy) {
-    char text[240];
+    char text[320];
     std::snprintf(text, sizeof text, "The %s sensor %s (%.2g %s, limit %.2g %s). %s",
                   std::string(name_of(refusal.finger)).c_str(), what, refusal.found, unit,
                   refusal.limit, unit, remedy);
@@ -111,7 +118,10 @@ std::string describe(const ZeroRefusal& refusal) {
     case Why::noisy_torque: return sentence("is not quiet", "Nm", kHandsOff);
     case Why::drift: return sentence("drifts", "N/s", kHandsOff);
     case Why::loaded: return sentence("is loaded", "N", kDamaged);
-    default: return sentence("differs from the last empty zero", "N", kDamaged);
+    default:
+      return sentence("differs from the last empty zero", "N",
+                      "If nothing leans on the supports, the sensor may be damaged. If the device "
+                      "was serviced or remounted since, confirm that.");
   }
 }
 

@@ -19,8 +19,14 @@ struct ZeroLimits {
   double torque_sd_Nm = 0.01;    ///< 5 LSB of the torque
   double force_slope_N_s = 0.3;  ///< of the straight line through the second
   double force_offset_N = 30.0;  ///< 10 % of the axial range: an intact empty sensor is inside
-  double force_change_N = 2.0;   ///< band round the last empty zero of this session
+  double force_change_N = 2.0;   ///< band round the last empty zero of this device
+  double force_drift_N = 0.4;    ///< between two zeros of a session: half a contact threshold
 };
+
+using SixAxes = std::array<Vec6, kFingerCount>;  ///< per finger [N, N m]
+
+/// Largest force component by which two zeros differ [N]. Real-time safe.
+[[nodiscard]] double largest_force_change_N(const SixAxes& a, const SixAxes& b) noexcept;
 
 /// Collects frames; add() is real-time safe.
 class Zeroing {
@@ -69,7 +75,8 @@ struct ZeroRefusal {
   double limit = 0.0;
 };
 
-/// Whether this zero may be used. `last_mean`: the session's last accepted zero. Real-time safe.
+/// Whether this zero may be used. `last_mean`: the last accepted zero of the same device; nothing:
+/// none is known, or somebody confirmed that the device was serviced or remounted. Real-time safe.
 [[nodiscard]] std::optional<ZeroRefusal> check_zero(
     const Zeroing::Statistics& statistics,
     const std::optional<std::array<Vec6, kFingerCount>>& last_mean,

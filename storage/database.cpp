@@ -144,6 +144,7 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
     soci::transaction whole(sql);
     for (const char* statement : schema::kCreate) sql << statement;
+    for (const char* statement : schema::kToFormat2) sql << statement;
     whole.commit();
   } catch (const soci::sqlite3_soci_error& why) {
     tidy();
@@ -164,7 +165,7 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
 
 /// Is this file one of ours that may be opened so?
 Result<void> check_file(const std::string& path, const std::string& real_path,
-                        SessionStore::Open how) {
+                        SessionStore::Open how, int oldest) {
   if (faccessat(AT_FDCWD, real_path.c_str(), R_OK, AT_EACCESS) != 0)
     return failed(path, "may not be read", "check its permissions");
   const auto header = read_header(real_path);
@@ -180,6 +181,12 @@ Result<void> check_file(const std::string& path, const std::string& real_path,
                     "was made by a newer isograsp (format " + std::to_string(header->user_version) +
                         ", this program knows " + std::to_string(kDatabaseFormat) + ")",
                     "install the newer program; report and export still read it if they can");
+  if (header->user_version < oldest)
+    return bad_file(path,
+                    "was made by an older isograsp (format " +
+                        std::to_string(header->user_version) + ", this program writes " +
+                        std::to_string(kDatabaseFormat) + ")",
+                    "run isograsp db migrate on it; a copy of the file as it is now is kept");
   if (!writable(real_path))
     return failed(path, "is read-only", "make it writable, or copy it to where you may write");
   if (!writable(fs::path(real_path).parent_path()))
@@ -234,7 +241,7 @@ Result<RecordingLock> RecordingLock::exclusive_if_free(const std::string& path) 
 Database::Database(Database&&) noexcept = default;
 Database::~Database() = default;
 
-Result<Database> Database::open(const std::string& path, SessionStore::Open how) {
+Result<Database> Database::open(const std::string& path, SessionStore::Open how, int oldest) {
   using Open = SessionStore::Open;
   if (path.empty())
     return Error{Error::Code::bad_input, "no database file is given", "name a file", "", 0, ""};
@@ -253,7 +260,7 @@ Result<Database> Database::open(const std::string& path, SessionStore::Open how)
       return bad_file(path, "does not exist", "make it with isograsp db init, or check the path");
     if (const auto made = create_file(path, real_path); !made) return made.error();
   }
-  if (const auto ours = check_file(path, real_path, how); !ours) return ours.error();
+  if (const auto ours = check_file(path, real_path, how, oldest); !ours) return ours.error();
 
   Database database;
   database.path_ = path;
@@ -275,7 +282,8 @@ Result<Database> Database::open(const std::string& path, SessionStore::Open how)
     if (!wal || pragma<int>(sql, "synchronous") != 2 || pragma<int>(sql, "foreign_keys") != 1)
       throw Refusal{
           failed(path, "the database cannot be set to durable writing", "keep it on a local disk")};
-    if (!read_only && pragma<int>(sql, "user_version") != kDatabaseFormat)
+    database.format_ = pragma<int>(sql, "user_version");
+    if (!read_only && (database.format_ < oldest || database.format_ > kDatabaseFormat))
       throw Refusal{bad_file(path, "has a format that this program does not know",
                              "use the program that made it")};
   });

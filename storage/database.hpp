@@ -38,13 +38,16 @@ class RecordingLock {
 class Database {
  public:
   /// As SessionStore::open, without the repair of interrupted trials.
-  [[nodiscard]] static Result<Database> open(const std::string& path, SessionStore::Open how);
+  /// `oldest`: format from which on a file may be opened for writing.
+  [[nodiscard]] static Result<Database> open(const std::string& path, SessionStore::Open how,
+                                             int oldest = kDatabaseFormat);
   Database(Database&&) noexcept;
   ~Database();
 
   [[nodiscard]] soci::session& sql() noexcept { return *session_; }
   [[nodiscard]] const std::string& path() const noexcept { return path_; }  ///< as the user gave it
   [[nodiscard]] const std::string& real_path() const noexcept { return real_path_; }
+  [[nodiscard]] int format() const noexcept { return format_; }  ///< when it was opened
 
   /// Runs `work`; what it throws becomes an Error that names the file and `doing`.
   [[nodiscard]] Result<void> guard(const char* doing, const std::function<void()>& work);
@@ -55,6 +58,7 @@ class Database {
   Database() = default;
   std::string path_;
   std::string real_path_;
+  int format_ = kDatabaseFormat;
   std::unique_ptr<soci::session> session_;
 };
 

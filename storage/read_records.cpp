@@ -32,6 +32,15 @@ std::vector<std::string> split_lines(const std::string& text) {
   return lines;
 }
 
+/// A column that may be NULL.
+struct Nullable {
+  double value = 0.0;
+  soci::indicator present = soci::i_null;
+  [[nodiscard]] std::optional<double> get() const {
+    return present == soci::i_ok ? std::optional(value) : std::nullopt;
+  }
+};
+
 std::array<Vec6, kFingerCount> unpack(soci::blob& blob) {
   std::array<Vec6, kFingerCount> wrenches;
   for (std::size_t f = 0; f < kFingerCount; ++f)
@@ -41,6 +50,15 @@ std::array<Vec6, kFingerCount> unpack(soci::blob& blob) {
 }
 
 }  // namespace
+
+std::string serials_text(const std::array<std::string, kFingerCount>& serials) {
+  if (serials == std::array<std::string, kFingerCount>{}) return "";
+  return serials[0] + "\n" + serials[1] + "\n" + serials[2];
+}
+
+std::string SqliteStore::since_2(const char* expression, const char* instead) const {
+  return database_.format() >= 2 ? expression : instead;
+}
 
 Result<std::vector<PatientRecord>> SqliteStore::patients() {
   std::vector<PatientRecord> all;
@@ -71,35 +89,40 @@ Result<std::optional<PatientRecord>> SqliteStore::find_patient(const std::string
 
 Result<std::vector<SessionRecord>> SqliteStore::sessions(RowId patient) {
   std::vector<SessionRecord> all;
-  const auto done =
-      database_.guard("reading sessions", [&] {
-        SessionRecord one;
-        std::string hand;
-        std::string seed;
-        int simulated = 0;
-        int recorded = 0;
-        soci::statement select =
-            (database_.sql().prepare
-                 << "SELECT id, patient_id, started_utc, ended_utc, hand, device_uri, "
-                    "device_description, simulated, recorded, provenance, protocol_name, "
-                    "protocol_text, rate_Hz, device_delay_s, software_version, cpu_features, seed "
-                    "FROM sessions WHERE patient_id = :patient ORDER BY id",
-             soci::use(patient), soci::into(one.id), soci::into(one.patient_id),
-             soci::into(one.started_utc), soci::into(one.ended_utc), soci::into(hand),
-             soci::into(one.device_uri), soci::into(one.device_description), soci::into(simulated),
-             soci::into(recorded), soci::into(one.provenance), soci::into(one.protocol_name),
-             soci::into(one.protocol_text), soci::into(one.rate_Hz), soci::into(one.device_delay_s),
-             soci::into(one.software_version), soci::into(one.cpu_features), soci::into(seed));
-        select.execute();
-        while (select.fetch()) {
-          one.hand = read_hand(hand);
-          one.simulated = simulated != 0;
-          one.recorded = recorded != 0;
-          one.seed = 0;
-          std::from_chars(seed.data(), seed.data() + seed.size(), one.seed);
-          all.push_back(one);
-        }
-      });
+  const auto done = database_.guard("reading sessions", [&] {
+    SessionRecord one;
+    std::string hand;
+    std::string seed;
+    std::string serials;
+    int simulated = 0;
+    int recorded = 0;
+    soci::statement select =
+        (database_.sql().prepare
+             << "SELECT id, patient_id, started_utc, ended_utc, hand, device_uri, "
+                "device_description, simulated, recorded, provenance, protocol_name, "
+                "protocol_text, rate_Hz, device_delay_s, software_version, cpu_features, seed, " +
+                    since_2("device_serials, operator_name, realtime", "'', '', ''") +
+                    " FROM sessions WHERE patient_id = :patient ORDER BY id",
+         soci::use(patient), soci::into(one.id), soci::into(one.patient_id),
+         soci::into(one.started_utc), soci::into(one.ended_utc), soci::into(hand),
+         soci::into(one.device_uri), soci::into(one.device_description), soci::into(simulated),
+         soci::into(recorded), soci::into(one.provenance), soci::into(one.protocol_name),
+         soci::into(one.protocol_text), soci::into(one.rate_Hz), soci::into(one.device_delay_s),
+         soci::into(one.software_version), soci::into(one.cpu_features), soci::into(seed),
+         soci::into(serials), soci::into(one.operator_name), soci::into(one.realtime));
+    select.execute();
+    while (select.fetch()) {
+      one.hand = read_hand(hand);
+      one.simulated = simulated != 0;
+      one.recorded = recorded != 0;
+      one.seed = 0;
+      std::from_chars(seed.data(), seed.data() + seed.size(), one.seed);
+      one.serial_numbers = {};
+      const auto lines = split_lines(serials);
+      std::copy_n(lines.begin(), std::min(lines.size(), kFingerCount), one.serial_numbers.begin());
+      all.push_back(one);
+    }
+  });
   if (!done) return done.error();
   return all;
 }
@@ -124,23 +147,36 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
     TrialRecord one;
     std::string status;
     int practice = 0;
+    int drifted = 0;
+    std::array<Nullable, kFingerCount> threshold;
+    Nullable drift;
     soci::statement select =
         (database_.sql().prepare
              << "SELECT id, session_id, number, task_name, task_version, task_text, scene_text, "
                 "practice, session_time_s, status, maximum_force_N, resting_force_N, "
                 "coalesce(zero_id, 0), coalesce(sample_count, (SELECT coalesce(sum(row_count), 0) "
                 "FROM signal_blocks WHERE trial_id = trials.id AND position = 0)), dropped_count, "
-                "worst_lateness_s, worst_compute_s, health_json "
-                "FROM trials WHERE session_id = :session ORDER BY number",
+                "worst_lateness_s, worst_compute_s, health_json, " +
+                    since_2("timing_json, thumb_threshold_N, index_threshold_N, "
+                            "middle_threshold_N, zero_drift_N, zero_drifted",
+                            "'', NULL, NULL, NULL, NULL, 0") +
+                    " FROM trials WHERE session_id = :session ORDER BY number",
          soci::use(session), soci::into(one.id), soci::into(one.session_id), soci::into(one.number),
          soci::into(one.task_name), soci::into(one.task_version), soci::into(one.task_text),
          soci::into(one.scene_text), soci::into(practice), soci::into(one.session_time_s),
          soci::into(status), soci::into(one.maximum_force_N), soci::into(one.resting_force_N),
          soci::into(one.zero_id), soci::into(one.samples), soci::into(one.dropped),
          soci::into(one.worst_lateness_s), soci::into(one.worst_compute_s),
-         soci::into(one.health_json));
+         soci::into(one.health_json), soci::into(one.timing_json),
+         soci::into(threshold[0].value, threshold[0].present),
+         soci::into(threshold[1].value, threshold[1].present),
+         soci::into(threshold[2].value, threshold[2].present),
+         soci::into(drift.value, drift.present), soci::into(drifted));
     select.execute();
     while (select.fetch()) {
+      for (std::size_t f = 0; f < kFingerCount; ++f) one.threshold_N[f] = threshold[f].get();
+      one.zero_drift_N = drift.get();
+      one.zero_drifted = drifted != 0;
       one.practice = practice != 0;
       one.status = read_status(status);
       all.push_back(one);
@@ -190,25 +226,103 @@ Result<std::vector<EventRecord>> SqliteStore::events(RowId session) {
   return all;
 }
 
+std::vector<InstrumentZeroRecord> SqliteStore::read_zeros(const std::string& where) {
+  std::vector<InstrumentZeroRecord> all;
+  InstrumentZeroRecord one;
+  soci::blob mean(database_.sql());
+  soci::blob sd(database_.sql());
+  Nullable change;
+  Nullable drift;
+  int confirmed = 0;
+  soci::statement select =
+      (database_.sql().prepare
+           << "SELECT z.id, z.session_id, z.session_time_s, z.mean_N_Nm, z.sd_N_Nm, " +
+                  since_2("z.recorded_utc, z.operator_name, z.change_N, z.change_confirmed, "
+                          "z.drift_N",
+                          "'', '', NULL, 0, NULL") +
+                  " FROM instrument_zeros z JOIN sessions s ON s.id = z.session_id " + where,
+       soci::into(one.id), soci::into(one.session_id), soci::into(one.session_time_s),
+       soci::into(mean), soci::into(sd), soci::into(one.recorded_utc),
+       soci::into(one.operator_name), soci::into(change.value, change.present),
+       soci::into(confirmed), soci::into(drift.value, drift.present));
+  select.execute();
+  while (select.fetch()) {
+    one.mean = unpack(mean);
+    one.sd = unpack(sd);
+    one.change_N = change.get();
+    one.change_confirmed = confirmed != 0;
+    one.drift_N = drift.get();
+    all.push_back(one);
+  }
+  return all;
+}
+
 Result<std::vector<InstrumentZeroRecord>> SqliteStore::zeros(RowId session) {
   std::vector<InstrumentZeroRecord> all;
   const auto done = database_.guard("reading instrument zeros", [&] {
-    InstrumentZeroRecord one;
-    soci::blob mean(database_.sql());
-    soci::blob sd(database_.sql());
-    soci::statement select =
-        (database_.sql().prepare
-             << "SELECT id, session_id, session_time_s, mean_N_Nm, sd_N_Nm FROM instrument_zeros "
-                "WHERE session_id = :session ORDER BY id",
-         soci::use(session), soci::into(one.id), soci::into(one.session_id),
-         soci::into(one.session_time_s), soci::into(mean), soci::into(sd));
-    select.execute();
-    while (select.fetch()) {
-      one.mean = unpack(mean);
-      one.sd = unpack(sd);
-      all.push_back(one);
-    }
+    all = read_zeros("WHERE z.session_id = " + std::to_string(session) + " ORDER BY z.id");
   });
+  if (!done) return done.error();
+  return all;
+}
+
+Result<std::optional<InstrumentZeroRecord>> SqliteStore::last_zero(const SessionRecord& session) {
+  const auto& told = session.serial_numbers;
+  const bool all_told =
+      std::none_of(told.begin(), told.end(), [](const std::string& s) { return s.empty(); });
+  const std::string serials = serials_text(told);
+  const int simulated = session.simulated ? 1 : 0;
+  std::optional<InstrumentZeroRecord> found;
+  const auto done = database_.guard("reading the last instrument zero", [&] {
+    soci::session& sql = database_.sql();
+    RowId id = 0;
+    const std::string same_place = all_told ? "" : " AND s.device_uri = :uri";
+    soci::statement select(sql);
+    select.exchange(soci::use(simulated));
+    select.exchange(soci::use(serials));
+    if (!all_told) select.exchange(soci::use(session.device_uri));
+    select.exchange(soci::into(id));
+    select.alloc();
+    select.prepare(
+        "SELECT coalesce(max(z.id), 0) FROM instrument_zeros z JOIN sessions s "
+        "ON s.id = z.session_id WHERE s.simulated = :simulated AND s.recorded = 0 AND " +
+        since_2("s.device_serials", "''") + " = :serials" + same_place);
+    select.define_and_bind();
+    select.execute(true);
+    if (id == 0) return;
+    found = read_zeros("WHERE z.id = " + std::to_string(id)).front();
+  });
+  if (!done) return done.error();
+  return found;
+}
+
+Result<std::vector<RestingForceRecord>> SqliteStore::resting_forces(RowId session) {
+  std::vector<RestingForceRecord> all;
+  if (database_.format() < 2) return all;
+  const auto done =
+      database_.guard("reading resting forces", [&] {
+        RestingForceRecord one;
+        soci::blob mean(database_.sql());
+        soci::blob sd(database_.sql());
+        Nullable since;
+        soci::statement select =
+            (database_.sql().prepare
+                 << "SELECT id, session_id, trial_id, session_time_s, recorded_utc, operator_name, "
+                    "duration_s, since_strapping_s, sample_count, mean_N_Nm, sd_N_Nm "
+                    "FROM resting_forces WHERE session_id = :session ORDER BY id",
+             soci::use(session), soci::into(one.id), soci::into(one.session_id),
+             soci::into(one.trial_id), soci::into(one.session_time_s), soci::into(one.recorded_utc),
+             soci::into(one.operator_name), soci::into(one.duration_s),
+             soci::into(since.value, since.present), soci::into(one.samples), soci::into(mean),
+             soci::into(sd));
+        select.execute();
+        while (select.fetch()) {
+          one.since_strapping_s = since.get();
+          one.mean = unpack(mean);
+          one.sd = unpack(sd);
+          all.push_back(one);
+        }
+      });
   if (!done) return done.error();
   return all;
 }

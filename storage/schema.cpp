@@ -117,4 +117,42 @@ const std::array<const char*, 12> kCreate{
     "CREATE INDEX events_of_session ON events (session_id)",
 };
 
+const std::array<const char*, 16> kToFormat2{
+    "ALTER TABLE sessions ADD COLUMN device_serials TEXT NOT NULL DEFAULT ''",
+    "ALTER TABLE sessions ADD COLUMN operator_name TEXT NOT NULL DEFAULT ''",
+    "ALTER TABLE sessions ADD COLUMN realtime TEXT NOT NULL DEFAULT ''",
+
+    "ALTER TABLE instrument_zeros ADD COLUMN recorded_utc TEXT NOT NULL DEFAULT ''",
+    "ALTER TABLE instrument_zeros ADD COLUMN operator_name TEXT NOT NULL DEFAULT ''",
+    "ALTER TABLE instrument_zeros ADD COLUMN change_N REAL CHECK (change_N >= 0)",
+    "ALTER TABLE instrument_zeros ADD COLUMN change_confirmed INTEGER NOT NULL DEFAULT 0 "
+    "CHECK (change_confirmed IN (0, 1))",
+    "ALTER TABLE instrument_zeros ADD COLUMN drift_N REAL CHECK (drift_N >= 0)",
+
+    "ALTER TABLE trials ADD COLUMN zero_drift_N REAL CHECK (zero_drift_N >= 0)",
+    "ALTER TABLE trials ADD COLUMN zero_drifted INTEGER NOT NULL DEFAULT 0 "
+    "CHECK (zero_drifted IN (0, 1))",
+    "ALTER TABLE trials ADD COLUMN thumb_threshold_N REAL CHECK (thumb_threshold_N >= 0)",
+    "ALTER TABLE trials ADD COLUMN index_threshold_N REAL CHECK (index_threshold_N >= 0)",
+    "ALTER TABLE trials ADD COLUMN middle_threshold_N REAL CHECK (middle_threshold_N >= 0)",
+    "ALTER TABLE trials ADD COLUMN timing_json TEXT NOT NULL DEFAULT ''",
+
+    R"(CREATE TABLE resting_forces (
+  id INTEGER PRIMARY KEY,
+  session_id INTEGER NOT NULL REFERENCES sessions (id),
+  trial_id INTEGER NOT NULL UNIQUE,
+  session_time_s REAL NOT NULL,
+  recorded_utc TEXT NOT NULL,
+  operator_name TEXT NOT NULL,
+  duration_s REAL NOT NULL CHECK (duration_s > 0),
+  since_strapping_s REAL CHECK (since_strapping_s >= 0),
+  sample_count INTEGER NOT NULL CHECK (sample_count >= 2),
+  mean_N_Nm BLOB NOT NULL CHECK (length(mean_N_Nm) = 144),
+  sd_N_Nm BLOB NOT NULL CHECK (length(sd_N_Nm) = 144),
+  FOREIGN KEY (session_id, trial_id) REFERENCES trials (session_id, id)
+) STRICT)",
+
+    "CREATE INDEX resting_forces_of_session ON resting_forces (session_id)",
+};
+
 }  // namespace isograsp::schema

@@ -33,6 +33,14 @@ std::string pack(const std::array<Vec6, kFingerCount>& wrenches) {
   return bytes;
 }
 
+/// Nothing becomes NULL.
+struct Optional {
+  explicit Optional(const std::optional<double>& from)
+      : value(from.value_or(0.0)), present(from ? soci::i_ok : soci::i_null) {}
+  double value;
+  soci::indicator present;
+};
+
 soci::indicator null_if_zero(RowId id) {
   return id == 0 ? soci::i_null : soci::i_ok;
 }
@@ -131,19 +139,23 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session) {
   const std::string seed = std::to_string(session.seed);  // 64 bits without a sign: no SQL type
   const int simulated = session.simulated ? 1 : 0;
   const int recorded = session.recorded ? 1 : 0;
+  const std::string serials = serials_text(session.serial_numbers);
   const auto done = database_.transact("beginning a session", [&] {
     soci::session& sql = database_.sql();
     sql << "INSERT INTO sessions (patient_id, started_utc, hand, device_uri, device_description, "
            "simulated, recorded, provenance, protocol_name, protocol_text, rate_Hz, "
-           "device_delay_s, software_version, cpu_features, seed) "
+           "device_delay_s, software_version, cpu_features, seed, device_serials, "
+           "operator_name, realtime) "
            "VALUES (:patient, :started, :hand, :uri, :description, :simulated, :recorded, "
-           ":provenance, :protocol, :protocol_text, :rate, :delay, :version, :cpu, :seed)",
+           ":provenance, :protocol, :protocol_text, :rate, :delay, :version, :cpu, :seed, "
+           ":serials, :operator, :realtime)",
         soci::use(session.patient_id), soci::use(started), soci::use(hand),
         soci::use(session.device_uri), soci::use(session.device_description), soci::use(simulated),
         soci::use(recorded), soci::use(session.provenance), soci::use(session.protocol_name),
         soci::use(session.protocol_text), soci::use(session.rate_Hz),
         soci::use(session.device_delay_s), soci::use(session.software_version),
-        soci::use(session.cpu_features), soci::use(seed);
+        soci::use(session.cpu_features), soci::use(seed), soci::use(serials),
+        soci::use(session.operator_name), soci::use(session.realtime);
     id = last_id(sql, "sessions");
   });
   if (!done) return done.error();
@@ -172,10 +184,49 @@ Result<RowId> SqliteStore::add_zero(const InstrumentZeroRecord& zero) {
     soci::blob sd(sql);
     mean.append(mean_bytes.data(), mean_bytes.size());
     sd.append(sd_bytes.data(), sd_bytes.size());
-    sql << "INSERT INTO instrument_zeros (session_id, session_time_s, mean_N_Nm, sd_N_Nm) "
-           "VALUES (:session, :time, :mean, :sd)",
-        soci::use(zero.session_id), soci::use(zero.session_time_s), soci::use(mean), soci::use(sd);
+    Optional change(zero.change_N);
+    Optional drift(zero.drift_N);
+    const int confirmed = zero.change_confirmed ? 1 : 0;
+    const int drifted = zero.drifted ? 1 : 0;
+    if (zero.drift_N)
+      sql << "UPDATE trials SET zero_drift_N = :drift, zero_drifted = :drifted "
+             "WHERE session_id = :session AND zero_id = "
+             "(SELECT max(id) FROM instrument_zeros WHERE session_id = :same_session)",
+          soci::use(drift.value), soci::use(drifted), soci::use(zero.session_id),
+          soci::use(zero.session_id);
+    sql << "INSERT INTO instrument_zeros (session_id, session_time_s, mean_N_Nm, sd_N_Nm, "
+           "recorded_utc, operator_name, change_N, change_confirmed, drift_N) "
+           "VALUES (:session, :time, :mean, :sd, :utc, :operator, :change, :confirmed, :drift)",
+        soci::use(zero.session_id), soci::use(zero.session_time_s), soci::use(mean), soci::use(sd),
+        soci::use(zero.recorded_utc), soci::use(zero.operator_name),
+        soci::use(change.value, change.present), soci::use(confirmed),
+        soci::use(drift.value, drift.present);
     id = last_id(sql, "instrument_zeros");
+  });
+  if (!done) return done.error();
+  return id;
+}
+
+Result<RowId> SqliteStore::add_resting_force(const RestingForceRecord& rest) {
+  RowId id = 0;
+  const auto done = database_.transact("storing a resting force", [&] {
+    soci::session& sql = database_.sql();
+    const std::string mean_bytes = pack(rest.mean);
+    const std::string sd_bytes = pack(rest.sd);
+    soci::blob mean(sql);
+    soci::blob sd(sql);
+    mean.append(mean_bytes.data(), mean_bytes.size());
+    sd.append(sd_bytes.data(), sd_bytes.size());
+    Optional since(rest.since_strapping_s);
+    sql << "INSERT INTO resting_forces (session_id, trial_id, session_time_s, recorded_utc, "
+           "operator_name, duration_s, since_strapping_s, sample_count, mean_N_Nm, sd_N_Nm) "
+           "VALUES (:session, :trial, :time, :utc, :operator, :duration, :since, :samples, "
+           ":mean, :sd)",
+        soci::use(rest.session_id), soci::use(rest.trial_id), soci::use(rest.session_time_s),
+        soci::use(rest.recorded_utc), soci::use(rest.operator_name), soci::use(rest.duration_s),
+        soci::use(since.value, since.present), soci::use(rest.samples), soci::use(mean),
+        soci::use(sd);
+    id = last_id(sql, "resting_forces");
   });
   if (!done) return done.error();
   return id;
@@ -200,6 +251,9 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
 
   const int practice = trial.practice ? 1 : 0;
   auto zero_present = null_if_zero(trial.zero_id);
+  Optional thumb(trial.threshold_N[0]);
+  Optional index(trial.threshold_N[1]);
+  Optional middle(trial.threshold_N[2]);
   const auto done = database_.transact("beginning a trial", [&] {
     soci::session& sql = database_.sql();
     sql << "SELECT rate_Hz FROM sessions WHERE id = :id", soci::use(trial.session_id),
@@ -208,12 +262,15 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
       throw Refusal{refuse("there is no session " + std::to_string(trial.session_id), "begin one")};
     sql << "INSERT INTO trials (session_id, number, task_name, task_version, task_text, "
            "scene_text, practice, session_time_s, status, maximum_force_N, resting_force_N, "
-           "zero_id) VALUES (:session, :number, :task, :version, :task_text, :scene_text, "
-           ":practice, :time, 'running', :maximum, :resting, :zero)",
+           "zero_id, thumb_threshold_N, index_threshold_N, middle_threshold_N) "
+           "VALUES (:session, :number, :task, :version, :task_text, :scene_text, "
+           ":practice, :time, 'running', :maximum, :resting, :zero, :thumb, :index, :middle)",
         soci::use(trial.session_id), soci::use(trial.number), soci::use(trial.task_name),
         soci::use(trial.task_version), soci::use(trial.task_text), soci::use(trial.scene_text),
         soci::use(practice), soci::use(trial.session_time_s), soci::use(trial.maximum_force_N),
-        soci::use(trial.resting_force_N), soci::use(trial.zero_id, zero_present);
+        soci::use(trial.resting_force_N), soci::use(trial.zero_id, zero_present),
+        soci::use(thumb.value, thumb.present), soci::use(index.value, index.present),
+        soci::use(middle.value, middle.present);
     recording.trial = last_id(sql, "trials");
     for (std::size_t g = 0; g < trial.groups.size(); ++g) {
       const int position = static_cast<int>(g);
@@ -301,10 +358,12 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
     soci::session& sql = database_.sql();
     sql << "UPDATE trials SET status = :status, dropped_count = :dropped, "
            "worst_lateness_s = :lateness, worst_compute_s = :compute, health_json = :health, "
+           "timing_json = :timing, "
            "sample_count = (SELECT coalesce(sum(row_count), 0) FROM signal_blocks "
            "WHERE trial_id = trials.id AND position = 0) WHERE id = :id",
         soci::use(status), soci::use(end.dropped), soci::use(end.worst_lateness_s),
-        soci::use(end.worst_compute_s), soci::use(end.health_json), soci::use(end.id);
+        soci::use(end.worst_compute_s), soci::use(end.health_json), soci::use(end.timing_json),
+        soci::use(end.id);
     for (const Measure& measure : measures) {
       const double value = measure.value.value_or(0.0);
       auto value_present = measure.value ? soci::i_ok : soci::i_null;

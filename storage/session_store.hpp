@@ -21,7 +21,7 @@ namespace isograsp {
 using RowId = std::int64_t;
 
 /// Format of the files that this program writes (PRAGMA user_version).
-inline constexpr int kDatabaseFormat = 1;
+inline constexpr int kDatabaseFormat = 2;
 
 /// Patients are codes: letters, digits and '-', 2 to 32 characters, with at least one digit (a code
 /// is generated; names, initials and dates are refused).
@@ -51,6 +51,9 @@ struct SessionRecord {
   std::string software_version;
   std::string cpu_features;  ///< libm picks code by CPU: results carry it
   std::uint64_t seed = 0;
+  std::array<std::string, kFingerCount> serial_numbers;  ///< of the sensors; empty: not told
+  std::string operator_name;  ///< who runs the session, as they wish to be called; may be empty
+  std::string realtime;       ///< what the acquisition thread was given; empty: not asked for
 };
 
 /// Device empty, one second quiet: mean and SD per finger and axis.
@@ -60,6 +63,30 @@ struct InstrumentZeroRecord {
   double session_time_s = 0.0;
   std::array<Vec6, kFingerCount> mean;  ///< [N, N m]
   std::array<Vec6, kFingerCount> sd;    ///< [N, N m]: the empty noise
+  std::string recorded_utc;             ///< ISO 8601
+  std::string operator_name;            ///< who confirmed that the device is empty; may be empty
+  /// Largest force component by which it differs from the last empty zero of the same device, in
+  /// whichever session; nothing: there was none.
+  std::optional<double> change_N = std::nullopt;
+  bool change_confirmed = false;  ///< beyond the band: somebody said "serviced or remounted"
+  /// The same from the zero before it in this session; nothing: it is the first.
+  std::optional<double> drift_N = std::nullopt;
+  bool drifted = false;  ///< beyond the limit; kept with the trials between the two
+};
+
+/// Hand in, relaxed: what each finger presses. Never subtracted from anything.
+struct RestingForceRecord {
+  RowId id = 0;
+  RowId session_id = 0;
+  RowId trial_id = 0;  ///< its signals
+  double session_time_s = 0.0;
+  std::string recorded_utc;
+  std::string operator_name;
+  double duration_s = 0.0;
+  std::optional<double> since_strapping_s = std::nullopt;  ///< nothing: not known
+  std::int64_t samples = 0;
+  std::array<Vec6, kFingerCount> mean;  ///< [N, N m]
+  std::array<Vec6, kFingerCount> sd;    ///< [N, N m]
 };
 
 enum class TrialStatus : std::uint8_t {
@@ -95,6 +122,12 @@ struct TrialRecord {
   double worst_lateness_s = 0.0;
   double worst_compute_s = 0.0;
   std::string health_json;  ///< device counters at the end
+  std::string timing_json;  ///< histograms of period, lateness and compute time
+  /// Contact thresholds that the object was moved with; nothing: no contact of that finger.
+  std::array<std::optional<double>, kFingerCount> threshold_N{};
+  /// Drift from the zero in force to the next empty zero; nothing: no zero followed.
+  std::optional<double> zero_drift_N = std::nullopt;
+  bool zero_drifted = false;  ///< beyond the limit: the forces of this trial are in doubt
   std::vector<SignalGroup> groups;
 };
 
@@ -127,8 +160,15 @@ class SessionStore {
   /// ended are marked interrupted, unless read_only or another program has the file open.
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::string& path,
                                                                   Open how);
+  struct Migration {
+    int from = kDatabaseFormat;  ///< format that the file had
+    std::string copy;            ///< of the file as it was; empty: nothing was to be done
+  };
+  /// Brings a file to the format of this program, in one transaction, after a checked copy beside
+  /// it was made. Refused while somebody records into the file.
+  [[nodiscard]] static Result<Migration> migrate(const std::string& path);
   /// For reading: like `existing` where the file can be written, so that trials left running are
-  /// marked; else read_only.
+  /// marked; else read_only. Files of older formats are read as they are.
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open_to_read(const std::string& path);
   virtual ~SessionStore() = default;
 
@@ -138,14 +178,16 @@ class SessionStore {
   [[nodiscard]] virtual Result<PatientRecord> add_patient(const std::string& code) = 0;
   [[nodiscard]] virtual Result<RowId> begin_session(const SessionRecord& session) = 0;
   [[nodiscard]] virtual Result<void> end_session(RowId session) = 0;
+  /// Its drift, if it has one, goes to all trials of the session since the zero before it.
   [[nodiscard]] virtual Result<RowId> add_zero(const InstrumentZeroRecord& zero) = 0;
-  /// Uses all fields but id, status, samples, dropped, worst_* and health_json.
+  [[nodiscard]] virtual Result<RowId> add_resting_force(const RestingForceRecord& rest) = 0;
+  /// Uses all fields but id, status, samples, dropped, worst_*, zero_drift* and *_json.
   [[nodiscard]] virtual Result<RowId> begin_trial(const TrialRecord& trial) = 0;
   /// Second number `second` of all groups at once; rows[g] is row-major, columns of group g. Blocks
   /// come in order; all but the last hold rate * 1 s rows.
   [[nodiscard]] virtual Result<void> append_blocks(RowId trial, int second,
                                                    std::span<const std::vector<double>> rows) = 0;
-  /// Closes a trial: status, counters and health of `end`, and its measures.
+  /// Closes a trial: status, counters, health and timing of `end`, and its measures.
   [[nodiscard]] virtual Result<void> end_trial(const TrialRecord& end,
                                                std::span<const Measure> measures) = 0;
   [[nodiscard]] virtual Result<void> add_event(RowId session, const EventRecord& event) = 0;
@@ -159,6 +201,12 @@ class SessionStore {
   [[nodiscard]] virtual Result<std::vector<Measure>> measures(RowId trial) = 0;
   [[nodiscard]] virtual Result<std::vector<EventRecord>> events(RowId session) = 0;
   [[nodiscard]] virtual Result<std::vector<InstrumentZeroRecord>> zeros(RowId session) = 0;
+  /// The newest empty zero of the device of `session`, whichever session it was made in: same
+  /// serial numbers, or same URI where not all sensors tell theirs. Simulated and real devices are
+  /// never the same.
+  [[nodiscard]] virtual Result<std::optional<InstrumentZeroRecord>> last_zero(
+      const SessionRecord& session) = 0;
+  [[nodiscard]] virtual Result<std::vector<RestingForceRecord>> resting_forces(RowId session) = 0;
   /// All groups of a trial side by side, in the order of trial.groups. Fails on a damaged block,
   /// naming it.
   [[nodiscard]] virtual Result<Signals> signals(const TrialRecord& trial) = 0;

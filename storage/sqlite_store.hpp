@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The session store on SQLite. Internal to this folder; open one with SessionStore::open().
 // Writing is in session_store.cpp, reading in read_records.cpp and read_signals.cpp, care in
-// maintenance.cpp.
+// maintenance.cpp and migration.cpp.
 #pragma once
 
 #include <functional>
@@ -26,6 +26,7 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session) override;
   [[nodiscard]] Result<void> end_session(RowId session) override;
   [[nodiscard]] Result<RowId> add_zero(const InstrumentZeroRecord& zero) override;
+  [[nodiscard]] Result<RowId> add_resting_force(const RestingForceRecord& rest) override;
   [[nodiscard]] Result<RowId> begin_trial(const TrialRecord& trial) override;
   [[nodiscard]] Result<void> append_blocks(RowId trial, int second,
                                            std::span<const std::vector<double>> rows) override;
@@ -40,6 +41,9 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<std::vector<Measure>> measures(RowId trial) override;
   [[nodiscard]] Result<std::vector<EventRecord>> events(RowId session) override;
   [[nodiscard]] Result<std::vector<InstrumentZeroRecord>> zeros(RowId session) override;
+  [[nodiscard]] Result<std::optional<InstrumentZeroRecord>> last_zero(
+      const SessionRecord& session) override;
+  [[nodiscard]] Result<std::vector<RestingForceRecord>> resting_forces(RowId session) override;
   [[nodiscard]] Result<Signals> signals(const TrialRecord& trial) override;
   [[nodiscard]] Result<std::vector<MeasurePoint>> progress(RowId patient) override;
 
@@ -65,13 +69,17 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<void> check_blocks(int second,
                                           std::span<const std::vector<double>> rows) const;
   void read_groups(TrialRecord& trial);
+  /// `expression` where the file has the columns of format 2, else `instead`.
+  [[nodiscard]] std::string since_2(const char* expression, const char* instead) const;
+  /// `where` stands behind FROM instrument_zeros z JOIN sessions s.
+  [[nodiscard]] std::vector<InstrumentZeroRecord> read_zeros(const std::string& where);
 
   Database database_;
   std::optional<Recording> recording_;
   std::unique_ptr<BlockInsert> block_insert_;
 };
 
-/// Seconds resolution, ISO 8601: "2026-03-01T09:30:00Z".
-[[nodiscard]] std::string utc_now();
+/// One a line: thumb, index, middle. Empty if no sensor told its own.
+[[nodiscard]] std::string serials_text(const std::array<std::string, kFingerCount>& serials);
 
 }  // namespace isograsp

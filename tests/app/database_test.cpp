@@ -67,6 +67,25 @@ TEST_F(DatabaseCommands, InitAndBackupNeverOverwrite) {
   EXPECT_FALSE(fs::exists(folder.path("sealed.db")));
 }
 
+TEST_F(DatabaseCommands, AnOldFileIsVerifiedAsItIsAndWrittenOnlyAfterMigration) {
+  fs::copy_file(ISOGRASP_SOURCE_DIR "/tests/data/format_1.db", db);
+  EXPECT_EQ(isograsp("db verify " + db).status, 0);
+  EXPECT_EQ(isograsp("export --db " + db + " --out " + folder.path("old")).status, 0);
+  const std::string run = "run --protocol-file " ISOGRASP_SOURCE_DIR
+                          "/library/protocols/short.toml --device 'sim://healthy?seed=4' --db " +
+                          db + " --fast --patient T-01";
+  const auto refused = isograsp(run);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("isograsp db migrate"), std::string::npos) << refused.err;
+  const auto migrated = isograsp("db migrate --json " + db);
+  EXPECT_EQ(migrated.status, 0) << migrated.err;
+  EXPECT_NE(migrated.out.find("\"migrated\": true"), std::string::npos) << migrated.out;
+  EXPECT_TRUE(fs::exists(db + ".format-1"));
+  EXPECT_EQ(isograsp(run).status, 0);
+  EXPECT_EQ(isograsp("db verify " + db).status, 0);
+  EXPECT_EQ(isograsp("db check " + db).status, 0);
+}
+
 TEST_F(DatabaseCommands, ExportScoresAsTheSessionDid) {
   record("T-01");
   const std::string out = folder.path("study");

@@ -31,6 +31,7 @@ TEST(CommandLine, AnErrorIsOneLineThatNamesTheCauseAndTheStatusIsTwo) {
        {std::pair<std::string, std::string>{"frobnicate", "frobnicate"},
         {"run", "--protocol-file is required"},
         {"run " + good + " --hand both", "--hand: 'both' is not a hand"},
+        {"run " + good + " --realtime=sometimes", "sometimes"},
         {"run --protocol-file absent.toml --device sim://healthy --db " + folder.path("c.db") +
              " --patient T-01",
          "absent.toml"},

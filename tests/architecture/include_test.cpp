@@ -26,8 +26,11 @@ struct Rule {
 const std::map<std::string, std::string> kLibraryOf{{"Eigen/", "Eigen"},
                                                     {"boost/lockfree/", "Boost.Lockfree"},
                                                     {"boost/asio", "Boost.Asio"},
+                                                    {"boost/beast", "Boost.Beast"},
                                                     {"boost/math/", "Boost.Math"},
+                                                    {"boost/property_tree", "Boost.PropertyTree"},
                                                     {"toml++/", "toml++"},
+                                                    {"comedilib", "comedi"},
                                                     {"glpk", "GLPK"},
                                                     {"libqhull", "Qhull"},
                                                     {"CLI/", "CLI11"},
@@ -47,7 +50,8 @@ const Names kAll{"core",    "device",  "grasp_model", "virtual_patient", "tasks"
 const Names kEigen{"Eigen"};
 const std::map<std::string, Rule> kRules{
     {"core", {{}, {"Eigen", "Boost.Lockfree"}, {"toml++"}}},
-    {"device", {{"core"}, kEigen, {"Boost.Asio", "SocketCAN"}}},
+    {"device",
+     {{"core"}, kEigen, {"Boost.Asio", "Boost.Beast", "Boost.PropertyTree", "SocketCAN", "comedi"}}},
     {"grasp_model", {{"core"}, kEigen, {"GLPK", "Qhull"}}},
     {"virtual_patient", {{"core", "grasp_model"}, kEigen, {}}},
     {"tasks", {{"core", "grasp_model"}, kEigen, {"Boost.Math"}}},
@@ -107,6 +111,8 @@ TEST(Includes, TheRulesForbidWhatTheyShould) {
   EXPECT_NE(objection("grasp_model", kRules.at("grasp_model"), "glpk.h", false, true), "");
   EXPECT_NE(objection("device", kRules.at("device"), "boost/asio.hpp", false, true), "");
   EXPECT_EQ(objection("device", kRules.at("device"), "boost/asio.hpp", false, false), "");
+  EXPECT_NE(objection("device", kRules.at("device"), "comedilib.h", false, true), "");
+  EXPECT_NE(objection("session", kRules.at("session"), "comedilib.h", false, false), "");
   EXPECT_NE(objection("session", kRules.at("session"), "QObject", false, false), "");
   EXPECT_NE(objection("storage", kRules.at("storage"), "tasks/score.hpp", true, false), "");
 }

@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <sys/mount.h>
 #include <sys/reboot.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/utsname.h>
 #include <sys/wait.h>
@@ -53,13 +54,17 @@ int main(int argc, char** argv) {
   mount_at("proc", "/proc");
   mount_at("sysfs", "/sys");
   mount_at("tmpfs", "/mnt");  // not /tmp: the program may stand there
-  for (const char* module : {"net/can/can.ko", "net/can/can-raw.ko",
-                             "drivers/net/can/dev/can-dev.ko", "drivers/net/can/vcan.ko"})
+  mkdir("/dev/pts", 0755);    // the kernel has put its own devices on /dev
+  mount_at("devpts", "/dev/pts");
+  for (const char* module :
+       {"net/can/can.ko", "net/can/can-raw.ko", "drivers/net/can/dev/can-dev.ko",
+        "drivers/net/can/vcan.ko", "drivers/net/can/slcan/slcan.ko"})
     load_module(module);
   setenv("PATH", "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", 1);
   setenv("HOME", "/mnt", 1);
   setenv("TMPDIR", "/mnt", 1);
   setenv("ISOGRASP_CAN_INTERFACE", "vcan0", 1);
+  setenv("ISOGRASP_SLCAN_INTERFACE", "can0", 1);
   run({"ip", "link", "set", "lo", "up"});
   run({"ip", "link", "add", "dev", "vcan0", "type", "vcan"});
   run({"ip", "link", "set", "vcan0", "up"});

@@ -47,6 +47,23 @@ TEST(TomlReader, NamesFileLineFieldAndRemedyOfTheFirstProblem) {
   }
 }
 
+TEST(TomlReader, AHeaderWithoutAKeyIsAnError) {
+  for (const char* text : {"a = 1\n[ = 2]\n", "a = 1\n[[ = 2]]\n", "a = 1\n[   \"\" ]\n[#]\n"}) {
+    const auto done = read_example(text);
+    ASSERT_FALSE(done) << text;
+    EXPECT_NE(done.error().what.find("not valid TOML"), std::string::npos) << text;
+  }
+}
+
+TEST(TomlReader, LettersBeyondAsciiOutsideOfTextAreErrors) {
+  for (const char* letter : {"\xC3\xA4", "\xD1\x87", "\xEF\xB3\xBF", "\xE2\x82\xAC"})
+    for (const std::string before : {"", "a = 1", "a", "a = [1 "}) {
+      const auto done = read_example(before + letter + " = 2\n");
+      ASSERT_FALSE(done) << before << letter;
+      EXPECT_NE(done.error().what.find("not valid TOML"), std::string::npos) << before << letter;
+    }
+}
+
 TEST(TomlReader, AnotherFormatIsRefused) {
   const auto read = TomlReader::parse("format = \"other-1\"\n", "x.toml", kFormat);
   ASSERT_FALSE(read);

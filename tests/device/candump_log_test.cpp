@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/candump_log.hpp"
+#include "device/bus/candump_log.hpp"
 
 #include <random>
 
@@ -20,7 +20,7 @@ CandumpEntry parse(std::string_view line) {
 TEST(CandumpLog, RoundTripsEveryKindOfFrame) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 20'000; ++i) {
-    CanFrame frame;
+    BusFrame frame;
     frame.extended = random() % 3 == 0;
     frame.error = !frame.extended && random() % 5 == 0;
     frame.remote = !frame.error && random() % 4 == 0;
@@ -92,6 +92,12 @@ TEST(CandumpLog, RefusesDamagedLines) {
                            "(1.00000x) can0 123#11",
                            "(99999999999.000000) can0 123#11"})
     EXPECT_FALSE(parse_candump_line(line).ok()) << line;
+}
+
+TEST(CandumpLog, RefusesTimesThatNanosecondsCannotCount) {
+  EXPECT_TRUE(parse_candump_line("(9223372035.999999999) can0 123#11").ok());
+  EXPECT_FALSE(parse_candump_line("(9223372036.000000) can0 123#11").ok());
+  EXPECT_FALSE(parse_candump_line("(9999999999.000000) can0 123#11").ok());
 }
 
 TEST(CandumpLog, NamesFileAndLineOfADamagedEntry) {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "device/rft_emulator.hpp"
+#include "device/emulator/emulator.hpp"
 
 namespace isograsp::test {
 

@@ -208,6 +208,22 @@ TEST(CsvMapping, ABadLogIsRefusedWithFileLineAndColumnAndNothingIsWritten) {
   expect_part(convert(folder, mapping), "b.csv: cannot be opened");
 }
 
+TEST(CsvMapping, NumbersThatOverflowInSiUnitsAreRefused) {
+  const TemporaryFolder folder;
+  folder.write("a.csv", "F\n1\n1e300\n");
+  const std::string finger =
+      "[[finger]]\nfinger = \"thumb\"\nfile = \"a.csv\"\naxes = {fz = \"F\"}\n";
+  expect_part(convert(folder, "rate_Hz = 1\nforce_scale = 1e300\n" + finger),
+              "a.csv:3: F: is too large in SI units");
+  expect_part(
+      refusal_of_mapping("rate_Hz = 1\nforce_unit = \"kN\"\nforce_scale = 1e307\n" + finger),
+      "force_scale: is out of range");
+  expect_part(
+      refusal_of_mapping("rate_Hz = 1\ntorque_unit = \"Nmm\"\ntorque_scale = 1e-308\n" + finger),
+      "torque_scale: is out of range");
+  expect_part(refusal_of_mapping("rate_Hz = 1e-310\n" + finger), "rate_Hz: is out of range");
+}
+
 TEST(CsvMapping, LogsWithTimesOfTheirOwnMustAgree) {
   const TemporaryFolder folder;
   const std::string mapping =

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/device_config.hpp"
 
+#include <filesystem>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace isograsp {
 namespace {
@@ -20,29 +23,30 @@ finger = "middle"
 
 TEST(DeviceConfig, TheShippedExampleIsTheStandardMap) {
   const auto config =
-      RftConfig::read(ISOGRASP_SOURCE_DIR "/library/devices/rft_three_fingers.toml");
+      DeviceConfig::read(ISOGRASP_SOURCE_DIR "/library/devices/rft_three_fingers.toml");
   ASSERT_TRUE(config.ok()) << config.error().message();
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    EXPECT_EQ(config->sensors[f].ids.command, kRftIds[f].command);
-    EXPECT_EQ(config->sensors[f].ids.first, kRftIds[f].first);
-    EXPECT_EQ(config->sensors[f].ids.second, kRftIds[f].second);
+    const RftIds& ids = std::get<RftSensor>(config->sensors[f].way).ids;
+    EXPECT_EQ(ids.command, kRftIds[f].command);
+    EXPECT_EQ(ids.first, kRftIds[f].first);
+    EXPECT_EQ(ids.second, kRftIds[f].second);
     EXPECT_EQ(config->sensors[f].mounting.q_CS.coeffs(), Mounting().q_CS.coeffs());
   }
   EXPECT_EQ(config->filter_Hz, 30.0);
 }
 
 TEST(DeviceConfig, WhatIsLeftOutIsStandard) {
-  const auto config = RftConfig::parse(kMinimal, "x.toml");
+  const auto config = DeviceConfig::parse(kMinimal, "x.toml");
   ASSERT_TRUE(config.ok()) << config.error().message();
-  EXPECT_EQ(config->sensors[1].divisors.force_per_N, 50.0);
-  EXPECT_EQ(config->sensors[2].divisors.torque_per_Nm, 2000.0);
+  EXPECT_EQ(std::get<RftSensor>(config->sensors[1].way).divisors.force_per_N, 50.0);
+  EXPECT_EQ(std::get<RftSensor>(config->sensors[2].way).divisors.torque_per_Nm, 2000.0);
 }
 
 TEST(DeviceConfig, RefusesWhatCannotWork) {
   const auto with = [](const std::string& from, const std::string& to) {
     std::string text = kMinimal;
     text.replace(text.find(from), from.size(), to);
-    return RftConfig::parse(text, "x.toml");
+    return DeviceConfig::parse(text, "x.toml");
   };
   EXPECT_FALSE(with("\"index\"", "\"thumb\"").ok());                               // twice
   EXPECT_FALSE(with("\"index\"", "\"index\"\nfirst_id = 5").ok());                 // first > second
@@ -53,6 +57,104 @@ TEST(DeviceConfig, RefusesWhatCannotWork) {
   EXPECT_FALSE(with("\"index\"", "\"index\"\nserial = 3").ok());  // unknown key
   EXPECT_FALSE(with("\"rft\"", "\"rft\"\nfilter_Hz = 31").ok());
   EXPECT_FALSE(with("[[sensor]]\nfinger = \"index\"\n", "").ok());  // missing
+}
+
+TEST(DeviceConfig, EveryShippedFileIsGood) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(ISOGRASP_SOURCE_DIR "/library/devices")) {
+    if (entry.path().extension() != ".toml") continue;
+    const auto config = DeviceConfig::read(entry.path().string());
+    EXPECT_TRUE(config.ok()) << config.error().message();
+    ++files;
+  }
+  EXPECT_GE(files, 5);
+}
+
+/// A device file of this protocol with these lines at the top and in the index finger's sensor.
+Result<DeviceConfig> with(const std::string& protocol, const std::string& top,
+                          const std::string& index, const std::string& file = "x.toml") {
+  return DeviceConfig::parse("format = \"isograsp-device-1\"\nprotocol = \"" + protocol + "\"\n" +
+                                 top + "\n[[sensor]]\nfinger = \"thumb\"\n[[sensor]]\n" +
+                                 "finger = \"index\"\n" + index +
+                                 "\n[[sensor]]\nfinger = \"middle\"\n",
+                             file);
+}
+
+TEST(DeviceConfig, EveryProtocolHasItsOwnKeys) {
+  const auto ati = with("ati-netcanoem", "hand = \"left\"", "base_id = 0x30\ncalibration_slot = 3");
+  ASSERT_TRUE(ati.ok()) << ati.error().message();
+  EXPECT_EQ(ati->hand, Hand::left);
+  EXPECT_EQ(std::get<AtiSensor>(ati->sensors[1].way).base, 0x30);
+  EXPECT_EQ(std::get<AtiSensor>(ati->sensors[1].way).calibration, 3);
+  const auto jr3 = with("jr3-can", "filter_Hz = 125", "node = 9");
+  ASSERT_TRUE(jr3.ok()) << jr3.error().message();
+  EXPECT_EQ(jr3->filter_Hz, 125.0);
+  EXPECT_EQ(std::get<Jr3Sensor>(jr3->sensors[1].way).node, 9);
+  const auto box = with("net-ft", "rate_Hz = 500\nfir_taps = 33", "address = \"10.0.0.7\"");
+  ASSERT_TRUE(box.ok()) << box.error().message();
+  EXPECT_EQ(box->fir_taps, 33);
+  EXPECT_EQ(std::get<NetFtSensor>(box->sensors[1].way).host, "10.0.0.7");
+  const auto mounted = with("rft", "", "sign = -1\nsupport_position_m = [0.03, 0, 0]");
+  ASSERT_TRUE(mounted.ok()) << mounted.error().message();
+  EXPECT_EQ(mounted->sensors[1].mounting.sign, -1.0);
+  EXPECT_EQ(mounted->platform.supports[1].p_PC, Vec3(0.03, 0, 0));
+
+  EXPECT_FALSE(with("rft", "", "node = 9").ok()) << "a key of another protocol";
+  EXPECT_FALSE(with("ati-netcanoem", "", "base_id = 0x20").ok()) << "the thumb has it";
+  EXPECT_FALSE(with("ati-netcanoem", "", "calibration_slot = 16").ok());
+  EXPECT_FALSE(with("ati-netcanoem", "filter_Hz = 30", "").ok()) << "the board has none";
+  EXPECT_FALSE(with("jr3-can", "", "node = 128").ok());
+  EXPECT_FALSE(with("jr3-can", "filter_Hz = 700", "").ok());
+  EXPECT_FALSE(with("jr3-can", "", "serial_number = \"1\"").ok()) << "the adaptor tells none";
+  EXPECT_FALSE(with("net-ft", "", "address = \"box.clinic\"").ok()) << "names are refused";
+  EXPECT_FALSE(with("rft", "rate_Hz = 120", "").ok());
+  EXPECT_FALSE(with("rft", "rate_Hz = 500\nfir_taps = 32", "").ok()) << "even";
+  EXPECT_FALSE(with("rft", "rate_Hz = 100\nfir_taps = 33\nfir_cutoff_Hz = 60", "").ok());
+  EXPECT_FALSE(with("rft", "hand = \"middle\"", "").ok());
+  EXPECT_FALSE(with("rft", "", "sign = 0").ok());
+  EXPECT_FALSE(with("rft", "", "support_normal = [1, 0, 0]\nsupport_tangent = [2, 0, 0]").ok());
+}
+
+constexpr const char* kCalibration = R"(format = "isograsp-calibration-1"
+serial_number = "A-17"
+date = "2026-03-05"
+fx = [1.01, 0, 0, 0, 0, 0]
+fy = [0, 0.99, 0, 0, 0, 0]
+fz = [0.02, 0, 1.0, 0, 0, 0]
+tx = [0, 0, 0, 1, 0, 0]
+ty = [0, 0, 0, 0, 1, 0]
+tz = [0, 0, 0, 0, 0, 1]
+)";
+
+TEST(DeviceConfig, ACalibrationBelongsToOneSensor) {
+  const test::TemporaryFolder folder;
+  folder.write("a17.toml", kCalibration);
+  const auto file = folder.path("device.toml");
+  const auto right =
+      with("rft", "", "serial_number = \"A-17\"\ncalibration_file = \"a17.toml\"", file);
+  ASSERT_TRUE(right.ok()) << right.error().message();
+  EXPECT_EQ(right->sensors[1].calibration->matrix(2, 0), 0.02);
+  const auto other =
+      with("rft", "", "serial_number = \"A-18\"\ncalibration_file = \"a17.toml\"", file);
+  ASSERT_FALSE(other.ok());
+  EXPECT_NE(other.error().message().find("was made with sensor A-17, but this one is A-18"),
+            std::string::npos);
+  EXPECT_FALSE(with("rft", "", "calibration_file = \"a17.toml\"", file).ok());
+  EXPECT_FALSE(
+      with("rft", "", "serial_number = \"A-17\"\ncalibration_file = \"absent.toml\"", file).ok());
+}
+
+TEST(DeviceConfig, AMatrixThatIsNoCorrectionIsRefused) {
+  const test::TemporaryFolder folder;
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"[1.01,", "[50,"},
+                                 {"[1.01,", "[-1.01,"},
+                                 {"[1.01, 0, 0, 0, 0, 0]", "[1.01, 0]"},
+                                 {"date", "day"}}) {
+    std::string text = kCalibration;
+    text.replace(text.find(from), from.size(), to);
+    EXPECT_FALSE(ClinicCalibration::read(folder.write("bad.toml", text)).ok()) << to;
+  }
 }
 
 TEST(Mounting, PressingIsPositiveByDefault) {
@@ -81,6 +183,7 @@ TEST(Mounting, ConservesPowerAndComesBack) {
     Mounting mounting;
     mounting.q_CS = Quat(number(), number(), number(), number()).normalized();
     mounting.p_SC_S = vector();
+    mounting.sign = i % 2 == 0 ? 1.0 : -1.0;
     const Wrench wrench_S{10.0 * vector(), vector()};
     const Wrench wrench_C = mounting.to_contact(wrench_S);
     const Wrench back = mounting.to_sensor(wrench_C);
@@ -89,8 +192,8 @@ TEST(Mounting, ConservesPowerAndComesBack) {
     // The same rigid motion, told at S and at C: v_C = R (v_S + w x p).
     const Vec3 v_S = vector();
     const Vec3 w_S = vector();
-    const Vec3 v_C = mounting.q_CS * (v_S + w_S.cross(mounting.p_SC_S));
-    const Vec3 w_C = mounting.q_CS * w_S;
+    const Vec3 v_C = mounting.sign * (mounting.q_CS * (v_S + w_S.cross(mounting.p_SC_S)));
+    const Vec3 w_C = mounting.sign * (mounting.q_CS * w_S);
     EXPECT_NEAR(wrench_C.force.dot(v_C) + wrench_C.torque.dot(w_C),
                 wrench_S.force.dot(v_S) + wrench_S.torque.dot(w_S), kRounding);
   }

@@ -5,27 +5,30 @@
 #include <utility>
 #include <vector>
 
-#include "device/can_bus.hpp"
-#include "device/rft_emulator.hpp"
+#include "device/bus/bus.hpp"
+#include "device/emulator/emulator.hpp"
+#include "tests/support/no_alloc.hpp"
 
 namespace isograsp::test {
 
-class EmulatedBus final : public CanBus {
+class EmulatedBus final : public Bus {
  public:
-  EmulatedBus(RftEmulatorOptions options, FingerPlay play)
+  EmulatedBus(EmulatorOptions options, FingerPlay play)
       : emulator_(std::move(options), std::move(play)) {}
 
   Result<void> start(Clock& clock) override {
     clock_ = &clock;
     return {};
   }
-  bool send(const CanFrame& frame) noexcept override {
+  bool send(const BusFrame& frame) noexcept override {
+    const Uncounted other_end;
     if (log_sent) sent.push_back(frame);
     emulator_.receive(frame, clock_->now());
     return true;
   }
   BusEvent receive(Timestamp deadline, ReceivedFrame& out) noexcept override {
     if (next_event != BusEvent::timeout) return std::exchange(next_event, BusEvent::timeout);
+    const Uncounted other_end;
     const Timestamp when = std::max(std::min(deadline, emulator_.next()), clock_->now());
     clock_->wait_until(when);
     if (!emulator_.take(when, out.frame)) return BusEvent::timeout;
@@ -33,16 +36,16 @@ class EmulatedBus final : public CanBus {
     out.wall_time = when;
     return BusEvent::frame;
   }
-  std::uint64_t drops() const noexcept override { return 0; }
+  BusCounters counters() const noexcept override { return {}; }
 
-  [[nodiscard]] const RftEmulator& emulator() const noexcept { return emulator_; }
+  [[nodiscard]] const Emulator& emulator() const noexcept { return emulator_; }
 
   bool log_sent = true;
-  std::vector<CanFrame> sent;
+  std::vector<BusFrame> sent;
   BusEvent next_event = BusEvent::timeout;  ///< reported once by the next receive()
 
  private:
-  RftEmulator emulator_;
+  Emulator emulator_;
   Clock* clock_ = nullptr;
 };
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/rft_codec.hpp"
+#include "device/protocol/rft_codec.hpp"
 
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "device/candump_log.hpp"
+#include "device/bus/candump_log.hpp"
 
 namespace isograsp {
 namespace {
 
 using namespace std::chrono_literals;
 
-CanFrame frame(const std::string& text) {
+BusFrame frame(const std::string& text) {
   const auto entry = parse_candump_line("(1700000000.000000) can0 " + text);
   return entry.value()->frame;
 }

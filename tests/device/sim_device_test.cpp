@@ -17,7 +17,7 @@ constexpr Timestamp kForever = std::chrono::hours{1};
 std::unique_ptr<ForceDevice> opened(const std::string& text, FingerSource& source) {
   const auto uri = Uri::parse(text);
   EXPECT_TRUE(uri);
-  auto device = open_sim_device(*uri, {&source});
+  auto device = open_sim_device(*uri, {&source, nullptr});
   EXPECT_TRUE(device) << device.error().message();
   return std::move(*device);
 }
@@ -25,7 +25,7 @@ std::unique_ptr<ForceDevice> opened(const std::string& text, FingerSource& sourc
 std::string refusal(const std::string& text, FingerSource* source) {
   const auto uri = Uri::parse(text);
   EXPECT_TRUE(uri) << text;
-  const auto device = open_sim_device(*uri, {source});
+  const auto device = open_sim_device(*uri, {source, nullptr});
   return device ? "accepted" : device.error().message();
 }
 
@@ -124,7 +124,7 @@ TEST(SimDevice, SaturationIsFlaggedAndCounted) {
   for (int k = 0; k < 3 * 20; ++k) ASSERT_EQ(device->read(kForever, sample), ReadStatus::sample);
   EXPECT_EQ(sample.flags, bit(SampleFlag::saturated));
   EXPECT_EQ(sample.wrench_C.force.z(), 300.0);
-  EXPECT_GT(device->health().sensors[2].overloaded, 10U);
+  EXPECT_GT(device->health().sensors[2].saturated, 10U);
 }
 
 TEST(SimDevice, EveryFrameOfTheFrameClockHoldsItsSample) {

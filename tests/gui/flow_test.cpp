@@ -147,6 +147,43 @@ TEST(Flow, FrozenForcesAreAFaultInWords) {
   EXPECT_FALSE(view.may_start);
 }
 
+TEST(Flow, AZeroThatDiffersMayBeAcceptedAsServicedAndNoOther) {
+  FlowFacts facts = connected();
+  EXPECT_FALSE(decide(facts).may_accept_changed);
+  facts.zero_refusal = "The index sensor differs.";
+  EXPECT_FALSE(decide(facts).may_accept_changed) << "refused for another reason";
+  facts.zero_only_changed = true;
+  EXPECT_TRUE(decide(facts).may_accept_changed);
+  facts.zeroed = true;
+  EXPECT_NE(decide(facts).sentence.find("The index sensor differs"), std::string::npos)
+      << "also when an older zero is in force";
+  facts.stage = Stage::trial;
+  EXPECT_FALSE(decide(facts).may_accept_changed);
+}
+
+TEST(Flow, AStrappedHandSettlesBeforeItRestsAndNothingElseWaits) {
+  FlowFacts facts = zeroed();
+  EXPECT_FALSE(decide(connected()).may_strap) << "zero first, with the hand out";
+  EXPECT_TRUE(decide(facts).may_strap);
+  facts.strapped = true;
+  facts.settling_s = 42;
+  EXPECT_FALSE(decide(facts).may_strap);
+  EXPECT_FALSE(decide(facts).may_start);
+  EXPECT_NE(decide(facts).sentence.find("42 s"), std::string::npos) << decide(facts).sentence;
+  facts.task_kind = TaskKind::observe;
+  EXPECT_TRUE(decide(facts).may_start);
+  facts.task_kind = TaskKind::rest;
+  facts.settling_s = 0;
+  EXPECT_TRUE(decide(facts).may_start);
+}
+
+TEST(Flow, WhatTheRestingForceSuggestsIsSaid) {
+  FlowFacts facts = zeroed();
+  facts.rest_done = true;
+  facts.rest_words = "At rest thumb 2.1 N.";
+  EXPECT_EQ(decide(facts).sentence, "At rest thumb 2.1 N. Next: the maximum grip force.");
+}
+
 TEST(Flow, ARefusedZeroSaysWhy) {
   FlowFacts facts = connected();
   facts.zero_refusal = "the thumb was not quiet";

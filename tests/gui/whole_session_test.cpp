@@ -109,6 +109,21 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   EXPECT_FALSE(presenter.hand().has_value()) << "asked anew in the next session";
 }
 
+TEST_F(WholeSession, ZeroAndRestAreTwoActs) {
+  auto& presenter = windows_.presenter();
+  operator_.prepare("sim://healthy?seed=7");
+  EXPECT_TRUE(operator_.find<QAbstractButton>("zero_changed").isHidden());
+  EXPECT_NE(presenter.view().sentence.find("Strap the hand in"), std::string::npos);
+  operator_.press("strapped");
+  ASSERT_TRUE(wait_until([&] { return !presenter.view().may_start; }));
+  EXPECT_NE(presenter.view().sentence.find("settles"), std::string::npos)
+      << presenter.view().sentence;
+  operator_.set_zero();  // the hand is out again
+  ASSERT_TRUE(wait_until([&] { return presenter.view().may_start; }));
+  operator_.run_task();
+  EXPECT_EQ(presenter.view().sentence.find("At rest thumb"), 0u) << presenter.view().sentence;
+}
+
 TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
   if (QGuiApplication::platformName() != "xcb") GTEST_SKIP() << "needs a display";
   windows_.show_patient_screen();

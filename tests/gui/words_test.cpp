@@ -153,7 +153,7 @@ TEST(Words, LostSamplesAreCountedOverAllSensors) {
   Snapshot snapshot = frame_at(1.0, 0.0);
   snapshot.health.sensors[0].lost = 2;
   snapshot.health.sensors[2].lost = 3;
-  snapshot.health.kernel_drops = 4;
+  snapshot.health.bus.kernel_drops = 4;
   EXPECT_TRUE(health_line(snapshot, 0.0).contains("lost 9")) << "two, three and the kernel's four";
 }
 

@@ -16,7 +16,9 @@ const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
 struct Bench {
   explicit Bench(const std::string& uri = "sim://healthy?seed=3")
       : viewer(*patient_traits("healthy"), 3) {
-    device = std::move(open_device(uri, {&viewer})).value();
+    DeviceOptions device_options;
+    device_options.source = &viewer;
+    device = std::move(open_device(uri, device_options)).value();
     EXPECT_TRUE(device->start(clock));
     Acquisition::Options options;
     options.viewer = &viewer;

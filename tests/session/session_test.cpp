@@ -115,6 +115,8 @@ TEST(Session, LiveIsOffline) {
     const auto spec = parse_task(trials[i].task_text, "stored task").value();
     expect_same(result.trials[i].measures, score(spec, read_signals(path).value()));
     expect_same(result.trials[i].measures, store->measures(trials[i].id).value());
+    EXPECT_TRUE(trials[i].zero_drift_N.has_value()) << "the protocol ends with an empty zero";
+    EXPECT_FALSE(trials[i].zero_drifted);
   }
 }
 
@@ -215,7 +217,7 @@ TEST(Session, RunsInRealTimeOnThreeThreads) {
   config.virtual_time = false;
   auto session = Session::open(config);
   ASSERT_TRUE(session) << session.error().message();
-  ASSERT_TRUE((*session)->start_zero());
+  ASSERT_TRUE((*session)->start_zero({true}));
   const auto zero = (*session)->wait_for_news();
   ASSERT_EQ(zero.size(), 1u);
   ASSERT_TRUE(zero[0].zero && zero[0].zero->accepted) << zero[0].zero->reason;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
+
 namespace isograsp {
 namespace {
 
@@ -31,6 +33,57 @@ TEST(Zeroing, MeanSdAndSlopeOfAStraightLineAreExact) {
   EXPECT_NEAR(s.mean[0][2], 1000.0 + 0.1 * 0.495, kRounding);
   EXPECT_NEAR(s.slope[0][2], 0.1, kRounding);
   EXPECT_NEAR(s.sd[0][2], 0.1 * kPeriod_s * std::sqrt(100.0 * 101.0 / 12.0), kRounding);
+}
+
+TEST(Zeroing, StatisticsOfKnownNoiseLieWithinTheirConfidenceBounds) {
+  constexpr double kSd = 0.05;
+  constexpr int kZeros = 400;
+  constexpr double n = 100.0;
+  constexpr double kAll = 18.0 * kZeros;
+  const double slope_sd = kSd / (kPeriod_s * std::sqrt(n * (n * n - 1.0) / 12.0));
+  Random random(5);
+  double mean_inside = 0.0;
+  double slope_inside = 0.0;
+  double variance_sum = 0.0;
+  for (int k = 0; k < kZeros; ++k) {
+    Zeroing zeroing(kPeriod_s);
+    while (!zeroing.complete()) {
+      FingerFrame frame;
+      for (auto& wrench : frame.wrench_C)
+        for (const int axis : {0, 1, 2}) {
+          wrench.force[axis] = 7.0 + kSd * random.gaussian();
+          wrench.torque[axis] = kSd * random.gaussian();
+        }
+      zeroing.add(frame);
+    }
+    const auto s = zeroing.statistics();
+    constexpr double kNinetyFive = 1.96;  // percent of a normal distribution lie within
+    for (std::size_t f = 0; f < kFingerCount; ++f)
+      for (Eigen::Index axis = 0; axis < 6; ++axis) {
+        const double truth = axis < 3 ? 7.0 : 0.0;
+        mean_inside += std::abs(s.mean[f][axis] - truth) < kNinetyFive * kSd / std::sqrt(n);
+        slope_inside += std::abs(s.slope[f][axis]) < kNinetyFive * slope_sd;
+        variance_sum += s.sd[f][axis] * s.sd[f][axis];
+      }
+  }
+  // Four standard errors each: wrong once in 16,000 seeds.
+  const double share_bound = 4.0 * std::sqrt(0.95 * 0.05 / kAll);
+  EXPECT_NEAR(mean_inside / kAll, 0.95, share_bound);
+  EXPECT_NEAR(slope_inside / kAll, 0.95, share_bound);
+  EXPECT_NEAR(variance_sum / kAll / (kSd * kSd), 1.0, 4.0 * std::sqrt(2.0 / (n - 1.0) / kAll));
+}
+
+TEST(Zeroing, TheSlopeLimitIsWhereItIsSaidToBe) {
+  const ZeroLimits limits;
+  for (const double share : {0.99, 1.01}) {
+    const auto drifting =
+        second_of([&](double t) { return share * limits.force_slope_N_s * t; }).statistics();
+    const auto refusal = check_zero(drifting, std::nullopt);
+    EXPECT_EQ(refusal.has_value(), share > 1.0);
+    if (refusal) {
+      EXPECT_EQ(refusal->why, Why::drift);
+    }
+  }
 }
 
 TEST(Zeroing, AQuietEmptyDeviceIsAccepted) {

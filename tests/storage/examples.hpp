@@ -101,6 +101,9 @@ inline SessionRecord example_session(RowId patient) {
   session.software_version = "0.1.0";
   session.cpu_features = "avx2 fma";
   session.seed = std::numeric_limits<std::uint64_t>::max();
+  session.serial_numbers = {"A 1", "", "C-3"};
+  session.operator_name = "Therapist 7";
+  session.realtime = "SCHED_FIFO 40, memory locked";
   return session;
 }
 
@@ -116,6 +119,7 @@ inline TrialRecord example_trial(RowId session, int number = 1) {
   trial.session_time_s = 12.345;
   trial.maximum_force_N = 31.7;
   trial.resting_force_N = -0.0;
+  trial.threshold_N = {0.5, std::nullopt, 0.8};
   trial.groups = {{"force", {"t_s", "thumb_fz_N", "index_fz_N"}}, {"raw", {"thumb_fz_counts"}}};
   return trial;
 }

@@ -62,7 +62,7 @@ TEST(OpenStore, MakesAWalDatabaseMarkedAsOurs) {
   sql << "PRAGMA user_version", soci::into(version);
   EXPECT_EQ(mode, "wal");
   EXPECT_EQ(id, 0x49736F47);
-  EXPECT_EQ(version, 1);
+  EXPECT_EQ(version, kDatabaseFormat);
 }
 
 TEST(OpenStore, CreateKeepsWhatIsThere) {
@@ -113,10 +113,10 @@ TEST(OpenStore, NewerFormatIsReadButNotWritten) {
   must(open_store(path)->add_patient("P-1"));
   {
     soci::session sql(soci::sqlite3, path);
-    sql << "PRAGMA user_version=2";
+    sql << "PRAGMA user_version=3";
   }
   expect_refused(folder, path, {Open::create, Open::existing},
-                 "was made by a newer isograsp (format 2, this program knows 1)");
+                 "was made by a newer isograsp (format 3, this program knows 2)");
   EXPECT_EQ(must(open_store(path, Open::read_only)->patients()).size(), 1u);
 }
 

@@ -46,6 +46,9 @@ TEST_F(Records, SessionKeepsEveryField) {
   EXPECT_EQ(read.software_version, written.software_version);
   EXPECT_EQ(read.cpu_features, written.cpu_features);
   EXPECT_EQ(read.seed, written.seed);
+  EXPECT_EQ(read.serial_numbers, written.serial_numbers);
+  EXPECT_EQ(read.operator_name, written.operator_name);
+  EXPECT_EQ(read.realtime, written.realtime);
 }
 
 TEST_F(Records, InstrumentZeroComesBackToTheBit) {
@@ -59,17 +62,101 @@ TEST_F(Records, InstrumentZeroComesBackToTheBit) {
       written.mean[f][a] = awkward[i % awkward.size()];
       written.sd[f][a] = 0.001 * static_cast<double>(i);
     }
+  written.recorded_utc = "2026-03-01T09:30:03Z";
+  written.operator_name = "Therapist 7";
+  written.change_N = 2.5;
+  written.change_confirmed = true;
   const RowId id = must(store->add_zero(written));
   reopen();
   const auto all = must(store->zeros(written.session_id));
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].id, id);
   EXPECT_EQ(all[0].session_time_s, 3.25);
+  EXPECT_EQ(all[0].recorded_utc, written.recorded_utc);
+  EXPECT_EQ(all[0].operator_name, written.operator_name);
+  EXPECT_EQ(all[0].change_N, written.change_N);
+  EXPECT_TRUE(all[0].change_confirmed);
+  EXPECT_FALSE(all[0].drift_N.has_value());
   for (std::size_t f = 0; f < kFingerCount; ++f)
     for (int a = 0; a < 6; ++a) {
       EXPECT_TRUE(same_bits(all[0].mean[f][a], written.mean[f][a])) << f << " " << a;
       EXPECT_TRUE(same_bits(all[0].sd[f][a], written.sd[f][a])) << f << " " << a;
     }
+}
+
+TEST_F(Records, RestingForceComesBackToTheBit) {
+  RestingForceRecord written;
+  written.session_id = session();
+  TrialRecord trial = example_trial(written.session_id);
+  written.trial_id = must(store->begin_trial(trial));
+  written.session_time_s = 73.5;
+  written.recorded_utc = "2026-03-01T09:31:13Z";
+  written.operator_name = "Therapist 7";
+  written.duration_s = 10.0;
+  written.since_strapping_s = 61.25;
+  written.samples = 1000;
+  const auto awkward = awkward_doubles();
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    for (int a = 0; a < 6; ++a) {
+      const auto i = f * 6 + static_cast<std::size_t>(a);
+      written.mean[f][a] = awkward[i % awkward.size()];
+      written.sd[f][a] = 0.001 * static_cast<double>(i);
+    }
+  written.id = must(store->add_resting_force(written));
+  EXPECT_FALSE(store->add_resting_force(written).ok()) << "one of each trial";
+  reopen();
+  const auto all = must(store->resting_forces(written.session_id));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].id, written.id);
+  EXPECT_EQ(all[0].trial_id, written.trial_id);
+  EXPECT_EQ(all[0].session_time_s, written.session_time_s);
+  EXPECT_EQ(all[0].recorded_utc, written.recorded_utc);
+  EXPECT_EQ(all[0].operator_name, written.operator_name);
+  EXPECT_EQ(all[0].duration_s, written.duration_s);
+  EXPECT_EQ(all[0].since_strapping_s, written.since_strapping_s);
+  EXPECT_EQ(all[0].samples, written.samples);
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    for (int a = 0; a < 6; ++a) {
+      EXPECT_TRUE(same_bits(all[0].mean[f][a], written.mean[f][a])) << f << " " << a;
+      EXPECT_TRUE(same_bits(all[0].sd[f][a], written.sd[f][a])) << f << " " << a;
+    }
+}
+
+TEST_F(Records, TheLastZeroIsThatOfTheSameSensorsWhicheverSessionItWasIn) {
+  const RowId patient = must(store->add_patient("P-9")).id;
+  const auto add = [&](const std::array<std::string, kFingerCount>& serials, const std::string& uri,
+                       bool simulated, double value) {
+    SessionRecord s = example_session(patient);
+    s.recorded = false;
+    s.simulated = simulated;
+    s.serial_numbers = serials;
+    s.device_uri = uri;
+    InstrumentZeroRecord zero;
+    zero.session_id = must(store->begin_session(s));
+    for (auto& mean : zero.mean) mean.setConstant(value);
+    for (auto& sd : zero.sd) sd.setZero();
+    must(store->add_zero(zero));
+    return s;
+  };
+  const auto found = [&](const SessionRecord& s) {
+    const auto zero = must(store->last_zero(s));
+    return zero ? std::optional(zero->mean[0][0]) : std::nullopt;
+  };
+  const auto a = add({"1", "2", "3"}, "can://can0", false, 1.0);
+  const auto a_elsewhere = add({"1", "2", "3"}, "can://can1", false, 2.0);
+  const auto b = add({"1", "2", "4"}, "can://can0", false, 3.0);
+  const auto simulated = add({"1", "2", "3"}, "can://can0", true, 4.0);
+  const auto silent = add({}, "can://can0", false, 5.0);
+  const auto silent_elsewhere = add({}, "can://can1", false, 6.0);
+  EXPECT_EQ(found(a), 2.0) << "the newest of these sensors, on whichever bus";
+  EXPECT_EQ(found(a_elsewhere), 2.0);
+  EXPECT_EQ(found(b), 3.0);
+  EXPECT_EQ(found(simulated), 4.0);
+  EXPECT_EQ(found(silent), 5.0) << "sensors that do not tell: the same address";
+  EXPECT_EQ(found(silent_elsewhere), 6.0);
+  SessionRecord other = b;
+  other.serial_numbers = {"7", "8", "9"};
+  EXPECT_FALSE(found(other).has_value());
 }
 
 TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
@@ -89,6 +176,7 @@ TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
   end.worst_lateness_s = 1.25e-3;
   end.worst_compute_s = 4e-5;
   end.health_json = R"({"frames": 137})";
+  end.timing_json = R"({"period": {}})";
   const std::vector<Measure> measures{{"rmse", "force", 0.1 + 0.2, "N", 2, 100, 37, ""},
                                       {"lag", "force", -0.0, "s", 1, 137, 0, ""},
                                       {"least", "force", 5e-324, "", 1, 1, 0, ""},
@@ -116,6 +204,9 @@ TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
   EXPECT_EQ(read.worst_lateness_s, end.worst_lateness_s);
   EXPECT_EQ(read.worst_compute_s, end.worst_compute_s);
   EXPECT_EQ(read.health_json, end.health_json);
+  EXPECT_EQ(read.timing_json, end.timing_json);
+  EXPECT_EQ(read.threshold_N, written.threshold_N);
+  EXPECT_FALSE(read.zero_drift_N.has_value());
   ASSERT_EQ(read.groups.size(), 2u);
   EXPECT_EQ(read.groups[0].name, "force");
   EXPECT_EQ(read.groups[0].columns, written.groups[0].columns);

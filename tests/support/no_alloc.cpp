@@ -28,6 +28,11 @@ std::uint64_t isograsp::test::allocations() noexcept {
   return count;
 }
 
+isograsp::test::Uncounted::Uncounted() noexcept : before_(count) {}
+isograsp::test::Uncounted::~Uncounted() {
+  count = before_;
+}
+
 void* operator new(std::size_t size) {
   return counted(size);
 }

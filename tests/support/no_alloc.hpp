@@ -10,4 +10,17 @@ namespace isograsp::test {
 /// Allocations by operator new on the calling thread so far.
 [[nodiscard]] std::uint64_t allocations() noexcept;
 
+/// While it lives, allocations of this thread are not counted: the other end of a simulated wire
+/// may allocate.
+class Uncounted {
+ public:
+  Uncounted() noexcept;
+  ~Uncounted();
+  Uncounted(const Uncounted&) = delete;
+  Uncounted& operator=(const Uncounted&) = delete;
+
+ private:
+  std::uint64_t before_;
+};
+
 }  // namespace isograsp::test

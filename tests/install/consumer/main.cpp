@@ -53,7 +53,7 @@ int main() {
   std::printf("x = %g m\n", state.pose.p_WO.x());
 
   Thumb thumb;
-  const auto device = open_device("sim://me?rate=100", {&thumb});
+  const auto device = open_device("sim://me?rate=100", {&thumb, nullptr});
   if (!device) return fail(device.error());
   ManualClock clock;
   if (const auto started = (*device)->start(clock); !started) return fail(started.error());

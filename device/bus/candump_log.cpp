@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/bus/candump_log.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+#include "device/bus/log_line.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr std::uint32_t kErrorBit = 0x20000000;
+constexpr std::uint32_t kLargestExtended = 0x1FFFFFFF;
+constexpr std::uint32_t kLargestStandard = 0x7FF;
+constexpr const char* kShape = "write lines as (1700000000.001000) can0 064#0C00000000000000";
+
+Error bad(std::string field, std::string what) {
+  return {Error::Code::bad_input, std::move(what), kShape, "", 0, std::move(field)};
+}
+
+bool is_digit(char c) noexcept {
+  return c >= '0' && c <= '9';
+}
+
+template <class T>
+bool parse_whole(std::string_view text, T& value, int base) noexcept {
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  return failure == std::errc() && end == text.data() + text.size() && !text.empty();
+}
+
+/// Bytes of two hexadecimal digits, a '.' allowed between them; at most `most` of them.
+bool parse_bytes(std::string_view text, std::size_t most, BusFrame& frame) noexcept {
+  std::size_t count = 0;
+  while (!text.empty()) {
+    if (count > 0 && text.front() == '.') text.remove_prefix(1);
+    const auto byte = parse_hex_byte(text.substr(0, 2));
+    if (count == most || !byte) return false;
+    if (count < frame.data.size()) frame.data[count] = *byte;
+    ++count;
+    text.remove_prefix(2);
+  }
+  frame.length = static_cast<std::uint8_t>(std::min(count, frame.data.size()));
+  return true;
+}
+
+/// What follows the '#' of a classic frame.
+bool parse_classic(std::string_view text, BusFrame& frame) noexcept {
+  if (!text.empty() && text.front() == 'R') {
+    frame.remote = true;
+    text.remove_prefix(1);
+    if (text.empty()) return true;
+    if (!is_digit(text.front()) || text.front() > '8') return false;
+    frame.length = static_cast<std::uint8_t>(text.front() - '0');
+    text.remove_prefix(1);
+    // A raw length code may follow, as below.
+    if (text.empty()) return true;
+  }
+  // Eight bytes may carry a raw length code above 8: _9 … _F.
+  if (text.size() >= 2 && text[text.size() - 2] == '_') {
+    const char code = text.back();
+    if (!is_hex_digit(code) || (is_digit(code) && code != '9')) return false;
+    text.remove_suffix(2);
+    if (frame.remote) return text.empty() && frame.length == 8;
+    return parse_bytes(text, 8, frame) && frame.length == 8;
+  }
+  return !frame.remote && parse_bytes(text, 8, frame);
+}
+
+Result<bool> parse_frame(std::string_view text, CandumpEntry& entry) {
+  const auto hash = text.find('#');
+  if (hash == std::string_view::npos) return bad(std::string(text), "a frame without '#'");
+  const auto digits = text.substr(0, hash);
+  std::uint32_t id = 0;
+  if ((digits.size() != 3 && digits.size() != 8) ||
+      !std::all_of(digits.begin(), digits.end(), is_hex_digit) || !parse_whole(digits, id, 16))
+    return bad(std::string(text), "an identifier that has neither 3 nor 8 hexadecimal digits");
+  BusFrame& frame = entry.frame;
+  frame = {};
+  frame.extended = digits.size() == 8;
+  if (frame.extended && (id & kErrorBit) != 0) {
+    frame.error = true;
+    frame.extended = false;
+    id &= ~kErrorBit;
+  }
+  if (id > (digits.size() == 8 ? kLargestExtended : kLargestStandard))
+    return bad(std::string(text), "an identifier that is too large");
+  frame.id = id;
+
+  auto data = text.substr(hash + 1);
+  entry.flexible_data_rate = !data.empty() && data.front() == '#';
+  if (entry.flexible_data_rate) {
+    constexpr std::size_t kMostBytes = 64;
+    if (data.size() < 2 || !is_hex_digit(data[1]) ||
+        !parse_bytes(data.substr(2), kMostBytes, frame))
+      return bad(std::string(text), "data of a CAN FD frame that cannot be read");
+  } else if (!parse_classic(data, frame)) {
+    return bad(std::string(text), "data that are not up to 8 bytes of two hexadecimal digits");
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<std::optional<CandumpEntry>> parse_candump_line(std::string_view line) {
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (line.empty() || line.front() != '(') return std::optional<CandumpEntry>();
+
+  CandumpEntry entry;
+  const auto close = line.find(')');
+  if (close == std::string_view::npos) return bad("time", "a time without ')'");
+  entry.time_text = line.substr(1, close - 1);
+  const auto wall_time = parse_log_time(entry.time_text);
+  if (!wall_time) return bad(entry.time_text, "not a time in seconds with 6 or 9 fraction digits");
+  entry.wall_time = *wall_time;
+  line.remove_prefix(close + 1);
+
+  entry.interface = take_word(line);
+  const auto frame = take_word(line);
+  if (frame.empty()) return bad("frame", "the line ends before the frame");
+  if (auto parsed = parse_frame(frame, entry); !parsed) return parsed.error();
+  const auto direction = take_word(line);
+  if ((!direction.empty() && direction != "R" && direction != "T") || !take_word(line).empty())
+    return bad(std::string(direction), "text after the frame that is not R or T");
+  return std::optional(std::move(entry));
+}
+
+std::string format_candump_line(Timestamp wall_time, std::string_view interface,
+                                const BusFrame& frame) {
+  std::string line = format_log_time(wall_time) + " ";
+  line += interface;
+  char text[32];
+  const bool long_id = frame.extended || frame.error;
+  std::snprintf(text, sizeof text, long_id ? " %08X#" : " %03X#",
+                static_cast<unsigned>(frame.id | (frame.error ? kErrorBit : 0U)));
+  line += text;
+  if (frame.remote) {
+    line += 'R';
+    if (frame.length > 0) line += static_cast<char>('0' + frame.length);
+    return line;
+  }
+  for (const auto byte : frame.bytes()) append_hex_byte(line, byte);
+  return line;
+}
+
+Result<CandumpReader> CandumpReader::open(const std::string& path) {
+  CandumpReader reader;
+  reader.path_ = path;
+  reader.in_.open(path, std::ios::binary);
+  if (!reader.in_)
+    return Error{Error::Code::bad_input, "the log cannot be opened", "check its name", path, 0, ""};
+  return reader;
+}
+
+Result<bool> CandumpReader::next(CandumpEntry& entry) {
+  while (std::getline(in_, text_)) {
+    ++line_;
+    auto parsed = parse_candump_line(text_);
+    if (!parsed) {
+      Error error = parsed.error();
+      error.file = path_;
+      error.line = line_;
+      return error;
+    }
+    if (!parsed->has_value()) continue;
+    entry = std::move(**parsed);
+    return true;
+  }
+  if (in_.bad())
+    return Error{Error::Code::failed, "the log cannot be read", "check the disk", path_, line_, ""};
+  return false;
+}
+
+}  // namespace isograsp

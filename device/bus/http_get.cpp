@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/bus/http_get.hpp"
+
+#include <exception>
+#include <utility>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+
+namespace isograsp {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+
+namespace {
+
+constexpr std::uint64_t kLargestBody = 256 * 1024;
+constexpr std::uint16_t kUsualPort = 80;
+constexpr unsigned kHttp11 = 11;
+
+/// Runs one step to its end. The stream's expiry bounds it.
+template <class Begin>
+beast::error_code run_step(asio::io_context& io, Begin&& begin) {
+  beast::error_code outcome;
+  begin([&](beast::error_code failure, auto&&...) { outcome = failure; });
+  io.run();
+  io.restart();
+  return outcome;
+}
+
+std::string reason(const beast::error_code& failure) {
+  if (failure == beast::error::timeout) return "it does not answer in time";
+  if (failure == asio::error::connection_refused) return "it refuses the connection";
+  return failure.message();
+}
+
+}  // namespace
+
+Result<std::string> http_get(const Endpoint& server, const std::string& target, Timestamp limit) {
+  const std::string host = server.port == kUsualPort ? server.address_text() : server.text();
+  const auto failed = [&](std::string what) {
+    return Error{Error::Code::failed,
+                 std::move(what),
+                 "check the device's power, its network cable and its address",
+                 "http://" + host + target,
+                 0,
+                 ""};
+  };
+  try {
+    asio::io_context io(1);
+    beast::tcp_stream stream(io);
+    stream.expires_after(limit);
+    const asio::ip::tcp::endpoint peer(asio::ip::address_v4(server.address), server.port);
+    auto failure = run_step(io, [&](auto done) { stream.async_connect(peer, done); });
+    if (failure) return failed("the device cannot be reached: " + reason(failure));
+
+    http::request<http::empty_body> request(http::verb::get, target, kHttp11);
+    request.set(http::field::host, host);
+    request.set(http::field::connection, "close");
+    failure = run_step(io, [&](auto done) { http::async_write(stream, request, done); });
+    if (failure) return failed("the device cannot be asked: " + reason(failure));
+
+    beast::flat_buffer buffer;
+    http::response_parser<http::string_body> response;
+    response.body_limit(kLargestBody);
+    failure = run_step(io, [&](auto done) { http::async_read(stream, buffer, response, done); });
+    if (failure) return failed("the device's answer cannot be read: " + reason(failure));
+    if (response.get().result() != http::status::ok)
+      return failed("the device answers with HTTP status " +
+                    std::to_string(response.get().result_int()));
+    return std::move(response.get().body());
+  } catch (const std::exception& problem) {
+    return failed(std::string("the device cannot be asked: ") + problem.what());
+  }
+}
+
+}  // namespace isograsp

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Takes the place of libcomedi.cpp where the library is not installed.
+#include "device/comedi/comedi_card.hpp"
+
+namespace isograsp {
+
+Result<std::unique_ptr<ComediCard>> open_comedi_card(const std::string& path) {
+  return Error{Error::Code::failed,
+               "this program was built without libcomedi",
+               "install libcomedi-dev and build it again",
+               path,
+               0,
+               ""};
+}
+
+}  // namespace isograsp

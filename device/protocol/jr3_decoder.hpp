@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads one JR3 sensor out of a log of its CAN adaptor: learns the full scales from the answers in
+// it and turns counts into wrenches in the sensor frame. Pure; allocates nothing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/finger.hpp"
+#include "core/time.hpp"
+#include "device/bus/frame.hpp"
+#include "device/protocol/jr3_codec.hpp"
+
+namespace isograsp {
+
+struct Jr3Sample {
+  Timestamp stamp{0};  ///< of the frame that completed it
+  Jr3Reading reading;
+  Wrench wrench_S;     ///< [N, N m], before zero
+  bool valid = false;  ///< no axis at the end of its number
+};
+
+/// Nothing is invented: a reading without known full scales makes no sample and is counted. Hosts
+/// may ask for the full scales after the start, so read a log twice, as with AtiDecoder.
+class Jr3Decoder {
+ public:
+  /// `known` holds from the beginning until the log says something else.
+  explicit Jr3Decoder(std::uint8_t node,
+                      const std::optional<Jr3Calibration>& known = std::nullopt) noexcept
+      : node_(node) {
+    if (!known) return;
+    force_N_ = known->force_N;
+    moment_dNm_ = known->moment_dNm;
+  }
+
+  /// A decoder for the second reading of the same log, with what the first one learned.
+  [[nodiscard]] Jr3Decoder again() const noexcept { return Jr3Decoder(node_, learned()); }
+  /// The synchronisation frame belongs to no sensor: is_jr3_sync().
+  [[nodiscard]] bool owns(const BusFrame& frame) const noexcept { return jr3_owns(node_, frame); }
+  /// The sample that this frame completes. Frames in the order of the log, requests included.
+  /// @pre owns(frame)
+  [[nodiscard]] std::optional<Jr3Sample> push(const BusFrame& frame, Timestamp stamp) noexcept;
+  /// Nothing more will come: half a reading is torn.
+  void finish() noexcept { pairing_.forget(); }
+
+  /// The first full scales of the log, if it tells those of force and of moment.
+  [[nodiscard]] std::optional<Jr3Calibration> learned() const noexcept;
+
+  [[nodiscard]] std::uint64_t torn() const noexcept { return pairing_.torn(); }
+  [[nodiscard]] std::uint64_t duplicate() const noexcept { return pairing_.duplicate(); }
+  /// Frames with the adaptor's identifiers that are no words of the protocol.
+  [[nodiscard]] std::uint64_t foreign() const noexcept { return foreign_; }
+  /// Complete readings without known full scales.
+  [[nodiscard]] std::uint64_t uncalibrated() const noexcept { return uncalibrated_; }
+  [[nodiscard]] std::uint64_t requests() const noexcept { return requests_; }
+  /// Frames of the adaptor that hold no values.
+  [[nodiscard]] std::uint64_t answers() const noexcept { return answers_; }
+
+ private:
+  void hear_scales(const Jr3Scales& scales) noexcept;
+
+  std::uint8_t node_;
+  Jr3Pairing pairing_;
+  std::optional<Jr3Scales> force_N_;
+  std::optional<Jr3Scales> moment_dNm_;
+  std::optional<Jr3Scales> first_force_N_;
+  std::optional<Jr3Scales> first_moment_dNm_;
+  bool sees_requests_ = false;    ///< the log holds what the host asked
+  std::optional<Jr3Opcode> due_;  ///< the full scales that were asked for last
+  std::uint64_t foreign_ = 0;
+  std::uint64_t uncalibrated_ = 0;
+  std::uint64_t requests_ = 0;
+  std::uint64_t answers_ = 0;
+};
+
+}  // namespace isograsp

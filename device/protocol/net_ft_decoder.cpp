@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/protocol/net_ft_decoder.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "device/protocol/net_ft_box_config.hpp"
+
+namespace isograsp {
+
+void NetFtDecoder::push(std::span<const std::uint8_t> datagram, Timestamp stamp,
+                        std::vector<NetFtSample>& samples) {
+  if (!holds_net_ft_records(datagram.size())) {
+    ++(decode_net_ft_request(datagram) ? requests_ : foreign_);
+    return;
+  }
+  for (; !datagram.empty(); datagram = datagram.subspan(kNetFtRecord)) {
+    const auto record = decode_net_ft_record(datagram.first(kNetFtRecord));
+    if (sequence_.push(*record, stamp) == NetFtSequence::Place::duplicate) continue;
+    samples.push_back(
+        {stamp, *record, wrench_of(record->raw, scale_), judge(*record, product_).valid()});
+  }
+}
+
+std::optional<std::size_t> NetFtFingers::finger_of(const Endpoint& from) const noexcept {
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    if (box[f] && box[f]->address == from.address &&
+        (box[f]->port == 0 || box[f]->port == from.port))
+      return f;
+  return std::nullopt;
+}
+
+Result<NetFtFingers> NetFtFingers::in_order(std::vector<Endpoint> senders, const std::string& log) {
+  std::sort(senders.begin(), senders.end());
+  senders.erase(std::unique(senders.begin(), senders.end()), senders.end());
+  if (senders.empty())
+    return Error{Error::Code::bad_input,
+                 "no datagram of this log holds records of a Net F/T box",
+                 "check that it is a log of this protocol",
+                 log,
+                 0,
+                 ""};
+  if (senders.size() > kFingerCount)
+    return Error{Error::Code::bad_input,
+                 std::to_string(senders.size()) + " boxes send records, the last is " +
+                     senders.back().text(),
+                 "say with --config which three are under the fingers",
+                 log,
+                 0,
+                 ""};
+  NetFtFingers fingers;
+  std::copy(senders.begin(), senders.end(), fingers.box.begin());
+  return fingers;
+}
+
+Result<NetFtFingers> NetFtFingers::of(const DeviceConfig& config) {
+  NetFtFingers fingers;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const auto* sensor = std::get_if<NetFtSensor>(&config.sensors[f].way);
+    const std::string host = sensor != nullptr ? sensor->host : "";
+    if (const auto address = NetFtAddress::parse(host)) {
+      fingers.box[f] = address->records;
+      if (host.find(':') == std::string::npos) fingers.box[f]->port = 0;
+    }
+    if (!fingers.box[f])
+      return Error{Error::Code::bad_input,
+                   "the box of the " + std::string(kFingerNames[f]) + " has the address '" + host +
+                       "', which is not in numbers",
+                   "write it as 192.168.1.1",
+                   "",
+                   0,
+                   "address"};
+  }
+  return fingers;
+}
+
+}  // namespace isograsp

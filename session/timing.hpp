@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How punctual the frames were: histograms that cost nothing while frames come, and what is read
+// from them afterwards.
+#pragma once
+
+#include <string>
+
+#include "core/histogram.hpp"
+
+namespace isograsp {
+
+struct Timing {
+  Histogram period;    ///< from one published frame to the next
+  Histogram lateness;  ///< grid instant -> published
+  Histogram compute;   ///< newest sample in hand -> published
+};
+
+/// Each value is the upper edge of its bin, at most 12.5 % above the duration itself [s].
+struct Quantiles {
+  double median_s = 0.0;
+  double most_of_100_s = 0.0;   ///< 99 %
+  double most_of_1000_s = 0.0;  ///< 99.9 %
+  double largest_s = 0.0;       ///< exact
+};
+/// Real-time safe.
+[[nodiscard]] Quantiles quantiles_of(const Histogram& histogram) noexcept;
+
+struct TimingSummary {
+  Quantiles period;
+  Quantiles lateness;
+  Quantiles compute;
+};
+/// Real-time safe.
+[[nodiscard]] TimingSummary summary_of(const Timing& timing) noexcept;
+
+/// {"period": {"count", "median_s", "p99_s", "p999_s", "max_s", "bins": [[lower edge in ns, count],
+/// …]}, "lateness": …, "compute": …}; bins without a count are left out.
+[[nodiscard]] std::string as_json(const Timing& timing);
+
+}  // namespace isograsp

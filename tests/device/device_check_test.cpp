@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/device_check.hpp"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+namespace isograsp {
+namespace {
+
+constexpr double kPeriod_s = 0.01;
+constexpr double kPush_N = 8.0;
+
+/// What the supports would feel if all were as it should be: three forces in contact frames.
+std::array<Vec3, kFingerCount> right_forces(const CheckStep& step) {
+  std::array<Vec3, kFingerCount> forces;
+  forces.fill(Vec3::Zero());
+  Vec3& force = forces[index_of(step.finger)];
+  if (step.press == Press::up)
+    force = {kPush_N, 0.5, 0.8};
+  else if (step.press == Press::toward_wrist)
+    force = {-0.4, kPush_N, 1.0};
+  else
+    force = {0.3, -0.2, kPush_N};
+  return forces;
+}
+
+using Mistake = std::function<std::array<Vec3, kFingerCount>(std::array<Vec3, kFingerCount>)>;
+
+/// A therapist who does as told on a device with this mistake.
+std::vector<CheckResult> walk(const Mistake& mistake, std::optional<double> weight_N = {}) {
+  DeviceCheck check(kPeriod_s, weight_N);
+  std::array<Vec3, kFingerCount> offset;  // before any zero
+  offset.fill(Vec3(1.0, -2.0, 4.0));
+  FingerFrame frame;
+  const auto show = [&](const std::array<Vec3, kFingerCount>& forces) {
+    for (std::size_t f = 0; f < kFingerCount; ++f)
+      frame.wrench_C[f].force = offset[f] + mistake(forces)[f];
+  };
+  std::array<Vec3, kFingerCount> none;
+  none.fill(Vec3::Zero());
+  show(none);
+  for (int k = 0; !check.add_empty(frame); ++k) EXPECT_LT(k, 200);
+  for (int k = 0; !check.complete() && k < 100'000; ++k) {
+    // Half a second of nothing, then the press until it is taken.
+    show(none);
+    for (int i = 0; i < 50; ++i) (void)check.add(frame);
+    if (check.complete()) break;
+    show(right_forces(check.step()));
+    for (int i = 0; i < 4000 && !check.add(frame); ++i) {
+    }
+  }
+  EXPECT_TRUE(check.complete());
+  return check.results();
+}
+
+TEST(DeviceCheck, ADeviceThatIsAsItShouldBePasses) {
+  const auto results = walk([](auto forces) { return forces; }, kPush_N);
+  ASSERT_EQ(results.size(), 12u);
+  for (const auto& r : results) EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
+}
+
+TEST(DeviceCheck, FindsSwappedSensors) {
+  const auto results = walk([](auto forces) {
+    std::swap(forces[0], forces[2]);
+    return forces;
+  });
+  for (const auto& r : results) {
+    EXPECT_EQ(r.verdict,
+              r.step.finger == Finger::index ? CheckVerdict::good : CheckVerdict::other_finger);
+  }
+  EXPECT_NE(results.front().sentence().find("the sensors of thumb and middle are swapped"),
+            std::string::npos);
+}
+
+TEST(DeviceCheck, FindsAWrongSign) {
+  const auto results = walk([](auto forces) {
+    forces[1] = -forces[1];
+    return forces;
+  });
+  for (const auto& r : results)
+    EXPECT_EQ(r.verdict,
+              r.step.finger == Finger::index ? CheckVerdict::wrong_sign : CheckVerdict::good);
+}
+
+TEST(DeviceCheck, FindsATurnedSensor) {
+  const auto results = walk([](auto forces) {
+    forces[2] = Vec3(forces[2].y(), -forces[2].x(), forces[2].z());  // a quarter turn about z
+    return forces;
+  });
+  for (const auto& r : results) {
+    if (r.step.finger == Finger::middle && r.step.press != Press::into)
+      EXPECT_EQ(r.verdict, CheckVerdict::wrong_axis);
+    else
+      EXPECT_EQ(r.verdict, CheckVerdict::good);
+  }
+}
+
+TEST(DeviceCheck, FindsAWrongScaleWithAReferenceWeight) {
+  const auto results = walk(
+      [](auto forces) {
+        forces[0] *= 1.12;
+        return forces;
+      },
+      kPush_N);
+  for (const auto& r : results)
+    EXPECT_EQ(r.verdict, r.step.finger == Finger::thumb && r.step.press == Press::weight
+                             ? CheckVerdict::wrong_scale
+                             : CheckVerdict::good);
+}
+
+TEST(DeviceCheck, SaysWhenNobodyPresses) {
+  const auto results = walk([](auto forces) {
+    forces[1].setZero();  // its cable is out
+    return forces;
+  });
+  for (const auto& r : results)
+    EXPECT_EQ(r.verdict,
+              r.step.finger == Finger::index ? CheckVerdict::nothing_felt : CheckVerdict::good);
+}
+
+TEST(DeviceCheck, TellsTheTherapistWhatToDo) {
+  EXPECT_EQ((CheckStep{Finger::thumb, Press::into}).instruction(),
+            "Press the thumb's support straight in and hold.");
+  EXPECT_EQ((CheckStep{Finger::index, Press::up}).instruction(),
+            "Push the index finger's support upward and hold.");
+}
+
+}  // namespace
+}  // namespace isograsp

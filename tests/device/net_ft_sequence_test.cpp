@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/protocol/net_ft_sequence.hpp"
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace isograsp {
+namespace {
+
+using namespace std::chrono_literals;
+using Place = NetFtSequence::Place;
+
+constexpr std::uint32_t kStep = 7;  // measurements inside per record: 1000 of 7000 Hz
+constexpr std::uint32_t kOn = 1'000'000;
+
+NetFtRecord numbered(std::uint32_t rdt, std::uint32_t ft) {
+  NetFtRecord record;
+  record.rdt_sequence = rdt;
+  record.ft_sequence = ft;
+  return record;
+}
+NetFtRecord numbered(std::uint32_t rdt) {
+  return numbered(rdt, kOn + kStep * rdt);
+}
+
+Place push(NetFtSequence& sequence, const NetFtRecord& record) {
+  return sequence.push(record, 1s);
+}
+
+TEST(NetFtSequence, FollowsTheRulesOfTheDifferences) {
+  NetFtSequence sequence;
+  EXPECT_EQ(push(sequence, numbered(5)), Place::in_order);  // a log may begin anywhere
+  EXPECT_EQ(push(sequence, numbered(6)), Place::in_order);
+  EXPECT_EQ(push(sequence, numbered(6)), Place::duplicate);
+  EXPECT_EQ(push(sequence, numbered(10)), Place::in_order);
+  EXPECT_EQ(sequence.lost(), 3u);
+  EXPECT_EQ(push(sequence, numbered(8)), Place::late);
+  EXPECT_EQ(push(sequence, numbered(8)), Place::duplicate);
+  EXPECT_EQ(push(sequence, numbered(11)), Place::in_order);
+  EXPECT_EQ(sequence.lost(), 3u);
+  EXPECT_EQ(sequence.late(), 1u);
+  EXPECT_EQ(sequence.duplicate(), 2u);
+}
+
+TEST(NetFtSequence, BothCountersMayWrap) {
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    NetFtSequence sequence;
+    const std::uint32_t rdt = UINT32_MAX - i;
+    const std::uint32_t ft = UINT32_MAX - 3 * i;
+    std::uint64_t lost = 0;
+    std::uint32_t before = 0;
+    EXPECT_EQ(push(sequence, numbered(rdt, ft)), Place::in_order);
+    for (std::uint32_t k = 1; k < 400; k += 1 + k % 3) {
+      EXPECT_EQ(push(sequence, numbered(rdt + k, ft + kStep * k)), Place::in_order);
+      EXPECT_EQ(push(sequence, numbered(rdt + k, ft + kStep * k)), Place::duplicate);
+      lost += k - before - 1;
+      before = k;
+    }
+    EXPECT_EQ(sequence.lost(), lost);
+    EXPECT_GT(lost, 0u);
+    EXPECT_EQ(sequence.late(), 0u);
+    EXPECT_EQ(sequence.restarts(), 0u);
+  }
+}
+
+TEST(NetFtSequence, AnUnchangedInnerCounterIsAStalledSensor) {
+  NetFtSequence sequence;
+  (void)push(sequence, numbered(1, kOn));
+  EXPECT_EQ(push(sequence, numbered(2, kOn)), Place::stalled);
+  EXPECT_EQ(push(sequence, numbered(3, kOn)), Place::stalled);
+  EXPECT_EQ(push(sequence, numbered(4, kOn + 1)), Place::in_order);
+  EXPECT_EQ(sequence.stalled(), 2u);
+  EXPECT_EQ(sequence.lost(), 0u);
+}
+
+/// Every way in which a short stream may arrive: each record lost, once or twice, in every order.
+TEST(NetFtSequence, CountsExactlyUnderEveryPatternOfLossRepetitionAndOrder) {
+  constexpr int kRecords = 5;
+  int patterns = 0;
+  for (int fates = 0; fates < 243; ++fates) {  // 3^5
+    std::vector<std::uint32_t> arrivals;
+    std::uint64_t lost = 0;
+    std::uint64_t twice = 0;
+    for (int k = 0, rest = fates; k < kRecords; ++k, rest /= 3) {
+      const int copies = rest % 3;
+      lost += copies == 0 ? 1 : 0;
+      twice += copies == 2 ? 1 : 0;
+      for (int copy = 0; copy < copies; ++copy)
+        arrivals.push_back(static_cast<std::uint32_t>(10 + k));
+    }
+    std::sort(arrivals.begin(), arrivals.end());
+    do {
+      NetFtSequence sequence;
+      // The stream is known before and goes on after.
+      (void)push(sequence, numbered(9));
+      std::set<std::uint32_t> used;
+      std::uint32_t newest = 9;
+      for (const auto number : arrivals) {
+        const Place place = push(sequence, numbered(number));
+        const bool fresh = used.insert(number).second;
+        ASSERT_EQ(place, !fresh            ? Place::duplicate
+                         : number > newest ? Place::in_order
+                                           : Place::late);
+        newest = std::max(newest, number);
+      }
+      ASSERT_EQ(push(sequence, numbered(15)), Place::in_order);
+      ASSERT_EQ(sequence.lost() - sequence.late(), lost);
+      ASSERT_EQ(sequence.duplicate(), twice);
+      ASSERT_EQ(sequence.restarts() + sequence.stalled(), 0u);
+      ++patterns;
+    } while (std::next_permutation(arrivals.begin(), arrivals.end()));
+  }
+  EXPECT_GT(patterns, 100'000);
+}
+
+TEST(NetFtSequence, CountsExactlyInLongRandomStreams) {
+  std::mt19937_64 random(3);
+  for (int round = 0; round < 200; ++round) {
+    struct Arrival {
+      std::uint64_t when;
+      NetFtRecord record;
+    };
+    std::vector<Arrival> arrivals;
+    std::uint64_t lost = 0;
+    std::uint64_t twice = 0;
+    const auto first = static_cast<std::uint32_t>(random());
+    const auto ft = static_cast<std::uint32_t>(random());
+    constexpr std::uint32_t kRecords = 2000;
+    for (std::uint32_t k = 0; k <= kRecords; ++k) {
+      const bool end = k == 0 || k == kRecords;  // both ends of the stream are seen
+      const auto fate = end ? 99 : random() % 100;
+      lost += fate < 10 ? 1 : 0;
+      twice += fate >= 10 && fate < 20 ? 1 : 0;
+      for (int copy = 0; copy < (fate < 10 ? 0 : fate < 20 ? 2 : 1); ++copy) {
+        const std::uint64_t delay = end || random() % 4 != 0 ? 0 : random() % 50;
+        arrivals.push_back({4 * (k + delay), numbered(first + k, ft + kStep * k)});
+      }
+    }
+    std::stable_sort(arrivals.begin(), arrivals.end(),
+                     [](const Arrival& a, const Arrival& b) { return a.when < b.when; });
+    NetFtSequence sequence;
+    std::uint64_t used = 0;
+    std::uint32_t newest = 0;
+    for (const auto& arrival : arrivals) {
+      const Place place = push(sequence, arrival.record);
+      const std::uint32_t k = arrival.record.rdt_sequence - first;
+      if (place == Place::in_order) {
+        ASSERT_TRUE(k == 0 || k > newest) << "never backwards";
+        newest = k;
+      }
+      used += place == Place::in_order || place == Place::late ? 1 : 0;
+    }
+    EXPECT_EQ(sequence.lost() - sequence.late(), lost);
+    EXPECT_EQ(sequence.duplicate(), twice);
+    EXPECT_EQ(used, kRecords + 1 - lost);
+    EXPECT_EQ(sequence.restarts(), 0u);
+  }
+}
+
+TEST(NetFtSequence, AfterAStartOnlyTheNewStreamCounts) {
+  NetFtSequence sequence;
+  sequence.start(10s);
+  EXPECT_EQ(sequence.push(numbered(5000), 10s + 100us), Place::stale);
+  EXPECT_EQ(sequence.push(numbered(5001), 10s + 200us), Place::stale);
+  EXPECT_EQ(sequence.push(numbered(1), 10s + 1ms), Place::in_order);
+  EXPECT_EQ(sequence.push(numbered(5002), 10s + 1ms), Place::in_order)
+      << "a gap: nothing is known that speaks against it";
+  EXPECT_EQ(sequence.lost(), 5000u);
+}
+
+TEST(NetFtSequence, TheFirstRecordsOfAStreamMayBeLost) {
+  for (std::uint32_t first = 1; first < 100; ++first) {
+    NetFtSequence sequence;
+    sequence.start(10s);
+    const auto stamp = 10s + first * 10ms;
+    EXPECT_EQ(sequence.push(numbered(first), stamp), Place::in_order);
+    EXPECT_EQ(sequence.lost(), first - 1);
+  }
+  NetFtSequence early;
+  early.start(10s);
+  EXPECT_EQ(early.push(numbered(1), 9s), Place::stale) << "before the start";
+  EXPECT_EQ(early.push(numbered(0), 11s), Place::stale) << "streams begin with 1";
+}
+
+TEST(NetFtSequence, ARebootIsBelievedWithItsSecondRecord) {
+  NetFtSequence sequence;
+  for (std::uint32_t k = 1; k <= 500; ++k) (void)push(sequence, numbered(k));
+  EXPECT_EQ(push(sequence, numbered(1, 70)), Place::unplaced);
+  EXPECT_EQ(push(sequence, numbered(2, 77)), Place::restarted);
+  EXPECT_EQ(push(sequence, numbered(3, 84)), Place::in_order);
+  EXPECT_EQ(sequence.restarts(), 1u);
+  EXPECT_EQ(sequence.lost(), 0u);
+}
+
+TEST(NetFtSequence, ARebootIsSeenAlsoInsideTheMemoryOfTheStream) {
+  NetFtSequence sequence;
+  for (std::uint32_t k = 1; k <= 5; ++k) (void)push(sequence, numbered(k));
+  EXPECT_EQ(push(sequence, numbered(1, 70)), Place::unplaced);
+  EXPECT_EQ(push(sequence, numbered(2, 77)), Place::restarted);
+}
+
+TEST(NetFtSequence, AStreamThatSomebodyElseBeganAnewIsSeen) {
+  NetFtSequence sequence;
+  for (std::uint32_t k = 1; k <= 500; ++k) (void)push(sequence, numbered(k));
+  const std::uint32_t ft = kOn + kStep * 500;
+  EXPECT_EQ(push(sequence, numbered(1, ft + 7)), Place::unplaced);
+  EXPECT_EQ(push(sequence, numbered(3, ft + 21)), Place::restarted);
+  EXPECT_EQ(sequence.lost(), 1u);
+}
+
+TEST(NetFtSequence, OneStrayRecordChangesNothing) {
+  NetFtSequence sequence;
+  for (std::uint32_t k = 1; k <= 500; ++k) {
+    EXPECT_EQ(push(sequence, numbered(k)), Place::in_order);
+    if (k == 300) {
+      EXPECT_EQ(push(sequence, numbered(1, 70)), Place::unplaced);
+    }
+    if (k == 400) {
+      EXPECT_EQ(push(sequence, numbered(7, 90)), Place::unplaced);
+    }
+  }
+  EXPECT_EQ(sequence.restarts(), 0u);
+  EXPECT_EQ(sequence.lost(), 0u);
+  EXPECT_EQ(sequence.late(), 2u);
+}
+
+TEST(NetFtSequence, CountersBeginAnewAndThePlaceStays) {
+  NetFtSequence sequence;
+  (void)push(sequence, numbered(1));
+  (void)push(sequence, numbered(4));
+  sequence.reset_counters();
+  EXPECT_EQ(push(sequence, numbered(6)), Place::in_order);
+  EXPECT_EQ(sequence.lost(), 1u);
+}
+
+}  // namespace
+}  // namespace isograsp

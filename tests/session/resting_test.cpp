@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/resting.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "session/trial_sample.hpp"
+#include "tasks/score.hpp"
+
+namespace isograsp {
+namespace {
+
+/// A rest trial as it is recorded; `change` alters row k.
+template <class Change>
+Signals rest_trial(int rows, Change change) {
+  std::vector<std::string> names;
+  for (const auto& group : signal_groups(false))
+    names.insert(names.end(), group.columns.begin(), group.columns.end());
+  Signals signals(names);
+  std::vector<std::vector<double>> groups;
+  for (int k = 0; k < rows; ++k) {
+    TrialSample sample;
+    sample.t_s = 0.01 * k;
+    sample.task.phase = Phase::active;
+    change(k, sample);
+    for (auto& group : groups) group.clear();
+    append_rows(sample, false, groups);
+    std::vector<double> row;
+    for (const auto& group : groups) row.insert(row.end(), group.begin(), group.end());
+    signals.append_row(row);
+  }
+  return signals;
+}
+
+TEST(RestingForce, MeanIsTheStoredMeasureAndSdIsThatOfTheSamples) {
+  const auto trial = rest_trial(100, [](int k, TrialSample& s) {
+    s.forces.wrench_C[1].force.z() = 2.0 + (k % 2 == 0 ? 0.1 : -0.1);
+    s.forces.wrench_C[2].torque.x() = 0.01 * k;
+  });
+  const auto rest = resting_force(trial);
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(rest->samples, 100);
+  constexpr double kRounding = 1e-12;  // both are sums of a hundred numbers, in another order
+  EXPECT_NEAR(rest->sd[1][2], 0.1 * std::sqrt(100.0 / 99.0), kRounding);
+  EXPECT_NEAR(rest->sd[2][3], 0.01 * std::sqrt(100.0 * 101.0 / 12.0), kRounding);
+  const auto spec = parse_task(
+      "format = \"isograsp-task-1\"\nname = \"R\"\ninstruction = \"R\"\nkind = \"rest\"\n", "r");
+  for (const auto& measure : score(*spec, trial)) {
+    if (measure.channel == "index_fz") {
+      EXPECT_NEAR(*measure.value, rest->mean[1][2], kRounding);
+    }
+    if (measure.channel == "middle_tx") {
+      EXPECT_NEAR(*measure.value, rest->mean[2][3], kRounding);
+    }
+  }
+}
+
+TEST(RestingForce, RowsThatDoNotCountAreLeftOut) {
+  const auto trial = rest_trial(100, [](int k, TrialSample& s) {
+    s.forces.wrench_C[0].force.z() = 1.0;
+    if (k % 10 == 3) {
+      s.forces.flags[0] = bit(SampleFlag::held);
+      s.forces.wrench_C[0].force.z() = 500.0;
+    }
+    if (k % 10 == 4) s.task.phase = Phase::paused;
+  });
+  const auto rest = resting_force(trial);
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(rest->samples, 80);
+  EXPECT_EQ(rest->mean[0][2], 1.0);
+  EXPECT_EQ(rest->sd[0][2], 0.0);
+}
+
+TEST(RestingForce, WithoutSamplesThereIsNone) {
+  EXPECT_FALSE(resting_force(
+      rest_trial(100, [](int, TrialSample& s) { s.forces.flags[1] = bit(SampleFlag::missing); })));
+}
+
+TEST(RestingForce, SpasticToneIsDataNotAnError) {
+  RestingForce rest;
+  for (auto& mean : rest.mean) mean.setZero();
+  for (auto& sd : rest.sd) sd.setZero();
+  EXPECT_EQ(describe(rest), "At rest thumb 0.0, index 0.0, middle 0.0 N.");
+  rest.mean[2][2] = 4.0;
+  EXPECT_NE(describe(rest).find("(middle): muscle tone"), std::string::npos) << describe(rest);
+  EXPECT_NE(describe(rest).find("never subtracted"), std::string::npos);
+  rest.mean[0][2] = -1.5;
+  EXPECT_NE(describe(rest).find("Pulling though relaxed (thumb)"), std::string::npos);
+  rest.sd[1][2] = 0.9;
+  EXPECT_NE(describe(rest).find("not still"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace isograsp

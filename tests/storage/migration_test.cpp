@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file that an older program made: read as it is, brought up to date only when asked, losing
+// nothing. tests/data/format_1.db was made by the last program that wrote format 1.
+#include <map>
+#include <thread>
+
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+
+#include "storage/database.hpp"
+#include "tests/storage/examples.hpp"
+
+namespace isograsp {
+namespace {
+
+using Open = SessionStore::Open;
+namespace fs = std::filesystem;
+
+struct Migration : testing::Test {
+  TemporaryFolder folder;
+  std::string path = folder.file("clinic.db");
+  Migration() { fs::copy_file(std::string(ISOGRASP_SOURCE_DIR) + "/tests/data/format_1.db", path); }
+};
+
+/// Everything that a reader can see of the only session.
+struct Contents {
+  SessionRecord session;
+  std::vector<TrialRecord> trials;
+  std::vector<InstrumentZeroRecord> zeros;
+  std::vector<std::vector<Measure>> measures;
+  std::vector<Signals> signals;
+};
+
+Contents contents_of(SessionStore& store) {
+  Contents all;
+  all.session = must(store.sessions(must(store.patients()).at(0).id)).at(0);
+  all.trials = must(store.trials(all.session.id));
+  all.zeros = must(store.zeros(all.session.id));
+  for (const auto& trial : all.trials) {
+    all.measures.push_back(must(store.measures(trial.id)));
+    all.signals.push_back(must(store.signals(trial)));
+  }
+  return all;
+}
+
+void expect_same(const Contents& a, const Contents& b) {
+  EXPECT_EQ(a.session.device_uri, b.session.device_uri);
+  EXPECT_EQ(a.session.seed, b.session.seed);
+  ASSERT_EQ(a.trials.size(), b.trials.size());
+  ASSERT_EQ(a.zeros.size(), b.zeros.size());
+  for (std::size_t i = 0; i < a.zeros.size(); ++i) {
+    EXPECT_EQ(a.zeros[i].mean, b.zeros[i].mean);
+    EXPECT_EQ(a.zeros[i].sd, b.zeros[i].sd);
+  }
+  for (std::size_t i = 0; i < a.trials.size(); ++i) {
+    EXPECT_EQ(a.trials[i].task_text, b.trials[i].task_text);
+    EXPECT_EQ(a.trials[i].health_json, b.trials[i].health_json);
+    EXPECT_EQ(a.trials[i].zero_id, b.trials[i].zero_id);
+    ASSERT_EQ(a.measures[i].size(), b.measures[i].size());
+    for (std::size_t m = 0; m < a.measures[i].size(); ++m)
+      EXPECT_EQ(a.measures[i][m].value, b.measures[i][m].value);
+    ASSERT_EQ(a.signals[i].names(), b.signals[i].names());
+    for (const auto& name : a.signals[i].names()) {
+      const auto x = a.signals[i].column(name);
+      const auto y = b.signals[i].column(name);
+      ASSERT_EQ(x.size(), y.size());
+      for (std::size_t row = 0; row < x.size(); ++row) EXPECT_TRUE(same_bits(x[row], y[row]));
+    }
+  }
+}
+
+std::map<std::string, std::string> schema_of(const std::string& path) {
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  std::map<std::string, std::string> statements;
+  std::string name;
+  std::string text;
+  soci::statement select =
+      (sql.prepare << "SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL", soci::into(name),
+       soci::into(text));
+  select.execute();
+  while (select.fetch()) statements[name] = text;
+  return statements;
+}
+
+TEST_F(Migration, AnOldFileIsNotOpenedForWritingAndStaysAsItWas) {
+  const std::string before = bytes_of(path);
+  for (const Open how : {Open::create, Open::existing}) {
+    const auto store = SessionStore::open(path, how);
+    ASSERT_FALSE(store.ok());
+    EXPECT_NE(store.error().message().find("older isograsp (format 1, this program writes 2)"),
+              std::string::npos)
+        << store.error().message();
+    EXPECT_NE(store.error().remedy.find("isograsp db migrate"), std::string::npos);
+  }
+  EXPECT_EQ(bytes_of(path), before);
+  EXPECT_EQ(folder.listing(), std::vector<std::string>{"clinic.db"});
+}
+
+TEST_F(Migration, AnOldFileIsReadAsItIs) {
+  const auto store = must(SessionStore::open_to_read(path));
+  const Contents all = contents_of(*store);
+  EXPECT_EQ(all.trials.size(), 2u);
+  EXPECT_GT(all.signals[0].rows(), 10u);
+  EXPECT_FALSE(all.zeros.at(0).change_N.has_value());
+  EXPECT_EQ(all.zeros[0].recorded_utc, "");
+  EXPECT_FALSE(all.trials[1].threshold_N[0].has_value());
+  EXPECT_TRUE(must(store->resting_forces(all.session.id)).empty());
+  EXPECT_FALSE(must(store->last_zero(all.session)).has_value() &&
+               all.session.serial_numbers[0] != "");
+  EXPECT_TRUE(must(store->check()).empty());
+}
+
+TEST_F(Migration, KeepsEverythingAndLeavesACheckedCopy) {
+  const Contents before = contents_of(*must(SessionStore::open(path, Open::read_only)));
+  const auto done = must(SessionStore::migrate(path));
+  EXPECT_EQ(done.from, 1);
+  EXPECT_EQ(done.copy, path + ".format-1");
+  expect_same(before, contents_of(*must(SessionStore::open(done.copy, Open::read_only))));
+  const auto store = open_store(path, Open::existing);
+  expect_same(before, contents_of(*store));
+  EXPECT_TRUE(must(store->check()).empty());
+  must(store->add_patient("P-2"));
+}
+
+TEST_F(Migration, GivesTheSameTablesAsANewFile) {
+  must(SessionStore::migrate(path));
+  open_store(folder.file("new.db"));
+  EXPECT_EQ(schema_of(path), schema_of(folder.file("new.db")));
+}
+
+TEST_F(Migration, IsDoneOnceAndNeverOverwritesACopy) {
+  std::ofstream(path + ".format-1") << "somebody's";
+  EXPECT_EQ(must(SessionStore::migrate(path)).copy, path + ".format-1-2");
+  EXPECT_EQ(bytes_of(path + ".format-1"), "somebody's");
+  const auto again = must(SessionStore::migrate(path));
+  EXPECT_EQ(again.from, kDatabaseFormat);
+  EXPECT_EQ(again.copy, "");
+}
+
+TEST_F(Migration, IsRefusedWhileSomebodyRecords) {
+  const auto recording = must(RecordingLock::shared(path));
+  const std::string before = bytes_of(path);
+  const auto refused = SessionStore::migrate(path);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message().find("records into the file now"), std::string::npos);
+  EXPECT_EQ(bytes_of(path), before);
+}
+
+}  // namespace
+}  // namespace isograsp

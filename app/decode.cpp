@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/live_device.hpp"
 #include "core/csv.hpp"
 #include "device/bus/candump_log.hpp"
 #include "device/bus/datagram_log.hpp"
@@ -199,33 +200,14 @@ nlohmann::ordered_json as_json(const DecodeOptions& options, const DecodeReport&
 }
 
 Result<void> run_decode(const DecodeOptions& options) {
-  const auto protocol = protocol_from_name(options.protocol);
-  if (!protocol || *protocol == Protocol::jr3_comedi)
-    return Error{Error::Code::bad_input,
-                 "no protocol is called '" + options.protocol + "'",
-                 "use rft, ati-netcanoem, jr3-can or net-ft",
-                 "",
-                 0,
-                 "--protocol"};
-  DeviceConfig config = DeviceConfig::standard(*protocol);
-  if (!options.config.empty()) {
-    auto read = DeviceConfig::read(options.config);
-    if (!read) return read.error();
-    if (read->protocol != *protocol)
-      return Error{Error::Code::bad_input,
-                   "the file is for " + std::string(name_of(read->protocol)),
-                   "give a device file of this protocol",
-                   options.config,
-                   0,
-                   "protocol"};
-    config = *std::move(read);
-  }
+  const auto config = family_config(options.protocol, options.config);
+  if (!config) return config.error();
   if (auto different = check_different(options.log, options.out); !different) return different;
   auto file = FileWriter::create(options.out);
   if (!file) return file.error();
   file->write("t_s,sensor,fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm,valid,flags\n");
-  const auto report = *protocol == Protocol::net_ft ? decode_net_ft(options, config, *file)
-                                                    : decode_can(options, config, *file);
+  const auto report = config->protocol == Protocol::net_ft ? decode_net_ft(options, *config, *file)
+                                                           : decode_can(options, *config, *file);
   if (!report) return report.error();
   if (auto written = file->commit(); !written) return written;
 

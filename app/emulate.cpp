@@ -211,28 +211,10 @@ void play_on(Bus& bus, Clock& clock, Emulator& emulator, double duration_s,
 }
 
 Result<EmulatorOptions> emulator_options(const EmulateOptions& options) {
-  const auto protocol = protocol_from_name(options.protocol);
-  if (!protocol || *protocol == Protocol::jr3_comedi)
-    return Error{Error::Code::bad_input,
-                 "no emulator is called '" + options.protocol + "'",
-                 "use rft, ati-netcanoem, jr3-can or net-ft",
-                 "",
-                 0,
-                 "--protocol"};
+  auto config = family_config(options.protocol, options.config);
+  if (!config) return config.error();
   EmulatorOptions emulator;
-  emulator.config = DeviceConfig::standard(*protocol);
-  if (!options.config.empty()) {
-    auto read = DeviceConfig::read(options.config);
-    if (!read) return read.error();
-    if (read->protocol != *protocol)
-      return Error{Error::Code::bad_input,
-                   "the file is for " + std::string(name_of(read->protocol)),
-                   "give a device file of this protocol",
-                   options.config,
-                   0,
-                   "protocol"};
-    emulator.config = *std::move(read);
-  }
+  emulator.config = *std::move(config);
   emulator.seed = options.seed;
   for (const auto& text : options.faults) {
     const auto fault = Fault::parse(text);

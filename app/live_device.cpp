@@ -46,6 +46,27 @@ Stimulus press_hold_release(double t_s, double grip_N) {
   return screen;
 }
 
+Result<DeviceConfig> family_config(const std::string& name, const std::string& file) {
+  const auto protocol = protocol_from_name(name);
+  if (!protocol || *protocol == Protocol::jr3_comedi)
+    return Error{Error::Code::bad_input,
+                 "no protocol is called '" + name + "'",
+                 "use rft, ati-netcanoem, jr3-can or net-ft",
+                 "",
+                 0,
+                 "--protocol"};
+  if (file.empty()) return DeviceConfig::standard(*protocol);
+  auto config = DeviceConfig::read(file);
+  if (config && config->protocol != *protocol)
+    return Error{Error::Code::bad_input,
+                 "the file is for " + std::string(name_of(config->protocol)),
+                 "give a device file of this protocol",
+                 file,
+                 0,
+                 "protocol"};
+  return config;
+}
+
 Result<LiveDevice> LiveDevice::open(const std::string& text, const std::shared_ptr<BusTap>& tap) {
   LiveDevice live;
   const auto uri = Uri::parse(text);
@@ -82,6 +103,7 @@ Result<void> LiveDevice::run(double duration_s,
     const ReadStatus status = device_->read(frames.deadline(), sample);
     if (status == ReadStatus::finished) break;
     if (status == ReadStatus::sample) frames.push(sample);
+    const bool completed = status == ReadStatus::sample;
     while (more && frames.pop(device_->now(clock), frame)) {
       if (person_) person_->see(press_hold_release(frame.t_s, grip_force(frame.wrench_C)));
       if (!(more = duration_s <= 0.0 || frame.t_s < duration_s)) break;
@@ -91,6 +113,7 @@ Result<void> LiveDevice::run(double duration_s,
       timing_.lateness.add(to_seconds(device_->now(clock) - start) - frame.t_s);
       more = on_frame(frame);
       timing_.compute.add(to_seconds(clock.now() - ready));
+      if (completed) timing_.latency.add(to_seconds(device_->now(clock) - sample.stamp));
     }
   }
   device_->stop();

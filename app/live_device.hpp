@@ -10,6 +10,7 @@
 #include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/stimulus.hpp"
+#include "device/device_config.hpp"
 #include "device/force_device.hpp"
 #include "session/realtime.hpp"
 #include "session/timing.hpp"
@@ -20,6 +21,11 @@ namespace isograsp {
 /// What somebody who presses, holds and releases every ten seconds sees on the screen: relax for
 /// 2 s, follow 12 N for 5 s, relax. `grip_N` is the force that the screen shows.
 [[nodiscard]] Stimulus press_hold_release(double t_s, double grip_N);
+
+/// The device file for --protocol and --config of decode and emulate: the family's standard if no
+/// file is given. Errors name the option or the file.
+[[nodiscard]] Result<DeviceConfig> family_config(const std::string& protocol,
+                                                 const std::string& file);
 
 class LiveDevice {
  public:

@@ -13,10 +13,9 @@ std::string_view name_of(DeviceState state) noexcept {
 
 std::string_view name_of(DeviceFault fault) noexcept {
   constexpr std::array<std::string_view, kDeviceFaultCount> kNames{
-      "none",       "interface_gone", "interface_down",  "bus_off",
-      "silence",    "wrong_sensor",   "frozen",          "status",
-      "overload",   "restarted",      "damaged_samples", "bus_overflow",
-      "bus_warning"};
+      "none",         "interface_gone", "interface_down", "bus_off",  "silence",
+      "wrong_sensor", "frozen",         "status",         "overload", "restarted",
+      "bus_overflow", "bus_warning",    "damaged_samples"};
   return kNames[static_cast<std::size_t>(fault)];
 }
 
@@ -45,9 +44,9 @@ const std::array<Sentences, kDeviceFaultCount> kSentences{
     about_sensor("reports that it is broken: do not measure with it."),
     about_sensor("is overloaded: take the hand out."),
     about_sensor("started anew: take the hand out and zero again."),
-    about_sensor("loses samples on the way: check the bus wiring."),
     about_bus("The bus adapter or this computer loses frames: close other programs."),
-    about_bus("The bus counts many errors: check cable and termination.")};
+    about_bus("The bus counts many errors: check cable and termination."),
+    about_sensor("loses samples on the way: check the bus wiring.")};
 
 }  // namespace
 

@@ -65,15 +65,15 @@ enum class DeviceFault : std::uint8_t {
   interface_gone,
   interface_down,
   bus_off,
-  silence,          ///< a sensor sends nothing
-  wrong_sensor,     ///< a sensor came back as another one, or refuses its settings
-  frozen,           ///< a sensor repeats one value: it does not measure
-  status,           ///< a sensor says that it is broken
-  overload,         ///< a sensor is overloaded or at the end of its range
-  restarted,        ///< a sensor forgot its state: the zero must be checked
-  damaged_samples,  ///< samples arrive torn or are lost
-  bus_overflow,     ///< the bus adapter, or this computer, loses frames
-  bus_warning       ///< the bus counts many errors
+  silence,         ///< a sensor sends nothing
+  wrong_sensor,    ///< a sensor came back as another one, or refuses its settings
+  frozen,          ///< a sensor repeats one value: it does not measure
+  status,          ///< a sensor says that it is broken
+  overload,        ///< a sensor is overloaded or at the end of its range
+  restarted,       ///< a sensor forgot its state: the zero must be checked
+  bus_overflow,    ///< the bus adapter, or this computer, loses frames
+  bus_warning,     ///< the bus counts many errors
+  damaged_samples  ///< samples arrive torn or are lost
 };
 inline constexpr std::size_t kDeviceFaultCount = 13;
 /// Whether forces are missing because of it: the device is faulted, not only degraded.

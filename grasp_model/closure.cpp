@@ -101,6 +101,7 @@ std::optional<Internal> internal_forces(const std::vector<Contact>& contacts,
                                         const std::vector<Eigen::Index>& rows, bool in_plane) {
   const double length_m = default_scales(contacts).length_m;
   std::vector<Contact> acting;
+  acting.reserve(contacts.size());
   for (const auto& contact : contacts) acting.push_back(effective(contact, length_m));
   // Rank of the map as it is, each torsion column in the scale of its own contact.
   Internal internal;

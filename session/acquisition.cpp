@@ -50,8 +50,11 @@ bool Acquisition::next_frame(FingerFrame& frame) noexcept {
   while (!frame_clock_.pop(device_.now(clock_), frame)) {
     SensorSample sample;
     switch (device_.read(frame_clock_.deadline(), sample)) {
-      case ReadStatus::sample: frame_clock_.push(sample); break;
-      case ReadStatus::timeout: break;
+      case ReadStatus::sample:
+        frame_clock_.push(sample);
+        completed_by_ = sample.stamp;
+        break;
+      case ReadStatus::timeout: completed_by_.reset(); break;
       case ReadStatus::finished: return false;
     }
   }
@@ -253,6 +256,7 @@ void Acquisition::measure_timing() noexcept {
     if (last_published_) timing.period.add(to_seconds(now_.published - *last_published_));
     timing.lateness.add(now_.lateness_s);
     timing.compute.add(now_.compute_s);
+    if (completed_by_) timing.latency.add(to_seconds(device_.now(clock_) - *completed_by_));
   };
   add(timing_);
   if (trial_ != nullptr) add(trial_->timing);

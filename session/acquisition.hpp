@@ -127,6 +127,7 @@ class Acquisition {
   std::uint64_t dropped_before_trial_ = 0;
   Timing timing_;  ///< of the session
   std::optional<Timestamp> last_published_;
+  std::optional<Timestamp> completed_by_;  ///< stamp of the sample that closed the frame
   RecordItem item_;  ///< reused: too large for comfort on the stack of every frame
 };
 

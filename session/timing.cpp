@@ -37,7 +37,8 @@ Quantiles quantiles_of(const Histogram& histogram) noexcept {
 }
 
 TimingSummary summary_of(const Timing& timing) noexcept {
-  return {quantiles_of(timing.period), quantiles_of(timing.lateness), quantiles_of(timing.compute)};
+  return {quantiles_of(timing.period), quantiles_of(timing.lateness), quantiles_of(timing.compute),
+          quantiles_of(timing.latency)};
 }
 
 std::string as_json(const Timing& timing) {
@@ -45,6 +46,7 @@ std::string as_json(const Timing& timing) {
   append(json, "period", timing.period);
   append(json, "lateness", timing.lateness);
   append(json, "compute", timing.compute);
+  append(json, "latency", timing.latency);
   return json + "}";
 }
 

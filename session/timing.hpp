@@ -13,6 +13,7 @@ struct Timing {
   Histogram period;    ///< from one published frame to the next
   Histogram lateness;  ///< grid instant -> published
   Histogram compute;   ///< newest sample in hand -> published
+  Histogram latency;   ///< arrival of the sample that completed the frame (its stamp) -> published
 };
 
 /// Each value is the upper edge of its bin, at most 12.5 % above the duration itself [s].
@@ -29,12 +30,13 @@ struct TimingSummary {
   Quantiles period;
   Quantiles lateness;
   Quantiles compute;
+  Quantiles latency;
 };
 /// Real-time safe.
 [[nodiscard]] TimingSummary summary_of(const Timing& timing) noexcept;
 
 /// {"period": {"count", "median_s", "p99_s", "p999_s", "max_s", "bins": [[lower edge in ns, count],
-/// …]}, "lateness": …, "compute": …}; bins without a count are left out.
+/// …]}, "lateness": …, "compute": …, "latency": …}; bins without a count are left out.
 [[nodiscard]] std::string as_json(const Timing& timing);
 
 }  // namespace isograsp

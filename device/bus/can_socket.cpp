@@ -85,7 +85,7 @@ CanSocket open_can_socket(const std::string& interface, std::span<const std::uin
 int read_can_socket(int descriptor, CanReading& out) noexcept {
   can_frame in{};
   iovec part{&in, sizeof in};
-  KernelNotesRoom room;
+  KernelNotesRoom room{};
   msghdr message{};
   message.msg_iov = &part;
   message.msg_iovlen = 1;

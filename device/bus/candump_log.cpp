@@ -144,32 +144,4 @@ std::string format_candump_line(Timestamp wall_time, std::string_view interface,
   return line;
 }
 
-Result<CandumpReader> CandumpReader::open(const std::string& path) {
-  CandumpReader reader;
-  reader.path_ = path;
-  reader.in_.open(path, std::ios::binary);
-  if (!reader.in_)
-    return Error{Error::Code::bad_input, "the log cannot be opened", "check its name", path, 0, ""};
-  return reader;
-}
-
-Result<bool> CandumpReader::next(CandumpEntry& entry) {
-  while (std::getline(in_, text_)) {
-    ++line_;
-    auto parsed = parse_candump_line(text_);
-    if (!parsed) {
-      Error error = parsed.error();
-      error.file = path_;
-      error.line = line_;
-      return error;
-    }
-    if (!parsed->has_value()) continue;
-    entry = std::move(**parsed);
-    return true;
-  }
-  if (in_.bad())
-    return Error{Error::Code::failed, "the log cannot be read", "check the disk", path_, line_, ""};
-  return false;
-}
-
 }  // namespace isograsp

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "device/bus/bus.hpp"
+#include "device/bus/log_line.hpp"
 
 namespace isograsp {
 
@@ -30,18 +30,6 @@ struct CandumpEntry {
 [[nodiscard]] std::string format_candump_line(Timestamp wall_time, std::string_view interface,
                                               const BusFrame& frame);
 
-/// Reads a log entry by entry, in constant memory.
-class CandumpReader {
- public:
-  [[nodiscard]] static Result<CandumpReader> open(const std::string& path);
-  /// False at the end. Errors name file and line.
-  [[nodiscard]] Result<bool> next(CandumpEntry& entry);
-
- private:
-  std::string path_;
-  std::ifstream in_;
-  std::string text_;
-  int line_ = 0;
-};
+using CandumpReader = LogReader<CandumpEntry, parse_candump_line>;
 
 }  // namespace isograsp

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +13,7 @@
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "device/bus/endpoint.hpp"
+#include "device/bus/log_line.hpp"
 
 namespace isograsp {
 
@@ -32,18 +32,6 @@ struct DatagramEntry {
 [[nodiscard]] std::string format_datagram_line(Timestamp wall_time, const Endpoint& from,
                                                std::span<const std::uint8_t> bytes);
 
-/// Reads a log entry by entry, in constant memory.
-class DatagramLogReader {
- public:
-  [[nodiscard]] static Result<DatagramLogReader> open(const std::string& path);
-  /// False at the end. Errors name file and line.
-  [[nodiscard]] Result<bool> next(DatagramEntry& entry);
-
- private:
-  std::string path_;
-  std::ifstream in_;
-  std::string text_;
-  int line_ = 0;
-};
+using DatagramLogReader = LogReader<DatagramEntry, parse_datagram_line>;
 
 }  // namespace isograsp

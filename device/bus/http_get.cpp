@@ -17,7 +17,7 @@ namespace http = boost::beast::http;
 
 namespace {
 
-constexpr std::uint64_t kLargestBody = 256 * 1024;
+constexpr std::uint64_t kLargestBody = std::uint64_t{256} * 1024;
 constexpr std::uint16_t kUsualPort = 80;
 constexpr unsigned kHttp11 = 11;
 

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "core/result.hpp"
 #include "core/time.hpp"
 
 namespace isograsp {
@@ -22,5 +25,47 @@ namespace isograsp {
 /// Of two digits; nullopt: they are none.
 [[nodiscard]] std::optional<std::uint8_t> parse_hex_byte(std::string_view digits) noexcept;
 void append_hex_byte(std::string& text, std::uint8_t byte);
+
+/// Reads a log entry by entry, in constant memory. Parse reads one line without its end; lines that
+/// give nullopt are skipped.
+template <class Entry, Result<std::optional<Entry>> (*Parse)(std::string_view)>
+class LogReader {
+ public:
+  [[nodiscard]] static Result<LogReader> open(const std::string& path) {
+    LogReader reader;
+    reader.path_ = path;
+    reader.in_.open(path, std::ios::binary);
+    if (!reader.in_)
+      return Error{
+          Error::Code::bad_input, "the log cannot be opened", "check its name", path, 0, ""};
+    return reader;
+  }
+  /// False at the end. Errors name file and line.
+  [[nodiscard]] Result<bool> next(Entry& entry) {
+    while (std::getline(in_, text_)) {
+      ++line_;
+      auto parsed = Parse(text_);
+      if (!parsed) {
+        Error error = parsed.error();
+        error.file = path_;
+        error.line = line_;
+        return error;
+      }
+      if (!parsed->has_value()) continue;
+      entry = std::move(**parsed);
+      return true;
+    }
+    if (in_.bad())
+      return Error{
+          Error::Code::failed, "the log cannot be read", "check the disk", path_, line_, ""};
+    return false;
+  }
+
+ private:
+  std::string path_;
+  std::ifstream in_;
+  std::string text_;
+  int line_ = 0;
+};
 
 }  // namespace isograsp

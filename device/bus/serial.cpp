@@ -19,9 +19,9 @@
 #include <unistd.h>
 
 #include "device/bus/bus.hpp"
+#include "device/bus/kernel_bus.hpp"
 #include "device/bus/kernel_stamp.hpp"
 #include "device/bus/ready_wait.hpp"
-#include "device/bus/waiting_frames.hpp"
 
 namespace isograsp {
 
@@ -30,7 +30,6 @@ namespace asio = boost::asio;
 namespace {
 
 constexpr std::size_t kPiece = 16;  // bytes: none completes two packets of 19
-constexpr Timestamp kRetry = std::chrono::milliseconds(3);     // the port takes no bytes now
 constexpr Timestamp kReopen = std::chrono::milliseconds(250);  // adapter unplugged
 
 /// Of one port; outlives the io_context.
@@ -122,37 +121,15 @@ class Port {
   Descriptor descriptor_;
 };
 
-class Serial final : public Bus {
+class Serial final : public KernelBus {
  public:
   [[nodiscard]] Port& port(std::size_t sensor) noexcept { return ports_[sensor]; }
-
-  Result<void> start(Clock& clock) override {
-    if (clock.is_virtual())
-      return Error{Error::Code::bad_input,
-                   "a real serial line does not run in virtual time",
-                   "leave out --fast, or use sim:// or replay://",
-                   "",
-                   0,
-                   ports_[0].name()};
-    clock_ = &clock;
-    return {};
-  }
-
-  bool send(const BusFrame& frame) noexcept override {
-    if (waiting_.empty() && write(frame)) return true;
-    const Timestamp now = clock_->now();
-    if (waiting_.empty()) retry_at_ = now + kRetry;
-    return waiting_.push(frame, now);
-  }
 
   BusEvent receive(Timestamp deadline, ReceivedFrame& out) noexcept override {
     while (true) {
       const Timestamp now = clock_->now();
       if (now >= reopen_at_) reopen(now);
-      if (!waiting_.empty() && now >= retry_at_) {
-        waiting_.leave(now, [this](const BusFrame& frame) { return write(frame); });
-        retry_at_ = now + kRetry;
-      }
+      send_waiting(now);
       if (read_one(out)) return BusEvent::frame;
       if (std::exchange(untold_, false)) {
         out.frame = {};
@@ -163,15 +140,9 @@ class Serial final : public Bus {
     }
   }
 
-  BusCounters counters() const noexcept override {
-    BusCounters counters = counters_;
-    counters.unsent += waiting_.given_up();
-    return counters;
-  }
-
  private:
-  /// False if the frame should be tried again later.
-  bool write(const BusFrame& frame) noexcept {
+  [[nodiscard]] std::string name() const override { return ports_[0].name(); }
+  [[nodiscard]] bool write(const BusFrame& frame) noexcept override {
     const bool known = frame.id < kFingerCount && frame.length <= frame.data.size();
     const int failure = known ? ports_[frame.id].write(frame) : EDESTADDRREQ;
     if (failure == EAGAIN) return false;
@@ -225,7 +196,7 @@ class Serial final : public Bus {
   }
 
   void wait_until(Timestamp deadline) noexcept {
-    if (!waiting_.empty()) deadline = std::min(deadline, retry_at_);
+    deadline = sooner(deadline);
     deadline = std::min(deadline, reopen_at_);
     try {
       for (auto& port : ports_) port.begin_wait();
@@ -236,16 +207,12 @@ class Serial final : public Bus {
     }
   }
 
-  Clock* clock_ = nullptr;
   std::array<Wait, kFingerCount> waits_;
   asio::io_context io_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   std::array<Port, kFingerCount> ports_{Port(io_, waits_[0]), Port(io_, waits_[1]),
                                         Port(io_, waits_[2])};
   std::size_t next_ = 0;
-  WaitingFrames waiting_;
-  Timestamp retry_at_{0};
-  BusCounters counters_;
   bool untold_ = false;  ///< interface_gone has to be reported
   Timestamp reopen_at_ = Timestamp::max();
 };

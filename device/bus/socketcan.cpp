@@ -17,8 +17,8 @@
 #include "device/bus/can_error.hpp"
 #include "device/bus/can_interfaces.hpp"
 #include "device/bus/can_socket.hpp"
+#include "device/bus/kernel_bus.hpp"
 #include "device/bus/ready_wait.hpp"
-#include "device/bus/waiting_frames.hpp"
 
 namespace isograsp {
 
@@ -26,10 +26,9 @@ namespace asio = boost::asio;
 
 namespace {
 
-constexpr Timestamp kRetry = std::chrono::milliseconds(2);   // transmit queue full
 constexpr Timestamp kLook = std::chrono::milliseconds(100);  // interface switched off or unplugged
 
-class SocketCan final : public Bus {
+class SocketCan final : public KernelBus {
  public:
   SocketCan(std::string interface, std::span<const std::uint32_t> ids)
       : interface_(std::move(interface)), ids_(ids.begin(), ids.end()) {}
@@ -50,29 +49,10 @@ class SocketCan final : public Bus {
     return 0;
   }
 
-  Result<void> start(Clock& clock) override {
-    if (clock.is_virtual())
-      return Error{Error::Code::bad_input,
-                   "a real bus does not run in virtual time",
-                   "leave out --fast, or use sim:// or replay://",
-                   "",
-                   0,
-                   interface_};
-    clock_ = &clock;
-    return {};
-  }
-
-  bool send(const BusFrame& frame) noexcept override {
-    if (waiting_.empty() && write(frame)) return true;
-    const Timestamp now = clock_->now();
-    if (waiting_.empty()) retry_at_ = now + kRetry;
-    return waiting_.push(frame, now);
-  }
-
   BusEvent receive(Timestamp deadline, ReceivedFrame& out) noexcept override {
     while (true) {
       if (!works() && clock_->now() >= look_at_) look_again();
-      send_waiting();
+      send_waiting(clock_->now());
       BusEvent event;
       // The wire cannot bring frames as fast as they are read here, so this ends.
       while (true) {
@@ -84,12 +64,6 @@ class SocketCan final : public Bus {
       if (clock_->now() >= deadline) return BusEvent::timeout;
       wait_until(deadline);
     }
-  }
-
-  BusCounters counters() const noexcept override {
-    BusCounters counters = counters_;
-    counters.unsent += waiting_.given_up();
-    return counters;
   }
 
  private:
@@ -115,8 +89,8 @@ class SocketCan final : public Bus {
     return event;
   }
 
-  /// False if the frame should be tried again later.
-  bool write(const BusFrame& frame) noexcept {
+  [[nodiscard]] std::string name() const override { return interface_; }
+  [[nodiscard]] bool write(const BusFrame& frame) noexcept override {
     if (gone_) {
       ++counters_.unsent;
       return true;
@@ -132,14 +106,6 @@ class SocketCan final : public Bus {
       note_failure(failure);
     }
     return true;
-  }
-
-  void send_waiting() noexcept {
-    if (waiting_.empty()) return;
-    const Timestamp now = clock_->now();
-    if (now < retry_at_) return;
-    waiting_.leave(now, [this](const BusFrame& frame) { return write(frame); });
-    retry_at_ = now + kRetry;
   }
 
   Read read_one(BusEvent& event, ReceivedFrame& out) noexcept {
@@ -219,7 +185,7 @@ class SocketCan final : public Bus {
   void wait_until(Timestamp deadline) noexcept {
     if (!works()) deadline = std::min(deadline, look_at_);
     if (gone_) return clock_->wait_until(deadline);
-    if (!waiting_.empty()) deadline = std::min(deadline, retry_at_);
+    deadline = sooner(deadline);
     try {
       if (!wait_pending_) {
         wait_pending_ = true;
@@ -235,7 +201,6 @@ class SocketCan final : public Bus {
 
   std::string interface_;
   std::vector<std::uint32_t> ids_;
-  Clock* clock_ = nullptr;
   ClockMap clock_map_;
 
   WaitMemory wait_memory_;
@@ -244,9 +209,6 @@ class SocketCan final : public Bus {
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   Socket socket_{io_};
 
-  WaitingFrames waiting_;
-  Timestamp retry_at_{0};
-  BusCounters counters_;
   std::uint32_t drops_told_ = 0;  ///< by the present socket
   unsigned untold_ = 0;           ///< events that receive() still has to report, a bit each
   bool off_ = false;              ///< bus-off, as far as error frames tell

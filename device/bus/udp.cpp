@@ -17,9 +17,9 @@
 
 #include "device/bus/bus.hpp"
 #include "device/bus/endpoint.hpp"
+#include "device/bus/kernel_bus.hpp"
 #include "device/bus/kernel_stamp.hpp"
 #include "device/bus/ready_wait.hpp"
-#include "device/bus/waiting_frames.hpp"
 
 namespace isograsp {
 
@@ -28,7 +28,6 @@ namespace asio = boost::asio;
 namespace {
 
 constexpr int kReceiveBuffer = 1 << 20;  // 1 MiB: a second of datagrams at 1000 Hz
-constexpr Timestamp kRetry = std::chrono::milliseconds(3);        // no room to send
 constexpr Timestamp kReconnect = std::chrono::milliseconds(250);  // the network is gone
 constexpr int kMostErrors = 8;                                    // that wait in one socket
 constexpr std::size_t kLargestLength = 255;                       // that BusFrame can tell
@@ -94,7 +93,7 @@ class Channel {
   /// 0, or errno (EAGAIN: nothing).
   int receive(ReceivedFrame& out, std::uint64_t& dropped) noexcept {
     iovec part{out.frame.data.data(), out.frame.data.size()};
-    KernelNotesRoom room;
+    KernelNotesRoom room{};
     msghdr message{};
     message.msg_iov = &part;
     message.msg_iovlen = 1;
@@ -126,30 +125,11 @@ class Channel {
   std::uint32_t drops_told_ = 0;
 };
 
-class Udp final : public Bus {
+class Udp final : public KernelBus {
  public:
   /// errno of the step that failed, or 0.
   int open(std::size_t sensor, const Endpoint& peer) noexcept {
     return channels_[sensor].open(peer);
-  }
-
-  Result<void> start(Clock& clock) override {
-    if (clock.is_virtual())
-      return Error{Error::Code::bad_input,
-                   "a real network does not run in virtual time",
-                   "leave out --fast, or use sim:// or replay://",
-                   "",
-                   0,
-                   ""};
-    clock_ = &clock;
-    return {};
-  }
-
-  bool send(const BusFrame& frame) noexcept override {
-    if (waiting_.empty() && write(frame)) return true;
-    const Timestamp now = clock_->now();
-    if (waiting_.empty()) retry_at_ = now + kRetry;
-    return waiting_.push(frame, now);
   }
 
   BusEvent receive(Timestamp deadline, ReceivedFrame& out) noexcept override {
@@ -165,15 +145,9 @@ class Udp final : public Bus {
     }
   }
 
-  BusCounters counters() const noexcept override {
-    BusCounters counters = counters_;
-    counters.unsent += waiting_.given_up();
-    return counters;
-  }
-
  private:
-  /// False if the frame should be tried again later.
-  bool write(const BusFrame& frame) noexcept {
+  [[nodiscard]] std::string name() const override { return ""; }
+  [[nodiscard]] bool write(const BusFrame& frame) noexcept override {
     const bool known = frame.id < kFingerCount && frame.length <= frame.data.size();
     const int failure = known ? channels_[frame.id].send(frame) : EDESTADDRREQ;
     if (failure == EAGAIN || failure == ENOBUFS) return false;
@@ -202,10 +176,7 @@ class Udp final : public Bus {
   void keep_sending() noexcept {
     if (waiting_.empty() && !is_down()) return;
     const Timestamp now = clock_->now();
-    if (!waiting_.empty() && now >= retry_at_) {
-      waiting_.leave(now, [this](const BusFrame& frame) { return write(frame); });
-      retry_at_ = now + kRetry;
-    }
+    send_waiting(now);
     if (is_down() && now >= reconnect_at_) {
       for (std::size_t f = 0; f < kFingerCount; ++f)
         if (down_[f]) (void)channels_[f].connect();
@@ -235,7 +206,7 @@ class Udp final : public Bus {
   }
 
   void wait_until(Timestamp deadline) noexcept {
-    if (!waiting_.empty()) deadline = std::min(deadline, retry_at_);
+    deadline = sooner(deadline);
     if (is_down()) deadline = std::min(deadline, reconnect_at_);
     try {
       for (auto& channel : channels_) channel.begin_wait();
@@ -246,7 +217,6 @@ class Udp final : public Bus {
     }
   }
 
-  Clock* clock_ = nullptr;
   ClockMap clock_map_;
   std::array<Wait, kFingerCount> waits_;
   asio::io_context io_{1};
@@ -254,9 +224,6 @@ class Udp final : public Bus {
   std::array<Channel, kFingerCount> channels_{Channel(io_, waits_[0]), Channel(io_, waits_[1]),
                                               Channel(io_, waits_[2])};
   std::size_t next_ = 0;
-  WaitingFrames waiting_;
-  Timestamp retry_at_{0};
-  BusCounters counters_;
   std::array<bool, kFingerCount> down_{};  ///< there is no way to this sensor now
   bool untold_ = false;                    ///< interface_down has to be reported
   Timestamp reconnect_at_{0};

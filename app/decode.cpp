@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp decode: a raw log to samples, offline. Values are in the sensor frames, before zero and
 // mounting.
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <functional>
 #include <memory>
-#include <vector>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -14,11 +11,8 @@
 #include "app/commands.hpp"
 #include "app/live_device.hpp"
 #include "core/csv.hpp"
-#include "device/bus/candump_log.hpp"
-#include "device/bus/datagram_log.hpp"
 #include "device/device_config.hpp"
-#include "device/protocol/log_decoder.hpp"
-#include "device/protocol/net_ft_decoder.hpp"
+#include "device/log_samples.hpp"
 
 namespace isograsp {
 
@@ -32,13 +26,6 @@ struct DecodeOptions {
   bool json = false;
 };
 
-/// What a log held, by sensor and besides.
-struct DecodeReport {
-  std::array<DecodedCounts, kFingerCount> sensors{};
-  std::uint64_t commands = 0;  ///< that are meant for all sensors
-  std::uint64_t foreign = 0;   ///< frames that none of the sensors sends or hears
-};
-
 void append_sample(std::string& text, const std::string& time_text, const DecodedSample& sample) {
   text = time_text + ',' + std::string(kFingerNames[sample.finger]);
   for (const Vec3& part : {sample.wrench_S.force, sample.wrench_S.torque})
@@ -50,123 +37,7 @@ void append_sample(std::string& text, const std::string& time_text, const Decode
   text += sample.flags + "\n";
 }
 
-Error empty_log(const DecodeOptions& options, const char* example) {
-  return {Error::Code::bad_input,
-          "holds no frame",
-          std::string("give a log with lines like ") + example,
-          options.log,
-          0,
-          ""};
-}
-
-Result<DecodeReport> decode_can(const DecodeOptions& options, const DeviceConfig& config,
-                                FileWriter& file) {
-  DecodeReport report;
-  std::unique_ptr<LogDecoder> decoder = make_log_decoder(config);
-  std::string interface;  // of the first frame of a sensor; the same numbers elsewhere are others
-  bool any_frame = false;
-  const auto read = [&](const auto& on_sample) -> Result<void> {
-    auto log = CandumpReader::open(options.log);
-    if (!log) return log.error();
-    report = {};
-    CandumpEntry entry;
-    while (true) {
-      const auto more = log->next(entry);
-      if (!more) return more.error();
-      if (!*more) break;
-      any_frame = true;
-      constexpr std::uint32_t kSync = 0x080;
-      if (config.protocol == Protocol::jr3_can && entry.frame.is_standard() &&
-          entry.frame.id == kSync && entry.frame.length == 0) {
-        ++report.commands;
-        continue;
-      }
-      const bool ours = !entry.flexible_data_rate && decoder->owns(entry.frame);
-      if (ours && interface.empty()) interface = entry.interface;
-      if (!ours || entry.interface != interface) {
-        ++report.foreign;
-        continue;
-      }
-      if (const auto sample = decoder->push(entry.frame, entry.wall_time))
-        on_sample(entry, *sample);
-    }
-    decoder->finish();
-    return {};
-  };
-  if (decoder->second_reading() != nullptr) {
-    if (auto learned = read([](const auto&, const auto&) {}); !learned) return learned.error();
-    decoder = decoder->second_reading();
-  }
-  std::string text;
-  const auto done = read([&](const CandumpEntry& entry, const DecodedSample& sample) {
-    append_sample(text, entry.time_text, sample);
-    file.write(text);
-  });
-  if (!done) return done.error();
-  if (!any_frame) return empty_log(options, "(1700000000.076479) can0 001#0B0269FEEDF69F00");
-  for (std::size_t f = 0; f < kFingerCount; ++f) report.sensors[f] = decoder->counts(f);
-  return report;
-}
-
-/// Calls `take` with every datagram of the log.
-Result<void> read_datagrams(const std::string& path,
-                            const std::function<void(const DatagramEntry&)>& take) {
-  auto log = DatagramLogReader::open(path);
-  if (!log) return log.error();
-  DatagramEntry entry;
-  while (true) {
-    const auto more = log->next(entry);
-    if (!more) return more.error();
-    if (!*more) return {};
-    take(entry);
-  }
-}
-
-Result<DecodeReport> decode_net_ft(const DecodeOptions& options, const DeviceConfig& config,
-                                   FileWriter& file) {
-  std::vector<Endpoint> senders;
-  bool any_frame = false;
-  auto done = read_datagrams(options.log, [&](const DatagramEntry& entry) {
-    any_frame = true;
-    const bool known = std::find(senders.begin(), senders.end(), entry.from) != senders.end();
-    if (!known && holds_net_ft_records(entry.bytes.size())) senders.push_back(entry.from);
-  });
-  if (!done) return done.error();
-  if (!any_frame) return empty_log(options, "(1700000000.076479) 192.168.1.1:49152 00000001…");
-  const auto fingers = options.config.empty() ? NetFtFingers::in_order(senders, options.log)
-                                              : NetFtFingers::of(config);
-  if (!fingers) return fingers.error();
-
-  DecodeReport report;
-  std::array<NetFtDecoder, kFingerCount> decoders;
-  std::vector<NetFtSample> samples;
-  std::string text;
-  done = read_datagrams(options.log, [&](const DatagramEntry& entry) {
-    const auto f = fingers->finger_of(entry.from);
-    if (!f) {
-      ++(decode_net_ft_request(entry.bytes) ? report.commands : report.foreign);
-      return;
-    }
-    samples.clear();
-    decoders[*f].push(entry.bytes, entry.wall_time, samples);
-    report.sensors[*f].samples += samples.size();
-    for (const auto& sample : samples) {
-      append_sample(
-          text, entry.time_text,
-          {*f, sample.wrench_S, sample.valid, flag_words(sample.record, decoders[*f].product())});
-      file.write(text);
-    }
-  });
-  if (!done) return done.error();
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    report.sensors[f].duplicate = decoders[f].sequence().duplicate();
-    report.sensors[f].foreign = decoders[f].foreign();
-    report.sensors[f].commands = decoders[f].requests();
-  }
-  return report;
-}
-
-nlohmann::ordered_json as_json(const DecodeOptions& options, const DecodeReport& report) {
+nlohmann::ordered_json as_json(const DecodeOptions& options, const LogReport& report) {
   nlohmann::ordered_json document{{"log", options.log}, {"out", options.out}};
   nlohmann::ordered_json sensors = nlohmann::ordered_json::array();
   DecodedCounts sum;
@@ -206,8 +77,13 @@ Result<void> run_decode(const DecodeOptions& options) {
   auto file = FileWriter::create(options.out);
   if (!file) return file.error();
   file->write("t_s,sensor,fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm,valid,flags\n");
-  const auto report = config->protocol == Protocol::net_ft ? decode_net_ft(options, *config, *file)
-                                                           : decode_can(options, *config, *file);
+  std::string text;
+  const auto report =
+      read_log(options.log, *config, !options.config.empty(),
+               [&](const std::string& time_text, Timestamp, const DecodedSample& sample) {
+                 append_sample(text, time_text, sample);
+                 file->write(text);
+               });
   if (!report) return report.error();
   if (auto written = file->commit(); !written) return written;
 

@@ -29,6 +29,14 @@ Wrench Mounting::to_sensor(const Wrench& wrench_C) const noexcept {
   return wrench_S;
 }
 
+Wrench SensorConfig::corrected(const Wrench& wrench_S) const noexcept {
+  if (!calibration) return wrench_S;
+  Vec6 value;
+  value << wrench_S.force, wrench_S.torque;
+  value = calibration->matrix * value;
+  return {value.head<3>(), value.tail<3>()};
+}
+
 namespace {
 
 std::uint8_t read_id(TomlReader& sensor, std::string_view key, std::int64_t fallback,

@@ -82,6 +82,9 @@ struct SensorConfig {
   Vec6 range = (Vec6() << 150, 150, 200, 4, 4, 4).finished();  ///< rating [N, N m], sensor axes
   std::optional<ClinicCalibration> calibration;
   Mounting mounting;
+
+  /// By the clinic's calibration, if there is one; sensor frame. Real-time safe.
+  [[nodiscard]] Wrench corrected(const Wrench& wrench_S) const noexcept;
 };
 
 struct DeviceConfig {

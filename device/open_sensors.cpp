@@ -36,6 +36,7 @@ Result<std::array<std::string, kFingerCount>> addresses_in(const Uri& uri) {
 }
 
 bool fits(const std::string& scheme, Protocol protocol) {
+  if (scheme == "replay") return protocol != Protocol::jr3_comedi;
   switch (protocol) {
     case Protocol::rft: return scheme == "can" || scheme == "udp" || scheme == "serial";
     case Protocol::ati_netcanoem:
@@ -130,7 +131,10 @@ std::vector<std::uint32_t> command_ids(const DeviceConfig& config) {
 }
 
 Result<DeviceConfig> config_of(const Uri& uri) {
-  if (auto known = uri.require_known({"protocol", "config", "rate", "fir"}); !known)
+  const bool recorded = uri.scheme == "replay";
+  if (auto known = recorded ? uri.require_known({"protocol", "config", "rate", "speed"})
+                            : uri.require_known({"protocol", "config", "rate", "fir"});
+      !known)
     return known.error();
   const auto name = uri.text_or("protocol", "");
   const auto protocol = protocol_from_name(name);
@@ -165,6 +169,7 @@ Result<DeviceConfig> config_of(const Uri& uri) {
   if (!taps) return taps.error();
   config.fir_taps = static_cast<int>(*taps);
 
+  if (recorded) return config;
   if (uri.scheme == "can") {
     if (!uri.target.empty()) config.interface = uri.target;
     if (config.interface.empty())

@@ -2,40 +2,31 @@
 #include "device/replay_device.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <cmath>
+#include <utility>
 
-#include "core/finger_forces.hpp"
+#include "device/open_sensors.hpp"
+#include "device/recording.hpp"
 
 namespace isograsp {
 
 namespace {
 
-constexpr double kFallbackFramePeriod_s = 0.01;
-constexpr double kShortestFramePeriod_s = 0.001;
-constexpr double kLongestFramePeriod_s = 0.02;
-constexpr double kRounding = 1e-9;  ///< relative: 1.01 s - 1.00 s is not exactly 10 ms
-
-struct Recording {
-  std::vector<FingerForcesRow> rows;
-  std::vector<Timestamp> stamps;  ///< since the start
-};
-
 class ReplayDevice final : public ForceDevice {
  public:
-  ReplayDevice(DeviceInfo info, Recording recording, double speed)
-      : info_(std::move(info)), recording_(std::move(recording)), speed_(speed) {
+  ReplayDevice(Recording recording, double speed)
+      : recording_(std::move(recording)), speed_(speed) {
     health_.state = DeviceState::configured;
   }
 
-  [[nodiscard]] const DeviceInfo& info() const noexcept override { return info_; }
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return recording_.info; }
   [[nodiscard]] DeviceHealth health() const noexcept override { return health_; }
 
   [[nodiscard]] Result<void> start(Clock& clock) override {
     clock_ = &clock;
     start_ = clock.now();
     reached_ = start_;
-    row_ = 0;
-    next_finger_ = 0;
+    next_ = 0;
     health_ = DeviceHealth{};
     health_.state = DeviceState::streaming;
     return {};
@@ -43,24 +34,20 @@ class ReplayDevice final : public ForceDevice {
 
   [[nodiscard]] ReadStatus read(Timestamp deadline, SensorSample& out) noexcept override {
     if (clock_ == nullptr) return ReadStatus::finished;
-    if (row_ == recording_.rows.size()) {
+    if (next_ == recording_.samples.size()) {
       health_.state = DeviceState::finished;
       return ReadStatus::finished;
     }
-    const Timestamp stamp = start_ + recording_.stamps[row_];
+    const SensorSample& sample = recording_.samples[next_];
+    const Timestamp stamp = start_ + sample.stamp;
     wait_until(std::min(stamp, deadline));
     if (stamp > deadline) return ReadStatus::timeout;
 
-    const FingerForcesRow& row = recording_.rows[row_];
-    const std::size_t f = next_finger_;
-    out = SensorSample{};
-    out.finger = kFingers[f];
+    out = sample;
     out.stamp = stamp;
-    out.wrench_C = row.wrench_C[f];
-    out.valid = row.present[f];
-    ++(out.valid ? health_.sensors[f].good : health_.sensors[f].invalid);
-    next_finger_ = (next_finger_ + 1) % kFingerCount;
-    if (next_finger_ == 0) ++row_;
+    SensorCounters& counters = health_.sensors[index_of(sample.finger)];
+    ++(out.valid ? counters.good : counters.invalid);
+    ++next_;
     return ReadStatus::sample;
   }
 
@@ -87,81 +74,39 @@ class ReplayDevice final : public ForceDevice {
     if (speed_ > 0.0) clock_->wait_until(start_ + scaled(t - start_, 1.0 / speed_));
   }
 
-  DeviceInfo info_;
   Recording recording_;
   double speed_;
   DeviceHealth health_;
   Clock* clock_ = nullptr;  ///< null: stopped
   Timestamp start_{0};
   Timestamp reached_{0};  ///< recorded time that was waited for
-  std::size_t row_ = 0;
-  std::size_t next_finger_ = 0;
+  std::size_t next_ = 0;  ///< sample
 };
-
-/// Whether the grid of the file can be the grid of the frames.
-bool fits_frames(const TimeGrid& grid) noexcept {
-  return grid.regular && grid.hold_s >= kShortestFramePeriod_s * (1.0 - kRounding) &&
-         grid.hold_s <= kLongestFramePeriod_s * (1.0 + kRounding);
-}
-
-double median_step_s(const std::vector<FingerForcesRow>& rows) {
-  std::vector<double> steps;
-  for (std::size_t k = 1; k < rows.size(); ++k) steps.push_back(rows[k].t_s - rows[k - 1].t_s);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 }  // namespace
 
 Result<std::unique_ptr<ForceDevice>> open_replay_device(const Uri& uri) {
-  if (auto known = uri.require_known({"speed"}); !known) return known.error();
+  if (auto known = uri.require_known({"speed", "protocol", "config", "rate"}); !known)
+    return known.error();
   if (uri.target.empty()) return uri.error("file", "no file is named", "write replay://FILE.csv");
   auto speed = uri.number_or("speed", 1.0, 0.0, 1000.0);
   if (!speed) return speed.error();
   if (*speed > 0.0 && *speed < 0.01)
     return uri.error("speed", "is too slow", "give 0 (never wait) or 0.01 to 1000");
-  const auto grid = read_time_grid(uri.target);
-  if (!grid) return grid.error();
-  auto reader = FingerForcesReader::open(uri.target);
-  if (!reader) return reader.error();
-  if (std::none_of(kFingers.begin(), kFingers.end(),
-                   [&](Finger finger) { return reader->has(finger); }))
-    return Error{Error::Code::bad_input,
-                 "holds no finger's forces",
-                 "add columns such as thumb_fx_N, thumb_fy_N, thumb_fz_N",
-                 uri.target,
-                 0,
-                 ""};
-
-  const bool on_grid = fits_frames(*grid);
-  Recording recording;
-  FingerForcesRow row;
-  for (;;) {
-    const auto more = reader->next(row);
-    if (!more) return more.error();
-    if (!*more) break;
-    recording.rows.push_back(row);
-    const auto k = static_cast<double>(recording.stamps.size());
-    recording.stamps.push_back(
-        from_seconds(on_grid ? k * grid->hold_s : row.t_s - recording.rows.front().t_s));
-  }
-
-  DeviceInfo info;
-  info.uri = uri.text;
-  info.description = "Recorded forces, " + uri.target;
-  info.recorded = true;
-  info.on_grid = on_grid;
-  info.sample_period_s = on_grid ? grid->hold_s : median_step_s(recording.rows);
-  info.frame_period_s = on_grid ? grid->hold_s : kFallbackFramePeriod_s;
-  info.units_per_count.fill(Vec6::Zero());
-  info.range.fill(Vec6::Zero());
-  info.provenance = reader->comments();
-  info.simulated =
-      std::any_of(info.provenance.begin(), info.provenance.end(),
-                  [](const std::string& line) { return line.starts_with("simulated"); });
+  const bool raw = uri.parameters.contains("protocol") || uri.parameters.contains("config");
+  auto recording = [&]() -> Result<Recording> {
+    if (!raw) return read_csv_recording(uri.target);
+    const auto config = config_of(uri);
+    if (!config) return config.error();
+    return read_log_recording(uri.target, *config, uri.parameters.contains("config"));
+  }();
+  if (!recording) return recording.error();
+  recording->info.uri = uri.text;
+  recording->info.recorded = true;
+  recording->info.units_per_count.fill(Vec6::Zero());
+  recording->info.range.fill(Vec6::Zero());
   return std::unique_ptr<ForceDevice>(
-      std::make_unique<ReplayDevice>(std::move(info), std::move(recording), *speed));
+      std::make_unique<ReplayDevice>(*std::move(recording), *speed));
 }
 
 }  // namespace isograsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// replay://FILE?speed=1: a finger-forces CSV (docs/file_formats.md) as a device.
+// replay://FILE.csv?speed=1, replay://FRAMES.log?protocol=…: a recording as a device.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,8 @@
 
 namespace isograsp {
 
-/// Reads the whole file at once and reports everything that is wrong with it. A regular time grid
-/// of 50 to 1000 Hz becomes the frame grid, so that every frame holds exactly one row; any other
-/// file is resampled to 100 Hz by the frame clock. Empty fields, and fingers that the file does not
-/// have, are samples marked invalid.
+/// Reads the whole file at once and reports everything that is wrong with it: finger forces, or,
+/// with `protocol` or `config`, a raw log of frames or datagrams (device/recording.hpp).
 ///
 /// Stamps, deadlines and now() are recorded time since the start; `speed` (0.01 to 1000) says how
 /// many recorded seconds pass in one second of the clock, 0: never wait. Forces made by a

@@ -293,12 +293,7 @@ void SensorDevice::fill(std::size_t finger, const Measurement& measurement,
   if (!out.valid) {
     track.has_input = false;
   } else {
-    if (sensor.calibration) {
-      Vec6 value;
-      value << wrench_S.force, wrench_S.torque;
-      value = sensor.calibration->matrix * value;
-      wrench_S = {value.head<3>(), value.tail<3>()};
-    }
+    wrench_S = sensor.corrected(wrench_S);
     // The first samples after a gap are good but the filter has no value yet.
     out.valid = smooth(track, lost_before_this, wrench_S);
   }

@@ -16,8 +16,6 @@
 
 namespace isograsp {
 
-
-
 class SensorDevice final : public ForceDevice {
  public:
   /// `fir` is empty, or designed for config.rate_Hz. `place` names the bus to people ("can0").

@@ -53,8 +53,11 @@ class RftLogDecoder final : public LogDecoder {
     }
     ++counts_[f].samples;
     const RftCounts counts = decode_counts(*packet);
-    return DecodedSample{f, wrench_of(counts, sensors_[f].divisors), true,
+    DecodedSample sample{f, wrench_of(counts, sensors_[f].divisors), true,
                          overload_words(counts.overload)};
+    sample.raw_counts = counts.raw;
+    sample.overload = counts.overload != 0;
+    return sample;
   }
   void finish() noexcept override {
     for (auto& pairing : pairings_) pairing.finish();
@@ -88,6 +91,13 @@ std::string flags_of(const Jr3Sample& sample) {
   return sample.valid ? "" : "saturated";
 }
 
+RawCounts raw_of(const AtiSample& sample) {
+  return sample.reading.gages;
+}
+RawCounts raw_of(const Jr3Sample& sample) {
+  return sample.reading.raw;
+}
+
 /// Sensors whose decoders learn their scale from the log.
 template <class Sensor>
 class LearningLogDecoder final : public LogDecoder {
@@ -104,7 +114,10 @@ class LearningLogDecoder final : public LogDecoder {
       const auto sample = sensors_[f].push(frame, stamp);
       if (!sample) return std::nullopt;
       ++samples_[f];
-      return DecodedSample{f, sample->wrench_S, sample->valid, flags_of(*sample)};
+      DecodedSample decoded{f, sample->wrench_S, sample->valid, flags_of(*sample)};
+      decoded.raw_counts = raw_of(*sample);
+      decoded.saturated = sample->reading.saturated();
+      return decoded;
     }
     return std::nullopt;
   }

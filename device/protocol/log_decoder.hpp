@@ -21,6 +21,9 @@ struct DecodedSample {
   Wrench wrench_S;  ///< [N, N m]
   bool valid = true;
   std::string flags;  ///< words joined by "+": overload_fz, saturated, status_…
+  RawCounts raw_counts{};
+  bool saturated = false;
+  bool overload = false;
 };
 
 /// What became of the frames of one sensor.

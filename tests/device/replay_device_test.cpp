@@ -205,5 +205,35 @@ TEST(ReplayDevice, OpeningABadFileNamesThePlaceAndTheRemedy) {
   expect_part(absent.error().message(), "absent.csv: cannot be opened for reading");
 }
 
+TEST(ReplayOfRawLogs, PlaysTheForcesOfTheGoldenLogMountedAndInTime) {
+  auto device = open_replay_device(*Uri::parse("replay://" ISOGRASP_SOURCE_DIR
+                                               "/tests/data/golden_rft.log?protocol=rft&speed=0"));
+  ASSERT_TRUE(device.ok()) << device.error().message();
+  EXPECT_TRUE((*device)->info().recorded);
+  ManualClock clock;
+  ASSERT_TRUE((*device)->start(clock).ok());
+  std::vector<SensorSample> samples;
+  SensorSample sample;
+  while ((*device)->read(std::chrono::seconds(1), sample) == ReadStatus::sample)
+    samples.push_back(sample);
+  ASSERT_EQ(samples.size(), 6u);
+  // The numbers of docs: thumb (12.34, -5.5, -48.02) N in the sensor frame; the half turn about x
+  // makes pressing +z.
+  EXPECT_EQ(samples[0].finger, Finger::thumb);
+  EXPECT_EQ(samples[0].wrench_C.force, Vec3(12.34, 5.5, 48.02));
+  EXPECT_EQ(samples[0].raw_counts[0], 617);
+  EXPECT_EQ(samples[5].flags, bit(SampleFlag::overload));
+  EXPECT_EQ(samples[3].stamp - samples[0].stamp, std::chrono::microseconds(10393));
+}
+
+TEST(ReplayOfRawLogs, RefusesALogWithoutTheseSensors) {
+  const auto device = open_replay_device(
+      *Uri::parse("replay://" ISOGRASP_SOURCE_DIR "/tests/data/golden_rft.log?protocol=jr3-can"));
+  ASSERT_FALSE(device.ok());
+  EXPECT_NE(device.error().message().find("holds no sample of these sensors"), std::string::npos);
+  EXPECT_FALSE(open_replay_device(*Uri::parse("replay://x.log?protocol=abc")).ok());
+  EXPECT_FALSE(open_replay_device(*Uri::parse("replay://absent.log?protocol=rft")).ok());
+}
+
 }  // namespace
 }  // namespace isograsp

@@ -111,6 +111,7 @@ void print_counters(const Emulator& emulator, bool json) {
                                    {"frozen", c.frozen},
                                    {"foreign_frames", c.foreign},
                                    {"cut_frames", c.cut},
+                                   {"unasked_answers", c.answers},
                                    {"burst_frames", c.burst},
                                    {"restarts", c.restarts}});
     if (!json)

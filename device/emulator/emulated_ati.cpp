@@ -113,6 +113,11 @@ void EmulatedAti::power_dip(Timestamp now, EmulatorWorld&) {
   settings_.base = next_base_;
 }
 
+void EmulatedAti::answer_unasked(Timestamp now, EmulatorWorld& world) {
+  world.send_answer(finger(), now,
+                    std::array{ati_serial_frame(settings_.base, world.serial_number(finger()))});
+}
+
 std::unique_ptr<EmulatedSensor> make_emulated_ati(std::size_t finger, const DeviceConfig& config) {
   const AtiSensor& sensor = std::get<AtiSensor>(config.sensors[finger].way);
   EmulatedAtiSettings settings;

@@ -34,6 +34,7 @@ class EmulatedAti final : public EmulatedSensor {
   [[nodiscard]] Timestamp next_measurement() const override { return Timestamp::max(); }
   void measure(EmulatorWorld&) override {}
   void power_dip(Timestamp now, EmulatorWorld& world) override;
+  void answer_unasked(Timestamp now, EmulatorWorld& world) override;
   [[nodiscard]] Timestamp play_start() const override { return play_start_; }
 
   /// Gages at this wrench (sensor frame), rounded and clamped to 16 bits.

@@ -112,6 +112,11 @@ void EmulatedJr3::power_dip(Timestamp now, EmulatorWorld& world) {
   world.send_answer(finger(), now, std::array{jr3_request(settings_.node, Jr3Opcode::boot_up)});
 }
 
+void EmulatedJr3::answer_unasked(Timestamp now, EmulatorWorld& world) {
+  const Jr3Acknowledge ready{settings_.initialised, std::nullopt};
+  world.send_answer(finger(), now, std::array{jr3_acknowledge(settings_.node, ready)});
+}
+
 std::unique_ptr<EmulatedSensor> make_emulated_jr3(std::size_t finger, const DeviceConfig& config) {
   EmulatedJr3Settings settings;
   settings.node = std::get<Jr3Sensor>(config.sensors[finger].way).node;

@@ -26,6 +26,7 @@ class EmulatedJr3 final : public EmulatedSensor {
   [[nodiscard]] Timestamp next_measurement() const override;
   void measure(EmulatorWorld& world) override;
   void power_dip(Timestamp now, EmulatorWorld& world) override;
+  void answer_unasked(Timestamp now, EmulatorWorld& world) override;
   [[nodiscard]] Timestamp play_start() const override { return play_start_; }
 
  private:

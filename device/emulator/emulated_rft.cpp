@@ -47,6 +47,11 @@ class EmulatedRft final : public EmulatedSensor {
     ids_ = ids_after_reboot_;
     filter_settled_ = false;
   }
+  void answer_unasked(Timestamp now, EmulatorWorld& world) override {
+    world.send_answer(
+        finger(), now,
+        packet(static_cast<std::uint8_t>(RftCommand::overload_counts), overload_counts_));
+  }
   [[nodiscard]] Timestamp play_start() const override { return first_start_; }
 
  private:
@@ -160,8 +165,7 @@ class EmulatedRft final : public EmulatedSensor {
     RftCounts counts;
     for (std::size_t axis = 0; axis < 6; ++axis) {
       const auto i = static_cast<int>(axis % 3);
-      const double per_unit =
-          axis < 3 ? rft_.divisors.force_per_N : rft_.divisors.torque_per_Nm;
+      const double per_unit = axis < 3 ? rft_.divisors.force_per_N : rft_.divisors.torque_per_Nm;
       const double true_value = (axis < 3 ? wrench_S.force[i] : wrench_S.torque[i]) * per_unit;
       double& value = filter_state_[axis];
       value += pass * (true_value - value);

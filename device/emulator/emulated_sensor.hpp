@@ -53,6 +53,8 @@ class EmulatedSensor {
   virtual void measure(EmulatorWorld& world) = 0;
   /// Power off and on: settings survive as in the real sensor, the rest does not.
   virtual void power_dip(Timestamp now, EmulatorWorld& world) = 0;
+  /// An answer that nobody asked for, in the middle of a stream; of a family that has one.
+  virtual void answer_unasked(Timestamp, EmulatorWorld&) {}
   /// Since when the play runs for this sensor; Timestamp::max(): not yet.
   [[nodiscard]] virtual Timestamp play_start() const = 0;
 

@@ -159,6 +159,10 @@ void Emulator::send_sample(std::size_t finger, Timestamp when, std::span<const B
     out.insert(out.begin(), other);
   }
   counters.broken += broken ? 1 : 0;
+  if (hit(Kind::answer, finger) != nullptr) {
+    ++counters.answers;
+    sensors_[finger]->answer_unasked(when, *this);
+  }
   const bool twice = hit(Kind::duplicate, finger) != nullptr;
   counters.duplicated += twice ? 1 : 0;
   if (const Fault* delay = hit(Kind::delay, finger)) {

@@ -42,6 +42,7 @@ struct EmulatorCounters {
   std::uint64_t frozen = 0;
   std::uint64_t foreign = 0;  ///< frames added
   std::uint64_t cut = 0;      ///< frames sent too short
+  std::uint64_t answers = 0;  ///< that nobody asked for
   std::uint64_t burst = 0;    ///< frames added
   std::uint64_t restarts = 0;
 };
@@ -83,7 +84,8 @@ class Emulator final : private EmulatorWorld {
   void strike(Timestamp now);
   [[nodiscard]] Timestamp next_strike() const noexcept;
   [[nodiscard]] bool silent(std::size_t finger, Timestamp now) const noexcept;
-  [[nodiscard]] const Fault* acting(Fault::Kind kind, std::size_t finger, double t_s) const noexcept;
+  [[nodiscard]] const Fault* acting(Fault::Kind kind, std::size_t finger,
+                                    double t_s) const noexcept;
   /// Throws the dice for every fault of this kind; the one that hits.
   [[nodiscard]] const Fault* hit(Fault::Kind kind, std::size_t finger);
   [[nodiscard]] Timestamp instant_of(const Fault& fault) const noexcept;

@@ -32,7 +32,7 @@ struct Word {
   Form form;
   std::string_view example;
 };
-constexpr std::array<Word, 23> kWords{
+constexpr std::array<Word, 24> kWords{
     {{"lose=FINGER:tx1", Kind::lose_first, Form::chance, "lose=index:tx1:0.01"},
      {"lose=FINGER:tx2", Kind::lose_second, Form::chance, "lose=index:tx2:0.01"},
      {"lose=FINGER:across", Kind::lose_across, Form::chance, "lose=index:across:0.01"},
@@ -42,6 +42,7 @@ constexpr std::array<Word, 23> kWords{
      {"delay", Kind::delay, Form::chance_delay, "delay=index:0.01:20ms"},
      {"foreign", Kind::foreign, Form::chance, "foreign=index:0.01"},
      {"length", Kind::length, Form::chance, "length=index:0.01"},
+     {"answer", Kind::answer, Form::chance, "answer=index:0.01"},
      {"silence", Kind::silence, Form::optional_span, "silence=index:2s@5s"},
      {"dip", Kind::restart, Form::instant, "dip=index@5s"},
      {"reboot", Kind::restart, Form::instant, "reboot=index@5s"},
@@ -93,7 +94,7 @@ bool parse_fingers(std::string_view name, std::array<bool, kFingerCount>& finger
 Error bad_fault(std::string_view text, std::string what) {
   std::string all;
   for (const auto& word : kWords) all += (all.empty() ? "" : ", ") + std::string(word.example);
-  return {Error::Code::bad_input, std::move(what), "write it like one of: " + all, "", 0,
+  return {Error::Code::bad_input,        std::move(what), "write it like one of: " + all, "", 0,
           "--fault " + std::string(text)};
 }
 
@@ -140,8 +141,7 @@ Result<Fault> Fault::parse(std::string_view text) {
                     (form == Form::optional_span && !before_at.empty());
   if (span && !parse_seconds(take_until(before_at, ':'), fault.duration_s))
     return bad_fault(text, "the duration is not a time in seconds");
-  if (!before_at.empty())
-    return bad_fault(text, "'" + std::string(before_at) + "' is too much");
+  if (!before_at.empty()) return bad_fault(text, "'" + std::string(before_at) + "' is too much");
   if (has_at && (chance || form == Form::finger))
     return bad_fault(text, "the fault has no instant");
   if (needs_at != has_at && form != Form::slope) return bad_fault(text, "the instant is missing");

@@ -25,6 +25,7 @@ struct Fault {
     delay,        ///< delay=FINGER:P:20ms
     foreign,      ///< foreign=FINGER:P: the same number, but extended or remote
     length,       ///< length=FINGER:P: a frame that is too short
+    answer,       ///< answer=FINGER:P: an answer that nobody asked for, after a sample
     // From an instant on, some for a while.
     silence,   ///< silence=FINGER[:2s]@5s
     restart,   ///< dip=FINGER@5s or reboot=FINGER@5s: power off and on

@@ -61,10 +61,11 @@ class Soak : public ::testing::TestWithParam<Protocol> {};
 TEST_P(Soak, WhatIsCountedIsWhatHappened) {
   const Protocol protocol = GetParam();
   test::SensorBench bench(
-      with_faults(protocol,
-                  {"lose=thumb:all:0.002", "lose=index:tx1:0.002", "lose=middle:tx2:0.002",
-                   "duplicate=all:0.002", "foreign=all:0.002", "length=index:0.001"},
-                  11),
+      with_faults(
+          protocol,
+          {"lose=thumb:all:0.002", "lose=index:tx1:0.002", "lose=middle:tx2:0.002",
+           "duplicate=all:0.002", "foreign=all:0.002", "length=index:0.001", "answer=all:0.002"},
+          11),
       DeviceConfig::standard(protocol), constant_play());
   bench.bus->log_sent = false;
   ASSERT_TRUE(bench.device->start(bench.clock).ok());

@@ -6,7 +6,7 @@
 #include <csignal>
 
 #include "app/console.hpp"
-#include "device/frame_clock.hpp"
+#include "device/frame_reader.hpp"
 #include "device/uri.hpp"
 #include "session/simulated_person.hpp"
 #include "tasks/task.hpp"
@@ -92,29 +92,21 @@ Result<void> LiveDevice::run(double duration_s,
   watch_for_interrupt();
   SteadyClock clock;
   if (auto started = device_->start(clock); !started) return started;
-  const DeviceInfo& info = device_->info();
-  const Timestamp start = device_->now(clock);
-  FrameClock frames(info.frame_period_s, info.sample_period_s, info.on_grid, start);
+  FrameReader frames(*device_, clock, device_->now(clock));
   std::optional<Timestamp> last_frame;
   FingerFrame frame;
-  SensorSample sample;
-  bool more = true;
-  while (more && !interrupted()) {
-    const ReadStatus status = device_->read(frames.deadline(), sample);
-    if (status == ReadStatus::finished) break;
-    if (status == ReadStatus::sample) frames.push(sample);
-    const bool completed = status == ReadStatus::sample;
-    while (more && frames.pop(device_->now(clock), frame)) {
-      if (person_) person_->see(press_hold_release(frame.t_s, grip_force(frame.wrench_C)));
-      if (!(more = duration_s <= 0.0 || frame.t_s < duration_s)) break;
-      const Timestamp ready = clock.now();
-      if (last_frame) timing_.period.add(to_seconds(ready - *last_frame));
-      last_frame = ready;
-      timing_.lateness.add(to_seconds(device_->now(clock) - start) - frame.t_s);
-      more = on_frame(frame);
-      timing_.compute.add(to_seconds(clock.now() - ready));
-      if (completed) timing_.latency.add(to_seconds(device_->now(clock) - sample.stamp));
-    }
+  while (!interrupted() && frames.next(frame)) {
+    if (person_) person_->see(press_hold_release(frame.t_s, grip_force(frame.wrench_C)));
+    if (duration_s > 0.0 && frame.t_s >= duration_s) break;
+    const Timestamp ready = clock.now();
+    if (last_frame) timing_.period.add(to_seconds(ready - *last_frame));
+    last_frame = ready;
+    timing_.lateness.add(frames.lateness_s(frame));
+    const bool more = on_frame(frame);
+    timing_.compute.add(to_seconds(clock.now() - ready));
+    if (const auto& stamp = frames.completed_by())
+      timing_.latency.add(to_seconds(device_->now(clock) - *stamp));
+    if (!more) break;
   }
   device_->stop();
   return {};

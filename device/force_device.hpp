@@ -95,7 +95,7 @@ struct DeviceHealth {
   BusCounters bus;
 };
 
-/// What the device is; fixed after open_device().
+/// What the device is. Real sensors tell serial numbers and units at start(); the rest is fixed.
 struct DeviceInfo {
   std::string uri;
   std::string description;        ///< one line for people, e.g. "Robotous RFT on can0"

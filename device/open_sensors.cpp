@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "device/bus/bus.hpp"
@@ -167,6 +168,8 @@ Result<DeviceConfig> config_of(const Uri& uri) {
   config.rate_Hz = *rate_Hz;
   const auto taps = uri.number_or("fir", config.fir_taps, 0.0, static_cast<double>(kMostFirTaps));
   if (!taps) return taps.error();
+  if (*taps != std::floor(*taps))
+    return uri.error("fir", "is not a whole number", "give an odd number of taps");
   config.fir_taps = static_cast<int>(*taps);
 
   if (recorded) return config;

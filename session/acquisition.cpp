@@ -19,16 +19,14 @@ constexpr std::size_t kCommands = 64;
 Acquisition::Acquisition(ForceDevice& device, Clock& clock, Timestamp start, const Options& options)
     : device_(device),
       clock_(clock),
-      start_(start),
       options_(options),
-      frame_clock_(device.info().frame_period_s, device.info().sample_period_s,
-                   device.info().on_grid, start),
+      frames_(device, clock, start),
       commands_(kCommands),
       records_(ring_capacity(options.ring_s, device.info().frame_period_s)) {}
 
 bool Acquisition::tick() noexcept {
   for (Command command; commands_.pop(command);) obey(command);
-  if (!next_frame(now_.forces)) {
+  if (!frames_.next(now_.forces)) {
     if (trial_ != nullptr) {
       const bool whole = std::holds_alternative<ObserveSpec>(trial_->spec.kind);
       end_trial(whole ? TrialStatus::completed : TrialStatus::aborted, "The recording ended.");
@@ -46,25 +44,10 @@ bool Acquisition::tick() noexcept {
   return true;
 }
 
-bool Acquisition::next_frame(FingerFrame& frame) noexcept {
-  while (!frame_clock_.pop(device_.now(clock_), frame)) {
-    SensorSample sample;
-    switch (device_.read(frame_clock_.deadline(), sample)) {
-      case ReadStatus::sample:
-        frame_clock_.push(sample);
-        completed_by_ = sample.stamp;
-        break;
-      case ReadStatus::timeout: completed_by_.reset(); break;
-      case ReadStatus::finished: return false;
-    }
-  }
-  return true;
-}
-
 void Acquisition::obey(const Command& command) noexcept {
   switch (command.kind) {
     case Command::Kind::zero:
-      zeroing_ = Zeroing(frame_clock_.period_s());
+      zeroing_ = Zeroing(frames_.period_s());
       settle_s_ = command.settle_s;
       accept_changed_ = command.accept_changed;
       now_.zero_progress = 0.0;
@@ -102,7 +85,7 @@ void Acquisition::process(FingerFrame& frame) noexcept {
 
 void Acquisition::add_to_zero(const FingerFrame& frame) noexcept {
   if (settle_s_ > 0.0) {
-    settle_s_ -= frame_clock_.period_s();
+    settle_s_ -= frames_.period_s();
     return;
   }
   zeroing_.add(frame);
@@ -140,7 +123,7 @@ void Acquisition::guard(FingerFrame& frame) noexcept {
     present[f] = (frame.flags[f] & bit(SampleFlag::missing)) == 0;
   std::array<bool, kFingerCount> used{true, true, true};
   if (trial_ != nullptr && trial_->plan) used = trial_->plan->scene().fingers_used();
-  const auto verdict = stale_.apply(frame.wrench_C, present, used, frame_clock_.period_s());
+  const auto verdict = stale_.apply(frame.wrench_C, present, used, frames_.period_s());
   for (std::size_t f = 0; f < kFingerCount; ++f)
     if (stale_.held(f)) frame.flags[f] = bit(SampleFlag::held);
   if (verdict == StaleRule::Verdict::frozen) {
@@ -161,7 +144,7 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
     now_.task = trial.task->step({frame.wrench_C, trial.plan ? &now_.object : nullptr});
   }
   TrialSample& sample = item_.sample;
-  sample.t_s = static_cast<double>(trial_frames_++) * frame_clock_.period_s();
+  sample.t_s = static_cast<double>(trial_frames_++) * frames_.period_s();
   sample.forces = frame;
   sample.push = now_.push;
   sample.task = now_.task;
@@ -170,7 +153,7 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
   sample.grasp = now_.grasp;
   sample.context = trial.context;
   sample.compute_s = last_compute_s_;
-  sample.lateness_s = to_seconds(device_.now(clock_) - start_) - frame.t_s;
+  sample.lateness_s = frames_.lateness_s(frame);
   push(RecordItem::Kind::sample);
   if (!moving) return;
   if (trial.plan) trial.plan->move(now_.grasp, now_.object);
@@ -243,7 +226,7 @@ void Acquisition::publish(Timestamp frame_ready) noexcept {
   const Timestamp now = clock_.now();
   now_.published = now;
   now_.compute_s = to_seconds(now - frame_ready);
-  now_.lateness_s = to_seconds(device_.now(clock_) - start_) - now_.session_time_s;
+  now_.lateness_s = frames_.lateness_s(now_.forces);
   last_compute_s_ = now_.compute_s;
   worst_compute_s_ = std::max(worst_compute_s_, now_.compute_s);
   worst_lateness_s_ = std::max(worst_lateness_s_, now_.lateness_s);
@@ -256,13 +239,14 @@ void Acquisition::measure_timing() noexcept {
     if (last_published_) timing.period.add(to_seconds(now_.published - *last_published_));
     timing.lateness.add(now_.lateness_s);
     timing.compute.add(now_.compute_s);
-    if (completed_by_) timing.latency.add(to_seconds(device_.now(clock_) - *completed_by_));
+    if (const auto& stamp = frames_.completed_by())
+      timing.latency.add(to_seconds(device_.now(clock_) - *stamp));
   };
   add(timing_);
   if (trial_ != nullptr) add(trial_->timing);
   last_published_ = now_.published;
   constexpr double kRenewEvery_s = 1.0;
-  const auto every = static_cast<std::int64_t>(std::ceil(kRenewEvery_s / frame_clock_.period_s()));
+  const auto every = static_cast<std::int64_t>(std::ceil(kRenewEvery_s / frames_.period_s()));
   if (now_.frames % every == 0) now_.timing = summary_of(timing_);
 }
 

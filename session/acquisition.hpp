@@ -13,7 +13,7 @@
 #include "core/stimulus.hpp"
 #include "core/time.hpp"
 #include "device/force_device.hpp"
-#include "device/frame_clock.hpp"
+#include "device/frame_reader.hpp"
 #include "session/snapshot.hpp"
 #include "session/trial_sample.hpp"
 #include "session/zeroing.hpp"
@@ -84,7 +84,6 @@ class Acquisition {
   Latest<Snapshot>& snapshots() noexcept { return snapshots_; }  ///< acquisition -> owner
 
  private:
-  [[nodiscard]] bool next_frame(FingerFrame& frame) noexcept;
   void obey(const Command& command) noexcept;
   void process(FingerFrame& frame) noexcept;
   void add_to_zero(const FingerFrame& frame) noexcept;
@@ -106,9 +105,8 @@ class Acquisition {
 
   ForceDevice& device_;
   Clock& clock_;
-  Timestamp start_;
   Options options_;
-  FrameClock frame_clock_;
+  FrameReader frames_;
   StaleRule stale_;
   Ring<Command> commands_;
   Ring<RecordItem> records_;
@@ -127,7 +125,6 @@ class Acquisition {
   std::uint64_t dropped_before_trial_ = 0;
   Timing timing_;  ///< of the session
   std::optional<Timestamp> last_published_;
-  std::optional<Timestamp> completed_by_;  ///< stamp of the sample that closed the frame
   RecordItem item_;  ///< reused: too large for comfort on the stack of every frame
 };
 

@@ -80,8 +80,16 @@ struct Session::Parts {
   RealtimeGrant realtime;
   std::latch go{1};  ///< the acquisition thread may begin
   bool gone = false;
+  bool streaming = false;  ///< the device is started
 
-  ~Parts() { stop_threads(); }
+  ~Parts() {
+    stop_threads();
+    stop_device();
+  }
+
+  void stop_device() {
+    if (std::exchange(streaming, false)) device->stop();
+  }
 
   [[nodiscard]] bool virtual_time() const { return clock->is_virtual(); }
 
@@ -193,6 +201,16 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   if (!config.virtual_time)
     if (auto made = parts->make_acquisition_thread(); !made) return made.error();
 
+  // Real sensors tell who they are only when they are started; if they do not answer, nothing is
+  // written.
+  if (config.virtual_time)
+    parts->clock = std::make_unique<ManualClock>();
+  else
+    parts->clock = std::make_unique<SteadyClock>();
+  if (auto started = parts->device->start(*parts->clock); !started) return started.error();
+  parts->streaming = true;
+  const Timestamp start = parts->device->now(*parts->clock);
+
   auto store =
       SessionStore::open(config.database, config.create_database ? SessionStore::Open::create
                                                                  : SessionStore::Open::existing);
@@ -232,20 +250,11 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   if (!session_id) return session_id.error();
   record.id = *session_id;
 
-  if (config.virtual_time)
-    parts->clock = std::make_unique<ManualClock>();
-  else
-    parts->clock = std::make_unique<SteadyClock>();
-  if (auto started = parts->device->start(*parts->clock); !started) {
-    (void)(*store)->end_session(record.id);
-    return started.error();
-  }
   Acquisition::Options options;
   options.resume_by_itself = info.recorded;
   options.viewer = parts->viewer.get();
   if (*last_zero) options.last_zero = (*last_zero)->mean;
-  parts->acquisition =
-      std::make_unique<Acquisition>(*parts->device, *parts->clock, parts->clock->now(), options);
+  parts->acquisition = std::make_unique<Acquisition>(*parts->device, *parts->clock, start, options);
   parts->recorder = std::make_unique<Recorder>(std::move(*store), record,
                                                parts->acquisition->records(), !config.virtual_time);
   if (!config.virtual_time) parts->start_threads();
@@ -426,7 +435,7 @@ void Session::close() {
     (void)wait_for_news();
   }
   p.stop_threads();
-  p.device->stop();
+  p.stop_device();
   p.recorder->pump();
   (void)p.recorder->end_session();
 }

@@ -80,7 +80,8 @@ struct SessionNews {
 
 class Session {
  public:
-  /// Opens device and database, writes the session's record and starts to stream.
+  /// Opens and starts the device, opens the database and writes the session's record: if a sensor
+  /// does not answer, nothing is written.
   [[nodiscard]] static Result<std::unique_ptr<Session>> open(const SessionConfig& config);
   ~Session();  ///< close()
   Session(const Session&) = delete;

@@ -40,7 +40,7 @@ bool rename_interface(const char* from, const std::string& to) {
   const int fd = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (fd < 0) return false;
   ifreq request{};
-  std::strncpy(request.ifr_name, from, IFNAMSIZ - 1);
+  std::string_view(from).copy(request.ifr_name, IFNAMSIZ - 1);
   to.copy(request.ifr_newname, IFNAMSIZ - 1);
   const bool done = ioctl(fd, SIOCSIFNAME, &request) == 0;
   const int failure = errno;

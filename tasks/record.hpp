@@ -8,7 +8,7 @@
 
 #include "core/measure.hpp"
 #include "core/signals.hpp"
-#include "tasks/measures.hpp"
+#include "tasks/measures/samples.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp {

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "tasks/measures_error.hpp"
-#include "tasks/measures_time.hpp"
+#include "tasks/measures/delay.hpp"
+#include "tasks/measures/error.hpp"
+#include "tasks/measures/sine.hpp"
 #include "tasks/record.hpp"
 
 namespace isograsp {

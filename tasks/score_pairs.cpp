@@ -3,9 +3,9 @@
 // (docs/measures.md).
 #include <string_view>
 
-#include "tasks/measures_error.hpp"
-#include "tasks/measures_smoothness.hpp"
-#include "tasks/measures_time.hpp"
+#include "tasks/measures/delay.hpp"
+#include "tasks/measures/error.hpp"
+#include "tasks/measures/smoothness.hpp"
 #include "tasks/record.hpp"
 #include "tasks/score.hpp"
 

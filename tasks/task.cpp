@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tasks/task_kinds.hpp"
+#include "tasks/kinds/make_task.hpp"
 
 namespace isograsp {
 

@@ -53,6 +53,8 @@ class SocketCan final : public KernelBus {
     while (true) {
       if (!works() && clock_->now() >= look_at_) look_again();
       send_waiting(clock_->now());
+      // Before the frames that came after it: those from before the loss were read when it was told.
+      if (untold_ == bit(BusEvent::restarted)) return next_untold(out);
       BusEvent event;
       // The wire cannot bring frames as fast as they are read here, so this ends.
       while (true) {

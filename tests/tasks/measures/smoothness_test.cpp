@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/measures_smoothness.hpp"
+#include "tasks/measures/smoothness.hpp"
 
 #include <array>
 #include <cstdint>

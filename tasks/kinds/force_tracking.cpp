@@ -4,7 +4,7 @@
 // The sine starts at its least value, where the lead-in holds it: no jump, in value or in slope.
 #include <numbers>
 
-#include "tasks/task_kinds.hpp"
+#include "tasks/kinds/make_task.hpp"
 
 namespace isograsp {
 

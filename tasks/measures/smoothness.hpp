@@ -4,7 +4,7 @@
 
 #include <complex>
 
-#include "tasks/measures.hpp"
+#include "tasks/measures/samples.hpp"
 
 namespace isograsp {
 

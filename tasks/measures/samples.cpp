@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/measures.hpp"
+#include "tasks/measures/samples.hpp"
 
 #include <algorithm>
 #include <cassert>

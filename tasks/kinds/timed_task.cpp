@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tasks without a target: an instruction for a fixed time, perhaps after a relaxed lead-in. Rest,
 // one attempt at the maximum, and free handling of an object.
-#include "tasks/task_kinds.hpp"
+#include "tasks/kinds/make_task.hpp"
 
 namespace isograsp {
 

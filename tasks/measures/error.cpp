@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/measures_error.hpp"
+#include "tasks/measures/error.hpp"
 
 #include <algorithm>
 #include <cassert>

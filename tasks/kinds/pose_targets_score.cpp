@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/csv.hpp"
-#include "tasks/measures_smoothness.hpp"
+#include "tasks/measures/smoothness.hpp"
 #include "tasks/record.hpp"
 
 namespace isograsp {

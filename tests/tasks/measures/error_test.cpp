@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Errors against closed forms; the reference values were computed independently.
-#include "tasks/measures_error.hpp"
+#include "tasks/measures/error.hpp"
 
 #include <numbers>
 

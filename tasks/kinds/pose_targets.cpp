@@ -4,7 +4,7 @@
 // limit the task goes on to the next target, and the measures treat that one as censored.
 #include <vector>
 
-#include "tasks/task_kinds.hpp"
+#include "tasks/kinds/make_task.hpp"
 
 namespace isograsp {
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How much later the answer to a target is.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "tasks/measures/samples.hpp"
+
+namespace isograsp {
+
+/// Lag by cross-correlation [s], version 1; positive when `actual` follows `target`. Pearson r over
+/// the overlapping samples, re-centred at each whole shift within +-1.5 s; parabola through the
+/// peak. No value if r < 0.35 everywhere, or if the peak lies at the limit.
+/// @pre both on the same uniform grid
+[[nodiscard]] Computed lag(const UniformSamples& target, const UniformSamples& actual);
+
+}  // namespace isograsp

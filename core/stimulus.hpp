@@ -4,29 +4,50 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "core/finger.hpp"
+#include "core/force_channel.hpp"
 #include "core/spatial.hpp"
 
 namespace isograsp {
 
-/// The instruction on the patient's screen.
+/// The instruction on the patient's screen. Each is about the force of Stimulus::channel.
 enum class Cue : std::uint8_t {
-  hand_out,  ///< "Please take your hand out of the device"
-  relax,     ///< hand in, no force
-  squeeze,   ///< press as hard as you can
-  follow,    ///< follow the force target
-  move       ///< bring the object to the target
+  hand_out,   ///< "Please take your hand out of the device"
+  relax,      ///< hand in, no force
+  squeeze,    ///< as hard as you can, in the direction of the channel
+  press,      ///< comfortably, and hold it
+  follow,     ///< follow the force target, or hold it where the own force is not shown
+  reproduce,  ///< the force held before, from memory
+  let_go,     ///< now, as fast as you can
+  move        ///< bring the object to the target
+};
+inline constexpr std::size_t kCueCount = 8;
+[[nodiscard]] constexpr std::string_view name_of(Cue cue) noexcept {
+  constexpr std::array<std::string_view, kCueCount> kNames{
+      "hand out", "relax", "squeeze", "press", "follow", "reproduce", "let go", "move"};
+  return kNames[static_cast<std::size_t>(cue)];
+}
+
+/// Forces asked of single digits, contact frames [N]; `shown[f]`: there is one for finger f.
+struct DigitTargets {
+  std::array<bool, kFingerCount> shown{};
+  std::array<Vec3, kFingerCount> force_C{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  [[nodiscard]] bool any() const noexcept { return shown[0] || shown[1] || shown[2]; }
 };
 
 /// One picture of the patient's screen.
 struct Stimulus {
   double t_s = 0.0;  ///< session time of the picture [s]
   Cue cue = Cue::hand_out;
+  ForceChannel channel;  ///< which force the cue is about
   bool force_target_shown = false;
   double target_force_N = 0.0;
-  double shown_force_N = 0.0;  ///< the force that the screen displays (grip)
-  bool object_shown = false;   ///< object and target pose below are on the screen
+  bool force_shown = true;     ///< false: feedback is off, the next value is not on the screen
+  double shown_force_N = 0.0;  ///< the force of the channel
+  DigitTargets digit_targets;
+  bool object_shown = false;  ///< object and target pose below are on the screen
   Pose object;
   Pose target;
   std::array<bool, kFingerCount> contact{};  ///< virtual finger touches (drawn green)

@@ -105,6 +105,9 @@ void VirtualPatient::Mind::want(double t_s, double dt_s) noexcept {
   switch (acting) {
     case Cue::hand_out: wanted.fill(Vec3::Zero()); break;
     case Cue::relax:
+    case Cue::press:
+    case Cue::reproduce:
+    case Cue::let_go:
       for (Vec3& force : wanted) force *= std::exp(-dt_s / traits.release_s);
       break;
     case Cue::squeeze: {

@@ -48,7 +48,7 @@ FingerPlay patient_play(const PatientTraits& traits, std::uint64_t seed) {
   FingerWrenches wrenches{};
   for (int k = 0; k < static_cast<int>(kRound_s) * kRate_Hz; ++k) {
     const double t_s = static_cast<double>(k) / kRate_Hz;
-    if (k % kStepsPerPicture == 0) person.see(press_hold_release(t_s, grip_force(wrenches)));
+    if (k % kStepsPerPicture == 0) person.see(press_hold_release(t_s, force_of(wrenches, {})));
     wrenches = person.press(t_s);
     play.t_s.push_back(t_s);
     play.wrench_C.push_back(wrenches);

@@ -96,7 +96,7 @@ Result<void> LiveDevice::run(double duration_s,
   std::optional<Timestamp> last_frame;
   FingerFrame frame;
   while (!interrupted() && frames.next(frame)) {
-    if (person_) person_->see(press_hold_release(frame.t_s, grip_force(frame.wrench_C)));
+    if (person_) person_->see(press_hold_release(frame.t_s, force_of(frame.wrench_C, {})));
     if (duration_s > 0.0 && frame.t_s >= duration_s) break;
     const Timestamp ready = clock.now();
     if (last_frame) timing_.period.add(to_seconds(ready - *last_frame));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "grasp_model/grasp.hpp"
 
@@ -145,6 +146,21 @@ ObjectState Plan::initial_state() const {
   if (rotations_ == Rotations::one_axis) {
     const Quat& q = scene_.initial_pose.q_WO;
     state.angle_rad = 2.0 * std::atan2(branch_ * q.vec()[axis_], branch_ * q.w());
+  }
+  return state;
+}
+
+ObjectState Plan::at_rest(const Pose& pose) const noexcept {
+  ObjectState state;
+  state.pose = scene_.initial_pose;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (scene_.free[static_cast<std::size_t>(i)]) state.pose.p_WO[i] = pose.p_WO[i];
+  if (rotations_ == Rotations::three) state.pose.q_WO = pose.q_WO;
+  if (rotations_ == Rotations::one_axis) {
+    constexpr double kHalfTurn_rad = std::numbers::pi;
+    const double angle_rad = 2.0 * std::atan2(pose.q_WO.vec()[axis_], pose.q_WO.w());
+    state.angle_rad = std::remainder(angle_rad, 2.0 * kHalfTurn_rad);
+    state.pose.q_WO = Quat(Eigen::AngleAxisd(state.angle_rad, Vec3::Unit(axis_)));
   }
   return state;
 }

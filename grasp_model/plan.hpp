@@ -59,6 +59,9 @@ class Plan {
   [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
   [[nodiscard]] double hold_s() const noexcept { return hold_s_; }
   [[nodiscard]] ObjectState initial_state() const;
+  /// At rest at `pose`, as far as the free degrees of freedom reach; the others stay as they began.
+  /// A single free rotation takes the angle within half a turn. Real-time safe.
+  [[nodiscard]] ObjectState at_rest(const Pose& pose) const noexcept;
 
   /// One hold, from finger forces to the object's new state: contact hysteresis, friction clamp,
   /// the rows of the grasp map that move something, the exact step. Real-time safe.

@@ -309,8 +309,7 @@ void SessionPresenter::prepare_picture(const TaskSpec& spec) {
   running_ = std::make_shared<TaskSpec>(spec);
   TaskContext context;
   context.period_s = session_->device().frame_period_s;
-  context.maximum_force_N = session_->maximum_force_N();
-  context.resting_force_N = session_->resting_force_N();
+  context.references = session_->references();
   preview_ = std::make_shared<TargetPreview>(preview_target(spec, context));
   scene_.reset();
   if (spec.scene().empty()) return;

@@ -25,10 +25,10 @@ double TargetPreview::most_N() const noexcept {
 TargetPreview preview_target(const TaskSpec& spec, const TaskContext& context) {
   TargetPreview preview;
   preview.period_s = context.period_s;
-  if (!std::holds_alternative<ForceTrackingSpec>(spec.kind)) return preview;
+  if (spec.aim() == nullptr) return preview;
   const auto task = make_task(spec, context);
   if (!task) return preview;
-  const auto most = static_cast<std::size_t>(spec.worst_duration_s() / context.period_s) + 2;
+  const auto most = static_cast<std::size_t>(spec.duration().worst_s / context.period_s) + 2;
   preview.target_N.reserve(most);
   const TaskInput no_force;
   for (std::size_t k = 0; k < most; ++k) {

@@ -74,7 +74,7 @@ void Acquisition::process(FingerFrame& frame) noexcept {
   if (now_.stage == Stage::zeroing) add_to_zero(frame);
   subtract_zero(frame);
   guard(frame);
-  now_.grip_N = grip_force(frame.wrench_C);
+  now_.grip_N = force_of(frame.wrench_C, {});
   now_.push = net_push(device_.info().platform, frame, now_.grip_N);
   for (std::size_t f = 0; f < kFingerCount; ++f)
     now_.centre_of_pressure[f] = (frame.flags[f] & bit(SampleFlag::missing)) != 0
@@ -141,7 +141,8 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
   const bool moving = now_.stage == Stage::trial;
   if (moving) {
     if (trial.plan) now_.grasp = trial.plan->grasp(frame.wrench_C, now_.object);
-    now_.task = trial.task->step({frame.wrench_C, trial.plan ? &now_.object : nullptr});
+    now_.task =
+        trial.task->step({frame.wrench_C, trial.plan ? &now_.object : nullptr, now_.grasp.contact});
   }
   TrialSample& sample = item_.sample;
   sample.t_s = static_cast<double>(trial_frames_++) * frames_.period_s();
@@ -151,12 +152,15 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
   if (!moving) sample.task.phase = Phase::paused;
   sample.object = now_.object;
   sample.grasp = now_.grasp;
-  sample.context = trial.context;
+  sample.constants = trial.constants;
   sample.compute_s = last_compute_s_;
   sample.lateness_s = frames_.lateness_s(frame);
   push(RecordItem::Kind::sample);
   if (!moving) return;
-  if (trial.plan) trial.plan->move(now_.grasp, now_.object);
+  if (trial.plan && now_.task.object_placed)
+    now_.object = trial.plan->at_rest(now_.task.placed);
+  else if (trial.plan)
+    trial.plan->move(now_.grasp, now_.object);
   if (now_.task.phase == Phase::done) end_trial(TrialStatus::completed, "");
 }
 
@@ -259,8 +263,12 @@ void Acquisition::show_to_viewer() noexcept {
     screen.cue = now_.stage == Stage::zeroing || !now_.zeroed ? Cue::hand_out : Cue::relax;
   } else {
     screen.cue = now_.stage == Stage::paused ? Cue::relax : now_.task.cue;
+    screen.channel = now_.task.channel;
     screen.force_target_shown = now_.task.force_target_shown;
     screen.target_force_N = now_.task.target_force_N;
+    screen.force_shown = now_.task.force_shown;
+    screen.shown_force_N = now_.task.actual_force_N;
+    screen.digit_targets = now_.task.digit_targets;
     screen.object_shown = now_.has_object;
     screen.object = now_.object.pose;
     screen.target = now_.task.pose_target_shown ? now_.task.target : now_.object.pose;

@@ -25,7 +25,7 @@ namespace isograsp {
 struct TrialSetup {
   TrialRecord record;
   TaskSpec spec;
-  TaskContext context;
+  TrialConstants constants;
   std::unique_ptr<Task> task;
   std::optional<Plan> plan;  ///< none: a force task
   std::optional<double> since_strapping_s;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <future>
@@ -42,17 +43,43 @@ std::string joined_lines(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// SD of the grip force of the empty device: of the noisier side of min(thumb, index + middle).
-double grip_noise(const InstrumentZeroRecord& zero) {
-  constexpr Eigen::Index kNormalForce = 2;
-  return std::max(zero.sd[0][kNormalForce],
-                  std::hypot(zero.sd[1][kNormalForce], zero.sd[2][kNormalForce]));
+/// The noise of the empty device: SD of each force component.
+std::array<Vec3, kFingerCount> noise_of(const InstrumentZeroRecord& zero) {
+  std::array<Vec3, kFingerCount> sd_N;
+  for (std::size_t f = 0; f < kFingerCount; ++f) sd_N[f] = zero.sd[f].head<3>();
+  return sd_N;
 }
 
-double value_of(const TrialOutcome& outcome, std::string_view name, std::string_view channel) {
-  for (const auto& measure : outcome.measures)
-    if (measure.name == name && measure.channel == channel) return measure.value.value_or(0.0);
-  return 0.0;
+FingerWrenches wrenches_of(const RestingForceRecord& rest) {
+  FingerWrenches wrench_C;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    wrench_C[f].force = rest.mean[f].head<3>();
+    wrench_C[f].torque = rest.mean[f].tail<3>();
+  }
+  return wrench_C;
+}
+
+/// Fresh sequences and waits of each trial, from the seed of the session and the trial's number.
+std::uint64_t trial_seed(const SessionRecord& session, std::size_t trials_before) {
+  constexpr std::uint64_t kTrialsPerSession = 1000;
+  // Without a seed of the device every session has its own.
+  const std::uint64_t own =
+      session.seed != 0 ? session.seed : static_cast<std::uint64_t>(session.id);
+  return own * kTrialsPerSession + trials_before + 1;
+}
+
+/// Forces that this trial measured raise the references of their channels.
+void learn_maxima(const TrialOutcome& outcome, ForceReferences& references) {
+  for (const Measure& measure : outcome.measures) {
+    if (!measure.value) continue;
+    auto* const known = measure.name == "maximum_force"       ? &references.maximum_N
+                        : measure.name == "comfortable_force" ? &references.comfortable_N
+                                                              : nullptr;
+    const auto channel = force_channel_from_name(measure.channel);
+    if (known == nullptr || !channel) continue;
+    double& value_N = (*known)[*channel];
+    value_N = std::max(value_N, *measure.value);
+  }
 }
 
 }  // namespace
@@ -73,8 +100,7 @@ struct Session::Parts {
   bool finished = false;  ///< virtual time: the device has finished
   bool closed = false;
   bool patient_is_new = false;
-  double maximum_force_N = 0.0;
-  std::optional<double> resting_force_N;
+  ForceReferences references;
   std::optional<InstrumentZeroRecord> zero;  ///< in force
   std::optional<double> strapped_at_s;       ///< session time
   RealtimeGrant realtime;
@@ -147,13 +173,13 @@ struct Session::Parts {
   void learn(const std::vector<SessionNews>& news) {
     for (const auto& item : news) {
       if (item.zero || item.trial || item.failure) pending = false;
-      if (item.zero && item.zero->accepted) zero = item.zero->zero;
+      if (item.zero && item.zero->accepted) {
+        zero = item.zero->zero;
+        references.noise_sd_N = noise_of(*zero);
+      }
       if (!item.trial || item.trial->trial.status != TrialStatus::completed) continue;
-      const auto& kind = setups.back()->spec.kind;
-      if (std::holds_alternative<MaximumSpec>(kind))
-        maximum_force_N = std::max(maximum_force_N, value_of(*item.trial, "maximum_force", "grip"));
-      if (std::holds_alternative<RestSpec>(kind))
-        resting_force_N = value_of(*item.trial, "resting_force", "grip");
+      learn_maxima(*item.trial, references);
+      if (item.trial->rest) references.resting_C = wrenches_of(item.trial->rest->rest);
     }
   }
 };
@@ -276,15 +302,20 @@ const Snapshot& Session::snapshot() noexcept {
 std::vector<Measure> Session::live_score() const {
   return parts_->recorder->live_score();
 }
+const ForceReferences& Session::references() const noexcept {
+  return parts_->references;
+}
 double Session::maximum_force_N() const noexcept {
-  return parts_->maximum_force_N;
+  const double maximum_N = parts_->references.maximum({});
+  return std::isnan(maximum_N) ? 0.0 : maximum_N;
 }
 double Session::resting_force_N() const noexcept {
-  return parts_->resting_force_N.value_or(0.0);
+  const double resting_N = parts_->references.resting({});
+  return std::isnan(resting_N) ? 0.0 : resting_N;
 }
 
 std::array<std::optional<double>, kFingerCount> Session::contact_thresholds_N() const {
-  return contact_thresholds(parts_->zero, parts_->maximum_force_N);
+  return contact_thresholds(parts_->zero, maximum_force_N());
 }
 const RealtimeGrant& Session::realtime() const noexcept {
   return parts_->realtime;
@@ -335,12 +366,12 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
   auto setup = std::make_unique<TrialSetup>();
   if (p.strapped_at_s) setup->since_strapping_s = snapshot().session_time_s - *p.strapped_at_s;
   setup->spec = spec;
-  setup->context.period_s = p.device->info().frame_period_s;
-  setup->context.maximum_force_N = p.maximum_force_N;
-  setup->context.resting_force_N =
-      p.resting_force_N.value_or(std::numeric_limits<double>::quiet_NaN());
-  if (p.zero) setup->context.noise_sd_N = grip_noise(*p.zero);
-  setup->context.seed = p.record.seed;
+  TaskContext context;
+  context.period_s = p.device->info().frame_period_s;
+  context.references = p.references;
+  context.seed = trial_seed(p.record, p.setups.size());
+  setup->constants.device_delay_s = p.device->info().delay_s;
+  if (p.references.resolution_N > 0.0) setup->constants.resolution_N = p.references.resolution_N;
   TrialRecord& record = setup->record;
   if (const std::string name = spec.scene(); !name.empty()) {
     const auto path = find_in_library(p.config.library, "scenes", name, spec.file);
@@ -351,13 +382,13 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
     if (!scene) return scene.error();
     const Scene used =
         with_thresholds(for_hand(*std::move(scene), p.config.hand), contact_thresholds_N());
-    auto plan = Plan::compile(used, setup->context.period_s);
+    auto plan = Plan::compile(used, context.period_s);
     if (!plan) return plan.error();
     setup->plan = std::move(*plan);
     record.threshold_N = thresholds_of(used);
     record.scene_text = *text;
   }
-  auto task = make_task(spec, setup->context);
+  auto task = make_task(spec, context);
   if (!task) return task.error();
   setup->task = std::move(*task);
   record.session_id = p.record.id;
@@ -366,8 +397,8 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
   record.task_version = spec.version;
   record.task_text = spec.text;
   record.practice = practice;
-  record.maximum_force_N = p.maximum_force_N;
-  record.resting_force_N = p.resting_force_N.value_or(0.0);
+  record.maximum_force_N = maximum_force_N();
+  record.resting_force_N = resting_force_N();
   auto sent = p.send({Command::Kind::begin, setup.get()});
   if (!sent) return sent;
   p.setups.push_back(std::move(setup));

@@ -16,6 +16,7 @@
 #include "session/realtime.hpp"
 #include "session/snapshot.hpp"
 #include "storage/session_store.hpp"
+#include "tasks/references.hpp"
 #include "tasks/task_spec.hpp"
 
 namespace isograsp {
@@ -115,8 +116,11 @@ class Session {
   /// A remark at this moment of the session, stored with it.
   void note(const std::string& text);
 
-  /// Context for tasks from this session's trials so far [N]; 0: not measured yet.
+  /// What tasks measure forces against, from this session's trials so far.
+  [[nodiscard]] const ForceReferences& references() const noexcept;
+  /// Maximum grip force [N]; 0: not measured yet.
   [[nodiscard]] double maximum_force_N() const noexcept;
+  /// Grip force at rest [N]; 0: not measured yet.
   [[nodiscard]] double resting_force_N() const noexcept;
   /// From which force on a finger touches an object; nothing: as the scene says.
   [[nodiscard]] std::array<std::optional<double>, kFingerCount> contact_thresholds_N() const;

@@ -19,7 +19,7 @@ struct Group {
   std::vector<Column> columns;
 };
 
-/// In a TaskContext 0 stands for "not measured".
+/// A noise of 0 stands for "not measured".
 double known(double value) {
   return value > 0.0 ? value : kMissing;
 }
@@ -31,6 +31,27 @@ double number(bool yes) {
 /// Rotation of an attitude about world z [rad], -pi … pi.
 double angle_about_z(const Quat& q) {
   return 2.0 * std::atan2(q.z(), q.w());
+}
+
+/// Numbers of enumerations: docs/file_formats.md.
+void add_force_task_columns(Group& group) {
+  const auto add = [&group](std::string name, std::function<double(const TrialSample&)> value) {
+    group.columns.push_back({std::move(name), std::move(value)});
+  };
+  add("segment", [](const auto& s) { return static_cast<double>(s.task.segment); });
+  add("cue", [](const auto& s) { return static_cast<double>(s.task.cue); });
+  add("channel_digits", [](const auto& s) { return static_cast<double>(s.task.channel.digits); });
+  add("channel_direction",
+      [](const auto& s) { return static_cast<double>(s.task.channel.direction); });
+  add("force_shown", [](const auto& s) { return number(s.task.force_shown); });
+  add("target_shown", [](const auto& s) { return number(s.task.force_target_shown); });
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    for (const int axis : {0, 1, 2})
+      add("target_" + std::string(kFingerNames[f]) + "_f" + "xyz"[axis] + "_N",
+          [f, axis](const auto& s) {
+            const auto& target = s.task.digit_targets;
+            return target.shown[f] ? target.force_C[f][axis] : kMissing;
+          });
 }
 
 Group task_columns(bool has_object) {
@@ -45,12 +66,17 @@ Group task_columns(bool has_object) {
           return static_cast<double>(f[0] | f[1] | f[2]);
         }},
        {"target_force_N",
-        [](const auto& s) { return s.task.force_target_shown ? s.task.target_force_N : kMissing; }},
+        [](const auto& s) { return s.task.has_force_target ? s.task.target_force_N : kMissing; }},
        {"actual_force_N", [](const auto& s) { return s.task.actual_force_N; }},
-       {"resting_force_N", [](const auto& s) { return s.context.resting_force_N; }},
-       {"maximum_force_N", [](const auto& s) { return known(s.context.maximum_force_N); }},
-       {"noise_sd_N", [](const auto& s) { return known(s.context.noise_sd_N); }}}};
-  if (!has_object) return group;
+       {"resting_force_N", [](const auto& s) { return s.task.resting_force_N; }},
+       {"maximum_force_N", [](const auto& s) { return s.task.maximum_force_N; }},
+       {"noise_sd_N", [](const auto& s) { return known(s.task.noise_sd_N); }},
+       {"resolution_N", [](const auto& s) { return s.constants.resolution_N; }},
+       {"device_delay_s", [](const auto& s) { return s.constants.device_delay_s; }}}};
+  if (!has_object) {
+    add_force_task_columns(group);
+    return group;
+  }
   for (const int axis : {0, 1, 2}) {
     const std::string name = std::string(1, "xyz"[axis]) + "_m";
     group.columns.push_back({"target_" + name, [axis](const auto& s) {
@@ -70,6 +96,8 @@ Group task_columns(bool has_object) {
   group.columns.push_back({"targets_reached", [](const auto& s) {
                              return static_cast<double>(s.task.targets_reached);
                            }});
+  group.columns.push_back(
+      {"drops", [](const auto& s) { return static_cast<double>(s.task.drops); }});
   return group;
 }
 

@@ -13,12 +13,18 @@
 
 namespace isograsp {
 
+/// What does not change within a trial and is stored beside its signals; NaN: not known.
+struct TrialConstants {
+  double resolution_N = kNotMeasured;    ///< coarsest step of a force component
+  double device_delay_s = kNotMeasured;  ///< of the sensors and their filters
+};
+
 struct TrialSample {
   double t_s = 0.0;    ///< since the trial began; runs on while paused
   FingerFrame forces;  ///< zeroed; held values stand in where flagged
   NetPush push;
   TaskView task;
-  TaskContext context;
+  TrialConstants constants;
   ObjectState object;  ///< at t_s, before this frame's wrench acts
   GraspWrench grasp;
   double lateness_s = 0.0;

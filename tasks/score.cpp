@@ -21,7 +21,8 @@ std::vector<Measure> score(const TaskSpec& spec, const Signals& signals) {
   if (const auto* poses = std::get_if<PoseTargetsSpec>(&spec.kind))
     return score_pose_targets(*poses, record);
   if (std::holds_alternative<ObserveSpec>(spec.kind)) return score_observe(record);
-  return score_rest(record);
+  if (std::holds_alternative<RestSpec>(spec.kind)) return score_rest(record);
+  return {};
 }
 
 std::vector<Measure> score_rest(const Record& record) {
@@ -96,7 +97,7 @@ std::vector<Measure> score_force_tracking(const ForceTrackingSpec& spec, const R
           measure("constant_error", "N", constant_error(target, actual, weight_s)),
           measure("time_in_range", "%", time_in_range(target, actual, weight_s, noise_N)),
           measure("lag", "s", lag_s),
-          measure("gain", "", gain(active.t_s, target, actual, spec.frequency_Hz))};
+          measure("gain", "", gain(active.t_s, target, actual, spec.waveform.frequency_Hz))};
 }
 
 namespace {

@@ -3,27 +3,23 @@
 // is real-time safe (make_task() allocates all it needs).
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/stimulus.hpp"
 #include "grasp_model/plan.hpp"
+#include "tasks/references.hpp"
 #include "tasks/task_spec.hpp"
 
 namespace isograsp {
 
-/// Grip force on a bolted device: the smaller of the thumb and the two opposing fingers together,
-/// from the signed normal forces [N] (docs/measures.md).
-[[nodiscard]] double grip_force(const FingerWrenches& wrench_C) noexcept;
-
 /// What a task may depend on besides its file; stored with the trial.
 struct TaskContext {
-  double period_s = 0.01;        ///< of the frame grid
-  double maximum_force_N = 0.0;  ///< of this session; 0: not measured
-  double resting_force_N = 0.0;  ///< grip at rest in this session; NaN: not measured
-  double noise_sd_N = 0.0;       ///< of the grip, device empty; 0: no instrument zero
-  std::uint64_t seed = 0;
+  double period_s = 0.01;  ///< of the frame grid
+  std::uint64_t seed = 0;  ///< of fresh sequences and waits that cannot be foreseen
+  ForceReferences references;
 };
 
 /// Stages of a trial as stored in the column `phase`.
@@ -38,9 +34,12 @@ enum class Phase : std::uint8_t {
 [[nodiscard]] std::string_view name_of(Phase phase) noexcept;
 
 struct TaskInput {
-  FingerWrenches wrench_C;              ///< zeroed, contact frames
-  const ObjectState* object = nullptr;  ///< null: a force task
+  FingerWrenches wrench_C;                   ///< zeroed, contact frames
+  const ObjectState* object = nullptr;       ///< null: a force task
+  std::array<bool, kFingerCount> contact{};  ///< fingers that touch the object
 };
+
+inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// What the screen shows and the record keeps after a step.
 struct TaskView {
@@ -48,16 +47,30 @@ struct TaskView {
   Cue cue = Cue::relax;
   double task_time_s = 0.0;  ///< stands still while paused
   double duration_s = 0.0;   ///< expected end of the task, for the progress bar
-  bool force_target_shown = false;
+  int segment = 0;           ///< which part of a force task, from 0
+  ForceChannel channel;      ///< the force that the task is about
+  bool force_shown = true;   ///< the patient sees the own force
+  bool has_force_target = false;
+  bool force_target_shown = false;  ///< … and the patient sees it
   double target_force_N = 0.0;
-  double actual_force_N = 0.0;  ///< grip
+  double actual_force_N = 0.0;  ///< of the channel
+  DigitTargets digit_targets;
+  double resting_force_N = kNotMeasured;  ///< of the channel
+  double maximum_force_N = kNotMeasured;
+  double noise_sd_N = 0.0;
   bool pose_target_shown = false;
   Pose target;
   int target_index = -1;  ///< which of target_count
   int target_count = 0;
   int targets_reached = 0;
+  int drops = 0;
+  bool object_placed = false;  ///< the object appears anew, at rest, at `placed` after this frame
+  Pose placed;
   double hold_fraction = 0.0;  ///< 0 … 1: progress ring
 };
+
+/// What a view has before the first step: the references of a force.
+[[nodiscard]] TaskView blank_view(const ForceReferences& references, ForceChannel channel);
 
 class Task {
  public:

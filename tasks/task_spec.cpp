@@ -2,127 +2,155 @@
 // Task files: TOML in, TaskSpec out. Degrees in the file, radians inside.
 #include "tasks/task_spec.hpp"
 
-#include <numbers>
+#include <algorithm>
+#include <cmath>
 
-#include "core/csv.hpp"
 #include "core/toml_reader.hpp"
+#include "tasks/kinds/read_kinds.hpp"
+#include "tasks/kinds/segments.hpp"
 
 namespace isograsp {
 
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-constexpr double kLongest_s = 3600.0;  ///< nobody exercises for longer: a typing error
+/// Frame period of the estimate of durations: fine enough for a clock on a wall.
+constexpr double kEstimatePeriod_s = 0.1;
+/// Objects are brought to their targets in half the time allowed, as a rule.
+constexpr double kUsualShare = 0.5;
 
-/// A number in [least, most]; the fallback makes the key optional.
-double within(TomlReader& reader, std::string_view key, double least, double most,
-              std::optional<double> fallback = {}) {
-  const double value = reader.number(key, fallback);
-  if (reader.has(key) && !(value >= least && value <= most))
-    reader.fail(key, format_number(value) + " is out of range",
-                "write a number from " + format_number(least) + " to " + format_number(most));
-  return value;
+template <class Kind>
+double duration_of(const Kind& kind, Pace::Waits waits) {
+  Pace pace(kEstimatePeriod_s, 0, waits);
+  Timeline timeline{segments_of(
+      kind, [](ForceChannel) { return 1.0; }, pace)};
+  return static_cast<double>(timeline.frames()) * kEstimatePeriod_s;
 }
 
-/// A duration above zero.
-double duration(TomlReader& reader, std::string_view key, double fallback) {
-  const double value = within(reader, key, 0.0, kLongest_s, fallback);
-  if (reader.has(key) && value == 0.0)
-    reader.fail(key, "0 is out of range", "write a number above 0");
-  return value;
+template <class Kind>
+Duration estimate(const Kind& kind) {
+  return {duration_of(kind, Pace::Waits::mean), duration_of(kind, Pace::Waits::longest)};
+}
+Duration estimate(const RestSpec& kind) {
+  return {kind.duration_s, kind.duration_s};
+}
+Duration estimate(const MaximumSpec& kind) {
+  return {kind.lead_in_s + kind.squeeze_s, kind.lead_in_s + kind.squeeze_s};
+}
+Duration estimate(const ForceTrackingSpec& kind) {
+  return {kind.lead_in_s + kind.duration_s, kind.lead_in_s + kind.duration_s};
+}
+Duration estimate(const PoseTrackingSpec& kind) {
+  return {kind.lead_in_s + kind.duration_s, kind.lead_in_s + kind.duration_s};
+}
+Duration estimate(const ObserveSpec& kind) {
+  return {kind.duration_s, kind.duration_s};
+}
+Duration estimate(const PoseTargetsSpec& kind) {
+  const double worst_s = kind.time_limit_s * static_cast<double>(kind.targets.size());
+  return {kUsualShare * worst_s, worst_s};
+}
+Duration estimate(const PickPlaceSpec& kind) {
+  const double worst_s = kind.time_limit_s * static_cast<double>(kind.items.size());
+  return {kUsualShare * worst_s, worst_s};
 }
 
-std::string scene_name(TomlReader& reader) {
-  std::string name = reader.text("scene");
-  if (reader.has("scene") && (name.empty() || name.find('/') != std::string::npos))
-    reader.fail("scene", "'" + name + "' is not the name of a scene",
-                "write the name of its file without folder and ending, e.g. \"planar_block\"");
-  return name;
-}
-
-RestSpec read_rest(TomlReader& reader) {
-  RestSpec spec;
-  spec.duration_s = duration(reader, "duration_s", spec.duration_s);
-  return spec;
-}
-
-MaximumSpec read_maximum(TomlReader& reader) {
-  MaximumSpec spec;
-  spec.lead_in_s = within(reader, "lead_in_s", 0.0, kLongest_s, spec.lead_in_s);
-  spec.squeeze_s = duration(reader, "squeeze_s", spec.squeeze_s);
-  spec.window_s = duration(reader, "window_s", spec.window_s);
-  if (spec.window_s > spec.squeeze_s)
-    reader.fail("window_s", "is longer than squeeze_s", "make it shorter");
-  return spec;
-}
-
-ForceTrackingSpec read_force_tracking(TomlReader& reader) {
-  constexpr double kLeast_Hz = 0.001;
-  constexpr double kMost_Hz = 5.0;  ///< beyond what a hand can follow
-  ForceTrackingSpec spec;
-  spec.frequency_Hz = within(reader, "frequency_Hz", kLeast_Hz, kMost_Hz, spec.frequency_Hz);
-  spec.least_fraction = within(reader, "least_fraction", 0.0, 1.0, spec.least_fraction);
-  spec.most_fraction = within(reader, "most_fraction", 0.0, 1.0, spec.most_fraction);
-  if (spec.most_fraction <= spec.least_fraction)
-    reader.fail("most_fraction", "is not above least_fraction", "write a larger fraction");
-  spec.lead_in_s = within(reader, "lead_in_s", 0.0, kLongest_s, spec.lead_in_s);
-  spec.duration_s = duration(reader, "duration_s", spec.duration_s);
-  return spec;
-}
-
-PoseTargetsSpec read_pose_targets(TomlReader& reader) {
-  PoseTargetsSpec spec;
-  constexpr double kLeastTolerance_m = 1e-4;
-  constexpr double kLeastTolerance_deg = 0.1;
-  spec.scene = scene_name(reader);
-  spec.position_tolerance_m =
-      within(reader, "position_tolerance_m", kLeastTolerance_m, 1.0, spec.position_tolerance_m);
-  spec.angle_tolerance_rad = kRadPerDeg * within(reader, "angle_tolerance_deg", kLeastTolerance_deg,
-                                                 180.0, spec.angle_tolerance_rad / kRadPerDeg);
-  spec.time_limit_s = duration(reader, "time_limit_s", spec.time_limit_s);
-  for (TomlReader& table : reader.tables("target")) {
-    PoseTarget target;
-    target.p_WT = table.vec3("position_m");
-    target.angle_rad = kRadPerDeg * within(table, "angle_deg", -360.0, 360.0, 0.0);
-    target.hold_s = within(table, "hold_s", 0.0, kLongest_s, 0.0);
-    target.level = table.boolean("level", false);
-    if (target.hold_s >= spec.time_limit_s)
-      table.fail("hold_s", "leaves no time within time_limit_s", "make it shorter");
-    spec.targets.push_back(target);
-  }
-  if (spec.targets.empty()) reader.fail("target", "is missing", "add at least one [[target]]");
-  return spec;
-}
-
-ObserveSpec read_observe(TomlReader& reader) {
-  ObserveSpec spec;
-  spec.scene = scene_name(reader);
-  spec.duration_s = duration(reader, "duration_s", spec.duration_s);
-  return spec;
+double largest(const std::vector<double>& levels) {
+  double most = 0.0;
+  for (const double level : levels) most = std::max(most, std::abs(level));
+  return most;
 }
 
 }  // namespace
 
 std::string TaskSpec::scene() const {
-  if (const auto* targets = std::get_if<PoseTargetsSpec>(&kind)) return targets->scene;
-  if (const auto* observe = std::get_if<ObserveSpec>(&kind)) return observe->scene;
-  return "";
+  return std::visit(
+      [](const auto& task) -> std::string {
+        if constexpr (requires { task.scene; })
+          return task.scene;
+        else
+          return "";
+      },
+      kind);
 }
 
-double TaskSpec::worst_duration_s() const {
-  if (const auto* rest = std::get_if<RestSpec>(&kind)) return rest->duration_s;
-  if (const auto* maximum = std::get_if<MaximumSpec>(&kind))
-    return maximum->lead_in_s + maximum->squeeze_s;
-  if (const auto* tracking = std::get_if<ForceTrackingSpec>(&kind))
-    return tracking->lead_in_s + tracking->duration_s;
-  if (const auto* poses = std::get_if<PoseTargetsSpec>(&kind))
-    return poses->time_limit_s * static_cast<double>(poses->targets.size());
-  return std::get<ObserveSpec>(kind).duration_s;
+Duration TaskSpec::duration() const {
+  return std::visit([](const auto& task) { return estimate(task); }, kind);
 }
 
-bool TaskSpec::needs_maximum() const {
-  return std::holds_alternative<ForceTrackingSpec>(kind);
+const Aim* TaskSpec::aim() const {
+  return std::visit(
+      [](const auto& task) -> const Aim* {
+        if constexpr (requires { task.aim; })
+          return &task.aim;
+        else
+          return nullptr;
+      },
+      kind);
 }
+
+double TaskSpec::largest_level() const {
+  return std::visit(
+      [](const auto& task) -> double {
+        if constexpr (requires {
+                        task.most;
+                        task.least;
+                      })
+          return std::max(std::abs(task.most), std::abs(task.least));
+        else if constexpr (requires { task.levels; })
+          return largest(task.levels);
+        else if constexpr (requires { task.to; })
+          return std::max(largest(task.to), std::abs(task.from));
+        else if constexpr (requires { task.level; })
+          return std::abs(task.level);
+        else
+          return 0.0;
+      },
+      kind);
+}
+
+std::vector<ForceChannel> TaskSpec::channels_needed(Scale scale) const {
+  const Aim* const shown = aim();
+  if (shown == nullptr || shown->scale != scale) return {};
+  std::vector<ForceChannel> channels;
+  if (const auto* digits = std::get_if<IndividuationSpec>(&kind)) {
+    for (const Finger digit : digits->digits) channels.push_back(channel_of(digit));
+  } else if (const auto* directions = std::get_if<ForceDirectionSpec>(&kind)) {
+    for (const Finger digit : kFingers)
+      if (std::any_of(directions->targets.begin(), directions->targets.end(),
+                      [&](const auto& target) { return target.asked[index_of(digit)]; }))
+        channels.push_back(channel_of(digit));
+  } else {
+    channels.push_back(shown->channel);
+  }
+  return channels;
+}
+
+namespace {
+
+decltype(TaskSpec::kind) read_kind(TomlReader& reader) {
+  switch (reader.choice(
+      "kind", {"rest", "maximum", "force_tracking", "pose_targets", "observe", "directional_maxima",
+               "steadiness", "step_response", "grip_release", "force_sense", "fatigue",
+               "individuation", "force_direction", "pose_tracking", "pick_place"})) {
+    case 0: return read_rest(reader);
+    case 1: return read_maximum(reader);
+    case 2: return read_force_tracking(reader);
+    case 3: return read_pose_targets(reader);
+    case 4: return read_observe(reader);
+    case 5: return read_directional_maxima(reader);
+    case 6: return read_steadiness(reader);
+    case 7: return read_step_response(reader);
+    case 8: return read_grip_release(reader);
+    case 9: return read_force_sense(reader);
+    case 10: return read_fatigue(reader);
+    case 11: return read_individuation(reader);
+    case 12: return read_force_direction(reader);
+    case 13: return read_pose_tracking(reader);
+    default: return read_pick_place(reader);
+  }
+}
+
+}  // namespace
 
 Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
   auto reader = TomlReader::parse(text, file, "isograsp-task-1");
@@ -132,20 +160,12 @@ Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
   spec.text = std::string(text);
   spec.name = reader->text("name");
   spec.instruction = reader->text("instruction");
-  const auto version = reader->integer("version", 1);
-  constexpr std::int64_t kMostVersion = 1'000'000;
-  if (version < 1 || version > kMostVersion)
-    reader->fail("version", std::to_string(version) + " is out of range", "count from 1");
-  else
-    spec.version = static_cast<int>(version);
-  switch (
-      reader->choice("kind", {"rest", "maximum", "force_tracking", "pose_targets", "observe"})) {
-    case 0: spec.kind = read_rest(*reader); break;
-    case 1: spec.kind = read_maximum(*reader); break;
-    case 2: spec.kind = read_force_tracking(*reader); break;
-    case 3: spec.kind = read_pose_targets(*reader); break;
-    default: spec.kind = read_observe(*reader); break;
-  }
+  constexpr int kMostVersion = 1'000'000;
+  spec.version = read_count(*reader, "version", 1, kMostVersion);
+  spec.kind = read_kind(*reader);
+  constexpr double kLongestTask_s = 7200.0;  // a trial is kept in memory while it is scored
+  if (spec.duration().worst_s > kLongestTask_s)
+    reader->fail("", "takes longer than two hours", "make it shorter, or repeat it less often");
   if (auto done = reader->finish(); !done) return done.error();
   return spec;
 }

@@ -13,9 +13,9 @@ namespace {
 class PoseTargets final : public Task {
  public:
   PoseTargets(const PoseTargetsSpec& spec, const TaskContext& context)
-      : period_s_(context.period_s),
-        position_tolerance_m_(spec.position_tolerance_m),
-        angle_tolerance_rad_(spec.angle_tolerance_rad),
+      : blank_(blank_view(context.references, {})),
+        period_s_(context.period_s),
+        tolerance_{spec.position_tolerance_m, spec.angle_tolerance_rad},
         limit_frames_(frames_in(spec.time_limit_s, context.period_s)) {
     goals_.reserve(spec.targets.size());
     for (const PoseTarget& target : spec.targets)
@@ -24,11 +24,11 @@ class PoseTargets final : public Task {
   }
 
   TaskView step(const TaskInput& input) noexcept override {
-    TaskView view;
+    TaskView view = blank_;
     view.duration_s =
         static_cast<double>(limit_frames_) * static_cast<double>(goals_.size()) * period_s_;
     view.task_time_s = static_cast<double>(frame_) * period_s_;
-    view.actual_force_N = grip_force(input.wrench_C);
+    view.actual_force_N = force_of(input.wrench_C, view.channel);
     view.target_count = static_cast<int>(goals_.size());
     view.targets_reached = reached_;
     if (current_ == goals_.size()) {
@@ -37,7 +37,7 @@ class PoseTargets final : public Task {
       return view;
     }
     const Goal& goal = goals_[current_];
-    const bool inside = input.object != nullptr && is_inside(goal.X_WT, input.object->pose);
+    const bool inside = input.object != nullptr && tolerance_.holds(goal.X_WT, input.object->pose);
     inside_frames_ = inside ? inside_frames_ + 1 : 0;
     const bool reached = inside_frames_ > goal.hold_frames;  // n + 1 samples span n periods
     if (reached) ++reached_;
@@ -64,19 +64,15 @@ class PoseTargets final : public Task {
     std::int64_t hold_frames = 0;
   };
 
-  [[nodiscard]] bool is_inside(const Pose& target, const Pose& object) const noexcept {
-    return (object.p_WO - target.p_WO).norm() <= position_tolerance_m_ &&
-           angle_between(target.q_WO, object.q_WO) <= angle_tolerance_rad_;
-  }
   [[nodiscard]] double hold_fraction(const Goal& goal, bool reached) const noexcept {
     if (reached) return 1.0;
     if (inside_frames_ == 0) return 0.0;
     return static_cast<double>(inside_frames_ - 1) / static_cast<double>(goal.hold_frames);
   }
 
+  TaskView blank_;
   double period_s_;
-  double position_tolerance_m_;
-  double angle_tolerance_rad_;
+  PoseTolerance tolerance_;
   std::int64_t limit_frames_;
   std::vector<Goal> goals_;
   std::size_t current_ = 0;

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require_helpful(task.error(), text);
     return 0;
   }
-  const double duration_s = task->worst_duration_s();
+  const double duration_s = task->duration().worst_s;
   fuzz::require(std::isfinite(duration_s) && duration_s > 0.0, "a task takes some time and ends");
   fuzz::require(task->text == text, "the text of a task is kept");
   return 0;

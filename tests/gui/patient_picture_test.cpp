@@ -127,7 +127,7 @@ TEST(PatientPicture, SqueezeIsSaidOnlyWhenItIsTime) {
 TEST(TargetPreview, IsExactlyWhatTheTaskWillShow) {
   const auto sine = task("grip_sine.toml");
   TaskContext context;
-  context.maximum_force_N = 40.0;
+  context.references.maximum_N[{}] = 40.0;
   const auto preview = preview_target(*sine, context);
   auto trial = make_task(*sine, context);
   ASSERT_TRUE(trial.ok());
@@ -138,7 +138,7 @@ TEST(TargetPreview, IsExactlyWhatTheTaskWillShow) {
     ASSERT_NEAR(preview.at(view.task_time_s), view.target_force_N, 1e-9)
         << "time over period may round to a neighbour: slope 12 N/s times 1e-12 s";
   }
-  EXPECT_DOUBLE_EQ(preview.end_s(), sine->worst_duration_s());
+  EXPECT_DOUBLE_EQ(preview.end_s(), sine->duration().worst_s);
   EXPECT_DOUBLE_EQ(preview.most_N(), 0.3 * 40.0);
 }
 

@@ -33,14 +33,15 @@ struct Bench {
   TrialSetup setup(const std::string& name, double maximum_N) {
     TrialSetup made;
     made.spec = task(name);
-    made.context.maximum_force_N = maximum_N;
+    TaskContext context;
+    if (maximum_N > 0.0) context.references.maximum_N[{}] = maximum_N;
     if (const auto scene = made.spec.scene(); !scene.empty()) {
       const auto path = find_in_library(kLibrary, "scenes", scene).value();
       made.plan =
-          Plan::compile(parse_scene(read_text(path).value(), path).value(), made.context.period_s)
+          Plan::compile(parse_scene(read_text(path).value(), path).value(), context.period_s)
               .value();
     }
-    made.task = make_task(made.spec, made.context).value();
+    made.task = make_task(made.spec, context).value();
     return made;
   }
 

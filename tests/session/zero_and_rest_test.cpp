@@ -303,7 +303,7 @@ struct Bench {
   void trial() {
     auto& setup = *setups.emplace_back(std::make_unique<TrialSetup>());
     setup.spec = short_rest();
-    setup.task = make_task(setup.spec, setup.context).value();
+    setup.task = make_task(setup.spec, TaskContext{}).value();
     setup.record.session_id = record.id;
     setup.record.number = static_cast<int>(setups.size());
     EXPECT_TRUE(acquisition->commands().push({Command::Kind::begin, &setup}));

@@ -30,7 +30,9 @@ TaskSpec spec_of(Kind kind) {
 /// Plays a force task; `grip` is the thumb's and the fingers' force [N] over record time.
 Signals play_force(const TaskSpec& spec, const std::function<double(const TaskView&)>& grip,
                    double maximum_N = 40.0, double resting_N = 0.5) {
-  TaskContext context{kPeriod_s, maximum_N, resting_N, 0};
+  TaskContext context;
+  context.period_s = kPeriod_s;
+  context.references.maximum_N[{}] = maximum_N;
   const auto task = make_task(spec, context);
   EXPECT_TRUE(task);
   Signals signals({"t_s", "phase", "sample_flags", "target_force_N", "actual_force_N",
@@ -65,7 +67,7 @@ TEST(Score, RestIsTheMeanOfEveryAxisAndOfTheGrip) {
 }
 
 TEST(Score, MaximumIsTheBestHalfSecondAboveRestAndIgnoresASpike) {
-  const TaskSpec spec = spec_of(MaximumSpec{1.0, 3.0, 0.5});
+  const TaskSpec spec = spec_of(MaximumSpec{});
   int active = 0;
   const Signals signals = play_force(spec, [&](const TaskView& view) {
     if (view.phase != Phase::active) return 60.0;  // the lead-in is not scored

@@ -27,7 +27,7 @@ TEST(TaskSpec, DegreesInTheFileAreRadiansInside) {
   EXPECT_EQ(poses.targets[0].hold_s, 1.0);
   EXPECT_TRUE(poses.targets[0].level);
   EXPECT_EQ(task->scene(), "s");
-  EXPECT_EQ(task->worst_duration_s(), 20.0);
+  EXPECT_EQ(task->duration().worst_s, 20.0);
   EXPECT_FALSE(task->needs_maximum());
 }
 
@@ -42,15 +42,17 @@ TEST(TaskSpec, EveryMistakeNamesLineFieldAndRemedy) {
        "t.toml:5: duration_s: 0 is out of range; write a number above 0"},
       {"kind = \"rest\"\nduration_s = \"long\"\n",
        "t.toml:5: duration_s: is text, not a finite number; write a number"},
-      {"kind = \"rest\"\nversion = 0\n", "t.toml:5: version: 0 is out of range; count from 1"},
+      {"kind = \"rest\"\nversion = 0\n",
+       "t.toml:5: version: 0 is out of range; write a whole number from 1 to "
+       "1000000"},
       {"kind = \"maximum\"\nsqueeze_s = 1\nwindow_s = 2\n",
        "t.toml:6: window_s: is longer than squeeze_s; make it shorter"},
       {"kind = \"force_tracking\"\nleast_fraction = 0.3\nmost_fraction = 0.3\n",
-       "t.toml:6: most_fraction: is not above least_fraction; write a larger fraction"},
+       "t.toml:6: most_fraction: is not above the least level; write a larger number"},
       {"kind = \"force_tracking\"\nfrequency_Hz = 50\n",
        "t.toml:5: frequency_Hz: 50 is out of range; write a number from 0.001 to 5"},
       {"kind = \"force_tracking\"\nmost_fraction = 1.5\n",
-       "t.toml:5: most_fraction: 1.5 is out of range; write a number from 0 to 1"},
+       "t.toml:5: most_fraction: 1.5 is out of range; write a number from -1 to 1"},
       {"kind = \"pose_targets\"\nscene = \"s\"\n",
        "t.toml:1: target: is missing; add at least one [[target]]"},
       {"kind = \"pose_targets\"\nscene = \"a/b\"\n[[target]]\nposition_m = [0, 0, 0]\n",

@@ -16,7 +16,7 @@ constexpr double kPeriod_s = 0.01;
 std::unique_ptr<Task> made(TaskSpec spec, double maximum_force_N = 0.0) {
   TaskContext context;
   context.period_s = kPeriod_s;
-  context.maximum_force_N = maximum_force_N;
+  if (maximum_force_N > 0.0) context.references.maximum_N[{}] = maximum_force_N;
   auto task = make_task(spec, context);
   EXPECT_TRUE(task);
   return std::move(*task);
@@ -56,12 +56,6 @@ PoseTargetsSpec two_poses() {
   return spec;
 }
 
-TEST(GripForce, IsTheSmallerOfThumbAndTheTwoFingersTogetherAndKeepsItsSign) {
-  EXPECT_EQ(grip_force(pressing(5, 2, 2).wrench_C), 4.0);
-  EXPECT_EQ(grip_force(pressing(3, 2, 2).wrench_C), 3.0);
-  EXPECT_EQ(grip_force(pressing(-1, 2, 2).wrench_C), -1.0);
-}
-
 TEST(Rest, IsActiveForItsDurationAndThenStaysDone) {
   const auto task = made(spec_of(RestSpec{0.3}));
   for (int frame = 0; frame < 30; ++frame) {
@@ -74,7 +68,7 @@ TEST(Rest, IsActiveForItsDurationAndThenStaysDone) {
 }
 
 TEST(Maximum, RelaxesThenSqueezesThenIsDone) {
-  const auto task = made(spec_of(MaximumSpec{1.0, 3.0, 0.5}));
+  const auto task = made(spec_of(MaximumSpec{}));
   int relaxed = 0;
   int squeezed = 0;
   TaskView view = task->step(pressing(8, 3, 3));
@@ -89,7 +83,7 @@ TEST(Maximum, RelaxesThenSqueezesThenIsDone) {
 }
 
 TEST(ForceTracking, TheTargetIsTheSineOfItsSpecificationWithoutAJump) {
-  const ForceTrackingSpec sine{0.2, 0.1, 0.3, 2.0, 30.0};
+  const ForceTrackingSpec sine;  // 0.2 Hz, 10 to 30 %, 2 s and 30 s
   const auto task = made(spec_of(sine), 50.0);
   double previous_N = 5.0;
   double least_N = 1e9;
@@ -121,11 +115,10 @@ TEST(ForceTracking, WithoutAMaximumIsRefusedWithARemedy) {
   spec.file = "grip_sine.toml";
   const auto task = make_task(spec, TaskContext{});
   ASSERT_FALSE(task);
-  EXPECT_EQ(
-      task.error().message(),
-      "grip_sine.toml: most_fraction: the target is a share of the maximum force, and no trial "
-      "of this session measured one; run the resting-force task and a maximum task first, or "
-      "repeat the maximum");
+  EXPECT_EQ(task.error().message(),
+            "grip_sine.toml: scale: the target is a share of the maximum force of 'grip', and no "
+            "trial of "
+            "this session measured one; run the resting-force task and a maximum task of it first");
 }
 
 TEST(PoseTargets, AreReachedOnEnteringOrAfterAnUninterruptedHold) {
@@ -234,7 +227,7 @@ TEST(Task, StepAllocatesNothingFromFirstToLastFrame) {
 TEST(Task, TheFrameRateChangesNeitherTargetNorDuration) {
   TaskContext fast;
   fast.period_s = 0.002;
-  fast.maximum_force_N = 50.0;
+  fast.references.maximum_N[{}] = 50.0;
   const TaskSpec spec = spec_of(ForceTrackingSpec{});
   const auto fine = std::move(*make_task(spec, fast));
   const auto coarse = made(spec, 50.0);

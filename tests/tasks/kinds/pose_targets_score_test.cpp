@@ -51,7 +51,8 @@ struct Motion {
 
 /// Plays a pose task; `motion` is the object over record time.
 Signals play_poses(const PoseTargetsSpec& spec, const std::function<Motion(double)>& motion) {
-  TaskContext context{kPeriod_s, 0.0, 0.0, 0};
+  TaskContext context;
+  context.period_s = kPeriod_s;
   const auto task = make_task(spec_of(spec), context);
   EXPECT_TRUE(task);
   Signals signals({"t_s", "phase", "sample_flags", "actual_force_N", "target_x_m", "target_y_m",

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pick, place and release: an object appears, is touched, carried to its target, held there for a
+// while and let go. Losing touch on the way is a drop: it is counted and the object appears again
+// where it began. After the time limit the next object comes, and this one is censored.
+#include <algorithm>
+#include <vector>
+
+#include "tasks/kinds/make_task.hpp"
+
+namespace isograsp {
+
+namespace {
+
+class PickPlace final : public Task {
+ public:
+  PickPlace(const PickPlaceSpec& spec, const TaskContext& context)
+      : blank_(blank_view(context.references, {})),
+        period_s_(context.period_s),
+        tolerance_{spec.position_tolerance_m, spec.angle_tolerance_rad},
+        drop_distance_m_(spec.drop_distance_m),
+        hold_frames_(frames_in(spec.hold_s, context.period_s)),
+        limit_frames_(frames_in(spec.time_limit_s, context.period_s)) {
+    for (const auto& item : spec.items)
+      items_.push_back({Pose{item.p_WO, Quat::Identity()},
+                        Pose{item.p_WT, Quat(Eigen::AngleAxisd(item.angle_rad, Vec3::UnitZ()))}});
+  }
+
+  TaskView step(const TaskInput& input) noexcept override {
+    TaskView view = blank_;
+    view.task_time_s = static_cast<double>(frame_) * period_s_;
+    view.duration_s =
+        static_cast<double>(limit_frames_) * static_cast<double>(items_.size()) * period_s_;
+    view.actual_force_N = force_of(input.wrench_C, view.channel);
+    view.target_count = static_cast<int>(items_.size());
+    view.targets_reached = placed_;
+    view.drops = drops_;
+    if (current_ == items_.size()) {
+      view.phase = Phase::done;
+      view.cue = Cue::relax;
+      return view;
+    }
+    const Item& item = items_[current_];
+    view.target_index = static_cast<int>(current_);
+    view.pose_target_shown = true;
+    view.target = item.X_WT;
+    const bool done = advance(input, item, view);
+    view.cue = held_ ? Cue::let_go : Cue::move;
+    view.drops = drops_;
+    ++frame_;
+    if (done || ++item_frames_ >= limit_frames_) next(view, done);
+    return view;
+  }
+
+ private:
+  struct Item {
+    Pose X_WO, X_WT;
+  };
+
+  /// True: the object was let go at its target.
+  bool advance(const TaskInput& input, const Item& item, TaskView& view) noexcept {
+    view.phase = Phase::transport;
+    if (item_frames_ == 0) {
+      place(item, view);
+      return false;
+    }
+    const bool touched = std::any_of(input.contact.begin(), input.contact.end(),
+                                     [](bool contact) { return contact; });
+    const bool inside = input.object != nullptr && tolerance_.holds(item.X_WT, input.object->pose);
+    if (inside) view.phase = Phase::hold;
+    if (held_ && !touched) return inside || lost(item, view);
+    inside_frames_ = inside && touched ? inside_frames_ + 1 : 0;
+    held_ = held_ || inside_frames_ > hold_frames_;  // n + 1 samples span n periods
+    if (held_ && !inside) held_ = false;             // carried away again
+    view.hold_fraction = held_
+                             ? 1.0
+                             : static_cast<double>(std::max<std::int64_t>(0, inside_frames_ - 1)) /
+                                   static_cast<double>(std::max<std::int64_t>(1, hold_frames_));
+    const bool carried = input.object != nullptr &&
+                         (input.object->pose.p_WO - item.X_WO.p_WO).norm() > drop_distance_m_;
+    if (touched_ && !touched && carried) return lost(item, view);
+    touched_ = touched;
+    return false;
+  }
+
+  bool lost(const Item& item, TaskView& view) noexcept {
+    ++drops_;
+    place(item, view);
+    return false;
+  }
+  void place(const Item& item, TaskView& view) noexcept {
+    view.object_placed = true;
+    view.placed = item.X_WO;
+    held_ = touched_ = false;
+    inside_frames_ = 0;
+  }
+  void next(TaskView& view, bool placed) noexcept {
+    if (placed) view.targets_reached = ++placed_;
+    ++current_;
+    item_frames_ = 0;
+    held_ = touched_ = false;
+    inside_frames_ = 0;
+  }
+
+  TaskView blank_;
+  double period_s_;
+  PoseTolerance tolerance_;
+  double drop_distance_m_;
+  std::int64_t hold_frames_;
+  std::int64_t limit_frames_;
+  std::vector<Item> items_;
+  std::size_t current_ = 0;
+  std::int64_t frame_ = 0;
+  std::int64_t item_frames_ = 0;    ///< since this object appeared
+  std::int64_t inside_frames_ = 0;  ///< uninterrupted
+  bool touched_ = false;
+  bool held_ = false;  ///< long enough inside the tolerance: it may be let go
+  int placed_ = 0;
+  int drops_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Task> make_pick_place(const PickPlaceSpec& spec, const TaskContext& context) {
+  return std::make_unique<PickPlace>(spec, context);
+}
+
+}  // namespace isograsp

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/references.hpp"
+
+#include "core/csv.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kEfforts{"none", "comfortable", "maximum"};
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+Error refused(std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, "scale"};
+}
+
+Result<double> measured(const std::map<ForceChannel, double>& values, ForceChannel channel,
+                        const std::string& what, const std::string& remedy) {
+  const auto found = values.find(channel);
+  if (found != values.end() && found->second > 0.0) return found->second;
+  return refused("the target is a share of the " + what + " of '" + name_of(channel) +
+                     "', and no trial of this session measured one",
+                 remedy);
+}
+
+}  // namespace
+
+std::string_view name_of(Effort effort) noexcept {
+  return kEfforts[static_cast<std::size_t>(effort)];
+}
+
+std::optional<Effort> effort_from_name(std::string_view name) noexcept {
+  for (std::size_t i = 0; i < kEfforts.size(); ++i)
+    if (kEfforts[i] == name) return static_cast<Effort>(i);
+  return std::nullopt;
+}
+
+double ForceReferences::resting(ForceChannel channel) const noexcept {
+  return resting_C ? force_of(*resting_C, channel) : kUnknown;
+}
+
+double ForceReferences::noise(ForceChannel channel) const noexcept {
+  return noise_sd_N ? noise_of(*noise_sd_N, channel) : 0.0;
+}
+
+double ForceReferences::maximum(ForceChannel channel) const noexcept {
+  const auto found = maximum_N.find(channel);
+  return found == maximum_N.end() ? kUnknown : found->second;
+}
+
+Result<double> ForceReferences::unit_N(Scale scale, ForceChannel channel, double largest) const {
+  switch (scale) {
+    case Scale::newton: return 1.0;
+    case Scale::of_maximum:
+      return measured(maximum_N, channel, "maximum force",
+                      "run the resting-force task and a maximum task of it first");
+    case Scale::of_comfortable:
+      return measured(comfortable_N, channel, "comfortable force",
+                      "run the comfortable-force task of it first");
+    case Scale::of_baseline: break;
+  }
+  const auto load = measured(baseline_N, channel, "baseline maximum",
+                             "the fixed load begins with the second assessment");
+  if (!load) return load;
+  constexpr double kMostOfToday = 0.5;
+  const double today_N = maximum(channel);
+  if (!(largest * *load <= kMostOfToday * today_N))
+    return refused("the fixed load of " + format_number(largest * *load) +
+                       " N is above half of today's maximum, or that was not measured",
+                   "measure today's maximum, or use the task relative to it");
+  return load;
+}
+
+}  // namespace isograsp

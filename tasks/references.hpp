@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What forces are measured against: rest, noise, maximum and comfortable force of each channel, and
+// what the screening allows. SI units; contact frames.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/force_channel.hpp"
+#include "core/result.hpp"
+#include "tasks/kinds/force_kinds.hpp"
+
+namespace isograsp {
+
+/// Outcome of the screening for one hand.
+enum class Effort : std::uint8_t { none, comfortable, maximum };
+[[nodiscard]] std::string_view name_of(Effort effort) noexcept;
+[[nodiscard]] std::optional<Effort> effort_from_name(std::string_view name) noexcept;
+
+struct ForceReferences {
+  std::optional<FingerWrenches> resting_C;  ///< mean at rest in this session; nothing: not measured
+  /// SD of each force component, device empty; nothing: no instrument zero.
+  std::optional<std::array<Vec3, kFingerCount>> noise_sd_N;
+  double resolution_N = 0.0;                 ///< coarsest step of a force component; 0: not known
+  std::map<ForceChannel, double> maximum_N;  ///< above rest, of this session
+  std::map<ForceChannel, double> comfortable_N;  ///< above rest, of this session
+  std::map<ForceChannel, double> baseline_N;     ///< maximum of the first assessments
+  Effort allowed = Effort::maximum;
+  std::optional<double> ceiling_N;  ///< no target may exceed it
+
+  /// Force of the channel at rest; NaN: not measured.
+  [[nodiscard]] double resting(ForceChannel channel) const noexcept;
+  /// SD of the channel, device empty; 0: not known.
+  [[nodiscard]] double noise(ForceChannel channel) const noexcept;
+  /// Maximum of the channel; NaN: not measured.
+  [[nodiscard]] double maximum(ForceChannel channel) const noexcept;
+
+  /// What one unit of the scale is for this channel [N], or which measurement is missing. The
+  /// error's field is `scale`; fixed loads above half of today's maximum are refused.
+  [[nodiscard]] Result<double> unit_N(Scale scale, ForceChannel channel, double largest) const;
+};
+
+/// Half the width of the band round a target [N]: max(fraction |T|, 3 noise SD) (docs/measures.md).
+[[nodiscard]] constexpr double band_N(double target_N, double fraction, double noise_N) noexcept {
+  constexpr double kNoiseFactor = 3.0;
+  const double share = fraction * (target_N < 0.0 ? -target_N : target_N);
+  const double noise = kNoiseFactor * noise_N;
+  return share > noise ? share : noise;
+}
+
+}  // namespace isograsp

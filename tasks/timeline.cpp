@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/timeline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/csv.hpp"
+#include "tasks/kinds/segments.hpp"
+
+namespace isograsp {
+
+namespace {
+
+Error refused(const TaskSpec& spec, std::string field, std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), spec.file, 0,
+          std::move(field)};
+}
+
+/// Largest target of the segment [N].
+double largest_N(const Segment& segment) {
+  double largest = 0.0;
+  for (const double value : segment.target_N) largest = std::max(largest, std::abs(value));
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    if (segment.digits.shown[f]) largest = std::max(largest, segment.digits.force_C[f].norm());
+  return largest;
+}
+
+Result<void> check_effort(const TaskSpec& spec, const Timeline& timeline,
+                          const ForceReferences& references) {
+  if (std::holds_alternative<RestSpec>(spec.kind)) return {};
+  if (references.allowed == Effort::none)
+    return refused(spec, "kind", "the screening allows this hand no effort",
+                   "leave the task out, or repeat the screening");
+  if (references.allowed == Effort::maximum) return {};
+  const bool squeezes = std::any_of(timeline.segments.begin(), timeline.segments.end(),
+                                    [](const Segment& s) { return s.cue == Cue::squeeze; });
+  if (squeezes || std::holds_alternative<FatigueSpec>(spec.kind))
+    return refused(
+        spec, "kind", "the screening allows this hand comfortable force only",
+        "use the comfortable-force task, and targets in newtons or of comfortable force");
+  return {};
+}
+
+/// A target is worth showing only where the sensors can tell on it from beside it (clinical rule).
+Result<void> check_resolution(const TaskSpec& spec, const Segment& segment,
+                              const ForceReferences& references) {
+  constexpr double kLeastSteps = 5.0;
+  constexpr double kLeastNoise = 3.0;
+  const Aim* aim = spec.aim();
+  const double target_N = largest_N(segment);
+  if (aim == nullptr || segment.phase != Phase::active || target_N == 0.0) return {};
+  const double least_band_N = std::max(kLeastSteps * references.resolution_N,
+                                       kLeastNoise * references.noise(segment.channel));
+  const double band = aim->band_fraction * target_N;
+  constexpr double kRounding = 1e-9;
+  if (band >= least_band_N * (1.0 - kRounding)) return {};
+  return refused(spec, "band_fraction",
+                 "the target of " + format_number(target_N) + " N has a band of +-" +
+                     format_number(band) + " N, which the sensors cannot resolve",
+                 "choose a level of at least " + format_number(least_band_N / aim->band_fraction) +
+                     " N, or a wider band");
+}
+
+Result<void> check(const TaskSpec& spec, const Timeline& timeline,
+                   const ForceReferences& references) {
+  if (auto allowed = check_effort(spec, timeline, references); !allowed) return allowed;
+  for (const Segment& segment : timeline.segments) {
+    if (references.ceiling_N && largest_N(segment) > *references.ceiling_N)
+      return refused(spec, "",
+                     "the target of " + format_number(largest_N(segment)) +
+                         " N is above the ceiling of " + format_number(*references.ceiling_N) +
+                         " N for this hand",
+                     "choose a lower level");
+    if (auto resolved = check_resolution(spec, segment, references); !resolved) return resolved;
+  }
+  return {};
+}
+
+class Play final : public Task {
+ public:
+  Play(Timeline timeline, const TaskContext& context)
+      : timeline_(std::move(timeline)), period_s_(context.period_s), frames_(timeline_.frames()) {
+    for (const Segment& segment : timeline_.segments)
+      views_.push_back(view_of(segment, context.references));
+    skip_empty();
+  }
+
+  TaskView step(const TaskInput& input) noexcept override {
+    const bool over = current_ == timeline_.segments.size();
+    const std::size_t here = over ? current_ - 1 : current_;
+    TaskView view = views_[here];
+    view.segment = static_cast<int>(here);
+    view.task_time_s = static_cast<double>(frame_) * period_s_;
+    view.duration_s = static_cast<double>(frames_) * period_s_;
+    view.actual_force_N = force_of(input.wrench_C, view.channel);
+    if (over) {
+      view.phase = Phase::done;
+      view.cue = Cue::relax;
+      view.has_force_target = view.force_target_shown = false;
+      return view;
+    }
+    const auto& target_N = timeline_.segments[here].target_N;
+    if (target_N.size() > 1)
+      view.target_force_N = target_N[static_cast<std::size_t>(frame_ - begin_)];
+    ++frame_;
+    skip_empty();
+    return view;
+  }
+
+ private:
+  static TaskView view_of(const Segment& segment, const ForceReferences& references) {
+    TaskView view = blank_view(references, segment.channel);
+    view.phase = segment.phase;
+    view.cue = segment.cue;
+    view.force_shown = segment.force_shown;
+    view.digit_targets = segment.digits;
+    view.has_force_target = !segment.target_N.empty();
+    view.force_target_shown = view.has_force_target && segment.target_shown;
+    if (view.has_force_target) view.target_force_N = segment.target_N.front();
+    return view;
+  }
+  /// To the segment of the present frame.
+  void skip_empty() noexcept {
+    while (current_ < timeline_.segments.size() &&
+           frame_ - begin_ >= timeline_.segments[current_].frames)
+      begin_ += timeline_.segments[current_++].frames;
+  }
+
+  Timeline timeline_;
+  std::vector<TaskView> views_;  ///< one per segment: all that does not change in it
+  double period_s_;
+  std::int64_t frames_;
+  std::size_t current_ = 0;
+  std::int64_t begin_ = 0;  ///< first frame of the current segment
+  std::int64_t frame_ = 0;
+};
+
+}  // namespace
+
+std::int64_t Timeline::frames() const noexcept {
+  std::int64_t sum = 0;
+  for (const Segment& segment : segments) sum += segment.frames;
+  return sum;
+}
+
+Result<Timeline> timeline_of(const TaskSpec& spec, const TaskContext& context) {
+  std::optional<Error> problem;
+  const Aim* aim = spec.aim();
+  const Unit unit = [&](ForceChannel channel) {
+    if (aim == nullptr) return 1.0;
+    auto found = context.references.unit_N(aim->scale, channel, spec.largest_level());
+    if (found) return *found;
+    if (!problem) problem = found.error();
+    return 1.0;
+  };
+  Pace pace(context.period_s, context.seed);
+  Timeline timeline{std::visit(
+      [&](const auto& kind) -> Segments {
+        if constexpr (requires { segments_of(kind, unit, pace); })
+          return segments_of(kind, unit, pace);
+        else
+          return {};
+      },
+      spec.kind)};
+  if (problem) {
+    problem->file = spec.file;
+    return *problem;
+  }
+  if (auto good = check(spec, timeline, context.references); !good) return good.error();
+  return timeline;
+}
+
+std::unique_ptr<Task> play(Timeline timeline, const TaskContext& context) {
+  return std::make_unique<Play>(std::move(timeline), context);
+}
+
+}  // namespace isograsp

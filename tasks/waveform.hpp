@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shapes of targets over time, 0 … 1. All begin where a lead-in can hold them; none jumps
+// except rectangles and files. Pure: same shape, same seed, same values.
+#pragma once
+
+#include <vector>
+
+#include "tasks/kinds/force_kinds.hpp"
+
+namespace isograsp {
+
+/// Value k is at k * period_s, for `duration_s`. `trial_seed` makes a fresh sequence where the
+/// shape has no seed of its own.
+///   sine         (1 - cos(2 pi f t)) / 2
+///   swept sine   the same with f growing linearly from first to last frequency
+///   triangle     0 to 1 to 0 once per cycle;   rectangle  0, then 1 in the second half of a cycle
+///   ramp         t / rise, then 1;   trapezoid  rise, hold, fall, then 0
+///   multi-sine   sum of sines of equal amplitude with random phases, scaled into 0 … 1
+///   random       the same with all multiples of 1 / duration up to the bandwidth (flat, then zero)
+///   csv          linear between its points, the last one from its end on
+[[nodiscard]] std::vector<double> samples_of(const Waveform& waveform, double duration_s,
+                                             double period_s, std::uint64_t trial_seed);
+
+/// The frequencies in the target; empty: not a sum of sines.
+[[nodiscard]] std::vector<double> frequencies_of(const Waveform& waveform, double duration_s);
+
+/// Most lines that a random target may have: beyond, noise is no longer a movement to follow.
+inline constexpr double kMostSines = 200.0;
+
+}  // namespace isograsp

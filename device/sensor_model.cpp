@@ -3,22 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace isograsp {
-
-LowPass2 butterworth2(double rate_Hz, double cutoff_Hz) noexcept {
-  // H(s) = 1 / (s^2 + sqrt2 s + 1), s = (1 - z^-1) / (w (1 + z^-1)), w = tan(pi fc / fs)
-  const double w = std::tan(std::numbers::pi * cutoff_Hz / rate_Hz);
-  const double a0 = 1.0 + std::numbers::sqrt2 * w + w * w;
-  LowPass2 filter;
-  filter.b0 = w * w / a0;
-  filter.b1 = 2.0 * filter.b0;
-  filter.b2 = filter.b0;
-  filter.a1 = 2.0 * (w * w - 1.0) / a0;
-  filter.a2 = (1.0 - std::numbers::sqrt2 * w + w * w) / a0;
-  return filter;
-}
 
 Vec6 sensor_resolution() noexcept {
   return (Vec6() << 0.04, 0.04, 0.08, 0.002, 0.002, 0.002).finished();

@@ -6,18 +6,12 @@
 #include <array>
 #include <cstdint>
 
+#include "core/butterworth.hpp"
 #include "core/finger.hpp"
 #include "core/random.hpp"
 #include "core/spatial.hpp"
 
 namespace isograsp {
-
-/// y = b0 x + b1 x1 + b2 x2 - a1 y1 - a2 y2
-struct LowPass2 {
-  double b0 = 1.0, b1 = 0.0, b2 = 0.0, a1 = 0.0, a2 = 0.0;
-};
-/// Second-order Butterworth, bilinear transform with prewarping. @pre 0 < cutoff < rate / 2
-[[nodiscard]] LowPass2 butterworth2(double rate_Hz, double cutoff_Hz) noexcept;
 
 /// Constants of the simulated sensor (docs/devices.md). Filter and pure delay together: 32 ms.
 inline constexpr double kSensorModelRate_Hz = 1000.0;

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/csv.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp {
@@ -16,46 +15,6 @@ constexpr double kDt_s = 1.0 / kSensorModelRate_Hz;
 
 Wrench normal_force(double fz_N) {
   return {Vec3(0, 0, fz_N), Vec3::Zero()};
-}
-
-TEST(Butterworth2, CoefficientsAndStepResponseAgreeWithTheReference) {
-  // Printed to 20 digits by another program; 1e-11 leaves room for the order of operations.
-  constexpr double kTolerance = 1e-11;
-  auto csv = CsvReader::open(ISOGRASP_SOURCE_DIR "/tests/data/golden/filter_butter2.csv");
-  ASSERT_TRUE(csv) << csv.error().message();
-  std::vector<double> row(csv->columns().size());
-  const auto value = [&](const char* name) {
-    return row[static_cast<std::size_t>(csv->find(name))];
-  };
-  int rows = 0;
-  while (*csv->next(row)) {
-    ++rows;
-    const double rate_Hz = value("fs_Hz");
-    const LowPass2 filter = butterworth2(rate_Hz, value("fc_Hz"));
-    EXPECT_NEAR(filter.b0, value("b0"), kTolerance);
-    EXPECT_NEAR(filter.b1, value("b1"), kTolerance);
-    EXPECT_NEAR(filter.b2, value("b2"), kTolerance);
-    EXPECT_NEAR(filter.a1, value("a1"), kTolerance);
-    EXPECT_NEAR(filter.a2, value("a2"), kTolerance);
-    std::vector<double> step;
-    double x1 = 0, x2 = 0, y1 = 0, y2 = 0;
-    for (int n = 0; n <= std::lround(0.1 * rate_Hz); ++n) {
-      const double y =
-          filter.b0 + filter.b1 * x1 + filter.b2 * x2 - filter.a1 * y1 - filter.a2 * y2;
-      x2 = x1;
-      x1 = 1.0;
-      y2 = y1;
-      y1 = y;
-      step.push_back(y);
-    }
-    EXPECT_NEAR(step[0], value("step_1"), kTolerance);
-    EXPECT_NEAR(step[9], value("step_10"), kTolerance);
-    EXPECT_NEAR(step[static_cast<std::size_t>(std::lround(0.032 * rate_Hz))], value("step_at_32ms"),
-                kTolerance);
-    EXPECT_NEAR(step[static_cast<std::size_t>(std::lround(0.1 * rate_Hz))], value("step_at_100ms"),
-                kTolerance);
-  }
-  EXPECT_EQ(rows, 2);
 }
 
 TEST(SensorModel, IsTheReferenceFilterFollowedByThePureDelay) {

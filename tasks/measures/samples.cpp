@@ -28,17 +28,44 @@ std::vector<double> hold_lengths(std::span<const double> t_s) {
   return holds;
 }
 
-namespace {
-
 double median_step(std::span<const double> t_s) {
+  if (t_s.size() < 2) return 0.0;
   std::vector<double> steps(t_s.size() - 1);
   for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = t_s[k + 1] - t_s[k];
-  std::sort(steps.begin(), steps.end());
-  const std::size_t half = steps.size() / 2;
-  return steps.size() % 2 == 1 ? steps[half] : 0.5 * (steps[half - 1] + steps[half]);
+  const auto half = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), half, steps.end());
+  if (steps.size() % 2 == 1) return *half;
+  return 0.5 * (*std::max_element(steps.begin(), half) + *half);
 }
 
-}  // namespace
+std::vector<Stretch> stretches(std::span<const double> t_s, const std::vector<bool>& inside,
+                               double least_s) {
+  assert(t_s.size() == inside.size());
+  constexpr double kHole_steps = 2.5;      // one lost sample is bridged, two are not
+  constexpr double kRoundingSlack = 1e-9;  // five steps of 0.01 s are 0.05 s
+  const double step_s = median_step(t_s);
+  std::vector<Stretch> found;
+  for (std::size_t k = 0; k < t_s.size();) {
+    if (!inside[k]) {
+      ++k;
+      continue;
+    }
+    Stretch run{k, k + 1, 0.0};
+    while (run.end < t_s.size() && inside[run.end] &&
+           t_s[run.end] - t_s[run.end - 1] <= kHole_steps * step_s)
+      ++run.end;
+    run.length_s = t_s[run.end - 1] - t_s[run.first] + step_s;
+    if (run.length_s >= least_s - kRoundingSlack) found.push_back(run);
+    k = run.end;
+  }
+  return found;
+}
+
+double crossing_time(std::span<const double> t_s, std::span<const double> x, std::size_t k,
+                     double level) {
+  assert(k > 0 && x[k] != x[k - 1]);
+  return t_s[k - 1] + (level - x[k - 1]) / (x[k] - x[k - 1]) * (t_s[k] - t_s[k - 1]);
+}
 
 UniformSamples on_uniform_grid(std::span<const double> t_s, std::span<const double> values) {
   assert(t_s.size() == values.size() && t_s.size() >= 2);
@@ -57,6 +84,12 @@ UniformSamples on_uniform_grid(std::span<const double> t_s, std::span<const doub
     samples.values.push_back(values[k] + share * (values[k + 1] - values[k]));
   }
   return samples;
+}
+
+std::vector<double> grid_times(const UniformSamples& samples) {
+  std::vector<double> t_s(samples.values.size());
+  for (std::size_t k = 0; k < t_s.size(); ++k) t_s[k] = static_cast<double>(k) * samples.step_s;
+  return t_s;
 }
 
 }  // namespace isograsp

@@ -19,6 +19,12 @@ struct Computed {
   std::string reason;
 };
 
+/// A time that ends at an event, or how long was waited for it in vain: right-censored.
+struct EventTime {
+  Computed time_s;
+  std::optional<double> longer_than_s;  ///< set exactly when the event did not come
+};
+
 /// True if every step equals the first within 4 ulp of the largest |t| (docs/file_formats.md).
 /// @pre times increase strictly
 [[nodiscard]] bool is_regular(std::span<const double> t_s);
@@ -26,6 +32,25 @@ struct Computed {
 /// How long each row holds [s]: exactly t_1 - t_0 on a regular grid, else its own difference, the
 /// last as the one before. One row or none: zero.
 [[nodiscard]] std::vector<double> hold_lengths(std::span<const double> t_s);
+
+/// The usual step [s]: their median. Zero for fewer than two rows.
+[[nodiscard]] double median_step(std::span<const double> t_s);
+
+/// Rows [first, end) and how long they hold together [s].
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  double length_s = 0.0;
+};
+/// The longest possible runs of rows with `inside` that hold for at least `least_s`, in order. A
+/// hole of more than two and a half usual steps ends a run: what was not measured proves nothing.
+/// The last row of a run holds for one usual step.
+[[nodiscard]] std::vector<Stretch> stretches(std::span<const double> t_s,
+                                             const std::vector<bool>& inside, double least_s);
+
+/// Where the line from row k - 1 to row k reaches `level` [s]. @pre k > 0, x differs in the two
+[[nodiscard]] double crossing_time(std::span<const double> t_s, std::span<const double> x,
+                                   std::size_t k, double level);
 
 /// Samples on a strict grid.
 struct UniformSamples {
@@ -36,5 +61,7 @@ struct UniformSamples {
 /// from the first time on. @pre t_s.size() == values.size() and at least two rows
 [[nodiscard]] UniformSamples on_uniform_grid(std::span<const double> t_s,
                                              std::span<const double> values);
+/// 0, step, 2 step, ... for these samples [s].
+[[nodiscard]] std::vector<double> grid_times(const UniformSamples& samples);
 
 }  // namespace isograsp

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "tasks/measures/onset.hpp"
 #include "tasks/measures/samples.hpp"
 
 namespace isograsp {
@@ -22,5 +23,27 @@ struct StepResponse {
 /// @pre t_s.size() == y.size(), not empty, final_value != 0
 [[nodiscard]] StepResponse step_response(std::span<const double> t_s, std::span<const double> y,
                                          double final_value);
+
+/// A target that jumps at `cue_s`, up or down.
+struct CuedStep {
+  double cue_s = 0.0;
+  double from = 0.0;
+  double to = 0.0;
+};
+/// Answer to a cued step, version 1. All times count from the cue; z = (x - from) / (to - from).
+struct CuedStepResponse {
+  Reaction reaction;  ///< away from the level held in the second before the cue
+  EventTime t10;      ///< z reaches 0.1, interpolated linearly
+  EventTime t63;      ///< 1 - 1/e
+  EventTime t90;
+  Computed rise10_90_s;        ///< t90 - t10
+  Computed overshoot_percent;  ///< 100 (largest z - 1), at least 0
+  Computed peak_s;             ///< time of the largest z; only if that is an overshoot
+  EventTime settling;          ///< start of the first 0.2 s with |z - 1| <= 0.05
+};
+/// `lsb`: resolution of x. @pre t_s.size() == x.size(), step.from != step.to
+[[nodiscard]] CuedStepResponse cued_step_response(std::span<const double> t_s,
+                                                  std::span<const double> x, const CuedStep& step,
+                                                  double lsb);
 
 }  // namespace isograsp

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lags, reaction and release times without the delay of sensor and display.
+#pragma once
+
+#include <optional>
+
+#include "tasks/measures/samples.hpp"
+
+namespace isograsp {
+
+/// A time as measured and as it would be without delay, version 1 [s].
+struct DelayCorrected {
+  Computed raw_s;
+  Computed corrected_s;  ///< raw - delay; no value while the delay is not known
+};
+[[nodiscard]] DelayCorrected without_delay(Computed raw_s, std::optional<double> delay_s);
+
+}  // namespace isograsp

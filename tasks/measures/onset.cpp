@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measures/onset.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace isograsp {
+
+double RestingLevel::margin(double lsb) const {
+  return std::max(3.0 * sd, 2.0 * lsb);
+}
+
+std::optional<RestingLevel> resting_level(std::span<const double> x) {
+  if (x.size() < 2) return std::nullopt;
+  const auto n = static_cast<double>(x.size());
+  double mean = 0.0;
+  for (const double value : x) mean += value;
+  mean /= n;
+  double squares = 0.0;
+  for (const double value : x) squares += (value - mean) * (value - mean);
+  return RestingLevel{mean, std::sqrt(squares / (n - 1.0))};
+}
+
+std::optional<RestingLevel> level_before(std::span<const double> t_s, std::span<const double> x,
+                                         double cue_s) {
+  assert(t_s.size() == x.size());
+  constexpr double kLevel_s = 1.0;  // long enough for a slow tremor to show in the SD
+  const auto end = std::lower_bound(t_s.begin(), t_s.end(), cue_s);
+  const auto first = std::lower_bound(t_s.begin(), end, cue_s - kLevel_s);
+  return resting_level(x.subspan(static_cast<std::size_t>(first - t_s.begin()),
+                                 static_cast<std::size_t>(end - first)));
+}
+
+namespace {
+
+constexpr double kOnset_s = 0.05;
+
+std::vector<bool> beyond(std::span<const double> x, double threshold, Direction direction) {
+  std::vector<bool> is_beyond(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k)
+    is_beyond[k] = direction == Direction::rise ? x[k] > threshold : x[k] < threshold;
+  return is_beyond;
+}
+
+}  // namespace
+
+std::optional<std::size_t> onset(std::span<const double> t_s, std::span<const double> x,
+                                 double threshold, Direction direction) {
+  assert(t_s.size() == x.size());
+  const auto found = stretches(t_s, beyond(x, threshold, direction), kOnset_s);
+  if (found.empty()) return std::nullopt;
+  return found.front().first;
+}
+
+Reaction reaction(std::span<const double> t_s, std::span<const double> x, double cue_s,
+                  const RestingLevel& before, double lsb, Direction direction) {
+  assert(t_s.size() == x.size());
+  constexpr double kAnticipation_s = 0.1;
+  if (t_s.empty() || t_s.back() < cue_s) return {{"no samples after the cue", {}}, {}};
+  const double margin = before.margin(lsb);
+  const double threshold = before.mean + (direction == Direction::rise ? margin : -margin);
+  for (const Stretch& change : stretches(t_s, beyond(x, threshold, direction), kOnset_s)) {
+    if (t_s[change.end - 1] < cue_s) continue;  // over before the cue: no answer to it
+    const double time_s = t_s[change.first] - cue_s;
+    if (time_s < kAnticipation_s)
+      return {{"anticipated: less than 100 ms after the cue", {}}, time_s};
+    return {{time_s, {}}, {}};
+  }
+  return {{"no reaction to the cue", t_s.back() - cue_s}, {}};
+}
+
+}  // namespace isograsp

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measures/release.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "tasks/measures/rate.hpp"
+
+namespace isograsp {
+
+namespace {
+
+EventTime time_to_level(std::span<const double> t_s, std::span<const double> force_N, double cue_s,
+                        double level_N) {
+  constexpr double kReleased_s = 0.05;
+  std::vector<bool> below(force_N.size());
+  for (std::size_t k = 0; k < below.size(); ++k) below[k] = force_N[k] <= level_N;
+  const auto found = stretches(t_s, below, kReleased_s);
+  if (found.empty()) return {"not released", t_s.back() - cue_s};
+  const std::size_t k = found.front().first;
+  if (k == 0) return {"let go before the cue", {}};
+  const double above_N = force_N[k - 1];  // a hole may part two rows that are both below
+  const double time_s = above_N > level_N ? crossing_time(t_s, force_N, k, level_N) : t_s[k];
+  return {time_s - cue_s, {}};
+}
+
+/// Mean over [from_s, to_s), rows weighted by how far they reach in.
+Computed mean_between(std::span<const double> t_s, std::span<const double> x, double from_s,
+                      double to_s) {
+  constexpr double kLeastCovered = 0.5;  // of the window
+  const auto first = std::upper_bound(t_s.begin(), t_s.end(), from_s);
+  const double step_s = median_step(t_s);
+  double sum = 0.0;
+  double covered_s = 0.0;
+  auto k = static_cast<std::size_t>(first - t_s.begin());
+  if (k > 0) --k;  // holds into the window
+  for (; k < t_s.size() && t_s[k] < to_s; ++k) {
+    const double end_s =
+        t_s[k] + (k + 1 < t_s.size() ? std::min(t_s[k + 1] - t_s[k], 2.0 * step_s) : step_s);
+    const double length_s = std::min(end_s, to_s) - std::max(t_s[k], from_s);
+    if (length_s <= 0.0) continue;
+    sum += length_s * x[k];
+    covered_s += length_s;
+  }
+  if (covered_s < kLeastCovered * (to_s - from_s)) return "not recorded 5 s after the cue";
+  return sum / covered_s;
+}
+
+}  // namespace
+
+Release release(std::span<const double> t_s, std::span<const double> force_N, double cue_s,
+                const RestingLevel& resting, double lsb_N) {
+  assert(t_s.size() == force_N.size());
+  constexpr double kResidual_s = 5.0;
+  constexpr double kHalfWindow_s = 0.1;
+  constexpr double kHeld_s = 1.0;
+  constexpr double kReleasedShare = 0.1;
+  const auto first =
+      static_cast<std::size_t>(std::lower_bound(t_s.begin(), t_s.end(), cue_s) - t_s.begin());
+  const auto held = level_before(t_s, force_N, cue_s);
+  if (!held || first == t_s.size()) {
+    const char* const none = held ? "no samples after the cue" : "no force held before the cue";
+    return {{{none, {}}, {}}, {none, {}}, none, none};
+  }
+  const auto hold = static_cast<std::size_t>(
+      std::lower_bound(t_s.begin(), t_s.end(), cue_s - kHeld_s) - t_s.begin());
+  const auto held_N = force_N.subspan(hold, first - hold);
+  const double peak_N = *std::max_element(held_N.begin(), held_N.end());
+  const auto after_s = t_s.subspan(first);
+  const auto after_N = force_N.subspan(first);
+  Computed residual_N = mean_between(t_s, force_N, cue_s + kResidual_s - kHalfWindow_s,
+                                     cue_s + kResidual_s + kHalfWindow_s);
+  if (residual_N.value) residual_N.value = *residual_N.value - resting.mean;
+  if (peak_N - resting.mean <= resting.margin(lsb_N)) {
+    const char* const none = "nothing was held above rest";
+    return {{{none, {}}, {}}, {none, {}}, residual_N, none};
+  }
+  const double released_N = resting.mean + kReleasedShare * (peak_N - resting.mean);
+  return {reaction(t_s, force_N, cue_s, *held, lsb_N, Direction::fall),
+          time_to_level(after_s, after_N, cue_s, released_N), residual_N,
+          peak_relaxation(after_s, after_N)};
+}
+
+}  // namespace isograsp

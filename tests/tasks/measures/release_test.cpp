@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measures/release.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tasks/samples.hpp"
+
+namespace isograsp {
+namespace {
+
+using test::sampled;
+using test::times;
+
+constexpr double kLsb_N = 0.04;
+constexpr double kCue_s = 3.0;
+const RestingLevel kRest{1.0, 0.01};
+
+/// Holds 21 N (20 above rest) until `start_s`, then falls with `slope` to `left_N` above rest.
+std::vector<double> let_go(const std::vector<double>& t_s, double start_s, double slope_N_per_s,
+                           double left_N = 0.0) {
+  return sampled(t_s, [&](double s) {
+    return 1.0 + std::max(left_N, 20.0 - slope_N_per_s * std::max(0.0, s - start_s));
+  });
+}
+
+TEST(Release, AStraightFallHasItsClosedFormAtAnyRateOriginAndUnit) {
+  for (const double rate_Hz : {100.0, 500.0})
+    for (const double shift_s : {0.0, 500.0})
+      for (const double unit : {1.0, 1000.0}) {
+        const auto t = times(static_cast<std::size_t>(10.0 * rate_Hz), rate_Hz, shift_s);
+        auto x = let_go(t, shift_s + kCue_s + 0.3, 10.0);
+        for (double& value : x) value *= unit;
+        const Release found =
+            release(t, x, shift_s + kCue_s, {unit * 1.0, unit * 0.01}, unit * kLsb_N);
+        constexpr double kRounding_s = 1e-9;
+        EXPECT_NEAR(found.release.time_s.value.value(), 0.3 + 18.0 / 10.0, kRounding_s);
+        EXPECT_GE(found.initiation.time.time_s.value.value(), 0.308 - kRounding_s);  // 2 LSB
+        EXPECT_LE(found.initiation.time.time_s.value.value(), 0.308 + 1.0 / rate_Hz + kRounding_s);
+        EXPECT_NEAR(found.residual_N.value.value() / unit, 0.0, kRounding_s);
+        const double fastest = found.fastest_N_per_s.value.value() / unit;
+        constexpr double kOvershoot = 1.1;  // of the low-pass where the slope begins and ends
+        EXPECT_GE(fastest, 10.0);
+        EXPECT_LE(fastest, 10.0 * kOvershoot);
+      }
+}
+
+TEST(Release, ForceThatStaysIsResidualAndTheReleaseIsCensored) {
+  const auto t = times(1001);
+  const Release found = release(t, let_go(t, kCue_s + 0.3, 10.0, 4.0), kCue_s, kRest, kLsb_N);
+  EXPECT_FALSE(found.release.time_s.value);
+  EXPECT_EQ(found.release.time_s.reason, "not released");
+  EXPECT_NEAR(found.release.longer_than_s.value(), 7.0, 1e-12);
+  EXPECT_NEAR(found.residual_N.value.value(), 4.0, 1e-9);
+  EXPECT_TRUE(found.initiation.time.time_s.value);
+}
+
+TEST(Release, ResidualForceIsTheMeanOf200MillisecondsAroundTheFifthSecond) {
+  const auto t = times(1000);
+  auto x = let_go(t, kCue_s + 0.3, 100.0);
+  for (std::size_t k = 790; k < 800; ++k) x[k] += 3.0;  // 7.9 to 8.0 s
+  EXPECT_NEAR(release(t, x, kCue_s, kRest, kLsb_N).residual_N.value.value(), 1.5, 1e-9);
+  const auto short_t = times(780);
+  const auto short_x = let_go(short_t, kCue_s + 0.3, 100.0);
+  const Release cut = release(short_t, short_x, kCue_s, kRest, kLsb_N);
+  EXPECT_FALSE(cut.residual_N.value);
+  EXPECT_TRUE(cut.release.time_s.value);
+}
+
+TEST(Release, ADipThatDoesNotLastIsNoRelease) {
+  const auto t = times(1000);
+  auto x = let_go(t, kCue_s + 1.0, 1000.0);
+  for (std::size_t k = 350; k < 353; ++k) x[k] = 1.0;  // 30 ms
+  const Release found = release(t, x, kCue_s, kRest, kLsb_N);
+  EXPECT_GT(found.release.time_s.value.value(), 1.0);
+  EXPECT_GE(found.initiation.time.time_s.value.value(), 1.0);
+}
+
+TEST(Release, LettingGoBeforeTheCueIsAnticipationAndNoTime) {
+  const auto t = times(1000);
+  const Release found = release(t, let_go(t, kCue_s - 0.2, 1000.0), kCue_s, kRest, kLsb_N);
+  EXPECT_EQ(found.release.time_s.reason, "let go before the cue");
+  EXPECT_FALSE(found.release.longer_than_s);
+}
+
+TEST(Release, WithoutAGripOrACueThereIsNothingToRelease) {
+  const auto t = times(1000);
+  const Release empty = release(t, std::vector<double>(1000, 1.0), kCue_s, kRest, kLsb_N);
+  EXPECT_EQ(empty.release.time_s.reason, "nothing was held above rest");
+  EXPECT_FALSE(empty.release.longer_than_s);
+  const auto x = let_go(t, kCue_s + 0.3, 10.0);
+  EXPECT_EQ(release(t, x, 20.0, kRest, kLsb_N).release.time_s.reason,
+            "no force held before the cue");
+  EXPECT_EQ(release(t, x, 0.0, kRest, kLsb_N).release.time_s.reason,
+            "no force held before the cue");
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "tasks/measures/line.hpp"
+
 namespace isograsp {
 
 namespace {
@@ -22,6 +24,11 @@ Computed mean_of(std::span<const double> weight, Function&& f) {
   }
   if (!(total > 0.0)) return kNoSamples;
   return sum / total;
+}
+
+Computed percent(Computed share) {
+  if (share.value) share.value = 100.0 * *share.value;
+  return share;
 }
 
 }  // namespace
@@ -68,43 +75,40 @@ Computed time_in_range(std::span<const double> target, std::span<const double> a
                        std::span<const double> weight, double noise_sd) {
   assert(target.size() == actual.size() && target.size() == weight.size());
   constexpr double kShareOfTarget = 0.05;
-  Computed share = mean_of(weight, [&](std::size_t k) {
-    const double band = std::max(kShareOfTarget * std::abs(target[k]), 3.0 * noise_sd);
+  return time_in_band(target, actual, weight, kShareOfTarget, noise_sd);
+}
+
+Computed time_in_band(std::span<const double> target, std::span<const double> actual,
+                      std::span<const double> weight, double share_of_target, double noise_sd) {
+  assert(target.size() == actual.size() && target.size() == weight.size());
+  return percent(mean_of(weight, [&](std::size_t k) {
+    const double band = std::max(share_of_target * std::abs(target[k]), 3.0 * noise_sd);
     return std::abs(actual[k] - target[k]) <= band ? 1.0 : 0.0;
-  });
-  if (share.value) share.value = 100.0 * *share.value;
-  return share;
+  }));
+}
+
+Corridor corridor(std::span<const double> lower, std::span<const double> upper,
+                  std::span<const double> actual, std::span<const double> weight) {
+  assert(lower.size() == actual.size() && upper.size() == actual.size());
+  assert(weight.size() == actual.size());
+  const auto outside = [&](std::size_t k) {
+    return std::max({lower[k] - actual[k], actual[k] - upper[k], 0.0});
+  };
+  Computed mean_square = mean_of(weight, [&](std::size_t k) { return outside(k) * outside(k); });
+  if (mean_square.value) mean_square.value = std::sqrt(*mean_square.value);
+  return {percent(mean_of(weight, [&](std::size_t k) { return outside(k) > 0.0 ? 0.0 : 1.0; })),
+          mean_of(weight, outside), mean_square};
 }
 
 Computed cv(std::span<const double> t_s, std::span<const double> x) {
   assert(t_s.size() == x.size());
-  const std::size_t n = x.size();
-  if (n < 3) return "fewer than three samples";
-  double t_mean = 0.0;
-  double x_mean = 0.0;
+  const auto line = fit_line(t_s, x);
+  if (!line) return "fewer than three samples";
   double largest = 0.0;
-  for (std::size_t k = 0; k < n; ++k) {
-    t_mean += t_s[k];
-    x_mean += x[k];
-    largest = std::max(largest, std::abs(x[k]));
-  }
-  t_mean /= static_cast<double>(n);
-  x_mean /= static_cast<double>(n);
+  for (const double value : x) largest = std::max(largest, std::abs(value));
   constexpr double kZeroMean = 1e-12;  // rounding of a mean that is truly zero
-  if (std::abs(x_mean) <= kZeroMean * largest) return "the mean is zero";
-  double tt = 0.0;
-  double tx = 0.0;
-  for (std::size_t k = 0; k < n; ++k) {
-    tt += (t_s[k] - t_mean) * (t_s[k] - t_mean);
-    tx += (t_s[k] - t_mean) * (x[k] - x_mean);
-  }
-  const double slope = tx / tt;
-  double squares = 0.0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double residual = x[k] - x_mean - slope * (t_s[k] - t_mean);
-    squares += residual * residual;
-  }
-  return 100.0 * std::sqrt(squares / static_cast<double>(n - 1)) / x_mean;
+  if (std::abs(line->mean) <= kZeroMean * largest) return "the mean is zero";
+  return 100.0 * line->residual_sd / line->mean;
 }
 
 Computed best_moving_mean(std::span<const double> x, std::span<const double> weight,

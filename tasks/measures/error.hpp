@@ -27,6 +27,21 @@ namespace isograsp {
 [[nodiscard]] Computed time_in_range(std::span<const double> target, std::span<const double> actual,
                                      std::span<const double> weight, double noise_sd = 0.0);
 
+/// The same for a band of choice, version 1: |e| <= max(share_of_target |target|, 3 noise_sd).
+[[nodiscard]] Computed time_in_band(std::span<const double> target, std::span<const double> actual,
+                                    std::span<const double> weight, double share_of_target,
+                                    double noise_sd);
+
+/// Staying between two bounds, version 1. Distance d = lower - actual below, actual - upper above,
+/// 0 inside; both means run over the whole time, also that inside.
+struct Corridor {
+  Computed time_inside_percent;  ///< share of time with d = 0
+  Computed mean_outside;         ///< sum(w d) / sum(w), unit of actual
+  Computed rms_outside;          ///< sqrt(sum(w d^2) / sum(w))
+};
+[[nodiscard]] Corridor corridor(std::span<const double> lower, std::span<const double> upper,
+                                std::span<const double> actual, std::span<const double> weight);
+
 /// Coefficient of variation, version 1, in %: 100 SD(n-1) of x after removing its least-squares
 /// line over t, divided by the mean of x.
 [[nodiscard]] Computed cv(std::span<const double> t_s, std::span<const double> x);

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "tasks/measures/samples.hpp"
 
@@ -21,5 +23,29 @@ struct SineFit {
 /// target's frequency. Needs at least one whole cycle.
 [[nodiscard]] Computed gain(std::span<const double> t_s, std::span<const double> target,
                             std::span<const double> actual, double frequency_Hz);
+
+/// Least-squares x = offset + sum of amplitude_i sin(2 pi frequency_i t + phase_i), all together.
+struct SinesFit {
+  double offset = 0.0;
+  std::vector<SineFit> sines;  ///< in the order of the frequencies, their own offsets zero
+  std::string reason;          ///< why there are none
+};
+/// Needs at least one whole cycle of the smallest frequency and of the smallest difference between
+/// two: less cannot tell them apart.
+[[nodiscard]] SinesFit fit_sines(std::span<const double> t_s, std::span<const double> x,
+                                 std::span<const double> frequencies_Hz);
+
+/// How one sine of the target is answered, version 1.
+struct SineAnswer {
+  double frequency_Hz = 0.0;
+  Computed gain;       ///< amplitude of actual / amplitude of target
+  Computed phase_rad;  ///< of actual - of target, in (-pi, pi]
+  Computed lag_s;      ///< -phase / omega: positive when actual follows, known up to whole cycles
+};
+/// One per frequency, target and actual fitted jointly. @pre spans of samples have equal length
+[[nodiscard]] std::vector<SineAnswer> sine_answers(std::span<const double> t_s,
+                                                   std::span<const double> target,
+                                                   std::span<const double> actual,
+                                                   std::span<const double> frequencies_Hz);
 
 }  // namespace isograsp

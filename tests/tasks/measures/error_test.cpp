@@ -71,6 +71,41 @@ TEST(MeasuresError, TheRangeIsFivePercentOfTheTargetOrThreeNoiseDeviations) {
   EXPECT_DOUBLE_EQ(time_in_range(target, actual, weight, 0.21).value.value(), 100.0);
 }
 
+TEST(MeasuresError, ABandOfChoiceIsTheRangeAtFivePercentAndGrowsWithItsShare) {
+  const std::vector<double> weight{1.0, 1.0, 1.0, 1.0};
+  const std::vector<double> target{10.0, 10.0, -10.0, 0.0};
+  const std::vector<double> actual{10.5, 10.6, -9.5, 0.2};
+  for (const double noise_sd : {0.0, 0.1})
+    EXPECT_EQ(time_in_band(target, actual, weight, 0.05, noise_sd).value,
+              time_in_range(target, actual, weight, noise_sd).value);
+  EXPECT_DOUBLE_EQ(time_in_band(target, actual, weight, 0.1, 0.0).value.value(), 75.0);
+  EXPECT_DOUBLE_EQ(time_in_band(target, actual, weight, 0.01, 0.0).value.value(), 0.0);
+}
+
+TEST(MeasuresError, OutsideACorridorTheDistanceToTheNearerBoundCountsAsLongAsItHolds) {
+  const std::vector<double> lower(4, 1.0);
+  const std::vector<double> upper(4, 3.0);
+  const std::vector<double> actual{0.5, 1.0, 3.0, 5.0};  // below, on both bounds, above
+  const std::vector<double> weight{4.0, 1.0, 1.0, 2.0};
+  const Corridor found = corridor(lower, upper, actual, weight);
+  EXPECT_DOUBLE_EQ(found.time_inside_percent.value.value(), 25.0);
+  EXPECT_DOUBLE_EQ(found.mean_outside.value.value(), (4.0 * 0.5 + 2.0 * 2.0) / 8.0);
+  EXPECT_DOUBLE_EQ(found.rms_outside.value.value(), std::sqrt((4.0 * 0.25 + 2.0 * 4.0) / 8.0));
+}
+
+TEST(MeasuresError, ACorridorWithoutWidthHasTheErrorsOfItsTarget) {
+  const auto t = times(500);
+  const auto target = sampled(t, [](double s) { return std::sin(s); });
+  const auto actual = sampled(t, [](double s) { return std::sin(s - 0.2); });
+  const auto weight = hold_lengths(t);
+  const Corridor found = corridor(target, target, actual, weight);
+  EXPECT_NEAR(found.mean_outside.value.value(), mae(target, actual, weight).value.value(),
+              kRounding);
+  EXPECT_NEAR(found.rms_outside.value.value(), rmse(target, actual, weight).value.value(),
+              kRounding);
+  EXPECT_FALSE(corridor({}, {}, {}, {}).mean_outside.value);
+}
+
 TEST(MeasuresError, CvIsBlindToALineAndKnowsTheSineRoundIt) {
   const auto t = times(1000);
   const auto ramp = sampled(t, [](double s) { return 3.0 + 0.4 * s; });

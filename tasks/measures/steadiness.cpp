@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measures/steadiness.hpp"
+
+#include <cmath>
+
+#include "tasks/measures/error.hpp"
+#include "tasks/measures/line.hpp"
+
+namespace isograsp {
+
+Steadiness steadiness(std::span<const double> t_s, std::span<const double> x,
+                      std::optional<double> noise_sd) {
+  constexpr double kLargestFloor = 1.0 / 3.0;  // of the CV
+  const Computed variation = cv(t_s, x);
+  const auto line = fit_line(t_s, x);
+  if (!line) return {variation, variation, variation, variation};
+  if (!variation.value) return {line->residual_sd, variation, variation, variation};
+  const double fall_percent = -100.0 * line->slope * (t_s.back() - t_s.front()) / line->mean;
+  if (!noise_sd)
+    return {line->residual_sd, variation, "the noise of the empty device was not measured",
+            fall_percent};
+  const double floor_percent = 100.0 * *noise_sd / std::abs(line->mean);
+  const bool resolved = floor_percent <= kLargestFloor * std::abs(*variation.value);
+  return {line->residual_sd,
+          resolved ? variation : Computed("below resolution: the noise exceeds a third of it"),
+          floor_percent, fall_percent};
+}
+
+}  // namespace isograsp

@@ -36,33 +36,33 @@ namespace {
 
 constexpr double kOnset_s = 0.05;
 
-std::vector<bool> beyond(std::span<const double> x, double threshold, Direction direction) {
+std::vector<bool> beyond(std::span<const double> x, double threshold, Change change) {
   std::vector<bool> is_beyond(x.size());
   for (std::size_t k = 0; k < x.size(); ++k)
-    is_beyond[k] = direction == Direction::rise ? x[k] > threshold : x[k] < threshold;
+    is_beyond[k] = change == Change::rise ? x[k] > threshold : x[k] < threshold;
   return is_beyond;
 }
 
 }  // namespace
 
 std::optional<std::size_t> onset(std::span<const double> t_s, std::span<const double> x,
-                                 double threshold, Direction direction) {
+                                 double threshold, Change change) {
   assert(t_s.size() == x.size());
-  const auto found = stretches(t_s, beyond(x, threshold, direction), kOnset_s);
+  const auto found = stretches(t_s, beyond(x, threshold, change), kOnset_s);
   if (found.empty()) return std::nullopt;
   return found.front().first;
 }
 
 Reaction reaction(std::span<const double> t_s, std::span<const double> x, double cue_s,
-                  const RestingLevel& before, double lsb, Direction direction) {
+                  const RestingLevel& before, double lsb, Change change) {
   assert(t_s.size() == x.size());
   constexpr double kAnticipation_s = 0.1;
   if (t_s.empty() || t_s.back() < cue_s) return {{"no samples after the cue", {}}, {}};
   const double margin = before.margin(lsb);
-  const double threshold = before.mean + (direction == Direction::rise ? margin : -margin);
-  for (const Stretch& change : stretches(t_s, beyond(x, threshold, direction), kOnset_s)) {
-    if (t_s[change.end - 1] < cue_s) continue;  // over before the cue: no answer to it
-    const double time_s = t_s[change.first] - cue_s;
+  const double threshold = before.mean + (change == Change::rise ? margin : -margin);
+  for (const Stretch& stretch : stretches(t_s, beyond(x, threshold, change), kOnset_s)) {
+    if (t_s[stretch.end - 1] < cue_s) continue;  // over before the cue: no answer to it
+    const double time_s = t_s[stretch.first] - cue_s;
     if (time_s < kAnticipation_s)
       return {{"anticipated: less than 100 ms after the cue", {}}, time_s};
     return {{time_s, {}}, {}};

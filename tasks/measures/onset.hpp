@@ -23,12 +23,12 @@ struct RestingLevel {
 [[nodiscard]] std::optional<RestingLevel> level_before(std::span<const double> t_s,
                                                        std::span<const double> x, double cue_s);
 
-enum class Direction { rise, fall };
+enum class Change { rise, fall };
 
 /// First sample from which x stays above (below) `threshold` for at least 50 ms, version 1.
 [[nodiscard]] std::optional<std::size_t> onset(std::span<const double> t_s,
                                                std::span<const double> x, double threshold,
-                                               Direction direction);
+                                               Change change);
 
 /// Reaction time, version 1 [s]: from the cue to the onset of the change that lasts beyond it, past
 /// mean +- margin(lsb). Less than 100 ms after the cue is anticipation: no reaction, counted apart.
@@ -39,6 +39,6 @@ struct Reaction {
 /// `t_s` and `x` may begin before the cue. @pre t_s.size() == x.size()
 [[nodiscard]] Reaction reaction(std::span<const double> t_s, std::span<const double> x,
                                 double cue_s, const RestingLevel& before, double lsb,
-                                Direction direction);
+                                Change change);
 
 }  // namespace isograsp

@@ -76,7 +76,7 @@ Release release(std::span<const double> t_s, std::span<const double> force_N, do
     return {{{none, {}}, {}}, {none, {}}, residual_N, none};
   }
   const double released_N = resting.mean + kReleasedShare * (peak_N - resting.mean);
-  return {reaction(t_s, force_N, cue_s, *held, lsb_N, Direction::fall),
+  return {reaction(t_s, force_N, cue_s, *held, lsb_N, Change::fall),
           time_to_level(after_s, after_N, cue_s, released_N), residual_N,
           peak_relaxation(after_s, after_N)};
 }

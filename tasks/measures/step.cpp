@@ -83,12 +83,12 @@ CuedStepResponse cued_step_response(std::span<const double> t_s, std::span<const
     shares.z.push_back((value - step.from) / (step.to - step.from));
 
   const auto held = level_before(t_s, x, step.cue_s);
-  const Direction direction = step.to > step.from ? Direction::rise : Direction::fall;
+  const Change change = step.to > step.from ? Change::rise : Change::fall;
   const EventTime t10 = time_to(shares, 0.1);
   const EventTime t90 = time_to(shares, 0.9);
   const auto top = std::max_element(shares.z.begin(), shares.z.end());
   const bool beyond = *top > 1.0;
-  return {held ? reaction(t_s, x, step.cue_s, *held, lsb, direction)
+  return {held ? reaction(t_s, x, step.cue_s, *held, lsb, change)
                : Reaction{{"no level before the cue", {}}, {}},
           t10,
           time_to(shares, 1.0 - 1.0 / std::numbers::e),

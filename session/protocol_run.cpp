@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/protocol_run.hpp"
 
-#include "core/csv.hpp"
+#include <algorithm>
+
+#include "tasks/course.hpp"
 
 namespace isograsp {
 
@@ -16,17 +18,12 @@ Error failure(std::string what, std::string remedy) {
   return {Error::Code::failed, std::move(what), std::move(remedy), "", 0, ""};
 }
 
-Result<TaskSpec> read_task(const std::string& name, const std::string& protocol_file,
-                           const std::string& library) {
-  const auto path = find_in_library(library, "tasks", name, protocol_file);
-  if (!path) return path.error();
-  const auto text = read_text(*path);
-  if (!text) return text.error();
-  auto spec = parse_task(*text, *path);
-  if (!spec || spec->scene().empty()) return spec;
-  if (const auto scene = find_in_library(library, "scenes", spec->scene(), *path); !scene)
-    return scene.error();
-  return spec;
+/// The measure of this trial on which attempts must agree.
+std::optional<double> agreeing(const ProtocolStep& step, const TrialOutcome& outcome) {
+  if (!step.agreement) return std::nullopt;
+  for (const Measure& measure : outcome.measures)
+    if (measure.name == step.agreement->measure) return measure.value;
+  return std::nullopt;
 }
 
 class Run {
@@ -35,13 +32,32 @@ class Run {
       : session_(session), progress_(progress), serviced_(serviced) {}
 
   Result<ProtocolResult> all(const ReadyProtocol& protocol) {
-    for (const auto& step : protocol.spec.steps) position_.steps += step.repetitions;
-    for (std::size_t i = 0; i < protocol.spec.steps.size(); ++i) {
-      const ProtocolStep& step = protocol.spec.steps[i];
-      const bool zero = step.kind == ProtocolStep::Kind::instrument_zero;
-      if (auto done = zero ? zero_step() : task_step(step, protocol.tasks[i]); !done)
-        return done.error();
+    Course course(protocol.spec, session_.record().seed);
+    while (const auto item = course.next()) {
+      const ProtocolStep& step = protocol.spec.steps[item->step];
+      position_.step = course.done();
+      position_.steps = course.done() + course.expected();
+      wait_until(item->not_before_s);
+      Course::Outcome outcome;
+      switch (step.kind) {
+        case ProtocolStep::Kind::instrument_zero:
+          if (auto done = zero_step(); !done) return done.error();
+          break;
+        case ProtocolStep::Kind::pause:
+          report("Pause");
+          session_.let_pass(step.duration_s);
+          break;
+        case ProtocolStep::Kind::task: {
+          const TaskSpec& spec = protocol.tasks[item->step][item->task];
+          if (auto done = task_step(step, spec, *item); !done) return done.error();
+          outcome.agreeing = agreeing(step, result_.trials.back());
+          break;
+        }
+      }
+      outcome.ended_s = session_.snapshot().session_time_s;
+      course.record(outcome);
     }
+    position_.step = position_.steps;
     report("");
     return std::move(result_);
   }
@@ -67,7 +83,6 @@ class Run {
         if (!news.zero) continue;
         if (news.zero->accepted) {
           serviced_ = false;
-          ++position_.step;
           return {};
         }
         reason = news.zero->reason;
@@ -78,19 +93,22 @@ class Run {
     return failure("the instrument zero was refused: " + reason, remedy);
   }
 
-  Result<void> task_step(const ProtocolStep& step, const TaskSpec& spec) {
-    for (int repetition = 1; repetition <= step.repetitions; ++repetition) {
-      std::string doing = spec.name;
-      if (step.practice) doing += ", practice";
-      if (step.repetitions > 1)
-        doing +=
-            " (" + std::to_string(repetition) + " of " + std::to_string(step.repetitions) + ")";
-      report(doing);
-      if (auto done = trial(spec, step.practice); !done) return done;
-      ++position_.step;
-      session_.let_pass(step.rest_s);
-    }
-    return {};
+  Result<void> task_step(const ProtocolStep& step, const TaskSpec& spec, const Course::Item& item) {
+    std::string doing = spec.name;
+    if (step.practice) doing += ", practice";
+    const int planned = std::max(step.repetitions, item.attempt);
+    if (planned > 1)
+      doing += " (" + std::to_string(item.attempt) + " of " + std::to_string(planned) + ")";
+    report(doing);
+    if (!step.adaptive) return trial(spec, step.practice);
+    const auto leveled = at_level(spec, session_.training().level(spec));
+    return leveled ? trial(*leveled, step.practice) : leveled.error();
+  }
+
+  /// Rests go on in the session's own time.
+  void wait_until(double session_time_s) {
+    const double now_s = session_.snapshot().session_time_s;
+    if (session_time_s > now_s) session_.let_pass(session_time_s - now_s);
   }
 
   Result<void> trial(const TaskSpec& spec, bool practice) {
@@ -130,42 +148,6 @@ class Run {
 };
 
 }  // namespace
-
-Result<ReadyProtocol> read_protocol(const std::string& path, const std::string& library) {
-  const auto text = read_text(path);
-  if (!text) return text.error();
-  auto spec = parse_protocol(*text, path);
-  if (!spec) return spec.error();
-  ReadyProtocol ready{std::move(*spec), {}};
-  bool rested = false;
-  bool maximum = false;
-  for (const auto& step : ready.spec.steps) {
-    ready.tasks.emplace_back();
-    if (step.kind != ProtocolStep::Kind::task) continue;
-    auto task = read_task(step.task, path, library);
-    if (!task) return task.error();
-    const auto out_of_order = [&](const char* what, const char* remedy) {
-      return Error{Error::Code::bad_input,
-                   what,
-                   remedy,
-                   path,
-                   0,
-                   "step[" + std::to_string(ready.tasks.size()) + "].task"};
-    };
-    const bool is_maximum = std::holds_alternative<MaximumSpec>(task->kind);
-    if (is_maximum && !rested)
-      return out_of_order(
-          "a maximum is measured above the resting force, which no earlier step measures",
-          "put a resting-force task before it");
-    if (task->needs_maximum() && !maximum)
-      return out_of_order("the target is a share of a maximum that no earlier step measures",
-                          "put a maximum task before it");
-    rested = rested || std::holds_alternative<RestSpec>(task->kind);
-    maximum = maximum || is_maximum;
-    ready.tasks.back() = std::move(*task);
-  }
-  return ready;
-}
 
 Result<ProtocolResult> run_protocol(Session& session, const ReadyProtocol& protocol,
                                     const std::function<void(const ProtocolProgress&)>& progress,

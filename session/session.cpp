@@ -43,6 +43,14 @@ std::string joined_lines(const std::vector<std::string>& lines) {
   return text;
 }
 
+/// Coarsest step of a force component; 0: the device has no counts.
+double resolution_N(const DeviceInfo& info) {
+  double coarsest_N = 0.0;
+  for (const Vec6& unit : info.units_per_count)
+    coarsest_N = std::max(coarsest_N, unit.head<3>().cwiseAbs().maxCoeff());
+  return coarsest_N;
+}
+
 /// The noise of the empty device: SD of each force component.
 std::array<Vec3, kFingerCount> noise_of(const InstrumentZeroRecord& zero) {
   std::array<Vec3, kFingerCount> sd_N;
@@ -101,6 +109,7 @@ struct Session::Parts {
   bool closed = false;
   bool patient_is_new = false;
   ForceReferences references;
+  Training training;
   std::optional<InstrumentZeroRecord> zero;  ///< in force
   std::optional<double> strapped_at_s;       ///< session time
   RealtimeGrant realtime;
@@ -179,6 +188,7 @@ struct Session::Parts {
       }
       if (!item.trial || item.trial->trial.status != TrialStatus::completed) continue;
       learn_maxima(*item.trial, references);
+      training.learn(setups.back()->spec, item.trial->trial, item.trial->measures);
       if (item.trial->rest) references.resting_C = wrenches_of(item.trial->rest->rest);
     }
   }
@@ -272,6 +282,13 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
     record.seed = std::strtoull(uri->parameters.at("seed").c_str(), nullptr, 10);
   const auto last_zero = (*store)->last_zero(record);
   if (!last_zero) return last_zero.error();
+  auto training = Training::read(**store, record);
+  if (!training) return training.error();
+  parts->training = *std::move(training);
+  parts->references.baseline_N = parts->training.baseline_N();
+  parts->references.allowed = config.allowed;
+  parts->references.ceiling_N = config.ceiling_N;
+  parts->references.resolution_N = resolution_N(info);
   const auto session_id = (*store)->begin_session(record);
   if (!session_id) return session_id.error();
   record.id = *session_id;
@@ -301,6 +318,9 @@ const Snapshot& Session::snapshot() noexcept {
 }
 std::vector<Measure> Session::live_score() const {
   return parts_->recorder->live_score();
+}
+const Training& Session::training() const noexcept {
+  return parts_->training;
 }
 const ForceReferences& Session::references() const noexcept {
   return parts_->references;
@@ -469,23 +489,6 @@ void Session::close() {
   p.stop_device();
   p.recorder->pump();
   (void)p.recorder->end_session();
-}
-
-Result<std::string> find_in_library(const std::string& library, const std::string& folder,
-                                    const std::string& name, const std::string& beside) {
-  const std::string file = name.ends_with(".toml") ? name : name + ".toml";
-  std::error_code ignored;
-  std::vector<fs::path> places;
-  if (!beside.empty()) places.push_back(fs::path(beside).parent_path() / file);
-  places.push_back(fs::path(library) / folder / file);
-  for (const auto& path : places)
-    if (fs::is_regular_file(path, ignored)) return path.string();
-  return Error{Error::Code::bad_input,
-               "there is no file of this name",
-               "put it into " + (fs::path(library) / folder).string(),
-               file,
-               0,
-               ""};
 }
 
 }  // namespace isograsp

@@ -13,8 +13,10 @@
 
 #include "core/measure.hpp"
 #include "core/result.hpp"
+#include "session/library.hpp"
 #include "session/realtime.hpp"
 #include "session/snapshot.hpp"
+#include "session/training.hpp"
 #include "storage/session_store.hpp"
 #include "tasks/references.hpp"
 #include "tasks/task_spec.hpp"
@@ -35,6 +37,8 @@ struct SessionConfig {
   std::string started_utc;    ///< ISO 8601; empty: now (demonstration data lie in the past)
   std::string operator_name;  ///< who runs it; stored with zero and resting force; may be empty
   Realtime realtime = Realtime::prefer;  ///< of the acquisition thread; not in virtual time
+  Effort allowed = Effort::maximum;      ///< outcome of the screening for this hand
+  std::optional<double> ceiling_N;       ///< no target may exceed it
   bool virtual_time = false;             ///< simulated and replayed devices only
 };
 
@@ -116,6 +120,8 @@ class Session {
   /// A remark at this moment of the session, stored with it.
   void note(const std::string& text);
 
+  /// What earlier sessions, and this one so far, say about the level of training tasks.
+  [[nodiscard]] const Training& training() const noexcept;
   /// What tasks measure forces against, from this session's trials so far.
   [[nodiscard]] const ForceReferences& references() const noexcept;
   /// Maximum grip force [N]; 0: not measured yet.
@@ -148,12 +154,5 @@ class Session {
 /// Refuses a platform that is mounted for the other hand, in words for the therapist.
 [[nodiscard]] Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for,
                                       Hand hand);
-
-/// Finds NAME(.toml) beside `beside` (a file; may be empty) or in LIBRARY/FOLDER and returns its
-/// path.
-[[nodiscard]] Result<std::string> find_in_library(const std::string& library,
-                                                  const std::string& folder,
-                                                  const std::string& name,
-                                                  const std::string& beside = "");
 
 }  // namespace isograsp

@@ -1,32 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Protocol files: TOML in, ProtocolSpec out.
-#include "core/toml_reader.hpp"
-#include "tasks/task_spec.hpp"
+#include "tasks/protocol.hpp"
+
+#include "tasks/kinds/read_kinds.hpp"
 
 namespace isograsp {
 
 namespace {
 
-ProtocolStep read_step(TomlReader& table) {
-  constexpr std::int64_t kMostRepetitions = 100;
-  constexpr double kLongestRest_s = 3600.0;
-  ProtocolStep step;
-  step.kind = static_cast<ProtocolStep::Kind>(table.choice("kind", {"instrument_zero", "task"}));
-  step.rest_s = table.number("rest_s", 0.0);
-  if (step.rest_s < 0.0 || step.rest_s > kLongestRest_s)
-    table.fail("rest_s", "is out of range", "write a number from 0 to 3600");
-  if (step.kind == ProtocolStep::Kind::instrument_zero) return step;
-  step.task = table.text("task");
-  if (table.has("task") && (step.task.empty() || step.task.find('/') != std::string::npos))
-    table.fail("task", "'" + step.task + "' is not the name of a task file",
-               "write the file name without folder, e.g. \"grip_sine.toml\"");
-  const auto repetitions = table.integer("repetitions", 1);
-  if (repetitions < 1 || repetitions > kMostRepetitions)
-    table.fail("repetitions", std::to_string(repetitions) + " is out of range",
-               "write a whole number from 1 to 100");
+constexpr int kMostRepetitions = 100;
+
+void read_tasks(TomlReader& table, ProtocolStep& step) {
+  const bool several = table.has("tasks");
+  if (several)
+    step.tasks = table.texts("tasks");
   else
-    step.repetitions = static_cast<int>(repetitions);
+    step.tasks = {table.text("task")};
+  const char* key = several ? "tasks" : "task";
+  if (several && step.tasks.empty()) table.fail(key, "is empty", "name at least one task");
+  for (const std::string& name : step.tasks)
+    if (table.has(key) && (name.empty() || name.find('/') != std::string::npos))
+      table.fail(key, "'" + name + "' is not the name of a task file",
+                 "write the file name without folder, e.g. \"grip_sine.toml\"");
+  if (several)
+    step.order = static_cast<Order>(table.choice("order", {"ordered", "interleaved", "random"}, 0));
+}
+
+void read_agreement(TomlReader& table, ProtocolStep& step) {
+  if (!table.has("agree_measure")) return;
+  Agreement agreement;
+  agreement.measure = table.text("agree_measure");
+  agreement.percent = read_within(table, "agree_percent", 0.1, 100.0, agreement.percent);
+  agreement.most_repetitions =
+      read_count(table, "most_repetitions", agreement.most_repetitions, kMostRepetitions);
+  if (step.repetitions < 2)
+    table.fail("repetitions", "is below 2", "attempts can only agree with each other");
+  if (agreement.most_repetitions < step.repetitions)
+    table.fail("most_repetitions", "is below repetitions", "write a larger number");
+  step.agreement = std::move(agreement);
+}
+
+ProtocolStep read_step(TomlReader& table) {
+  ProtocolStep step;
+  step.kind =
+      static_cast<ProtocolStep::Kind>(table.choice("kind", {"instrument_zero", "task", "pause"}));
+  if (step.kind == ProtocolStep::Kind::pause) {
+    step.duration_s = read_duration(table, "duration_s", 0.0);
+    if (!table.has("duration_s")) table.fail("duration_s", "is missing", "add it");
+    return step;
+  }
+  step.rest_s = read_wait(table, "rest_s", 0.0);
+  if (step.kind == ProtocolStep::Kind::instrument_zero) return step;
+  read_tasks(table, step);
+  step.repetitions = read_count(table, "repetitions", 1, kMostRepetitions);
+  read_agreement(table, step);
   step.practice = table.boolean("practice", false);
+  step.adaptive = table.boolean("adaptive", false);
+  step.recurrence_s = read_wait(table, "recurrence_s", 0.0);
   return step;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/csv.hpp"
 #include "core/toml_reader.hpp"
 #include "tasks/kinds/read_kinds.hpp"
 #include "tasks/kinds/segments.hpp"
@@ -150,7 +151,79 @@ decltype(TaskSpec::kind) read_kind(TomlReader& reader) {
   }
 }
 
+/// False: this kind of task has nothing to multiply.
+bool multiply(decltype(TaskSpec::kind)& kind, Difficulty::Factor factor, double by) {
+  using Factor = Difficulty::Factor;
+  return std::visit(
+      [&](auto& task) {
+        if constexpr (requires { task.position_tolerance_m; }) {
+          if (factor == Factor::tolerance) {
+            task.position_tolerance_m *= by;
+            task.angle_tolerance_rad *= by;
+            return true;
+          }
+        }
+        if constexpr (requires { task.targets.front().p_WT; }) {
+          if (factor == Factor::distance) {
+            for (auto& target : task.targets) target.p_WT *= by;
+            return true;
+          }
+        }
+        if constexpr (requires { task.waveform; }) {
+          if (factor == Factor::frequency) {
+            task.waveform.frequency_Hz *= by;
+            return true;
+          }
+        }
+        if constexpr (requires {
+                        task.most;
+                        task.least;
+                      }) {
+          if (factor == Factor::level) {
+            task.most *= by;
+            task.least *= by;
+            return true;
+          }
+        } else if constexpr (requires { task.level; }) {
+          if (factor == Factor::level) {
+            task.level *= by;
+            return true;
+          }
+        }
+        return false;
+      },
+      kind);
+}
+
+void read_difficulty(TomlReader& reader, TaskSpec& spec) {
+  if (!reader.has("difficulty")) return;
+  constexpr double kLeastFactor = 0.05;
+  constexpr double kMostFactor = 20.0;
+  TomlReader table = reader.table("difficulty");
+  Difficulty difficulty;
+  difficulty.factor = static_cast<Difficulty::Factor>(
+      table.choice("factor", {"tolerance", "distance", "frequency", "level"}));
+  difficulty.easiest = read_within(table, "easiest", kLeastFactor, kMostFactor);
+  difficulty.hardest = read_within(table, "hardest", kLeastFactor, kMostFactor);
+  difficulty.start = read_within(table, "start", 0.0, 1.0, difficulty.start);
+  difficulty.measure = table.text("success_measure");
+  difficulty.at_least = table.number("success_at_least");
+  double by = 1.0;
+  if (reader.has("chosen")) {
+    TomlReader chosen = reader.table("chosen");
+    difficulty.chosen = read_within(chosen, "level", 0.0, 1.0);
+    by = std::lerp(difficulty.easiest, difficulty.hardest, *difficulty.chosen);
+  }
+  if (!multiply(spec.kind, difficulty.factor, by))
+    table.fail("factor", "is nothing that this kind of task has", "choose another factor");
+  spec.difficulty = std::move(difficulty);
+}
+
 }  // namespace
+
+Result<TaskSpec> at_level(const TaskSpec& spec, double level) {
+  return parse_task(spec.text + "\n[chosen]\nlevel = " + format_number(level) + "\n", spec.file);
+}
 
 Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
   auto reader = TomlReader::parse(text, file, "isograsp-task-1");
@@ -163,6 +236,7 @@ Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
   constexpr int kMostVersion = 1'000'000;
   spec.version = read_count(*reader, "version", 1, kMostVersion);
   spec.kind = read_kind(*reader);
+  read_difficulty(*reader, spec);
   constexpr double kLongestTask_s = 7200.0;  // a trial is kept in memory while it is scored
   if (spec.duration().worst_s > kLongestTask_s)
     reader->fail("", "takes longer than two hours", "make it shorter, or repeat it less often");

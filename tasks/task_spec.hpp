@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,6 +22,18 @@ struct Duration {
   double worst_s = 0.0;
 };
 
+/// How a training task becomes easier or harder, and what counts as success.
+struct Difficulty {
+  enum class Factor : std::uint8_t { tolerance, distance, frequency, level };
+  Factor factor = Factor::tolerance;  ///< what is multiplied
+  double easiest = 1.0;               ///< by this at level 0 …
+  double hardest = 1.0;               ///< … and by this at level 1
+  double start = 0.3;                 ///< level of the first trial
+  std::string measure;                ///< success: this measure …
+  double at_least = 0.0;              ///< … is not below this
+  std::optional<double> chosen;       ///< level of this trial; nothing: the file as it is
+};
+
 struct TaskSpec {
   std::string name;         ///< for people: "Grip force, sine"
   std::string instruction;  ///< plain words for the patient
@@ -30,6 +43,7 @@ struct TaskSpec {
                ForceSenseSpec, FatigueSpec, IndividuationSpec, ForceDirectionSpec, PoseTrackingSpec,
                PickPlaceSpec>
       kind;
+  std::optional<Difficulty> difficulty;
   std::string file;  ///< where it was read from, for errors
   std::string text;  ///< the file itself: stored with every trial
 
@@ -45,26 +59,10 @@ struct TaskSpec {
   [[nodiscard]] bool needs_maximum() const { return !channels_needed(Scale::of_maximum).empty(); }
 };
 
-[[nodiscard]] Result<TaskSpec> parse_task(std::string_view text, const std::string& file);
+/// The task at a level of its difficulty, 0 … 1; the level stands at the end of its text.
+/// @pre spec.difficulty
+[[nodiscard]] Result<TaskSpec> at_level(const TaskSpec& spec, double level);
 
-/// One step of a protocol.
-struct ProtocolStep {
-  enum class Kind : std::uint8_t {
-    instrument_zero,  ///< device empty
-    task
-  };
-  Kind kind = Kind::task;
-  std::string task;  ///< file name of the task, without folder
-  int repetitions = 1;
-  bool practice = false;  ///< recorded, but no assessment
-  double rest_s = 0.0;    ///< pause after each repetition
-};
-struct ProtocolSpec {
-  std::string name;
-  std::vector<ProtocolStep> steps;
-  std::string file;
-  std::string text;
-};
-[[nodiscard]] Result<ProtocolSpec> parse_protocol(std::string_view text, const std::string& file);
+[[nodiscard]] Result<TaskSpec> parse_task(std::string_view text, const std::string& file);
 
 }  // namespace isograsp

@@ -40,7 +40,8 @@ double value_at(const Waveform& w, double duration_s, double t_s) {
     case Waveform::Shape::constant: return 1.0;
     case Waveform::Shape::ramp: return std::min(1.0, t_s / w.rise_s);
     case Waveform::Shape::trapezoid: return trapezoid(w, t_s);
-    case Waveform::Shape::triangle: return 1.0 - std::abs(2.0 * (cycles - std::floor(cycles)) - 1.0);
+    case Waveform::Shape::triangle:
+      return 1.0 - std::abs(2.0 * (cycles - std::floor(cycles)) - 1.0);
     case Waveform::Shape::sine: return breath(cycles);
     case Waveform::Shape::swept_sine:
       return breath(cycles + 0.5 * (w.last_frequency_Hz - w.frequency_Hz) * t_s * t_s / duration_s);

@@ -2,7 +2,7 @@
 // Protocol files.
 #include <cmath>
 
-#include "tasks/task_spec.hpp"
+#include "tasks/protocol.hpp"
 #include "tests/fuzz/support.hpp"
 
 using namespace isograsp;
@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto& step : protocol->steps) {
     fuzz::require(step.repetitions >= 1, "a step is done once at least");
     fuzz::require(std::isfinite(step.rest_s) && step.rest_s >= 0.0, "a pause is no negative time");
-    fuzz::require(step.kind != ProtocolStep::Kind::task || !step.task.empty(),
+    fuzz::require(step.kind != ProtocolStep::Kind::task || !step.tasks.empty(),
                   "a step names its task");
   }
   return 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Task and protocol files: what is accepted, and what each mistake is told.
-#include "tasks/task_spec.hpp"
-
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "tasks/protocol.hpp"
 
 namespace isograsp {
 namespace {
@@ -35,7 +35,8 @@ TEST(TaskSpec, EveryMistakeNamesLineFieldAndRemedy) {
   const std::pair<std::string, std::string> bad[] = {
       {"kind = \"juggle\"\n",
        "t.toml:4: kind: 'juggle' is not known; write one of: rest, maximum, force_tracking, "
-       "pose_targets, observe"},
+       "pose_targets, observe, directional_maxima, steadiness, step_response, grip_release, "
+       "force_sense, fatigue, individuation, force_direction, pose_tracking, pick_place"},
       {"kind = \"rest\"\nduration = 3\n",
        "t.toml:5: duration: unknown key; remove it or correct its spelling"},
       {"kind = \"rest\"\nduration_s = 0\n",
@@ -85,7 +86,7 @@ TEST(ProtocolSpec, StepsKeepTheirOrderAndTheirOwnSettings) {
   ASSERT_TRUE(protocol) << protocol.error().message();
   ASSERT_EQ(protocol->steps.size(), 2u);
   EXPECT_EQ(protocol->steps[0].kind, ProtocolStep::Kind::instrument_zero);
-  EXPECT_EQ(protocol->steps[1].task, "a.toml");
+  EXPECT_EQ(protocol->steps[1].tasks, std::vector<std::string>{"a.toml"});
   EXPECT_EQ(protocol->steps[1].repetitions, 3);
   EXPECT_TRUE(protocol->steps[1].practice);
   EXPECT_EQ(protocol->steps[1].rest_s, 60.0);
@@ -102,7 +103,7 @@ TEST(ProtocolSpec, EveryMistakeNamesLineFieldAndRemedy) {
       {"[[step]]\nkind = \"task\"\ntask = \"a\"\nrepetitions = 0\n",
        "p.toml:6: step[1].repetitions: 0 is out of range; write a whole number from 1 to 100"},
       {"[[step]]\nkind = \"task\"\ntask = \"a\"\nrest_s = -1\n",
-       "p.toml:6: step[1].rest_s: is out of range; write a number from 0 to 3600"},
+       "p.toml:6: step[1].rest_s: -1 is out of range; write a number from 0 to 3600"},
       {"[[step]]\nkind = \"instrument_zero\"\ntask = \"a\"\n",
        "p.toml:5: step[1].task: unknown key; remove it or correct its spelling"},
   };

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/library.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
+#include "core/csv.hpp"
+
+namespace isograsp {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The table that carries the points of a CSV target inside the task's text.
+Result<std::string> csv_table(const std::string& path) {
+  const auto signals = read_signals(path);
+  if (!signals) return signals.error();
+  std::string text = "\n[csv_data]\n";
+  for (const char* column : {"t_s", "target"}) {
+    if (!signals->has(column))
+      return Error{
+          Error::Code::bad_input, "is missing", "name the columns t_s and target", path, 1, column};
+    text += std::string(column) + " = [";
+    const char* separator = "";
+    for (const double value : signals->column(column)) {
+      text += separator + format_number(value);
+      separator = ", ";
+    }
+    text += "]\n";
+  }
+  return text;
+}
+
+class ProtocolReader {
+ public:
+  ProtocolReader(ReadyProtocol& ready, const std::string& library)
+      : ready_(ready), library_(library) {}
+
+  Result<void> read() {
+    for (std::size_t i = 0; i < ready_.spec.steps.size(); ++i) {
+      ready_.tasks.emplace_back();
+      const ProtocolStep& step = ready_.spec.steps[i];
+      if (step.kind != ProtocolStep::Kind::task) continue;
+      for (const std::string& name : step.tasks) {
+        auto task = find_and_load(name);
+        if (!task) return task.error();
+        if (auto good = check(*task, step); !good) return good;
+        ready_.tasks.back().push_back(*std::move(task));
+      }
+    }
+    return {};
+  }
+
+ private:
+  Result<TaskSpec> find_and_load(const std::string& name) const {
+    const auto path = find_in_library(library_, "tasks", name, ready_.spec.file);
+    if (!path) return path.error();
+    auto spec = load_task(*path);
+    if (!spec || spec->scene().empty()) return spec;
+    if (const auto scene = find_in_library(library_, "scenes", spec->scene(), *path); !scene)
+      return scene.error();
+    return spec;
+  }
+
+  Error refused(std::string what, std::string remedy) const {
+    return {Error::Code::bad_input,
+            std::move(what),
+            std::move(remedy),
+            ready_.spec.file,
+            0,
+            "step[" + std::to_string(ready_.tasks.size()) + "].task"};
+  }
+
+  /// What a task needs must have been measured by an earlier step.
+  Result<void> check(const TaskSpec& task, const ProtocolStep& step) {
+    if (step.adaptive && !task.difficulty)
+      return refused("'" + task.name + "' has no difficulty to adapt",
+                     "add a [difficulty] table to the task, or leave out adaptive");
+    const auto* maximum = std::get_if<MaximumSpec>(&task.kind);
+    const bool above_rest =
+        maximum != nullptr || std::holds_alternative<DirectionalMaximaSpec>(task.kind);
+    if (above_rest && !rested_)
+      return refused(
+          "a maximum is measured above the resting force, which no earlier step measures",
+          "put a resting-force task before it");
+    for (const auto& [scale, measured, what] :
+         {std::tuple{Scale::of_maximum, &maxima_, "maximum"},
+          std::tuple{Scale::of_comfortable, &comfortable_, "comfortable force"}})
+      for (const ForceChannel channel : task.channels_needed(scale))
+        if (std::find(measured->begin(), measured->end(), channel) == measured->end())
+          return refused("the target is a share of the " + std::string(what) + " of '" +
+                             name_of(channel) + "' that no earlier step measures",
+                         "put a task that measures it before");
+    rested_ = rested_ || std::holds_alternative<RestSpec>(task.kind);
+    if (maximum != nullptr)
+      (maximum->comfortable ? comfortable_ : maxima_).push_back(maximum->channel);
+    if (const auto* directions = std::get_if<DirectionalMaximaSpec>(&task.kind))
+      for (const Finger digit : directions->digits)
+        for (const Direction direction : directions->directions)
+          maxima_.push_back(channel_of(digit, direction));
+    return {};
+  }
+
+  ReadyProtocol& ready_;
+  const std::string& library_;
+  bool rested_ = false;
+  std::vector<ForceChannel> maxima_;
+  std::vector<ForceChannel> comfortable_;
+};
+
+}  // namespace
+
+Result<std::string> find_in_library(const std::string& library, const std::string& folder,
+                                    const std::string& name, const std::string& beside) {
+  const std::string file = name.ends_with(".toml") ? name : name + ".toml";
+  std::error_code ignored;
+  std::vector<fs::path> places;
+  if (!beside.empty()) places.push_back(fs::path(beside).parent_path() / file);
+  places.push_back(fs::path(library) / folder / file);
+  for (const auto& path : places)
+    if (fs::is_regular_file(path, ignored)) return path.string();
+  return Error{Error::Code::bad_input,
+               "there is no file of this name",
+               "put it into " + (fs::path(library) / folder).string(),
+               file,
+               0,
+               ""};
+}
+
+Result<TaskSpec> load_task(const std::string& path) {
+  const auto text = read_text(path);
+  if (!text) return text.error();
+  auto spec = parse_task(*text, path);
+  if (!spec) return spec;
+  const auto* tracking = std::get_if<ForceTrackingSpec>(&spec->kind);
+  if (tracking == nullptr || tracking->waveform.csv.empty() || !tracking->waveform.t_s.empty())
+    return spec;
+  const auto table = csv_table((fs::path(path).parent_path() / tracking->waveform.csv).string());
+  if (!table) return table.error();
+  return parse_task(*text + *table, path);
+}
+
+Result<ReadyProtocol> read_protocol(const std::string& path, const std::string& library) {
+  const auto text = read_text(path);
+  if (!text) return text.error();
+  auto spec = parse_protocol(*text, path);
+  if (!spec) return spec.error();
+  ReadyProtocol ready{std::move(*spec), {}};
+  if (auto read = ProtocolReader(ready, library).read(); !read) return read.error();
+  return ready;
+}
+
+}  // namespace isograsp

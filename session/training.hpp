@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What earlier sessions of a patient say about today's: the level of each training task and the
+// baseline of each force. Only sessions of the same hand and the same kind of device (real, or
+// simulated) count, and no recordings.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "core/force_channel.hpp"
+#include "core/result.hpp"
+#include "storage/session_store.hpp"
+#include "tasks/staircase.hpp"
+#include "tasks/task_spec.hpp"
+
+namespace isograsp {
+
+class Training {
+ public:
+  /// Reads what is stored of the patient of `session`, before it.
+  [[nodiscard]] static Result<Training> read(SessionStore& store, const SessionRecord& session);
+
+  /// The level at which this task goes on; its start if it was never trained. @pre spec.difficulty
+  [[nodiscard]] double level(const TaskSpec& spec) const;
+  /// A trial of today. Only completed ones at a chosen level count.
+  void learn(const TaskSpec& spec, const TrialRecord& trial, const std::vector<Measure>& measures);
+
+  /// Mean of the best maxima of the first two days of assessment, per channel [N].
+  [[nodiscard]] const std::map<ForceChannel, double>& baseline_N() const noexcept {
+    return baseline_N_;
+  }
+
+ private:
+  using Key = std::pair<std::string, int>;  ///< name and version of the task
+  std::map<Key, Staircase> staircases_;
+  std::map<ForceChannel, double> baseline_N_;
+};
+
+/// The measure that decides reached what the task asks for.
+[[nodiscard]] bool is_success(const Difficulty& difficulty, const std::vector<Measure>& measures);
+
+}  // namespace isograsp

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/random.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr std::uint64_t kOrderStream = 210;
+
+/// Every task `repetitions` times.
+std::vector<std::size_t> planned(const ProtocolStep& step, std::uint64_t seed) {
+  if (step.kind != ProtocolStep::Kind::task) return {0};
+  std::vector<std::size_t> order;
+  const auto repetitions = static_cast<std::size_t>(step.repetitions);
+  for (std::size_t k = 0; k < step.tasks.size() * repetitions; ++k)
+    order.push_back(step.order == Order::ordered ? k / repetitions : k % step.tasks.size());
+  if (step.order == Order::random) {  // Fisher-Yates, the same in every build
+    Random random(seed, kOrderStream);
+    for (std::size_t k = order.size(); k > 1; --k)
+      std::swap(order[k - 1],
+                order[static_cast<std::size_t>(random.uniform() * static_cast<double>(k))]);
+  }
+  return order;
+}
+
+}  // namespace
+
+bool is_agreed(const std::vector<double>& values, double percent, bool last_two) {
+  if (values.size() < 2) return false;
+  std::vector<double> two(values.end() - 2, values.end());
+  if (!last_two) {
+    two = values;
+    std::partial_sort(two.begin(), two.begin() + 2, two.end(), std::greater<>());
+  }
+  const double larger = std::max(std::abs(two[0]), std::abs(two[1]));
+  return 100.0 * std::abs(two[0] - two[1]) <= percent * larger;
+}
+
+Course::Course(const ProtocolSpec& protocol, std::uint64_t seed)
+    : protocol_(protocol), seed_(seed) {
+  enter_step();
+}
+
+void Course::enter_step() {
+  place_ = 0;
+  order_.clear();
+  if (step_ == protocol_.steps.size()) return;
+  const ProtocolStep& step = protocol_.steps[step_];
+  order_ = planned(step, seed_ + step_);
+  values_.assign(std::max<std::size_t>(1, step.tasks.size()), {});
+  attempts_.assign(values_.size(), 0);
+}
+
+std::optional<Course::Item> Course::next() const {
+  if (step_ == protocol_.steps.size()) return std::nullopt;
+  const ProtocolStep& step = protocol_.steps[step_];
+  Item item{step_, order_[place_], 1, rest_until_s_};
+  item.attempt = attempts_[item.task] + 1;
+  if (step.kind != ProtocolStep::Kind::task) return item;
+  const auto before = ended_s_.find(step.tasks[item.task]);
+  if (before != ended_s_.end())
+    item.not_before_s = std::max(item.not_before_s, before->second + step.recurrence_s);
+  return item;
+}
+
+void Course::record(const Outcome& outcome) {
+  const ProtocolStep& step = protocol_.steps[step_];
+  const std::size_t task = order_[place_];
+  ++done_;
+  ++attempts_[task];
+  if (outcome.completed && outcome.agreeing) values_[task].push_back(*outcome.agreeing);
+  if (step.kind == ProtocolStep::Kind::task) ended_s_[step.tasks[task]] = outcome.ended_s;
+  rest_until_s_ = outcome.ended_s + step.rest_s;
+  if (++place_ == order_.size()) plan_more();
+  if (place_ < order_.size()) return;
+  ++step_;
+  enter_step();
+}
+
+void Course::plan_more() {
+  const ProtocolStep& step = protocol_.steps[step_];
+  if (!step.agreement) return;
+  for (std::size_t task = 0; task < step.tasks.size(); ++task)
+    if (attempts_[task] < step.agreement->most_repetitions &&
+        !is_agreed(values_[task], step.agreement->percent, step.practice))
+      order_.push_back(task);
+}
+
+int Course::expected() const {
+  int count = done_ + static_cast<int>(order_.size() - place_);
+  for (std::size_t i = step_ + 1; i < protocol_.steps.size(); ++i)
+    count += static_cast<int>(planned(protocol_.steps[i], seed_).size());
+  return count;
+}
+
+namespace {
+
+/// Hand out, one second of quiet, hand in again.
+constexpr double kZero_s = 15.0;
+/// An instruction in plain words, before the first trial of every task (clinical rule: 70 s for the
+/// nine tasks of the battery).
+constexpr double kInstruction_s = 8.0;
+
+double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskSpec>>& tasks,
+               bool worst) {
+  Course course(protocol, 0);
+  std::set<std::string> instructed;
+  double now_s = 0.0;
+  int attempt = 0;
+  while (const auto item = course.next()) {
+    const ProtocolStep& step = protocol.steps[item->step];
+    now_s = std::max(now_s, item->not_before_s);
+    if (step.kind == ProtocolStep::Kind::instrument_zero) {
+      now_s += kZero_s;
+    } else if (step.kind == ProtocolStep::Kind::pause) {
+      now_s += step.duration_s;
+    } else {
+      const Duration duration = tasks[item->step][item->task].duration();
+      if (instructed.insert(step.tasks[item->task]).second) now_s += kInstruction_s;
+      now_s += worst ? duration.worst_s : duration.nominal_s;
+    }
+    // Attempts that grow tenfold never agree; equal ones do at once.
+    course.record({true, worst ? std::pow(10.0, ++attempt) : 1.0, now_s});
+  }
+  return now_s;
+}
+
+}  // namespace
+
+Duration duration_of(const ProtocolSpec& protocol,
+                     const std::vector<std::vector<TaskSpec>>& tasks) {
+  return {time_of(protocol, tasks, false), time_of(protocol, tasks, true)};
+}
+
+}  // namespace isograsp

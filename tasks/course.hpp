@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What comes next in a protocol, decided from what came of the steps before. Pure: same protocol,
+// seed and outcomes, same next step, so that an interrupted session can be taken up again by
+// telling it its outcomes once more.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "tasks/protocol.hpp"
+
+namespace isograsp {
+
+class Course {
+ public:
+  /// One act of the protocol.
+  struct Item {
+    std::size_t step = 0;       ///< of the protocol
+    std::size_t task = 0;       ///< of the step
+    int attempt = 1;            ///< at this task within the step
+    double not_before_s = 0.0;  ///< session time: rests and recurrences end then
+  };
+  struct Outcome {
+    bool completed = true;
+    std::optional<double> agreeing;  ///< the measure on which attempts must agree
+    double ended_s = 0.0;            ///< session time
+  };
+
+  /// Refers to `protocol`, which must outlive it.
+  Course(const ProtocolSpec& protocol, std::uint64_t seed);
+
+  /// Nothing: the protocol is over.
+  [[nodiscard]] std::optional<Item> next() const;
+  /// What came of next().
+  void record(const Outcome& outcome);
+
+  [[nodiscard]] int done() const noexcept { return done_; }
+  /// Acts of the whole protocol if all further attempts agree at once.
+  [[nodiscard]] int expected() const;
+
+ private:
+  void enter_step();
+  void plan_more();
+
+  const ProtocolSpec& protocol_;
+  std::uint64_t seed_;
+  std::size_t step_ = 0;
+  std::vector<std::size_t> order_;           ///< tasks of this step, attempt by attempt
+  std::size_t place_ = 0;                    ///< in order_
+  std::vector<std::vector<double>> values_;  ///< per task of this step: agreeing measures
+  std::vector<int> attempts_;                ///< per task of this step
+  std::map<std::string, double> ended_s_;    ///< per task file
+  double rest_until_s_ = 0.0;
+  int done_ = 0;
+};
+
+/// The values agree: the best two (assessment), or the last two (practice), differ by at most
+/// `percent` of the larger. Fewer than two never agree.
+[[nodiscard]] bool is_agreed(const std::vector<double>& values, double percent, bool last_two);
+
+/// Nominal and worst duration of a protocol [s], rests, zeros and instructions included: nominal if
+/// attempts agree at once. `tasks[i]`: the tasks of step i.
+[[nodiscard]] Duration duration_of(const ProtocolSpec& protocol,
+                                   const std::vector<std::vector<TaskSpec>>& tasks);
+
+}  // namespace isograsp

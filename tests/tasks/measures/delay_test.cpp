@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp {
@@ -43,6 +44,70 @@ TEST(Delay, LagIsFoundOnARampWithKneesWhereSumsOverAShrinkingOverlapFindZero) {
   constexpr double kOneSample_s = 0.01;
   ASSERT_TRUE(found.value) << found.reason;
   EXPECT_NEAR(*found.value, 0.25, kOneSample_s);
+}
+
+/// The definition word by word: every shift, every overlap, two passes.
+std::optional<double> lag_by_definition(const UniformSamples& target,
+                                        const UniformSamples& actual) {
+  const auto n = static_cast<int>(target.values.size());
+  const int most = static_cast<int>(std::lround(1.5 / target.step_s));
+  const auto r = [&](int shift) {
+    const int first = std::max(0, -shift);
+    const int last = std::min(n, n - shift);
+    const auto x = [&](int k) { return target.values[static_cast<std::size_t>(k)]; };
+    const auto y = [&](int k) { return actual.values[static_cast<std::size_t>(k + shift)]; };
+    double x_mean = 0.0, y_mean = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
+    for (int k = first; k < last; ++k) {
+      x_mean += x(k) / (last - first);
+      y_mean += y(k) / (last - first);
+    }
+    for (int k = first; k < last; ++k) {
+      xx += (x(k) - x_mean) * (x(k) - x_mean);
+      yy += (y(k) - y_mean) * (y(k) - y_mean);
+      xy += (x(k) - x_mean) * (y(k) - y_mean);
+    }
+    return xy / std::sqrt(xx * yy);
+  };
+  int peak = -most;
+  for (int shift = -most; shift <= most; ++shift)
+    if (r(shift) > r(peak)) peak = shift;
+  if (r(peak) < 0.35 || std::abs(peak) == most) return std::nullopt;
+  const double before = r(peak - 1), here = r(peak), after = r(peak + 1);
+  return (peak + 0.5 * (before - after) / (before - 2.0 * here + after)) * target.step_s;
+}
+
+TEST(Delay, LagIsThatOfTheDefinitionOnNoisyShortAndLopsidedRecords) {
+  Random random(7);
+  constexpr double kIdentical_s = 1e-9;
+  for (const std::size_t count : {350u, 1000u, 2048u})
+    for (const double noise : {0.0, 0.05, 0.5, 3.0})
+      for (const double offset : {0.0, 1e4})
+        for (const double delay_s : {0.237, -0.4}) {
+          const auto t = times(count);
+          UniformSamples target{0.01, sampled(t, wander)};
+          UniformSamples actual{0.01, {}};
+          for (const double s : t)
+            actual.values.push_back(offset + 3.0 * wander(s - delay_s) + noise * random.gaussian());
+          // Rest for the first half: many overlaps hold hardly any of the change.
+          if (noise == 0.05)
+            std::fill_n(target.values.begin(), count / 2, target.values[count / 2]);
+          const Computed found = lag(target, actual);
+          const auto expected = lag_by_definition(target, actual);
+          ASSERT_EQ(found.value.has_value(), expected.has_value()) << found.reason;
+          if (expected) {
+            EXPECT_NEAR(*found.value, *expected, kIdentical_s);
+          }
+        }
+}
+
+TEST(Delay, AStepAtTheVeryEndIsFoundThoughMostOverlapsAreConstant) {
+  UniformSamples target{0.01, std::vector<double>(1000, 2.0)};
+  UniformSamples actual = target;
+  for (std::size_t k = 990; k < 1000; ++k) target.values[k] = 3.0;
+  for (std::size_t k = 994; k < 1000; ++k) actual.values[k] = 3.0;
+  const Computed found = lag(target, actual);
+  ASSERT_TRUE(found.value) << found.reason;
+  EXPECT_NEAR(*found.value, 0.04, 0.005);
 }
 
 TEST(Delay, LagHasNoValueWithoutVariationCorrelationOrPeak) {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measures/fatigue.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "tasks/measures/error.hpp"
+#include "tasks/measures/line.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// Mean force of the first 5 s.
+Computed fresh_force(std::span<const double> t_s, std::span<const double> force_N) {
+  assert(t_s.size() == force_N.size());
+  constexpr double kFresh_s = 5.0;
+  const auto end =
+      t_s.empty() ? t_s.end() : std::lower_bound(t_s.begin(), t_s.end(), t_s.front() + kFresh_s);
+  if (end == t_s.end()) return "no more than 5 s of force";
+  const auto count = static_cast<std::size_t>(end - t_s.begin());
+  const auto first_N = force_N.first(count);
+  Computed mean = weighted_mean(first_N, hold_lengths(t_s.first(count)));
+  double largest = 0.0;
+  for (const double value : first_N) largest = std::max(largest, std::abs(value));
+  constexpr double kZeroMean = 1e-12;  // rounding of a mean that is truly zero
+  if (std::abs(*mean.value) <= kZeroMean * largest) return "the first 5 s have no force";
+  return mean;
+}
+
+}  // namespace
+
+Computed fatigue_slope(std::span<const double> t_s, std::span<const double> force_N) {
+  Computed fresh_N = fresh_force(t_s, force_N);
+  if (!fresh_N.value) return fresh_N;
+  const auto line = fit_line(t_s, force_N);
+  if (!line) return "fewer than three samples";
+  return 100.0 * line->slope / *fresh_N.value;
+}
+
+EventTime time_to_fatigue(std::span<const double> t_s, std::span<const double> force_N) {
+  constexpr double kShare = 0.8;
+  constexpr double kLasting_s = 1.0;  // a lapse that is made good at once is not fatigue
+  const Computed fresh_N = fresh_force(t_s, force_N);
+  if (!fresh_N.value) return {fresh_N, {}};
+  std::vector<bool> below(force_N.size());
+  for (std::size_t k = 0; k < below.size(); ++k) below[k] = force_N[k] / *fresh_N.value < kShare;
+  const auto found = stretches(t_s, below, kLasting_s);
+  if (found.empty()) return {"the force stayed above 80 %", t_s.back() - t_s.front()};
+  return {t_s[found.front().first] - t_s.front(), {}};
+}
+
+}  // namespace isograsp

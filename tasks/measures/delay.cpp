@@ -2,12 +2,10 @@
 #include "tasks/measures/delay.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
-#include <complex>
 
-#include "tasks/measures/smoothness.hpp"
+#include <Eigen/Core>
 
 namespace isograsp {
 
@@ -51,95 +49,81 @@ std::optional<double> correlation(std::span<const double> target, std::span<cons
   return xy / std::sqrt(xx * yy);
 }
 
-/// sum(x[k] y[k + shift]) for every shift of up to `most` either way, by blocks in the spectrum.
-std::vector<double> cross_sums(std::span<const double> x, std::span<const double> y,
-                               std::ptrdiff_t most) {
-  const auto n = static_cast<std::ptrdiff_t>(x.size());
-  // Each block of x meets `most` more samples of y on both sides. Eight times as long a transform
-  // spends most of itself on the block.
-  const std::size_t length = std::bit_ceil(static_cast<std::size_t>(8 * most + 1));
-  const std::ptrdiff_t block = static_cast<std::ptrdiff_t>(length) - 2 * most;
-  std::vector<std::complex<double>> spectrum(length);
-  std::vector<std::complex<double>> both(length);
-  for (std::ptrdiff_t first = 0; first < n; first += block) {
-    // One transform for two real signals: x in the real part, y in the imaginary one.
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(length); ++i) {
-      const std::ptrdiff_t of_x = first + i;
-      const std::ptrdiff_t of_y = first + i - most;
-      both[static_cast<std::size_t>(i)] = {
-          i < block && of_x < n ? x[static_cast<std::size_t>(of_x)] : 0.0,
-          of_y >= 0 && of_y < n ? y[static_cast<std::size_t>(of_y)] : 0.0};
-    }
-    fourier_transform(both);
-    for (std::size_t k = 0; k < length; ++k) {
-      const std::complex<double> a = both[k];
-      const std::complex<double> b = std::conj(both[(length - k) & (length - 1)]);
-      // X = (a + b) / 2, Y = (a - b) / 2i; conjugated product of X and Y, then conjugated again so
-      // that the forward transform serves as the inverse.
-      const std::complex<double> sum = a + b;
-      const std::complex<double> difference = a - b;
-      const double re = sum.real() * difference.imag() - sum.imag() * difference.real();
-      const double im = sum.real() * difference.real() + sum.imag() * difference.imag();
-      spectrum[k] += std::complex<double>(re, im);
-    }
+double mean_of(std::span<const double> x) {
+  double sum = 0.0;
+  for (const double value : x) sum += value;
+  return sum / static_cast<double>(x.size());
+}
+
+/// sum((x[k] - x_mean) (y[k + shift] - y_mean)) over the overlap, shifts from -most to most.
+std::vector<double> cross_sums(std::span<const double> x, double x_mean, std::span<const double> y,
+                               double y_mean, std::ptrdiff_t most) {
+  constexpr std::size_t kLanes = 24;  // shifts at a time: twelve vector registers hold them
+  using Lanes = Eigen::Array<double, kLanes, 1>;
+  const auto shifts = static_cast<std::size_t>(2 * most + 1);
+  std::vector<double> padded(y.size() + shifts + kLanes, 0.0);
+  std::transform(y.begin(), y.end(), padded.begin() + most,
+                 [&](double value) { return value - y_mean; });
+  std::vector<double> sums;
+  sums.reserve(shifts + kLanes);
+  for (std::size_t shift = 0; shift < shifts; shift += kLanes) {
+    Lanes sum = Lanes::Zero();
+    for (std::size_t k = 0; k < x.size(); ++k)
+      sum += (x[k] - x_mean) * Eigen::Map<const Lanes>(&padded[k + shift]);
+    sums.insert(sums.end(), sum.begin(), sum.end());
   }
-  fourier_transform(spectrum);
-  std::vector<double> sums(static_cast<std::size_t>(2 * most + 1));
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    sums[i] = spectrum[i].real() / (4.0 * static_cast<double>(length));
+  sums.resize(shifts);
   return sums;
 }
 
-/// Sums over the first k samples, of x and of its square.
-struct RunningSums {
-  std::vector<double> x;
-  std::vector<double> xx;
-  explicit RunningSums(std::span<const double> values) : x{0.0}, xx{0.0} {
-    x.reserve(values.size() + 1);
-    xx.reserve(values.size() + 1);
-    for (const double value : values) {
-      x.push_back(x.back() + value);
-      xx.push_back(xx.back() + value * value);
-    }
-  }
+struct Sums {
+  double x = 0.0;
+  double xx = 0.0;
 };
-
-std::vector<double> centred(std::span<const double> x) {
-  double mean = 0.0;
-  for (const double value : x) mean += value;
-  mean /= static_cast<double>(x.size());
-  std::vector<double> rest(x.begin(), x.end());
-  for (double& value : rest) value -= mean;
-  return rest;
+/// Sums of x - mean and of its square over all values but the first 0, 1, ... most.
+template <class Iterator>
+std::vector<Sums> sums_without_first(Iterator first, Iterator last, double mean,
+                                     std::ptrdiff_t most) {
+  Sums rest;
+  for (Iterator at = first; at != last; ++at) {
+    rest.x += *at - mean;
+    rest.xx += (*at - mean) * (*at - mean);
+  }
+  std::vector<Sums> sums{rest};
+  for (; first != last && most > 0; ++first, --most) {
+    rest.x -= *first - mean;
+    rest.xx -= (*first - mean) * (*first - mean);
+    sums.push_back(rest);
+  }
+  return sums;
 }
 
 /// correlation() of all shifts from -most to most at once, but rounded more coarsely; no value
 /// where so little varies that only correlation() itself can tell.
-std::vector<std::optional<double>> rough_correlations(std::span<const double> target,
-                                                      std::span<const double> actual,
+std::vector<std::optional<double>> rough_correlations(std::span<const double> x,
+                                                      std::span<const double> y,
                                                       std::ptrdiff_t most) {
-  const std::vector<double> x = centred(target);
-  const std::vector<double> y = centred(actual);
-  const std::vector<double> xy = cross_sums(x, y, most);
-  const RunningSums of_x(x);
-  const RunningSums of_y(y);
-  const auto n = static_cast<std::ptrdiff_t>(x.size());
+  const double x_mean = mean_of(x);
+  const double y_mean = mean_of(y);
+  const auto xy = cross_sums(x, x_mean, y, y_mean, most);
+  const auto x_without_first = sums_without_first(x.begin(), x.end(), x_mean, most);
+  const auto x_without_last = sums_without_first(x.rbegin(), x.rend(), x_mean, most);
+  const auto y_without_first = sums_without_first(y.begin(), y.end(), y_mean, most);
+  const auto y_without_last = sums_without_first(y.rbegin(), y.rend(), y_mean, most);
   std::vector<std::optional<double>> r(xy.size());
   for (std::ptrdiff_t shift = -most; shift <= most; ++shift) {
-    const std::ptrdiff_t overlap = std::min(n, n - shift) - std::max<std::ptrdiff_t>(0, -shift);
-    if (overlap <= 0) continue;
-    const auto from_x = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, -shift));
-    const auto from_y = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, shift));
-    const auto count = static_cast<std::size_t>(overlap);
-    const double n_count = static_cast<double>(overlap);
-    const double x_sum = of_x.x[from_x + count] - of_x.x[from_x];
-    const double y_sum = of_y.x[from_y + count] - of_y.x[from_y];
-    const double xx = of_x.xx[from_x + count] - of_x.xx[from_x] - x_sum * x_sum / n_count;
-    const double yy = of_y.xx[from_y + count] - of_y.xx[from_y] - y_sum * y_sum / n_count;
+    const auto lost = static_cast<std::size_t>(std::abs(shift));
+    if (lost >= x.size()) continue;
+    const Sums& of_x = shift < 0 ? x_without_first[lost] : x_without_last[lost];
+    const Sums& of_y = shift < 0 ? y_without_last[lost] : y_without_first[lost];
+    const auto n = static_cast<double>(x.size() - lost);
+    const double xx = of_x.xx - of_x.x * of_x.x / n;
+    const double yy = of_y.xx - of_y.x * of_y.x / n;
     constexpr double kCancelled = 1e-3;  // of the whole: less has lost three more digits
-    if (xx <= kCancelled * of_x.xx.back() || yy <= kCancelled * of_y.xx.back()) continue;
+    if (xx <= kCancelled * x_without_first[0].xx || yy <= kCancelled * y_without_first[0].xx)
+      continue;
     const auto i = static_cast<std::size_t>(shift + most);
-    r[i] = (xy[i] - x_sum * y_sum / n_count) / std::sqrt(xx * yy);
+    r[i] = (xy[i] - of_x.x * of_y.x / n) / std::sqrt(xx * yy);
   }
   return r;
 }

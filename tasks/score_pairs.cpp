@@ -5,6 +5,7 @@
 
 #include "tasks/measures/delay.hpp"
 #include "tasks/measures/error.hpp"
+#include "tasks/measures/regularity.hpp"
 #include "tasks/measures/smoothness.hpp"
 #include "tasks/record.hpp"
 #include "tasks/score.hpp"

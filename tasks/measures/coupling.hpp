@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How grip force follows load, and how much grip is more than needed. Load and friction are those
+// of the virtual object: never to be compared with free lifting.
+#pragma once
+
+#include "tasks/measures/samples.hpp"
+
+namespace isograsp {
+
+/// Grip force [N], version 1: mean of the opposing normal forces, (thumb + fingers) / 2. It follows
+/// load more closely than their minimum. (Prebeg et al. 2014)
+/// @param fingers_N  sum of the fingers that oppose the thumb
+[[nodiscard]] std::vector<double> opposing_mean(std::span<const double> thumb_N,
+                                                std::span<const double> fingers_N);
+
+/// Grip-load coupling, version 1.
+struct Coupling {
+  Computed correlation = "not computed";  ///< largest Pearson r over lags within +-0.5 s
+  Computed lag_s = "not computed";        ///< where it is; positive: grip follows load
+  Computed slope = "not computed";        ///< least squares, grip on load without lag [N / N]
+};
+/// Correlations are of the samples that overlap, re-centred at each lag; the lag is refined by a
+/// parabola and has no value if the peak lies at the limit.
+/// @pre both on the same uniform grid
+[[nodiscard]] Coupling grip_load_coupling(const UniformSamples& grip, const UniformSamples& load);
+
+/// Safety margin, version 1, in % of the grip: weighted mean of 100 (G - |L| / mu) / G over samples
+/// with G > 0. L [N] is the load that the friction of G carries: with G = opposing_mean(), half of
+/// the load of the object. Negative: it would slip. @pre mu > 0
+[[nodiscard]] Computed safety_margin(std::span<const double> grip_N, std::span<const double> load_N,
+                                     std::span<const double> weight, double mu);
+
+/// Friction utilisation, version 1, dimensionless: the weighted quantile `share` of
+/// |tangential| / (mu normal) over the samples with normal > least_normal_N; 1 is the limit.
+/// @pre mu > 0, least_normal_N >= 0
+[[nodiscard]] Computed friction_utilisation(std::span<const double> tangential_N,
+                                            std::span<const double> normal_N,
+                                            std::span<const double> weight, double mu,
+                                            double least_normal_N, double share = 0.95);
+
+}  // namespace isograsp

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measures/digits.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "tasks/measures/quantile.hpp"
+
+namespace isograsp {
+
+namespace {
+
+double rise_of(const DigitHold& hold, Finger finger) {
+  return hold.mean_N[index_of(finger)] - hold.start_N[index_of(finger)];
+}
+
+}  // namespace
+
+Computed enslaving(std::span<const DigitHold> holds, Finger i, Finger j, double least_rise_N) {
+  double sum = 0.0;
+  int count = 0;
+  for (const DigitHold& hold : holds) {
+    const double rise_N = rise_of(hold, j);
+    if (hold.instructed != j || !(rise_N > 0.0) || rise_N < least_rise_N) continue;
+    sum += rise_of(hold, i) / rise_N;
+    ++count;
+  }
+  if (count == 0) return "there was no hold in which the instructed digit pressed";
+  return sum / count;
+}
+
+Computed enslaving_of_maximum(std::span<const DigitHold> holds, Finger i, Finger j,
+                              double maximum_i_N) {
+  if (!(maximum_i_N > 0.0)) return "the maximum of the digit is not known";
+  double sum_N = 0.0;
+  int count = 0;
+  for (const DigitHold& hold : holds) {
+    if (hold.instructed != j) continue;
+    sum_N += rise_of(hold, i);
+    ++count;
+  }
+  if (count == 0) return "there was no hold of the instructed digit";
+  return sum_N / count / maximum_i_N;
+}
+
+Computed uninstructed_deviation(const DigitForces& forces, Finger instructed,
+                                const PerDigit& start_N) {
+  double squares = 0.0;
+  double total = 0.0;
+  for (const Finger finger : kFingers) {
+    if (finger == instructed) continue;
+    const std::size_t i = index_of(finger);
+    assert(forces.force_N[i].size() == forces.weight.size());
+    for (std::size_t k = 0; k < forces.weight.size(); ++k) {
+      const double off_N = forces.force_N[i][k] - start_N[i];
+      squares += forces.weight[k] * off_N * off_N;
+      total += forces.weight[k];
+    }
+  }
+  if (!(total > 0.0)) return "no samples";
+  return std::sqrt(squares / total);
+}
+
+Computed individuation_slope(std::span<const Individuation> holds) {
+  constexpr std::size_t kLeastHolds = 3;  // of two, neither is an outlier
+  std::vector<double> ratio;
+  std::vector<double> force_N;
+  for (const Individuation& hold : holds) {
+    if (!(hold.instructed_N > 0.0)) continue;
+    ratio.push_back(hold.deviation_N / hold.instructed_N);
+    force_N.push_back(hold.instructed_N);
+  }
+  if (ratio.size() < kLeastHolds) return "fewer than three holds with force";
+  constexpr double kHalf = 0.5;
+  return quantile(ratio, force_N, kHalf);
+}
+
+Computed individuation_index(std::span<const Individuation> holds) {
+  const Computed slope = individuation_slope(holds);
+  if (!slope.value) return slope;
+  if (!(*slope.value > 0.0)) return "the other digits did not move";
+  return -std::log(*slope.value);
+}
+
+Computed coflexion(const DigitForces& forces) {
+  double opening_N = 0.0;
+  double press_N = 0.0;
+  for (std::size_t k = 0; k < forces.weight.size(); ++k) {
+    double pull_N = 0.0;
+    for (const auto& force_N : forces.force_N) {
+      assert(force_N.size() == forces.weight.size());
+      pull_N += std::max(0.0, -force_N[k]);
+      press_N = std::max(press_N, force_N[k]);
+    }
+    opening_N = std::max(opening_N, pull_N);
+  }
+  if (!(opening_N > 0.0)) return "there was no opening force";
+  return 100.0 * press_N / opening_N;
+}
+
+Computed sharing(const PerDigit& mean_N, Finger finger) {
+  double sum_N = 0.0;
+  for (const double force_N : mean_N) sum_N += force_N;
+  if (!(sum_N > 0.0)) return "the digits did not press";
+  return 100.0 * mean_N[index_of(finger)] / sum_N;
+}
+
+Computed thumb_opposition(const PerDigit& mean_N) {
+  const double fingers_N = mean_N[index_of(Finger::index)] + mean_N[index_of(Finger::middle)];
+  if (!(fingers_N > 0.0)) return "the fingers did not press";
+  return mean_N[index_of(Finger::thumb)] / fingers_N;
+}
+
+}  // namespace isograsp

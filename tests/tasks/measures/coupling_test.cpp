@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measures/coupling.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+#include "tests/tasks/samples.hpp"
+
+namespace isograsp {
+namespace {
+
+using test::sampled;
+using test::times;
+
+constexpr double kRounding = 1e-9;
+
+double load_at(double t) {
+  return 3.0 + std::sin(4.1 * t) + 0.4 * std::sin(9.7 * t + 1.0);
+}
+Coupling coupling_of(double lag_s, double gain, double rate_Hz) {
+  const auto t = times(static_cast<std::size_t>(20.0 * rate_Hz), rate_Hz);
+  return grip_load_coupling(
+      {1.0 / rate_Hz, sampled(t, [&](double s) { return 5.0 + gain * load_at(s - lag_s); })},
+      {1.0 / rate_Hz, sampled(t, load_at)});
+}
+
+TEST(Coupling, AGripThatFollowsLoadHasItsLagInBothDirectionsAtAnyRate) {
+  constexpr double kParabola = 3e-4;
+  for (const double lag_s : {0.0, 0.06, -0.113, 0.3})
+    for (const double rate_Hz : {100.0, 500.0}) {
+      const Coupling found = coupling_of(lag_s, 1.7, rate_Hz);
+      EXPECT_NEAR(found.correlation.value.value(), 1.0, kParabola);
+      EXPECT_NEAR(found.lag_s.value.value(), lag_s, kParabola) << rate_Hz;
+    }
+  EXPECT_NEAR(coupling_of(0.0, 1.7, 100.0).slope.value.value(), 1.7, kRounding);
+}
+
+TEST(Coupling, CorrelationIsPearsonsOfTheOverlapAtTheBestLag) {
+  Random random(9);
+  UniformSamples grip{0.01, {}};
+  UniformSamples load{0.01, {}};
+  double wander = 0.0;
+  for (int k = 0; k < 400; ++k) {
+    wander = 0.9 * wander + random.gaussian();
+    load.values.push_back(100.0 + wander);
+    grip.values.push_back(5.0 + 0.5 * wander + random.gaussian());
+  }
+  double best = -1.0;
+  for (int shift = -50; shift <= 50; ++shift) {
+    double n = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+    for (int k = std::max(0, -shift); k < 400 - std::max(0, shift); ++k) {
+      const double a = load.values[static_cast<std::size_t>(k)] - 100.0;
+      const double b = grip.values[static_cast<std::size_t>(k + shift)] - 5.0;
+      n += 1, x += a, y += b, xx += a * a, yy += b * b, xy += a * b;
+    }
+    best = std::max(best, (n * xy - x * y) / std::sqrt((n * xx - x * x) * (n * yy - y * y)));
+  }
+  EXPECT_NEAR(grip_load_coupling(grip, load).correlation.value.value(), best, kRounding);
+}
+
+TEST(Coupling, WithoutVariationOrTimeThereIsAReason) {
+  const UniformSamples flat{0.01, std::vector<double>(500, 0.1)};
+  const UniformSamples moving{0.01, sampled(times(500), load_at)};
+  EXPECT_EQ(grip_load_coupling(flat, moving).correlation.reason, "grip or load does not vary");
+  EXPECT_EQ(grip_load_coupling(moving, flat).slope.reason, "grip or load does not vary");
+  const UniformSamples brief{0.01, std::vector<double>(50, 0.1)};
+  EXPECT_EQ(grip_load_coupling(brief, brief).lag_s.reason, "shorter than the lags that are tried");
+  // A single rise, answered too late: correlation still grows at the largest lag tried.
+  const auto rise = [](double t) { return std::tanh(t - 5.0); };
+  const Coupling late = grip_load_coupling(
+      {0.01, sampled(times(1000), [&](double t) { return rise(t - 0.9); })},
+      {0.01, sampled(times(1000), rise)});
+  EXPECT_EQ(late.lag_s.reason, "the correlation has no peak within 0.5 s");
+  EXPECT_TRUE(late.correlation.value);
+}
+
+TEST(Coupling, GripIsTheMeanOfBothSides) {
+  EXPECT_EQ(opposing_mean(std::vector<double>{4.0, 2.0}, std::vector<double>{6.0, 0.0}),
+            (std::vector<double>{5.0, 1.0}));
+}
+
+TEST(Coupling, SafetyMarginIsZeroAtTheLimitAndBlindToTheSignOfLoad) {
+  const std::vector<double> weight{1.0, 3.0};
+  const std::vector<double> grip{10.0, 20.0};
+  EXPECT_NEAR(safety_margin(grip, std::vector<double>{5.0, -10.0}, weight, 0.5).value.value(), 0.0,
+              kRounding);
+  // Margins 1 - 2.5 / 5 and 1 - 0.
+  EXPECT_NEAR(safety_margin(grip, std::vector<double>{2.5, 0.0}, weight, 0.5).value.value(),
+              100.0 * (0.5 + 3.0) / 4.0, kRounding);
+  EXPECT_LT(safety_margin(grip, std::vector<double>{9.0, 9.0}, weight, 0.4).value.value(), 0.0);
+  EXPECT_EQ(safety_margin(std::vector<double>{0.0}, std::vector<double>{1.0},
+                          std::vector<double>{1.0}, 0.5)
+                .reason,
+            "there was no grip");
+}
+
+TEST(Coupling, UtilisationIsTheQuantileOverContactOnly) {
+  std::vector<double> tangential;
+  for (int k = 1; k <= 100; ++k) tangential.push_back(0.05 * k);
+  std::vector<double> normal(100, 10.0);
+  const std::vector<double> weight(100, 0.01);
+  EXPECT_NEAR(friction_utilisation(tangential, normal, weight, 0.5, 0.2).value.value(), 0.95,
+              kRounding);
+  normal[99] = 0.1;  // barely touching: its ratio would be 100
+  EXPECT_NEAR(friction_utilisation(tangential, normal, weight, 0.5, 0.2, 1.0).value.value(), 0.99,
+              kRounding);
+  EXPECT_EQ(
+      friction_utilisation(tangential, std::vector<double>(100, 0.0), weight, 0.5, 0.0).reason,
+      "there was no contact");
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -67,9 +67,9 @@ TEST(Coupling, WithoutVariationOrTimeThereIsAReason) {
   EXPECT_EQ(grip_load_coupling(brief, brief).lag_s.reason, "shorter than the lags that are tried");
   // A single rise, answered too late: correlation still grows at the largest lag tried.
   const auto rise = [](double t) { return std::tanh(t - 5.0); };
-  const Coupling late = grip_load_coupling(
-      {0.01, sampled(times(1000), [&](double t) { return rise(t - 0.9); })},
-      {0.01, sampled(times(1000), rise)});
+  const Coupling late =
+      grip_load_coupling({0.01, sampled(times(1000), [&](double t) { return rise(t - 0.9); })},
+                         {0.01, sampled(times(1000), rise)});
   EXPECT_EQ(late.lag_s.reason, "the correlation has no peak within 0.5 s");
   EXPECT_TRUE(late.correlation.value);
 }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the object is and how it lies: distance, attitude and path. Positions [m] and attitudes of
+// the object in the world; all spans of one call have the same length.
+#pragma once
+
+#include "core/spatial.hpp"
+#include "tasks/measures/samples.hpp"
+
+namespace isograsp {
+
+/// Hold error, version 1 [m]: weighted mean distance of the object from its target.
+[[nodiscard]] Computed mean_distance(std::span<const Vec3> actual_m, std::span<const Vec3> target_m,
+                                     std::span<const double> weight);
+/// Hold error of attitude, version 1 [rad, 0 … pi]: weighted mean geodesic angle.
+[[nodiscard]] Computed mean_angle(std::span<const Quat> actual, std::span<const Quat> target,
+                                  std::span<const double> weight);
+
+/// Angle between the main axes [rad, 0 … pi]: rotation about the axis itself does not count.
+/// @param axis_O  main axis in object coordinates, not zero
+[[nodiscard]] double axis_angle(const Quat& a, const Quat& b, const Vec3& axis_O);
+/// The same weighted over time, version 1. A symmetric object has no front: with `either_way` an
+/// axis and its opposite are one, and the angle is at most pi / 2.
+[[nodiscard]] Computed mean_axis_angle(std::span<const Quat> actual, std::span<const Quat> target,
+                                       const Vec3& axis_O, std::span<const double> weight,
+                                       bool either_way = false);
+
+/// Path length, version 1 [m]: sum of the distances between successive positions; noise adds to it.
+[[nodiscard]] double path_length(std::span<const Vec3> position_m);
+/// Path efficiency, version 1, in %: 100 straight distance from first to last / path length.
+[[nodiscard]] Computed path_efficiency(std::span<const Vec3> position_m);
+
+}  // namespace isograsp

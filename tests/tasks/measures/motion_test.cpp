@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measures/motion.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace isograsp {
+namespace {
+
+constexpr double kRounding = 1e-12;
+
+Quat turn(double angle, const Vec3& axis) {
+  return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
+}
+
+TEST(Motion, DistanceAndAngleAreMeansAsLongAsTheyHold) {
+  const std::vector<Vec3> actual{Vec3(0.03, 0.04, 0.0), Vec3(0.0, 0.0, 0.01)};
+  const std::vector<Vec3> target(2, Vec3::Zero());
+  const std::vector<double> weight{1.0, 3.0};
+  EXPECT_NEAR(mean_distance(actual, target, weight).value.value(), (0.05 + 0.03) / 4.0, kRounding);
+  const std::vector<Quat> lies{turn(0.2, Vec3(1, 2, 3)), turn(1e-9, Vec3(0, 0, 1))};
+  const std::vector<Quat> level(2, Quat::Identity());
+  EXPECT_NEAR(mean_angle(lies, level, weight).value.value(), (0.2 + 3e-9) / 4.0, kRounding);
+  EXPECT_EQ(mean_distance({}, {}, {}).reason, "no samples");
+  EXPECT_EQ(mean_angle({}, {}, {}).reason, "no samples");
+}
+
+TEST(Motion, TurningAboutTheMainAxisIsSeenByTheAttitudeOnly) {
+  const Vec3 axis(0.0, 0.0, 2.0);
+  const Quat spun = turn(0.7, axis);
+  EXPECT_NEAR(axis_angle(spun, Quat::Identity(), axis), 0.0, kRounding);
+  EXPECT_NEAR(angle_between(spun, Quat::Identity()), 0.7, kRounding);
+  // Tilted and then spun: the axis knows the tilt alone.
+  EXPECT_NEAR(axis_angle(turn(0.3, Vec3::UnitX()) * spun, Quat::Identity(), axis), 0.3, kRounding);
+}
+
+TEST(Motion, AnAxisIsNeverFurtherOffThanTheAttitudeAndDoesNotCareForTheWorldFrame) {
+  const Quat world = turn(2.0, Vec3(1, -1, 0.5));
+  const Vec3 axis(1.0, 0.5, 0.0);
+  for (double angle = 0.1; angle < 3.1; angle += 0.3) {
+    const Quat a = turn(angle, Vec3(0.2, 1.0, angle));
+    const Quat b = turn(0.5, Vec3(1.0, 0.0, 1.0));
+    EXPECT_LE(axis_angle(a, b, axis), angle_between(a, b) + kRounding);
+    EXPECT_NEAR(axis_angle(world * a, world * b, axis), axis_angle(a, b, axis), kRounding);
+  }
+}
+
+TEST(Motion, ASymmetricObjectUpsideDownLiesAsItShould) {
+  const std::vector<Quat> over{turn(std::numbers::pi - 0.1, Vec3::UnitX())};
+  const std::vector<Quat> level{Quat::Identity()};
+  const std::vector<double> weight{0.01};
+  const Vec3 z = Vec3::UnitZ();
+  EXPECT_NEAR(mean_axis_angle(over, level, z, weight).value.value(), std::numbers::pi - 0.1,
+              kRounding);
+  EXPECT_NEAR(mean_axis_angle(over, level, z, weight, true).value.value(), 0.1, kRounding);
+}
+
+TEST(Motion, AStraightPathIsEfficientADetourCostsItsLength) {
+  const std::vector<Vec3> straight{Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0.4, 0, 0)};
+  const std::vector<Vec3> corner{Vec3(1, 1, 1), Vec3(1.3, 1, 1), Vec3(1.3, 1, 1.4)};
+  EXPECT_NEAR(path_efficiency(straight).value.value(), 100.0, 100.0 * kRounding);
+  EXPECT_NEAR(path_length(corner), 0.7, kRounding);
+  EXPECT_NEAR(path_efficiency(corner).value.value(), 100.0 * 0.5 / 0.7, 100.0 * kRounding);
+  EXPECT_EQ(path_efficiency(std::vector<Vec3>(3, Vec3::Zero())).reason, "nothing moved");
+  EXPECT_EQ(path_efficiency({}).reason, "nothing moved");
+  EXPECT_EQ(path_length({}), 0.0);
+}
+
+}  // namespace
+}  // namespace isograsp

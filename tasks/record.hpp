@@ -82,13 +82,4 @@ class Record {
 [[nodiscard]] std::vector<UniformSamples> position_of(const Section& section,
                                                       const Signals& signals);
 
-/// The measures of each kind.
-[[nodiscard]] std::vector<Measure> score_rest(const Record& record);
-[[nodiscard]] std::vector<Measure> score_maximum(const MaximumSpec& spec, const Record& record);
-[[nodiscard]] std::vector<Measure> score_force_tracking(const ForceTrackingSpec& spec,
-                                                        const Record& record);
-[[nodiscard]] std::vector<Measure> score_pose_targets(const PoseTargetsSpec& spec,
-                                                      const Record& record);
-[[nodiscard]] std::vector<Measure> score_observe(const Record& record);
-
 }  // namespace isograsp

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/csv.hpp"
+#include "tasks/kinds/score_kinds.hpp"
 #include "tasks/measures/smoothness.hpp"
-#include "tasks/record.hpp"
 
 namespace isograsp {
 
@@ -320,7 +320,7 @@ class PoseScore {
 
 }  // namespace
 
-std::vector<Measure> score_pose_targets(const PoseTargetsSpec& spec, const Record& record) {
+std::vector<Measure> measures_of(const PoseTargetsSpec& spec, const Record& record) {
   return PoseScore(spec, record).measures();
 }
 

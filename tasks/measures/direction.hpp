@@ -28,12 +28,14 @@ namespace isograsp {
                                       std::span<const double> weight);
 
 /// Net push of arm or trunk on the platform, relative to the grip, version 1.
-struct NetPush {
+struct PushSummary {
   Computed median = "not computed";    ///< [% of grip]
   Computed above_20 = "not computed";  ///< share of time above 20 % of grip [%]
 };
 /// Over the samples with grip > least_grip_N. @param push_N  size of the net force [N]
-[[nodiscard]] NetPush net_push(std::span<const double> push_N, std::span<const double> grip_N,
-                               std::span<const double> weight, double least_grip_N = 0.0);
+[[nodiscard]] PushSummary summary_of_push(std::span<const double> push_N,
+                                          std::span<const double> grip_N,
+                                          std::span<const double> weight,
+                                          double least_grip_N = 0.0);
 
 }  // namespace isograsp

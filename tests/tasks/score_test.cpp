@@ -144,7 +144,9 @@ TEST(Score, APauseIsCutOutOfTaskTimeAndChangesNoTrackingMeasure) {
   const auto before = score(spec, whole);
   const auto after = score(spec, paused);
   for (std::size_t i = 0; i < before.size(); ++i) {
-    ASSERT_TRUE(before[i].value && after[i].value) << before[i].name;
+    ASSERT_EQ(before[i].value.has_value(), after[i].value.has_value()) << before[i].name;
+    EXPECT_EQ(before[i].reason, after[i].reason);
+    if (!before[i].value) continue;
     EXPECT_NEAR(*after[i].value, *before[i].value, kRounding) << before[i].name;
     EXPECT_EQ(after[i].excluded, 700);
   }

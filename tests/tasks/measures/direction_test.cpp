@@ -80,10 +80,10 @@ TEST(Direction, NetPushIsRelativeToTheGripOfTheSameMoment) {
   const std::vector<double> push{1.0, 3.0, 10.0, 5.0};
   const std::vector<double> grip{10.0, 10.0, 20.0, 0.0};
   const std::vector<double> weight{2.0, 1.0, 1.0, 9.0};
-  const NetPush found = net_push(push, grip, weight);
+  const PushSummary found = summary_of_push(push, grip, weight);
   EXPECT_DOUBLE_EQ(found.median.value.value(), 10.0);
   EXPECT_DOUBLE_EQ(found.above_20.value.value(), 50.0);
-  EXPECT_EQ(net_push(push, grip, weight, 30.0).median.reason, "there was no grip");
+  EXPECT_EQ(summary_of_push(push, grip, weight, 30.0).median.reason, "there was no grip");
 }
 
 }  // namespace

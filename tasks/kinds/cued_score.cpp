@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures of forces that answer a cue: steps, letting go, and finding a force again.
+#include <cmath>
+
+#include "tasks/kinds/score_kinds.hpp"
+#include "tasks/kinds/score_tools.hpp"
+#include "tasks/measures/error.hpp"
+#include "tasks/measures/force_sense.hpp"
+#include "tasks/measures/known_delay.hpp"
+#include "tasks/measures/release.hpp"
+#include "tasks/measures/step.hpp"
+
+namespace isograsp {
+
+namespace {
+
+double resolution_in(const Record& record, const Part& part) {
+  const double resolution_N = known_in(record, part, "resolution_N");
+  return std::isnan(resolution_N) ? 0.0 : resolution_N;
+}
+
+/// Reaction times of several cues: anticipations are excluded and counted, misses are censored.
+void add_reactions(const std::string& name, const std::string& channel, const Record& record,
+                   const Section& section, const std::vector<Reaction>& reactions, double limit_s,
+                   MeasureList& list) {
+  std::vector<EventTime> times;
+  std::vector<EventTime> corrected;
+  int anticipations = 0;
+  const auto delay_s = record.constant("device_delay_s");
+  for (const Reaction& reaction : reactions) {
+    if (reaction.anticipated_s) {
+      ++anticipations;
+      continue;
+    }
+    times.push_back(reaction.time);
+    corrected.push_back(reaction.time);
+    if (reaction.time.time_s.value)
+      corrected.back().time_s = without_delay(reaction.time.time_s, delay_s).corrected_s;
+  }
+  list.add_times(name, channel, section, times, limit_s);
+  list.add(
+      name + "_corrected", channel, "s", section,
+      delay_s ? median_time(corrected, limit_s) : Computed("the delay of the device is not known"));
+  list.add("anticipations", channel, "", section,
+           reactions.empty() ? Computed("there was no cue")
+                             : Computed(static_cast<double>(anticipations)));
+}
+
+}  // namespace
+
+std::vector<Measure> measures_of(const StepResponseSpec& spec, const Record& record) {
+  MeasureList list;
+  std::vector<Section> sections;
+  std::vector<Reaction> reactions;
+  std::vector<EventTime> t63, settling;
+  std::vector<Computed> rise, overshoot, error;
+  const auto parts = parts_of(record);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Part& part = parts[i];
+    if (part.phase != Phase::active) continue;
+    const Trace trace = trace_of(record, parts[i - 1].first, part.last);
+    const double from_N = known_in(record, parts[i - 1], "target_force_N");
+    const double to_N = known_in(record, part, "target_force_N");
+    if (trace.empty() || !(from_N != to_N)) continue;
+    const CuedStep step{record.task_time_s(part.first), from_N, to_N};
+    const CuedStepResponse response =
+        cued_step_response(trace.t_s, trace.force_N, step, resolution_in(record, part));
+    reactions.push_back(response.reaction);
+    t63.push_back(response.t63);
+    settling.push_back(response.settling);
+    rise.push_back(response.rise10_90_s);
+    overshoot.push_back(response.overshoot_percent);
+    const Trace after = trace_of(record, part.first, part.last, true);
+    error.push_back(rmse(after.target_N, after.force_N, after.weight_s));
+    sections.push_back(after.section);
+  }
+  const Section all = join(sections);
+  const std::string channel = name_of(spec.aim.channel);
+  add_reactions("reaction_time", channel, record, all, reactions, spec.hold_s, list);
+  list.add_times("t63", channel, all, t63, spec.hold_s);
+  list.add_times("settling_time", channel, all, settling, spec.hold_s);
+  list.add_mean("rise_time", channel, "s", all, rise);
+  list.add_mean("overshoot", channel, "%", all, overshoot);
+  list.add_mean("rmse", channel, "N", all, error);
+  add_net_push(record, list);
+  return list.take();
+}
+
+std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& record) {
+  MeasureList list;
+  std::vector<Section> sections;
+  std::vector<Reaction> initiations;
+  std::vector<EventTime> releases;
+  std::vector<Computed> residual, fastest, opening;
+  const auto parts = parts_of(record);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Part& part = parts[i];
+    if (part.phase != Phase::active) continue;
+    // An opening is asked for in another channel; letting go is seen in the grip's own.
+    const Part& held = parts[i - 1];
+    Trace trace = trace_of(record, held.first, part.last);
+    if (trace.empty()) continue;
+    if (spec.open)
+      for (std::size_t k = 0; k < trace.t_s.size(); ++k)
+        if (trace.section.rows[k] >= part.first) trace.force_N[k] = -trace.force_N[k];
+    const double resting_N = known_in(record, held, "resting_force_N");
+    const RestingLevel resting{std::isnan(resting_N) ? 0.0 : resting_N, 0.0};
+    const Release let_go = release(trace.t_s, trace.force_N, record.task_time_s(part.first),
+                                   resting, resolution_in(record, part));
+    initiations.push_back(let_go.initiation);
+    releases.push_back(let_go.release);
+    residual.push_back(let_go.residual_N);
+    fastest.push_back(let_go.fastest_N_per_s);
+    const Trace after = trace_of(record, part.first, part.last);
+    sections.push_back(after.section);
+    if (!spec.open) continue;
+    const std::vector<bool> all_count(after.force_N.size(), true);
+    constexpr double kWindow_s = 0.5;
+    opening.push_back(best_moving_mean(after.force_N, after.weight_s, all_count, kWindow_s));
+  }
+  const Section all = join(sections);
+  const std::string channel = name_of(spec.aim.channel);
+  add_reactions("release_initiation", channel, record, all, initiations, spec.after_s, list);
+  list.add_times("release_time", channel, all, releases, spec.after_s);
+  list.add_mean("residual_force", channel, "N", all, residual);
+  list.add_mean("fastest_release", channel, "N/s", all, fastest);
+  if (spec.open) list.add_mean("opening_force", "opening", "N", all, opening);
+  add_net_push(record, list);
+  return list.take();
+}
+
+std::vector<Measure> measures_of(const ForceSenseSpec& spec, const Record& record) {
+  MeasureList list;
+  std::vector<double> target_N, reproduced_N;
+  std::vector<Section> sections;
+  for (const Part& part : parts_of(record)) {
+    if (part.phase != Phase::active) continue;
+    const Trace trace = trace_of(record, part.first, part.last, true);
+    if (trace.empty()) continue;
+    const double end_s = trace.t_s.back() + trace.weight_s.back();
+    double sum = 0.0;
+    double weight_s = 0.0;
+    for (std::size_t k = 0; k < trace.t_s.size(); ++k) {
+      if (trace.t_s[k] < end_s - spec.window_s) continue;
+      sum += trace.weight_s[k] * trace.force_N[k];
+      weight_s += trace.weight_s[k];
+    }
+    if (!(weight_s > 0.0)) continue;
+    target_N.push_back(trace.target_N.front());
+    reproduced_N.push_back(sum / weight_s);
+    sections.push_back(trace.section);
+  }
+  const Section all = join(sections);
+  const std::string channel = name_of(spec.aim.channel);
+  const ForceSense sense = force_sense(target_N, reproduced_N);
+  list.add("constant_error", channel, "N", all, sense.constant_error);
+  list.add("absolute_error", channel, "N", all, sense.absolute_error);
+  list.add("variable_error", channel, "N", all, sense.variable_error);
+  add_net_push(record, list);
+  return list.take();
+}
+
+}  // namespace isograsp

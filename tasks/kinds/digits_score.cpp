@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures of single digits: how far they are independent, and where they push.
+#include <cmath>
+
+#include "tasks/kinds/score_kinds.hpp"
+#include "tasks/kinds/score_tools.hpp"
+#include "tasks/measures/digits.hpp"
+#include "tasks/measures/direction.hpp"
+#include "tasks/measures/error.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// Normal forces of the three digits over some rows.
+struct NormalForces {
+  Section section;
+  std::array<std::vector<double>, kFingerCount> force_N;
+  [[nodiscard]] DigitForces view() const {
+    DigitForces forces;
+    for (std::size_t f = 0; f < kFingerCount; ++f) forces.force_N[f] = force_N[f];
+    forces.weight = section.weight_s;
+    return forces;
+  }
+  [[nodiscard]] PerDigit mean() const {
+    PerDigit mean{};
+    for (std::size_t f = 0; f < kFingerCount; ++f)
+      mean[f] = weighted_mean(force_N[f], section.weight_s).value.value_or(0.0);
+    return mean;
+  }
+};
+
+NormalForces normal_forces(const Record& record, const Part& part) {
+  NormalForces forces;
+  forces.section =
+      record.select(part.first, part.last, {}, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
+  if (!forces.section.reason.empty()) return forces;
+  for (const Finger finger : kFingers)
+    forces.force_N[index_of(finger)] =
+        forces.section.values(record.signals().column(std::string(name_of(finger)) + "_fz_N"));
+  return forces;
+}
+
+/// The vector columns PREFIX_fx_N … of one digit over the rows of a part.
+struct Vectors {
+  Section section;
+  std::vector<Vec3> force_N;
+};
+Vectors vectors_of(const Record& record, const Part& part, const std::string& prefix) {
+  const std::array<std::string, 3> names{prefix + "_fx_N", prefix + "_fy_N", prefix + "_fz_N"};
+  Vectors vectors;
+  vectors.section = record.select(part.first, part.last, {}, {names[0], names[1], names[2]});
+  for (const std::size_t row : vectors.section.rows)
+    vectors.force_N.emplace_back(record.signals().column(names[0])[row],
+                                 record.signals().column(names[1])[row],
+                                 record.signals().column(names[2])[row]);
+  return vectors;
+}
+
+}  // namespace
+
+std::vector<Measure> measures_of(const IndividuationSpec& spec, const Record& record) {
+  MeasureList list;
+  std::vector<DigitHold> holds;
+  std::vector<Individuation> points;
+  std::vector<Section> sections;
+  std::array<double, kFingerCount> maximum_N;
+  maximum_N.fill(std::nan(""));
+  PerDigit start_N{};
+  bool rested = false;
+  for (const Part& part : parts_of(record)) {
+    const auto digit = single_digit(part.channel);
+    const NormalForces forces = normal_forces(record, part);
+    if (part.cue == Cue::relax) {
+      rested = !forces.section.rows.empty();
+      start_N = forces.mean();
+    }
+    if (part.phase != Phase::active || !digit) continue;
+    maximum_N[index_of(*digit)] = known_in(record, part, "maximum_force_N");
+    sections.push_back(forces.section);
+    if (forces.section.rows.empty() || !rested) continue;
+    holds.push_back({*digit, start_N, forces.mean()});
+    const Computed off = uninstructed_deviation(forces.view(), *digit, start_N);
+    if (off.value)
+      points.push_back(
+          {holds.back().mean_N[index_of(*digit)] - start_N[index_of(*digit)], *off.value});
+  }
+  const Section all = join(sections);
+  const double noise_N = record.constant("noise_sd_N").value_or(0.0);
+  constexpr double kLeastRise_sd = 3.0;  // a press that is not above the noise moved nobody
+  list.add("individuation_index", "digits", "", all, individuation_index(points));
+  list.add("individuation_slope", "digits", "", all, individuation_slope(points));
+  for (const Finger j : spec.digits)
+    for (const Finger i : kFingers) {
+      if (i == j) continue;
+      const std::string channel = std::string(name_of(j)) + "_to_" + std::string(name_of(i));
+      list.add("enslaving", channel, "", all, enslaving(holds, i, j, kLeastRise_sd * noise_N));
+      const double most_N = maximum_N[index_of(i)];
+      list.add("enslaving_of_maximum", channel, "", all,
+               most_N > 0.0 ? enslaving_of_maximum(holds, i, j, most_N)
+                            : Computed("the maximum of the " + std::string(name_of(i)) +
+                                       " was not measured"));
+    }
+  add_net_push(record, list);
+  return list.take();
+}
+
+std::vector<Measure> measures_of(const ForceDirectionSpec&, const Record& record) {
+  MeasureList list;
+  std::vector<Computed> deviations;
+  std::vector<Section> paths;
+  for (const Finger finger : kFingers) {
+    const std::string name(name_of(finger));
+    std::vector<Computed> angle, projection, error;
+    std::vector<Section> sections;
+    for (const Part& part : parts_of(record)) {
+      if (part.phase != Phase::active) continue;
+      const Vectors target = vectors_of(record, part, "target_" + name);
+      if (target.force_N.empty()) continue;  // this digit was not asked
+      const Vectors actual = vectors_of(record, part, name);
+      const Vec3 wanted_N = target.force_N.front();
+      const double noise_N = known_in(record, part, "noise_sd_N");
+      constexpr double kLeast_sd = 3.0;
+      angle.push_back(direction_error(actual.force_N, wanted_N, actual.section.weight_s,
+                                      std::isnan(noise_N) ? 0.0 : kLeast_sd * noise_N));
+      projection.push_back(
+          projection_ratio(actual.force_N, wanted_N.normalized(), actual.section.weight_s));
+      std::vector<double> size_N, wanted_size_N;
+      for (const Vec3& force_N : actual.force_N) size_N.push_back(force_N.norm());
+      wanted_size_N.assign(size_N.size(), wanted_N.norm());
+      error.push_back(rmse(wanted_size_N, size_N, actual.section.weight_s));
+      sections.push_back(actual.section);
+    }
+    if (sections.empty()) continue;
+    const Section all = join(sections);
+    list.add_mean("direction_error", name, "rad", all, angle);
+    list.add_mean("projection_ratio", name, "", all, projection);
+    list.add_mean("rmse", name, "N", all, error);
+  }
+  // The way from rest to the target, all digits together.
+  const auto parts = parts_of(record);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i].phase != Phase::active) continue;
+    Part way = parts[i - 1];
+    way.last = parts[i].last;
+    const NormalForces forces = normal_forces(record, way);
+    if (forces.section.rows.empty()) continue;
+    deviations.push_back(path_deviation(forces.force_N, forces.section.weight_s));
+    paths.push_back(forces.section);
+  }
+  list.add_mean("path_deviation", "digits", "N", join(paths), deviations);
+  add_net_push(record, list);
+  return list.take();
+}
+
+}  // namespace isograsp

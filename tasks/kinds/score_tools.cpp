@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/kinds/score_tools.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "tasks/measures/direction.hpp"
+#include "tasks/measures/survival.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// An enumeration stored as a number; anything else reads as its first value.
+template <class Enum>
+Enum stored(std::span<const double> column, std::size_t row, std::size_t count) {
+  if (column.empty() || !(column[row] >= 0.0) || !(column[row] < static_cast<double>(count)))
+    return Enum{};
+  return static_cast<Enum>(static_cast<int>(column[row]));
+}
+
+}  // namespace
+
+std::vector<Part> parts_of(const Record& record) {
+  const Signals& signals = record.signals();
+  const auto segment = signals.column("segment");
+  const auto cue = signals.column("cue");
+  const auto digits = signals.column("channel_digits");
+  const auto direction = signals.column("channel_direction");
+  std::vector<Part> parts;
+  double before = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const bool paused = record.paused(row);
+    const double here = paused            ? before
+                        : segment.empty() ? static_cast<double>(record.phase(row))
+                                          : segment[row];
+    if (parts.empty() || here != before) {
+      if (!parts.empty()) parts.back().last = row;
+      if (paused && parts.empty()) continue;
+      Part part;
+      part.first = row;
+      part.phase = record.phase(row);
+      constexpr std::size_t kDigits = 7;
+      part.cue = stored<Cue>(cue, row, kCueCount);
+      part.channel.digits = stored<Digits>(digits, row, kDigits);
+      part.channel.direction = direction.empty()
+                                   ? Direction::plus_z
+                                   : stored<Direction>(direction, row, kDirectionCount);
+      parts.push_back(part);
+      before = here;
+    }
+  }
+  if (!parts.empty()) parts.back().last = record.rows();
+  return parts;
+}
+
+Trace trace_of(const Record& record, std::size_t first, std::size_t last, bool with_target) {
+  Trace trace;
+  trace.section = with_target ? record.select(first, last, {}, {"target_force_N", "actual_force_N"})
+                              : record.select(first, last, {}, {"actual_force_N"});
+  if (!trace.section.reason.empty()) return trace;
+  trace.t_s = trace.section.t_s;
+  trace.weight_s = trace.section.weight_s;
+  trace.force_N = trace.section.values(record.signals().column("actual_force_N"));
+  if (with_target) trace.target_N = trace.section.values(record.signals().column("target_force_N"));
+  return trace;
+}
+
+Section join(std::span<const Section> sections) {
+  Section all;
+  for (const Section& section : sections) {
+    all.rows.insert(all.rows.end(), section.rows.begin(), section.rows.end());
+    all.t_s.insert(all.t_s.end(), section.t_s.begin(), section.t_s.end());
+    all.weight_s.insert(all.weight_s.end(), section.weight_s.begin(), section.weight_s.end());
+    all.excluded += section.excluded;
+    if (all.reason.empty()) all.reason = section.reason;
+  }
+  return all;
+}
+
+double known_in(const Record& record, const Part& part, std::string_view column) {
+  const auto values = record.signals().column(column);
+  if (!values.empty())
+    for (std::size_t row = part.first; row < part.last; ++row)
+      if (!std::isnan(values[row])) return values[row];
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+void MeasureList::add(std::string name, std::string channel, std::string unit,
+                      const Section& section, Computed computed) {
+  measures_.push_back(make_measure(std::move(name), std::move(channel), std::move(unit), section,
+                                   std::move(computed)));
+}
+
+void MeasureList::add_mean(std::string name, const std::string& channel, std::string unit,
+                           const Section& section, std::span<const Computed> each) {
+  double sum = 0.0;
+  int count = 0;
+  std::string reason = "there was no repetition";
+  for (const Computed& one : each) {
+    if (one.value) {
+      sum += *one.value;
+      ++count;
+    } else if (count == 0 && &one == &each.front()) {
+      reason = one.reason;
+    }
+  }
+  add(std::move(name), channel, std::move(unit), section,
+      count > 0 ? Computed(sum / count) : Computed(reason));
+}
+
+namespace {
+
+/// Times that end at the event or at the limit; those that could not be looked for are left out.
+struct Completions {
+  std::vector<Completion> all;
+  std::string reason = "there was no repetition";  ///< why there are none
+};
+Completions completions_of(std::span<const EventTime> each, double limit_s) {
+  Completions completions;
+  for (const EventTime& one : each) {
+    if (one.time_s.value)
+      completions.all.push_back({*one.time_s.value, true});
+    else if (one.longer_than_s)
+      completions.all.push_back({limit_s, false});
+    else
+      completions.reason = one.time_s.reason;
+  }
+  return completions;
+}
+
+}  // namespace
+
+Computed median_time(std::span<const EventTime> each, double limit_s) {
+  const Completions found = completions_of(each, limit_s);
+  return found.all.empty() ? Computed(found.reason) : median_completion(found.all);
+}
+
+void MeasureList::add_times(const std::string& name, const std::string& channel,
+                            const Section& section, std::span<const EventTime> each,
+                            double limit_s) {
+  const auto [all, reason] = completions_of(each, limit_s);
+  const Reached reached = reached_of(all);
+  const bool none = all.empty();
+  add(name, channel, "s", section, median_time(each, limit_s));
+  add(name + "_restricted", channel, "s", section,
+      none ? Computed(reason) : restricted_mean_time(all, limit_s));
+  add(name + "_share", channel, "%", section,
+      none ? Computed(reason) : Computed(100.0 * reached.count / reached.of));
+}
+
+void add_net_push(const Record& record, MeasureList& list) {
+  const Section section = record.select({Phase::active, Phase::hold},
+                                        {"net_fx_N", "net_fy_N", "net_fz_N", "actual_force_N"});
+  if (!section.reason.empty()) return;  // finger forces were not recorded
+  const Signals& signals = record.signals();
+  const auto x = section.values(signals.column("net_fx_N"));
+  const auto y = section.values(signals.column("net_fy_N"));
+  const auto z = section.values(signals.column("net_fz_N"));
+  auto grip_N = section.values(signals.column("actual_force_N"));
+  std::vector<double> push_N;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    push_N.push_back(std::hypot(x[k], y[k], z[k]));
+    grip_N[k] = std::abs(grip_N[k]);
+  }
+  constexpr double kLeastForce_N = 0.5;  // below, a share of the force means nothing
+  const PushSummary push = summary_of_push(push_N, grip_N, section.weight_s, kLeastForce_N);
+  list.add("net_push", "platform", "%", section, push.median);
+  list.add("net_push_time", "platform", "%", section, push.above_20);
+}
+
+}  // namespace isograsp

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside tasks/ only: a trial cut into the parts of its timeline, and measures put on record.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/force_channel.hpp"
+#include "tasks/measures/samples.hpp"
+#include "tasks/record.hpp"
+
+namespace isograsp {
+
+/// Rows [first, last) of one segment of the timeline, pauses within it included.
+struct Part {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  Phase phase = Phase::active;
+  Cue cue = Cue::relax;
+  ForceChannel channel;
+};
+/// In the order of time. Without a column `segment` the rows of one phase after the other are the
+/// parts, of the grip.
+[[nodiscard]] std::vector<Part> parts_of(const Record& record);
+
+/// The force of the channel over some rows, without those that do not count.
+struct Trace {
+  Section section;
+  std::vector<double> t_s;  ///< task time
+  std::vector<double> force_N;
+  std::vector<double> target_N;  ///< empty unless asked for
+  std::vector<double> weight_s;
+  [[nodiscard]] bool empty() const noexcept { return t_s.empty(); }
+};
+[[nodiscard]] Trace trace_of(const Record& record, std::size_t first, std::size_t last,
+                             bool with_target = false);
+/// The rows of `parts` one after the other; t_s runs on.
+[[nodiscard]] Section join(std::span<const Section> sections);
+
+/// Value of a column in the first row of the part in which it is known; NaN: nowhere.
+[[nodiscard]] double known_in(const Record& record, const Part& part, std::string_view column);
+
+/// Kaplan-Meier median of times of which some are longer than `limit_s`.
+[[nodiscard]] Computed median_time(std::span<const EventTime> each, double limit_s);
+
+/// Measures on their way to the record.
+class MeasureList {
+ public:
+  void add(std::string name, std::string channel, std::string unit, const Section& section,
+           Computed computed);
+  /// Mean over repetitions of those that have a value; the first reason if none has.
+  void add_mean(std::string name, const std::string& channel, std::string unit,
+                const Section& section, std::span<const Computed> each);
+  /// Times that may be censored: NAME (median, Kaplan-Meier), NAME_restricted (mean up to
+  /// limit_s), NAME_share (% of the repetitions in which the event came).
+  void add_times(const std::string& name, const std::string& channel, const Section& section,
+                 std::span<const EventTime> each, double limit_s);
+  [[nodiscard]] std::vector<Measure> take() { return std::move(measures_); }
+
+ private:
+  std::vector<Measure> measures_;
+};
+
+/// Net push of arm or trunk over the active rows: part of every force task.
+void add_net_push(const Record& record, MeasureList& list);
+
+}  // namespace isograsp

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures of a force that follows a target over time, or holds one.
+#include <algorithm>
+#include <cmath>
+
+#include "core/csv.hpp"
+#include "tasks/kinds/score_kinds.hpp"
+#include "tasks/kinds/score_tools.hpp"
+#include "tasks/measures/delay.hpp"
+#include "tasks/measures/error.hpp"
+#include "tasks/measures/known_delay.hpp"
+#include "tasks/measures/rate.hpp"
+#include "tasks/measures/regularity.hpp"
+#include "tasks/measures/sine.hpp"
+#include "tasks/measures/smoothness.hpp"
+#include "tasks/measures/spectrum.hpp"
+#include "tasks/measures/steadiness.hpp"
+#include "tasks/waveform.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr const char* kTooShort = "fewer than two samples";
+
+std::optional<double> known_delay_s(const Record& record) {
+  return record.constant("device_delay_s");
+}
+
+/// Errors of the whole target.
+void add_errors(const Record& record, const Trace& trace, double band_fraction,
+                const std::string& channel, MeasureList& list) {
+  const auto& [section, t_s, force_N, target_N, weight_s] = trace;
+  const auto add = [&](const char* name, const char* unit, const Computed& computed) {
+    list.add(name, channel, unit, section, computed);
+  };
+  const double noise_N = record.constant("noise_sd_N").value_or(0.0);
+  add("rmse", "N", rmse(target_N, force_N, weight_s));
+  add("relative_rmse", "%", relative_rmse(target_N, force_N, weight_s));
+  add("mae", "N", mae(target_N, force_N, weight_s));
+  add("constant_error", "N", constant_error(target_N, force_N, weight_s));
+  add("time_in_range", "%", time_in_band(target_N, force_N, weight_s, band_fraction, noise_N));
+}
+
+/// Lag with the raw value beside the one without the delay of the device.
+void add_lag(const Record& record, const Trace& trace, const std::string& channel,
+             MeasureList& list) {
+  const Computed raw = trace.t_s.size() < 2 ? Computed(kTooShort)
+                                            : lag(on_uniform_grid(trace.t_s, trace.target_N),
+                                                  on_uniform_grid(trace.t_s, trace.force_N));
+  list.add("lag", channel, "s", trace.section, raw);
+  list.add("lag_corrected", channel, "s", trace.section,
+           without_delay(raw, known_delay_s(record)).corrected_s);
+}
+
+/// Gain and phase of every sine in the target; one alone keeps the plain channel.
+void add_sines(const ForceTrackingSpec& spec, const Trace& trace, MeasureList& list) {
+  const auto frequencies_Hz = frequencies_of(spec.waveform, spec.duration_s);
+  constexpr std::size_t kMostReported = 20;  // of noise the single lines mean nothing
+  if (frequencies_Hz.empty() || frequencies_Hz.size() > kMostReported) return;
+  const auto answers = sine_answers(trace.t_s, trace.target_N, trace.force_N, frequencies_Hz);
+  for (const SineAnswer& answer : answers) {
+    const std::string channel =
+        answers.size() == 1 ? "force" : "force_" + format_number(answer.frequency_Hz) + "_Hz";
+    list.add("gain", channel, "", trace.section, answer.gain);
+    list.add("phase", channel, "rad", trace.section, answer.phase_rad);
+    list.add("phase_lag", channel, "s", trace.section, answer.lag_s);
+  }
+}
+
+void add_smoothness(const Trace& trace, MeasureList& list) {
+  Computed arc = kTooShort;
+  Computed jerk = kTooShort;
+  Computed entropy = kTooShort;
+  if (trace.t_s.size() >= 2) {
+    const UniformSamples force = on_uniform_grid(trace.t_s, trace.force_N);
+    const UniformSamples rate = rate_of(force);
+    arc = sparc(rate);
+    jerk = ldlj(rate);
+    entropy = sample_entropy(force.values);
+  }
+  list.add("sparc", "force_rate", "", trace.section, arc);
+  list.add("ldlj", "force_rate", "", trace.section, jerk);
+  list.add("sample_entropy", "force", "", trace.section, entropy);
+}
+
+/// The piece of a trace from one time to another after its beginning.
+Trace piece_of(const Trace& whole, double from_s, double to_s) {
+  Trace piece;
+  if (whole.empty()) return piece;
+  const double begin_s = whole.t_s.front();
+  for (std::size_t k = 0; k < whole.t_s.size(); ++k) {
+    const double since_s = whole.t_s[k] - begin_s;
+    if (since_s < from_s || since_s >= to_s) continue;
+    piece.section.rows.push_back(whole.section.rows[k]);
+    piece.t_s.push_back(whole.t_s[k]);
+    piece.force_N.push_back(whole.force_N[k]);
+    piece.target_N.push_back(whole.target_N[k]);
+    piece.weight_s.push_back(whole.weight_s[k]);
+  }
+  return piece;
+}
+
+void add_steadiness(const Trace& hold, const std::string& channel, double noise_N,
+                    MeasureList& list) {
+  const Steadiness steady = steadiness(
+      hold.t_s, hold.force_N, noise_N > 0.0 ? std::optional<double>(noise_N) : std::nullopt);
+  list.add("force_sd", channel, "N", hold.section, steady.sd);
+  list.add("cv", channel, "%", hold.section, steady.cv_percent);
+  list.add("cv_noise_floor", channel, "%", hold.section, steady.noise_floor_percent);
+  list.add("fall", channel, "%", hold.section, steady.fall_percent);
+}
+
+/// Rising and falling parts apart: control of building up, and of letting go.
+void add_ramps(const ForceTrackingSpec& spec, const Record& record, const Trace& trace,
+               MeasureList& list) {
+  using Shape = Waveform::Shape;
+  const Waveform& wave = spec.waveform;
+  if (wave.shape != Shape::ramp && wave.shape != Shape::trapezoid) return;
+  const auto add = [&](const std::string& channel, const Trace& ramp, double duration_s) {
+    list.add("rmse", channel, "N", ramp.section, rmse(ramp.target_N, ramp.force_N, ramp.weight_s));
+    Pauses held{"fewer than three samples", "fewer than three samples"};
+    constexpr std::size_t kLeast = 3;
+    if (ramp.t_s.size() >= kLeast) {
+      const double range_N = ramp.target_N.back() - ramp.target_N.front();
+      if (range_N != 0.0) held = pauses(ramp.t_s, ramp.force_N, range_N / duration_s);
+    }
+    list.add("pauses", channel, "", ramp.section, held.count);
+    list.add("pause_length", channel, "s", ramp.section, held.mean_length_s);
+  };
+  add("force_rise", piece_of(trace, 0.0, wave.rise_s), wave.rise_s);
+  if (wave.shape != Shape::trapezoid) return;
+  const double fall_at_s = wave.rise_s + wave.hold_s;
+  constexpr double kSettle_s = 1.0;  // the end of the ramp is no steady force yet
+  add_steadiness(piece_of(trace, wave.rise_s + kSettle_s, fall_at_s), "force_hold",
+                 record.constant("noise_sd_N").value_or(0.0), list);
+  add("force_fall", piece_of(trace, fall_at_s, fall_at_s + wave.fall_s), wave.fall_s);
+}
+
+}  // namespace
+
+std::vector<Measure> measures_of(const ForceTrackingSpec& spec, const Record& record) {
+  MeasureList list;
+  Trace trace;
+  trace.section = record.select({Phase::active}, {"target_force_N", "actual_force_N"});
+  if (trace.section.reason.empty()) {
+    trace.t_s = trace.section.t_s;
+    trace.weight_s = trace.section.weight_s;
+    trace.target_N = trace.section.values(record.signals().column("target_force_N"));
+    trace.force_N = trace.section.values(record.signals().column("actual_force_N"));
+  }
+  add_errors(record, trace, spec.aim.band_fraction, "force", list);
+  add_lag(record, trace, "force", list);
+  add_sines(spec, trace, list);
+  add_ramps(spec, record, trace, list);
+  add_smoothness(trace, list);
+  add_net_push(record, list);
+  return list.take();
+}
+
+std::vector<Measure> measures_of(const SteadinessSpec& spec, const Record& record) {
+  MeasureList list;
+  std::size_t level = 0;
+  for (const Part& part : parts_of(record)) {
+    if (part.phase != Phase::active || level == spec.levels.size()) continue;
+    const bool newton = spec.aim.scale == Scale::newton;
+    const double number = spec.levels[level++];
+    const std::string channel =
+        "force_" + (newton ? format_number(number) + "_N"
+                           : format_number(std::round(1000.0 * number) / 10.0) + "_percent");
+    const Trace hold = trace_of(record, part.first, part.last, true);
+    const double noise_N = known_in(record, part, "noise_sd_N");
+    add_steadiness(hold, channel, noise_N, list);
+    list.add("constant_error", channel, "N", hold.section,
+             constant_error(hold.target_N, hold.force_N, hold.weight_s));
+    list.add("time_in_range", channel, "%", hold.section,
+             time_in_band(hold.target_N, hold.force_N, hold.weight_s, spec.aim.band_fraction,
+                          std::isnan(noise_N) ? 0.0 : noise_N));
+    if (hold.t_s.size() < 2) continue;
+    const UniformSamples force = on_uniform_grid(hold.t_s, hold.force_N);
+    list.add("sample_entropy", channel, "", hold.section, sample_entropy(force.values));
+    const PowerSpectrum spectrum = welch(force);
+    for (const auto& [name, band] :
+         {std::pair{"power_0.1_0.3_Hz", kVerySlowBand}, std::pair{"power_0.5_0.8_Hz", kSlowBand},
+          std::pair{"power_2_8_Hz", kTremorBand}, std::pair{"power_8_12_Hz", kFastTremorBand}})
+      list.add(name, channel, "%", hold.section, band_share(spectrum, band));
+  }
+  add_net_push(record, list);
+  return list.take();
+}
+
+}  // namespace isograsp

@@ -2,7 +2,7 @@
 // How late the screen's answer to an intention is perceived.
 #pragma once
 
-#include "virtual_patient/virtual_patient.hpp"
+#include "virtual_patient/traits.hpp"
 
 namespace isograsp {
 

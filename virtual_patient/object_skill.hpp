@@ -7,7 +7,7 @@
 #include "core/stimulus.hpp"
 #include "grasp_model/scene.hpp"
 #include "virtual_patient/motor.hpp"
-#include "virtual_patient/virtual_patient.hpp"
+#include "virtual_patient/traits.hpp"
 
 namespace isograsp {
 

@@ -7,36 +7,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string_view>
 
-#include "core/result.hpp"
 #include "core/stimulus.hpp"
 #include "grasp_model/scene.hpp"
+#include "virtual_patient/traits.hpp"
 
 namespace isograsp {
-
-/// What makes a person (docs/virtual_patient.md). Values of the presets are assumptions in a
-/// plausible range: a software test instrument, not data.
-struct PatientTraits {
-  double visual_delay_s = 0.18;
-  double reaction_s = 0.25;
-  double movement_s = 1.8;         ///< of one planned movement
-  double maximum_force_N = 60.0;   ///< per digit
-  double enslaving = 0.05;         ///< share of a digit's force that spreads to its neighbour
-  double muscle_lag_s = 0.04;      ///< each of two first-order lags
-  double force_cv = 0.03;          ///< signal-dependent slow force noise, SD / mean
-  double tremor_fraction = 0.005;  ///< amplitude / force
-  double tremor_Hz = 9.0;
-  double resting_force_N = 0.0;  ///< tone of each digit while relaxed
-  double release_s = 0.1;        ///< time constant of letting go
-  double prediction = 0.8;       ///< share of their own delay that they foresee of a moving target
-};
-
-/// "healthy" | "paretic"; nullopt for any other name.
-[[nodiscard]] std::optional<PatientTraits> patient_traits(std::string_view name);
-
-/// A person on the way from `traits` (fraction 0) to healthy (fraction 1), every trait linearly.
-[[nodiscard]] PatientTraits recovered(const PatientTraits& traits, double fraction);
 
 class VirtualPatient final : public FingerSource {
  public:
@@ -49,6 +25,11 @@ class VirtualPatient final : public FingerSource {
 
   void see(const Stimulus& stimulus) noexcept override;
   [[nodiscard]] FingerWrenches press(double t_s) noexcept override;
+
+  /// Instructions that they did not notice in time, and efforts given up in pain, so far. On the
+  /// thread that presses.
+  [[nodiscard]] int missed_cues() const noexcept;
+  [[nodiscard]] int pain_stops() const noexcept;
 
  private:
   struct Mind;

@@ -75,6 +75,13 @@ Result<void> run_session(const RunOptions& options) {
                 (*session)->device().description.c_str());
     std::fflush(stdout);
   }
+  if (!options.quiet) {
+    const Duration duration = protocol->duration();
+    constexpr double kSecondsPerMinute = 60.0;
+    std::printf("%s: %.1f min as a rule, %.1f min at most\n", protocol->spec.name.c_str(),
+                duration.nominal_s / kSecondsPerMinute, duration.worst_s / kSecondsPerMinute);
+    std::fflush(stdout);
+  }
   ProgressBar bar("Session");
   const auto result = run_protocol(
       **session, *protocol,
@@ -88,6 +95,7 @@ Result<void> run_session(const RunOptions& options) {
   if (!result) return result.error();
   if (!options.quiet)
     for (const auto& outcome : result->trials) print_trial(outcome);
+  for (const auto& left_out : result->left_out) print_note("left out: " + left_out);
   return {};
 }
 

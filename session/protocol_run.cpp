@@ -50,7 +50,8 @@ class Run {
         case ProtocolStep::Kind::task: {
           const TaskSpec& spec = protocol.tasks[item->step][item->task];
           if (auto done = task_step(step, spec, *item); !done) return done.error();
-          outcome.agreeing = agreeing(step, result_.trials.back());
+          outcome.completed = trial_was_made_;
+          if (trial_was_made_) outcome.agreeing = agreeing(step, result_.trials.back());
           break;
         }
       }
@@ -113,8 +114,13 @@ class Run {
 
   Result<void> trial(const TaskSpec& spec, bool practice) {
     std::string reason;
+    trial_was_made_ = true;
     for (int attempt = 0; attempt < kTrialAttempts; ++attempt) {
-      if (auto started = session_.start_trial(spec, practice); !started) return started;
+      if (auto started = session_.start_trial(spec, practice); !started) {
+        if (started.error().code != Error::Code::bad_input) return started;
+        leave_out(spec, started.error());
+        return {};
+      }
       const auto outcome = wait_for_trial();
       if (!outcome) return outcome.error();
       result_.trials.push_back(*outcome);
@@ -124,6 +130,12 @@ class Run {
     }
     return failure("'" + spec.name + "' could not be completed: " + reason,
                    "mend the device and run the protocol again");
+  }
+
+  void leave_out(const TaskSpec& spec, const Error& why) {
+    trial_was_made_ = false;
+    result_.left_out.push_back(spec.name + ": " + why.what + "; " + why.remedy);
+    session_.note("Left out: " + result_.left_out.back());
   }
 
   Result<TrialOutcome> wait_for_trial() {
@@ -143,6 +155,7 @@ class Run {
   Session& session_;
   const std::function<void(const ProtocolProgress&)>& progress_;
   bool serviced_;
+  bool trial_was_made_ = true;
   ProtocolProgress position_;
   ProtocolResult result_;
 };

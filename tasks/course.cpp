@@ -55,6 +55,7 @@ void Course::enter_step() {
   order_ = planned(step, seed_ + step_);
   values_.assign(std::max<std::size_t>(1, step.tasks.size()), {});
   attempts_.assign(values_.size(), 0);
+  given_up_.assign(values_.size(), false);
 }
 
 std::optional<Course::Item> Course::next() const {
@@ -76,18 +77,27 @@ void Course::record(const Outcome& outcome) {
   ++attempts_[task];
   if (outcome.completed && outcome.agreeing) values_[task].push_back(*outcome.agreeing);
   if (step.kind == ProtocolStep::Kind::task) ended_s_[step.tasks[task]] = outcome.ended_s;
-  rest_until_s_ = outcome.ended_s + step.rest_s;
-  if (++place_ == order_.size()) plan_more();
+  rest_until_s_ = outcome.completed ? outcome.ended_s + step.rest_s : rest_until_s_;
+  ++place_;
+  if (!outcome.completed) give_up(task);
+  if (place_ == order_.size()) plan_more();
   if (place_ < order_.size()) return;
   ++step_;
   enter_step();
+}
+
+void Course::give_up(std::size_t task) {
+  given_up_[task] = true;
+  order_.erase(
+      std::remove(order_.begin() + static_cast<std::ptrdiff_t>(place_), order_.end(), task),
+      order_.end());
 }
 
 void Course::plan_more() {
   const ProtocolStep& step = protocol_.steps[step_];
   if (!step.agreement) return;
   for (std::size_t task = 0; task < step.tasks.size(); ++task)
-    if (attempts_[task] < step.agreement->most_repetitions &&
+    if (!given_up_[task] && attempts_[task] < step.agreement->most_repetitions &&
         !is_agreed(values_[task], step.agreement->percent, step.practice))
       order_.push_back(task);
 }

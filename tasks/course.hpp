@@ -22,7 +22,7 @@ class Course {
     double not_before_s = 0.0;  ///< session time: rests and recurrences end then
   };
   struct Outcome {
-    bool completed = true;
+    bool completed = true;           ///< false: the task was refused for this hand
     std::optional<double> agreeing;  ///< the measure on which attempts must agree
     double ended_s = 0.0;            ///< session time
   };
@@ -42,6 +42,8 @@ class Course {
  private:
   void enter_step();
   void plan_more();
+  /// Asking a refused task again is of no use.
+  void give_up(std::size_t task);
 
   const ProtocolSpec& protocol_;
   std::uint64_t seed_;
@@ -50,6 +52,7 @@ class Course {
   std::size_t place_ = 0;                    ///< in order_
   std::vector<std::vector<double>> values_;  ///< per task of this step: agreeing measures
   std::vector<int> attempts_;                ///< per task of this step
+  std::vector<bool> given_up_;               ///< per task of this step
   std::map<std::string, double> ended_s_;    ///< per task file
   double rest_until_s_ = 0.0;
   int done_ = 0;

@@ -82,7 +82,7 @@ std::vector<Measure> measures_of(const StepResponseSpec& spec, const Record& rec
   list.add_mean("rise_time", channel, "s", all, rise);
   list.add_mean("overshoot", channel, "%", all, overshoot);
   list.add_mean("rmse", channel, "N", all, error);
-  add_net_push(record, list);
+  add_net_push(record, spec.aim.channel, list);
   return list.take();
 }
 
@@ -125,7 +125,7 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
   list.add_mean("residual_force", channel, "N", all, residual);
   list.add_mean("fastest_release", channel, "N/s", all, fastest);
   if (spec.open) list.add_mean("opening_force", "opening", "N", all, opening);
-  add_net_push(record, list);
+  add_net_push(record, spec.aim.channel, list);
   return list.take();
 }
 
@@ -156,7 +156,7 @@ std::vector<Measure> measures_of(const ForceSenseSpec& spec, const Record& recor
   list.add("constant_error", channel, "N", all, sense.constant_error);
   list.add("absolute_error", channel, "N", all, sense.absolute_error);
   list.add("variable_error", channel, "N", all, sense.variable_error);
-  add_net_push(record, list);
+  add_net_push(record, spec.aim.channel, list);
   return list.take();
 }
 

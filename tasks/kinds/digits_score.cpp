@@ -101,7 +101,6 @@ std::vector<Measure> measures_of(const IndividuationSpec& spec, const Record& re
                             : Computed("the maximum of the " + std::string(name_of(i)) +
                                        " was not measured"));
     }
-  add_net_push(record, list);
   return list.take();
 }
 
@@ -149,7 +148,6 @@ std::vector<Measure> measures_of(const ForceDirectionSpec&, const Record& record
     paths.push_back(forces.section);
   }
   list.add_mean("path_deviation", "digits", "N", join(paths), deviations);
-  add_net_push(record, list);
   return list.take();
 }
 

@@ -149,7 +149,8 @@ void MeasureList::add_times(const std::string& name, const std::string& channel,
       none ? Computed(reason) : Computed(100.0 * reached.count / reached.of));
 }
 
-void add_net_push(const Record& record, MeasureList& list) {
+void add_net_push(const Record& record, ForceChannel channel, MeasureList& list) {
+  if (single_digit(channel)) return;
   const Section section = record.select({Phase::active, Phase::hold},
                                         {"net_fx_N", "net_fy_N", "net_fz_N", "actual_force_N"});
   if (!section.reason.empty()) return;  // finger forces were not recorded

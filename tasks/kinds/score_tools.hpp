@@ -63,7 +63,8 @@ class MeasureList {
   std::vector<Measure> measures_;
 };
 
-/// Net push of arm or trunk over the active rows: part of every force task.
-void add_net_push(const Record& record, MeasureList& list);
+/// Net push of arm or trunk over the active rows, where digits press against each other: a single
+/// digit always pushes the platform.
+void add_net_push(const Record& record, ForceChannel channel, MeasureList& list);
 
 }  // namespace isograsp

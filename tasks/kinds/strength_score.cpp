@@ -131,7 +131,7 @@ std::vector<Measure> measures_of(const MaximumSpec& spec, const Record& record) 
   add_rates(record, efforts.front(), channel, list);
   if (spec.channel.direction == Direction::minus_z)
     add_coflexion(record, efforts.front(), channel, list);
-  add_net_push(record, list);
+  add_net_push(record, spec.channel, list);
   return list.take();
 }
 
@@ -161,7 +161,6 @@ std::vector<Measure> measures_of(const DirectionalMaximaSpec& spec, const Record
                  : Computed("no force in this direction"));
     if (part.channel.direction == Direction::minus_z) add_coflexion(record, part, channel, list);
   }
-  add_net_push(record, list);
   return list.take();
 }
 
@@ -182,7 +181,7 @@ std::vector<Measure> measures_of(const FatigueSpec& spec, const Record& record) 
         time_in_band(trace.target_N, trace.force_N, trace.weight_s, spec.aim.band_fraction,
                      record.constant("noise_sd_N").value_or(0.0)));
   }
-  add_net_push(record, list);
+  add_net_push(record, spec.aim.channel, list);
   return list.take();
 }
 

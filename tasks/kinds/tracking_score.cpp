@@ -154,7 +154,7 @@ std::vector<Measure> measures_of(const ForceTrackingSpec& spec, const Record& re
   add_sines(spec, trace, list);
   add_ramps(spec, record, trace, list);
   add_smoothness(trace, list);
-  add_net_push(record, list);
+  add_net_push(record, spec.aim.channel, list);
   return list.take();
 }
 
@@ -185,7 +185,7 @@ std::vector<Measure> measures_of(const SteadinessSpec& spec, const Record& recor
           std::pair{"power_2_8_Hz", kTremorBand}, std::pair{"power_8_12_Hz", kFastTremorBand}})
       list.add(name, channel, "%", hold.section, band_share(spectrum, band));
   }
-  add_net_push(record, list);
+  add_net_push(record, spec.aim.channel, list);
   return list.take();
 }
 

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/course.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tasks/staircase.hpp"
+
+namespace isograsp {
+namespace {
+
+ProtocolStep step_of(std::vector<std::string> tasks, int repetitions, Order order) {
+  ProtocolStep step;
+  step.tasks = std::move(tasks);
+  step.repetitions = repetitions;
+  step.order = order;
+  return step;
+}
+
+ProtocolSpec protocol_of(std::vector<ProtocolStep> steps) {
+  ProtocolSpec protocol;
+  protocol.steps = std::move(steps);
+  return protocol;
+}
+
+/// Tasks in the order in which they come; every trial takes ten seconds.
+struct Played {
+  std::string order;
+  std::vector<double> begun_s;
+};
+template <class Value>
+Played play(const ProtocolSpec& protocol, std::uint64_t seed, Value&& value) {
+  Course course(protocol, seed);
+  Played played;
+  double now_s = 0.0;
+  while (const auto item = course.next()) {
+    now_s = std::max(now_s, item->not_before_s);
+    played.begun_s.push_back(now_s);
+    played.order += protocol.steps[item->step].tasks[item->task];
+    now_s += 10.0;
+    course.record({true, value(*item), now_s});
+  }
+  return played;
+}
+std::optional<double> no_value(const Course::Item&) {
+  return std::nullopt;
+}
+
+TEST(Course, EveryOrderGivesEveryTaskItsRepetitions) {
+  for (const auto& [order, expected] :
+       {std::pair{Order::ordered, "aabbcc"}, std::pair{Order::interleaved, "abcabc"}})
+    EXPECT_EQ(play(protocol_of({step_of({"a", "b", "c"}, 2, order)}), 1, no_value).order, expected);
+  const auto shuffled = protocol_of({step_of({"a", "b"}, 20, Order::random)});
+  std::string first = play(shuffled, 1, no_value).order;
+  EXPECT_EQ(first, play(shuffled, 1, no_value).order) << "the seed decides";
+  EXPECT_NE(first, play(shuffled, 2, no_value).order);
+  EXPECT_EQ(std::count(first.begin(), first.end(), 'a'), 20);
+  EXPECT_EQ(first.size(), 40u);
+}
+
+TEST(Course, TheSameTaskRecursAfterItsTimeAndEveryTaskAfterItsRest) {
+  ProtocolStep step = step_of({"a", "b"}, 2, Order::interleaved);
+  step.rest_s = 5.0;
+  step.recurrence_s = 60.0;
+  const Played played = play(protocol_of({step}), 1, no_value);
+  EXPECT_EQ(played.begun_s, (std::vector<double>{0.0, 15.0, 70.0, 85.0}));
+}
+
+TEST(Course, AttemptsAreRepeatedUntilTheBestTwoAgreeAndNotBeyondTheMost) {
+  ProtocolStep step = step_of({"a", "b"}, 2, Order::interleaved);
+  step.agreement = Agreement{10.0, "maximum_force", 4};
+  const auto protocol = protocol_of({step});
+  EXPECT_EQ(play(protocol, 1, [](const auto&) { return 20.0; }).order, "abab");
+  // b agrees at its third attempt, a never.
+  const auto values = [](const Course::Item& item) {
+    if (item.task == 0) return 10.0 * item.attempt * item.attempt;
+    return item.attempt == 1 ? 5.0 : 9.0;
+  };
+  EXPECT_EQ(play(protocol, 1, values).order, "abababa");
+}
+
+TEST(Course, PracticeLooksAtTheLastTwoAndAssessmentAtTheBestTwo) {
+  EXPECT_TRUE(is_agreed({5.0, 20.0, 20.5, 9.0}, 10.0, false));
+  EXPECT_FALSE(is_agreed({5.0, 20.0, 20.5, 9.0}, 10.0, true));
+  EXPECT_TRUE(is_agreed({20.0, 9.0, 9.5}, 10.0, true));
+  EXPECT_FALSE(is_agreed({20.0}, 10.0, false));
+  EXPECT_TRUE(is_agreed({10.0, 9.0}, 10.0, false)) << "ten percent of the larger";
+}
+
+TEST(Course, ARefusedTaskIsNotAskedAgain) {
+  ProtocolStep step = step_of({"a", "b"}, 3, Order::interleaved);
+  step.agreement = Agreement{10.0, "maximum_force", 4};
+  const auto protocol = protocol_of({step});
+  Course course(protocol, 1);
+  std::string order;
+  while (const auto item = course.next()) {
+    order += step.tasks[item->task];
+    course.record({item->task != 0, 20.0, 0.0});
+  }
+  EXPECT_EQ(order, "abbb");
+}
+
+TEST(Course, ToldItsOutcomesAgainItStandsWhereItStood) {
+  ProtocolStep step = step_of({"a", "b", "c"}, 3, Order::random);
+  step.agreement = Agreement{10.0, "maximum_force", 5};
+  const auto protocol = protocol_of({step, step_of({"d"}, 2, Order::ordered)});
+  Course live(protocol, 7);
+  std::vector<Course::Outcome> told;
+  const auto outcome = [](int k) { return Course::Outcome{true, 10.0 + 3.0 * (k % 4), 10.0 * k}; };
+  for (int k = 0; const auto item = live.next(); ++k) {
+    Course again(protocol, 7);
+    for (const auto& one : told) again.record(one);
+    const auto same = again.next();
+    ASSERT_TRUE(same);
+    EXPECT_EQ(same->step, item->step);
+    EXPECT_EQ(same->task, item->task);
+    EXPECT_EQ(same->attempt, item->attempt);
+    EXPECT_EQ(same->not_before_s, item->not_before_s);
+    told.push_back(outcome(k));
+    live.record(told.back());
+  }
+  EXPECT_GT(told.size(), 11u);
+}
+
+TEST(Course, DurationsCountTrialsRestsInstructionsAndFurtherAttempts) {
+  TaskSpec task;
+  MaximumSpec maximum;
+  maximum.lead_in_s = 1.0;
+  maximum.squeeze_s = 3.0;
+  task.kind = maximum;
+  ProtocolStep step = step_of({"a"}, 2, Order::ordered);
+  step.rest_s = 6.0;
+  step.agreement = Agreement{10.0, "maximum_force", 4};
+  const Duration duration = duration_of(protocol_of({step}), {{task}});
+  constexpr double kInstruction_s = 8.0;
+  EXPECT_DOUBLE_EQ(duration.nominal_s, kInstruction_s + 2 * 4.0 + 6.0);
+  EXPECT_DOUBLE_EQ(duration.worst_s, kInstruction_s + 4 * 4.0 + 3 * 6.0);
+}
+
+TEST(Staircase, SettlesWhereThreeOfFourTrialsSucceed) {
+  // A person who succeeds surely below their level and never above it.
+  for (const double skill : {0.2, 0.5, 0.9}) {
+    Staircase staircase{0.5};
+    int successes = 0;
+    double sum = 0.0;
+    constexpr int kTrials = 4000;
+    for (int k = 0; k < kTrials; ++k) {
+      const bool success = staircase.level <= skill;
+      successes += success ? 1 : 0;
+      sum += staircase.level;
+      staircase = staircase.after(success);
+    }
+    constexpr double kCount = 0.01;  // one step of the start over all trials
+    EXPECT_NEAR(static_cast<double>(successes) / kTrials, Staircase::kSuccess, kCount);
+    EXPECT_NEAR(sum / kTrials, skill, Staircase::kDown);
+  }
+}
+
+TEST(Staircase, StaysBetweenEasiestAndHardest) {
+  EXPECT_EQ(Staircase{0.05}.after(false).level, 0.0);
+  EXPECT_EQ(Staircase{0.99}.after(true).level, 1.0);
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -113,9 +113,9 @@ namespace {
 
 /// Hand out, one second of quiet, hand in again.
 constexpr double kZero_s = 15.0;
-/// An instruction in plain words, before the first trial of every task (clinical rule: 70 s for the
-/// nine tasks of the battery).
-constexpr double kInstruction_s = 8.0;
+/// An instruction in plain words, before the first trial of every task: 70 s for the twelve tasks of
+/// the battery.
+constexpr double kInstruction_s = 6.0;
 
 double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskSpec>>& tasks,
                bool worst) {

@@ -133,7 +133,7 @@ TEST(Course, DurationsCountTrialsRestsInstructionsAndFurtherAttempts) {
   step.rest_s = 6.0;
   step.agreement = Agreement{10.0, "maximum_force", 4};
   const Duration duration = duration_of(protocol_of({step}), {{task}});
-  constexpr double kInstruction_s = 8.0;
+  constexpr double kInstruction_s = 6.0;
   EXPECT_DOUBLE_EQ(duration.nominal_s, kInstruction_s + 2 * 4.0 + 6.0);
   EXPECT_DOUBLE_EQ(duration.worst_s, kInstruction_s + 4 * 4.0 + 3 * 6.0);
 }

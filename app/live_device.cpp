@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "app/console.hpp"
+#include "app/paths.hpp"
 #include "device/frame_reader.hpp"
 #include "device/uri.hpp"
 #include "session/simulated_person.hpp"
@@ -71,7 +72,7 @@ Result<LiveDevice> LiveDevice::open(const std::string& text, const std::shared_p
   LiveDevice live;
   const auto uri = Uri::parse(text);
   if (!uri) return uri.error();
-  auto person = simulated_person(*uri);
+  auto person = simulated_person(*uri, library_folder());
   if (!person) return person.error();
   live.person_ = *std::move(person);
   auto device = open_device(text, {live.person_.get(), tap});

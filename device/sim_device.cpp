@@ -110,7 +110,8 @@ class SimDevice final : public ForceDevice {
 }  // namespace
 
 Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const DeviceOptions& options) {
-  if (auto known = uri.require_known({"seed", "hand", "rate", "drop", "recovery"}); !known)
+  if (auto known = uri.require_known({"seed", "hand", "rate", "drop", "recovery", "day", "course"});
+      !known)
     return known.error();
   if (uri.target.empty())
     return uri.error("patient", "no patient is named", "write sim://healthy or sim://paretic");

@@ -220,7 +220,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   const std::string said = uri->text_or("hand", std::string(name_of(config.hand)));
   if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same.error();
   if (auto good = check_patient_code(config.patient_code); !good) return good.error();
-  auto viewer = simulated_person(*uri);
+  auto viewer = simulated_person(*uri, config.library);
   if (!viewer) return viewer.error();
   parts->viewer = std::move(*viewer);
   DeviceOptions device_options;

@@ -1,21 +1,129 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/simulated_person.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/files.hpp"
+#include "virtual_patient/course.hpp"
+#include "virtual_patient/patient_file.hpp"
+
 namespace isograsp {
 
-Result<std::unique_ptr<VirtualPatient>> simulated_person(const Uri& uri) {
-  if (uri.scheme != "sim") return std::unique_ptr<VirtualPatient>();
-  const auto traits = patient_traits(uri.target);
-  if (!traits)
-    return uri.error("", "there is no simulated patient '" + uri.target + "'",
-                     "use sim://healthy or sim://paretic");
-  constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: every integer below is a double
-  const auto seed = uri.number_or("seed", 1.0, 0.0, kLargestSeed);
-  if (!seed) return seed.error();
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: every integer below is a double
+constexpr double kLatestDay = 10000.0;
+
+fs::path people_folder(const std::string& library) {
+  return fs::path(library) / "patients";
+}
+fs::path courses_folder(const std::string& library) {
+  return people_folder(library) / "courses";
+}
+
+void add_names(const std::string& library, const fs::path& folder,
+               std::vector<std::string>& names) {
+  std::error_code unreadable;  // a library without people has none
+  if (!library.empty())
+    for (const auto& entry : fs::directory_iterator(folder, unreadable))
+      if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+}
+
+/// The file of one of `names`; a name that is none of them opens no file, wherever it points.
+Result<std::string> chosen(const Uri& uri, const std::string& field, const std::string& what,
+                           const std::string& name, const std::vector<std::string>& names,
+                           const fs::path& folder) {
+  if (std::find(names.begin(), names.end(), name) != names.end())
+    return (folder / (name + ".toml")).string();
+  std::string list;
+  for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
+  return uri.error(field, "there is no " + what + " '" + name + "'",
+                   list.empty() ? "this library has none" : "use one of: " + list);
+}
+
+Result<PatientTraits> named(const Uri& uri, const std::string& library) {
+  if (const auto traits = patient_traits(uri.target)) return *traits;
+  const auto path = chosen(uri, "", "simulated patient", uri.target, simulated_people(library),
+                           people_folder(library));
+  if (!path) return path.error();
+  const auto text = read_text(*path);
+  if (!text) return text.error();
+  const auto patient = parse_patient(*text, *path);
+  if (!patient) return patient.error();
+  return patient->traits;
+}
+
+Result<Course> course_of(const Uri& uri, const std::string& library, const std::string& name) {
+  const auto path =
+      chosen(uri, "course", "course", name, simulated_courses(library), courses_folder(library));
+  if (!path) return path.error();
+  const auto text = read_text(*path);
+  if (!text) return text.error();
+  return parse_course(*text, *path);
+}
+
+Result<double> seed_of(const Uri& uri) {
+  return uri.number_or("seed", 1.0, 0.0, kLargestSeed);
+}
+
+}  // namespace
+
+std::vector<std::string> simulated_people(const std::string& library) {
+  std::vector<std::string> names{"healthy", "paretic"};
+  add_names(library, people_folder(library), names);
+  return names;
+}
+
+std::vector<std::string> simulated_courses(const std::string& library) {
+  std::vector<std::string> names;
+  add_names(library, courses_folder(library), names);
+  return names;
+}
+
+Result<PatientTraits> simulated_traits(const Uri& uri, const std::string& library) {
+  const auto found = named(uri, library);
+  if (!found) return found.error();
   const auto recovery = uri.number_or("recovery", 0.0, 0.0, 1.0);
   if (!recovery) return recovery.error();
-  return std::make_unique<VirtualPatient>(recovered(*traits, *recovery),
-                                          static_cast<std::uint64_t>(*seed));
+  const PatientTraits traits = recovered(*found, *recovery);
+  const auto seed = seed_of(uri);
+  if (!seed) return seed.error();
+  const std::string course_name = uri.text_or("course", "");
+  if (uri.parameters.count("day") == 0) {
+    if (course_name.empty()) return traits;
+    return uri.error("day", "a course needs a day", "write for example day=0");
+  }
+  const auto day = uri.number_or("day", 0.0, 0.0, kLatestDay);
+  if (!day) return day.error();
+  if (*day != std::floor(*day))
+    return uri.error("day", "is not a whole number", "write a whole number such as day=14");
+  const auto person = static_cast<std::uint64_t>(*seed);
+  const auto today = static_cast<std::uint64_t>(*day);
+  if (course_name.empty()) return on_day(traits, day_seed(person, today));
+  const auto course = course_of(uri, library, course_name);
+  if (!course) return course.error();
+  return course_traits(*course, traits, today, person);
+}
+
+Result<std::unique_ptr<VirtualPatient>> simulated_person(const Uri& uri,
+                                                         const std::string& library) {
+  if (uri.scheme != "sim") return std::unique_ptr<VirtualPatient>();
+  const auto traits = simulated_traits(uri, library);
+  if (!traits) return traits.error();
+  const auto seed = seed_of(uri);
+  if (!seed) return seed.error();
+  // The noise of another day is another noise.
+  const auto day = uri.number_or("day", 0.0, 0.0, kLatestDay);
+  const auto person = static_cast<std::uint64_t>(*seed);
+  const bool dated = uri.parameters.count("day") > 0;
+  return std::make_unique<VirtualPatient>(
+      *traits, dated ? day_seed(person, static_cast<std::uint64_t>(*day)) : person);
 }
 
 }  // namespace isograsp

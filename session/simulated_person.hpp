@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/result.hpp"
 #include "device/uri.hpp"
@@ -10,8 +12,20 @@
 
 namespace isograsp {
 
-/// sim://healthy | sim://paretic, with `seed` and `recovery` (0: as named … 1: healthy). Nothing
-/// for a device that is not simulated.
-[[nodiscard]] Result<std::unique_ptr<VirtualPatient>> simulated_person(const Uri& uri);
+/// sim://NAME: healthy, paretic or a file LIBRARY/patients/NAME.toml. Parameters:
+///   seed      of the person; same seed, same forces
+///   recovery  0: as named … 1: healthy
+///   course    a file LIBRARY/patients/courses/NAME.toml
+///   day       of the course and of the person's form; without it the person is as named
+/// Nothing for a device that is not simulated. Without a library only the first two have a name.
+[[nodiscard]] Result<std::unique_ptr<VirtualPatient>> simulated_person(
+    const Uri& uri, const std::string& library = "");
+
+/// The traits that this person would have.
+[[nodiscard]] Result<PatientTraits> simulated_traits(const Uri& uri, const std::string& library);
+
+/// Names of the people of a library and of the program, and of its courses; sorted.
+[[nodiscard]] std::vector<std::string> simulated_people(const std::string& library);
+[[nodiscard]] std::vector<std::string> simulated_courses(const std::string& library);
 
 }  // namespace isograsp

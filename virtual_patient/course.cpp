@@ -72,7 +72,11 @@ Result<Course> parse_course(std::string_view text, const std::string& file) {
   course.name = root->text("name");
   course.description = root->text("description");
   course.days_between_sessions = number_within(*root, "days_between_sessions", 0.25, 365.0);
-  for (TomlReader& table : root->tables("change")) course.changes.push_back(read_change(table));
+  constexpr std::size_t kMostChanges = 16;  // 100^16 is still a number to compute with
+  std::vector<TomlReader> tables = root->tables("change");
+  if (tables.size() > kMostChanges)
+    root->fail("change", "are too many", "write at most " + std::to_string(kMostChanges));
+  for (TomlReader& table : tables) course.changes.push_back(read_change(table));
   if (auto done = root->finish(); !done) return done.error();
   return course;
 }

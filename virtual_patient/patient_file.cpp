@@ -2,7 +2,6 @@
 #include "virtual_patient/patient_file.hpp"
 
 #include <map>
-#include <numbers>
 
 #include "core/csv.hpp"
 #include "core/toml_reader.hpp"
@@ -10,8 +9,6 @@
 namespace isograsp {
 
 namespace {
-
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 void check_range(TomlReader& table, std::string_view key, double value, double least, double most) {
   if (value >= least && value <= most) return;
@@ -44,7 +41,7 @@ Result<PatientFile> parse_patient(std::string_view text, const std::string& file
   }
   TomlReader& direction = tables.at("direction");
   patient.traits.direction_error_rad =
-      three(direction, "direction_error_deg", 0.0, kLargestDirectionError_rad / kDegree_rad);
+      three(direction, "direction_error_deg", 0.0, kLargestDirectionError_deg);
   for (double& error : patient.traits.direction_error_rad) error *= kDegree_rad;
   patient.traits.arm_push = three(direction, "arm_push", -kLargestArmPush, kLargestArmPush);
   if (auto done = root->finish(); !done) return done.error();

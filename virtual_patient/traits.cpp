@@ -60,7 +60,7 @@ PatientTraits clamped(PatientTraits traits) noexcept {
   for (const TraitField& field : kFields)
     traits.*field.value = std::clamp(traits.*field.value, field.least, field.most);
   for (double& error_rad : traits.direction_error_rad)
-    error_rad = std::clamp(error_rad, 0.0, kLargestDirectionError_rad);
+    error_rad = std::clamp(error_rad, 0.0, kLargestDirectionError_deg * kDegree_rad);
   for (double& push : traits.arm_push) push = std::clamp(push, -kLargestArmPush, kLargestArmPush);
   return traits;
 }

@@ -76,7 +76,8 @@ struct TraitField {
   double most;
 };
 [[nodiscard]] std::span<const TraitField> trait_fields() noexcept;
-inline constexpr double kLargestDirectionError_rad = std::numbers::pi / 2.0;
+inline constexpr double kDegree_rad = std::numbers::pi / 180.0;
+inline constexpr double kLargestDirectionError_deg = 90.0;
 inline constexpr double kLargestArmPush = 1.0;
 /// Every trait within its range.
 [[nodiscard]] PatientTraits clamped(PatientTraits traits) noexcept;

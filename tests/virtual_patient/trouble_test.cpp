@@ -16,7 +16,6 @@ using test::shipped;
 
 constexpr int kSeeds = 10;
 constexpr ForceChannel kGrip{};
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 double angle_rad(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));

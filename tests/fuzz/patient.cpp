@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Patient files: who is accepted has traits within their ranges.
+#include "tests/fuzz/support.hpp"
+#include "virtual_patient/patient_file.hpp"
+
+using namespace isograsp;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto text = fuzz::text_of(data, size);
+  const auto patient = parse_patient(text, "patient.toml");
+  if (!patient) {
+    fuzz::require_helpful(patient.error(), text);
+    return 0;
+  }
+  fuzz::require(clamped(patient->traits) == patient->traits, "every trait is within its range");
+  return 0;
+}

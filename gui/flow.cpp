@@ -155,9 +155,7 @@ std::string start_hint(const FlowFacts& facts) {
   if (!facts.task_chosen) return "Choose a task.";
   if (facts.task_kind == TaskKind::rest && facts.settling_s > 0)
     return "The strapped hand settles: " + std::to_string(facts.settling_s) + " s.";
-  if (facts.task_needs_maximum && !(facts.maximum_force_N > 0.0))
-    return "This task is scaled to the maximum: measure the maximum grip force first.";
-  return "";
+  return facts.task_lacks;
 }
 
 }  // namespace

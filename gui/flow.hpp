@@ -27,8 +27,9 @@ enum class Mood : std::uint8_t { off, busy, ready, attention, fault };
 
 enum class Connection : std::uint8_t { none, opening, open, closing };
 
-/// What kind of task is chosen or running; the order of TaskSpec::kind.
-enum class TaskKind : std::uint8_t { rest, maximum, force_tracking, pose_targets, observe };
+/// What the chosen or running task is to the flow: the maximum is that of the grip alone, and most
+/// kinds of tasks are simply others.
+enum class TaskKind : std::uint8_t { rest, maximum, force_tracking, pose_targets, observe, other };
 
 /// All that the flow depends on.
 struct FlowFacts {
@@ -60,7 +61,7 @@ struct FlowFacts {
   bool task_chosen = false;
   TaskKind task_kind = TaskKind::rest;
   std::string task_name;
-  bool task_needs_maximum = false;
+  std::string task_lacks;  ///< a force that the task is scaled to and that was not measured: why
 };
 
 /// Age of the newest frame from which nothing is believed to arrive any more [s]. Single silent

@@ -5,8 +5,10 @@
 #include <QHeaderView>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <optional>
 
 #include "gui/look.hpp"
+#include "gui/task_groups.hpp"
 #include "gui/words.hpp"
 
 namespace isograsp {
@@ -18,13 +20,7 @@ TaskPanel::TaskPanel(SessionPresenter& presenter, QWidget* parent)
   list_->setObjectName("tasks");
   describe(*list_, tr("Tasks"), tr("Choose what the patient will do (Alt+T)"));
   title_->setBuddy(list_);
-  constexpr int kRow_px = 24;
-  constexpr int kMostRows = 8;
-  for (const auto& spec : presenter_.tasks()) {
-    auto* item = new QListWidgetItem(QString::fromStdString(spec.name), list_);
-    item->setSizeHint({0, kRow_px});
-  }
-  list_->setFixedHeight(kRow_px * std::clamp(list_->count(), 3, kMostRows) + 6);
+  fill_list();
   instruction_ = new QLabel;
   instruction_->setObjectName("instruction");
   instruction_->setProperty("role", "quiet");
@@ -63,7 +59,10 @@ TaskPanel::TaskPanel(SessionPresenter& presenter, QWidget* parent)
   column_->addWidget(progress_);
   column_->addWidget(hint_);
 
-  connect(list_, &QListWidget::currentRowChanged, &presenter_, &SessionPresenter::choose_task);
+  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (item != nullptr && item->data(Qt::UserRole).isValid())
+      presenter_.choose_task(item->data(Qt::UserRole).toInt());
+  });
   connect(practice_, &QCheckBox::toggled, &presenter_, &SessionPresenter::set_practice);
   connect(start_, &QPushButton::clicked, &presenter_, &SessionPresenter::start);
   connect(pause_, &QPushButton::clicked, &presenter_, &SessionPresenter::start_pause_resume);
@@ -74,12 +73,43 @@ TaskPanel::TaskPanel(SessionPresenter& presenter, QWidget* parent)
   refresh_progress();
 }
 
+void TaskPanel::fill_list() {
+  constexpr int kRow_px = 24;
+  constexpr int kMostRows = 9;
+  std::optional<TaskGroup> group;
+  const auto& tasks = presenter_.tasks();
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (group != group_of(tasks[i])) {
+      group = group_of(tasks[i]);
+      const auto title = title_of(*group);
+      auto* heading = new QListWidgetItem(
+          QString::fromUtf8(title.data(), static_cast<int>(title.size())), list_);
+      QFont font = list_->font();
+      font.setBold(true);
+      heading->setFont(font);
+      heading->setForeground(look::kQuietText);
+      heading->setFlags(Qt::NoItemFlags);  // keys and clicks pass over it
+      heading->setSizeHint({0, kRow_px});
+    }
+    auto* item =
+        new QListWidgetItem(QStringLiteral("   ") + QString::fromStdString(tasks[i].name), list_);
+    item->setData(Qt::UserRole, static_cast<int>(i));
+    item->setData(Qt::AccessibleTextRole, QString::fromStdString(tasks[i].name));
+    item->setSizeHint({0, kRow_px});
+  }
+  list_->setFixedHeight(kRow_px * std::clamp(list_->count(), 3, kMostRows) + 6);
+}
+
 void TaskPanel::refresh() {
   const auto& view = presenter_.view();
   const int task = presenter_.task();
   {
     const QSignalBlocker quiet(list_);
-    list_->setCurrentRow(task);
+    for (int row = 0; row < list_->count(); ++row) {
+      const auto number = list_->item(row)->data(Qt::UserRole);
+      if (number.isValid() && number.toInt() == task && list_->currentRow() != row)
+        list_->setCurrentRow(row);
+    }
   }
   list_->setEnabled(view.may_choose_task);
   practice_->setEnabled(view.may_choose_task);

@@ -20,11 +20,12 @@ class TaskPanel final : public Card {
   explicit TaskPanel(SessionPresenter& presenter, QWidget* parent = nullptr);
 
  private:
+  void fill_list();
   void refresh();
   void refresh_progress();
 
   SessionPresenter& presenter_;
-  QListWidget* list_;
+  QListWidget* list_;  ///< headings, and tasks with their number in the presenter as data
   QLabel* instruction_;
   QCheckBox* practice_;
   QPushButton* start_;

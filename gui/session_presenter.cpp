@@ -2,11 +2,13 @@
 #include "gui/session_presenter.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
 #include "core/files.hpp"
+#include "gui/task_groups.hpp"
 #include "reports/progress.hpp"
 #include "session/contact_threshold.hpp"
 
@@ -19,8 +21,21 @@ namespace {
 constexpr int kPoll_ms = 16;
 constexpr double kScoreEvery_s = 1.0;
 
-TaskKind kind_of(const TaskSpec& spec) {
-  return static_cast<TaskKind>(spec.kind.index());
+/// "The target is … : run …."
+std::string sentence_of(const Error& error) {
+  std::string words = error.what + (error.remedy.empty() ? "." : ": " + error.remedy + ".");
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
+}
+
+/// The first force that the task is scaled to and that was not measured, in words; empty: none.
+std::string lack_of(const TaskSpec& spec, const ForceReferences& references) {
+  for (const Scale scale : {Scale::of_maximum, Scale::of_comfortable, Scale::of_baseline})
+    for (const ForceChannel channel : spec.channels_needed(scale)) {
+      const auto unit = references.unit_N(scale, channel, spec.largest_level());
+      if (!unit) return sentence_of(unit.error());
+    }
+  return "";
 }
 
 }  // namespace
@@ -56,10 +71,7 @@ void SessionPresenter::load_tasks() {
     else
       library_problems_.push_back(spec.error().message());
   }
-  // The order of a session: rest, maximum, then tasks.
-  std::stable_sort(tasks_.begin(), tasks_.end(), [](const TaskSpec& a, const TaskSpec& b) {
-    return a.kind.index() < b.kind.index();
-  });
+  sort_for_list(tasks_);
   select_first(TaskKind::rest);
 }
 
@@ -67,6 +79,24 @@ void SessionPresenter::select_first(TaskKind kind) {
   const auto found = std::find_if(tasks_.begin(), tasks_.end(),
                                   [&](const TaskSpec& spec) { return kind_of(spec) == kind; });
   if (found != tasks_.end()) task_ = static_cast<int>(found - tasks_.begin());
+  look_at_task();
+}
+
+/// A target that follows the force just measured.
+void SessionPresenter::select_task_after_maximum() {
+  const auto& references = session_->references();
+  const auto found = std::find_if(tasks_.begin(), tasks_.end(), [&](const TaskSpec& spec) {
+    return kind_of(spec) == TaskKind::force_tracking && lack_of(spec, references).empty();
+  });
+  if (found != tasks_.end()) task_ = static_cast<int>(found - tasks_.begin());
+  look_at_task();
+}
+
+/// Once per choice and measurement: the flow is decided sixty times a second.
+void SessionPresenter::look_at_task() {
+  task_lacks_.clear();
+  if (task_ < 0 || session_ == nullptr) return;
+  task_lacks_ = lack_of(tasks_[static_cast<std::size_t>(task_)], session_->references());
 }
 
 FlowFacts SessionPresenter::facts() const {
@@ -108,7 +138,7 @@ FlowFacts SessionPresenter::facts() const {
     const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
     facts.task_kind = kind_of(spec);
     facts.task_name = running_ != nullptr ? running_->name : spec.name;
-    facts.task_needs_maximum = spec.needs_maximum();
+    facts.task_lacks = task_lacks_;
   }
   return facts;
 }
@@ -149,6 +179,7 @@ void SessionPresenter::choose_device(const std::string& uri) {
 void SessionPresenter::choose_task(int index) {
   if (!view_.may_choose_task || index == task_) return;
   task_ = index;
+  look_at_task();
   update();
 }
 
@@ -396,12 +427,12 @@ void SessionPresenter::take_trial(const TrialOutcome& outcome) {
         break;
       case TaskKind::maximum:
         ++maximum_attempts_;
-        if (!task_done_ && session_->maximum_force_N() > 0.0)
-          select_first(TaskKind::force_tracking);
+        if (!task_done_ && session_->maximum_force_N() > 0.0) select_task_after_maximum();
         break;
-      default: task_done_ = true;
+      default: task_done_ = task_done_ || group_of(*running_) != TaskGroup::rest_and_maximum;
     }
   }
+  look_at_task();
   running_.reset();
   clinic_.load_history(patient_);
   Q_EMIT score_changed();

@@ -108,6 +108,8 @@ class SessionPresenter final : public QObject {
   void update();
   void load_tasks();
   void select_first(TaskKind kind);
+  void select_task_after_maximum();
+  void look_at_task();
   void take(const SessionNews& news);
   void take_trial(const TrialOutcome& outcome);
   void begin_session(std::unique_ptr<Session> session);
@@ -128,6 +130,7 @@ class SessionPresenter final : public QObject {
   std::vector<TaskSpec> tasks_;
   std::vector<std::string> library_problems_;
   int task_ = -1;
+  std::string task_lacks_;  ///< what the chosen task is scaled to and has not been measured
   bool practice_ = false;
 
   Connection connection_ = Connection::none;

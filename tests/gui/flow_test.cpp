@@ -106,12 +106,13 @@ TEST(Flow, ARecordingNeedsNoZero) {
   EXPECT_FALSE(decide(facts).may_zero);
 }
 
-TEST(Flow, AScaledTaskWaitsForTheMaximum) {
+TEST(Flow, AScaledTaskWaitsForTheForceThatItIsScaledTo) {
   FlowFacts facts = zeroed();
-  facts.task_needs_maximum = true;
-  EXPECT_FALSE(decide(facts).may_start);
-  EXPECT_NE(decide(facts).start_hint.find("maximum"), std::string::npos);
   facts.maximum_force_N = 25.0;
+  facts.task_lacks = "The target is a share of the maximum force of 'index'.";
+  EXPECT_FALSE(decide(facts).may_start) << "the maximum of the grip does not stand for it";
+  EXPECT_EQ(decide(facts).start_hint, facts.task_lacks);
+  facts.task_lacks.clear();
   EXPECT_TRUE(decide(facts).may_start);
 }
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QListWidget>
 
+#include "gui/task_groups.hpp"
 #include "gui/windows.hpp"
 #include "qt_test.hpp"
 
@@ -47,10 +48,13 @@ class Operator {
   }
 
   void choose_task(TaskKind kind) const {
-    const auto& tasks = windows_.presenter().tasks();
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      if (static_cast<TaskKind>(tasks[i].kind.index()) != kind) continue;
-      find<QListWidget>("tasks").setCurrentRow(static_cast<int>(i));
+    auto& list = find<QListWidget>("tasks");
+    for (int row = 0; row < list.count(); ++row) {
+      const auto number = list.item(row)->data(Qt::UserRole);
+      if (!number.isValid()) continue;  // a heading
+      const auto& task = windows_.presenter().tasks()[number.toUInt()];
+      if (kind_of(task) != kind) continue;
+      list.setCurrentRow(row);
       return;
     }
     FAIL() << "the library has no such task";

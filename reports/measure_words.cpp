@@ -6,68 +6,181 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <span>
+#include <utility>
+
+#include "core/force_channel.hpp"
 
 namespace isograsp {
 
 namespace {
 
+/// Research measures answer questions about groups; a single patient's report leaves them out.
+enum class Use : std::uint8_t { clinical, research };
+/// A trial without value took longer than was waited.
+enum class Time : std::uint8_t { whole, censored };
+
 struct Entry {
   std::string_view name;
-  std::string_view title;
+  std::string_view title;  ///< "force" reads "grip" where the grip is meant
   Better better;
-  bool censored = false;
+  Use use = Use::clinical;
+  Time time = Time::whole;
 };
 constexpr std::array kEntries{
+    // How near to the target.
     Entry{"rmse", "Tracking error (RMS)", Better::lower},
     Entry{"relative_rmse", "Tracking error, relative", Better::lower},
     Entry{"mae", "Tracking error (mean)", Better::lower},
     Entry{"constant_error", "Constant error", Better::near_zero},
+    Entry{"absolute_error", "Error of the force from memory", Better::lower},
+    Entry{"variable_error", "Spread of the force from memory", Better::lower},
     Entry{"time_in_range", "Time on target", Better::higher},
     Entry{"lag", "Lag behind the target", Better::near_zero},
+    Entry{"lag_corrected", "Lag without the device's delay", Better::near_zero},
     Entry{"gain", "Gain", Better::unknown},
-    Entry{"maximum_force", "Maximum grip above rest", Better::higher},
-    Entry{"maximum_force_total", "Maximum grip, total", Better::higher},
-    Entry{"peak_force", "Peak grip", Better::unknown},
-    Entry{"resting_force", "Resting grip force", Better::near_zero},
+    Entry{"phase", "Phase of the answer", Better::near_zero, Use::research},
+    Entry{"phase_lag", "Lag from the phase", Better::near_zero, Use::research},
+    Entry{"pauses", "Pauses on the ramp", Better::lower},
+    Entry{"pause_length", "Mean length of a pause", Better::lower},
+    // How steady.
+    Entry{"cv", "Unsteadiness (CV)", Better::lower},
+    Entry{"cv_noise_floor", "CV of the empty device", Better::unknown},
+    Entry{"force_sd", "Spread of the held force", Better::lower},
+    Entry{"fall", "Fall of the held force", Better::near_zero},
+    Entry{"sample_entropy", "Sample entropy", Better::unknown, Use::research},
+    Entry{"power_0.1_0.3_Hz", "Share of very slow wander, 0.1 to 0.3 Hz", Better::unknown,
+          Use::research},
+    Entry{"power_0.5_0.8_Hz", "Share of slow correction, 0.5 to 0.8 Hz", Better::unknown,
+          Use::research},
+    Entry{"power_2_8_Hz", "Share of tremor, 2 to 8 Hz", Better::unknown, Use::research},
+    Entry{"power_8_12_Hz", "Share of fast tremor, 8 to 12 Hz", Better::unknown, Use::research},
+    // How strong.
+    Entry{"maximum_force", "Maximum force above rest", Better::higher},
+    Entry{"maximum_force_total", "Maximum force, total", Better::higher},
+    Entry{"comfortable_force", "Comfortable force above rest", Better::unknown},
+    Entry{"comfortable_force_total", "Comfortable force, total", Better::unknown},
+    Entry{"opening_force", "Opening force", Better::higher},
+    Entry{"peak_force", "Peak force", Better::unknown},
+    Entry{"mean_force", "Mean force", Better::unknown},
+    Entry{"mean_grip", "Mean grip", Better::unknown},
+    Entry{"resting_force", "Resting force", Better::near_zero},
+    Entry{"peak_rate", "Fastest rise of force", Better::higher},
+    Entry{"early_rate", "Rise of force in the first 0.2 s", Better::higher},
+    Entry{"fatigue_slope", "Fading of the force", Better::near_zero},
+    Entry{"endurance", "Endurance", Better::higher, Use::clinical, Time::censored},
+    // How soon. A median over the cues, and how often it came at all.
+    Entry{"reaction_time", "Reaction time", Better::lower, Use::clinical, Time::censored},
+    Entry{"reaction_time_restricted", "Reaction time, misses at the limit", Better::lower},
+    Entry{"reaction_time_share", "Cues answered", Better::higher},
+    Entry{"reaction_time_corrected", "Reaction time without the device's delay", Better::lower,
+          Use::clinical, Time::censored},
+    Entry{"anticipations", "Answers before the cue could be seen", Better::lower},
+    Entry{"t63", "Time to 63 % of the step", Better::lower, Use::research, Time::censored},
+    Entry{"t63_restricted", "Time to 63 % of the step, misses at the limit", Better::lower,
+          Use::research},
+    Entry{"t63_share", "Steps that reached 63 %", Better::higher, Use::research},
+    Entry{"settling_time", "Settling time", Better::lower, Use::clinical, Time::censored},
+    Entry{"settling_time_restricted", "Settling time, misses at the limit", Better::lower},
+    Entry{"settling_time_share", "Steps that settled", Better::higher},
+    Entry{"rise_time", "Rise time, 10 to 90 %", Better::lower},
+    Entry{"overshoot", "Overshoot", Better::lower},
+    Entry{"release_initiation", "Time until letting go begins", Better::lower, Use::clinical,
+          Time::censored},
+    Entry{"release_initiation_restricted", "Time until letting go begins, misses at the limit",
+          Better::lower},
+    Entry{"release_initiation_share", "Cues to let go answered", Better::higher},
+    Entry{"release_initiation_corrected",
+          "Time until letting go begins, without the device's delay", Better::lower, Use::clinical,
+          Time::censored},
+    Entry{"release_time", "Release time", Better::lower, Use::clinical, Time::censored},
+    Entry{"release_time_restricted", "Release time, misses at the limit", Better::lower},
+    Entry{"release_time_share", "Releases completed", Better::higher},
+    Entry{"residual_force", "Force left 5 s after the cue", Better::lower},
+    Entry{"fastest_release", "Fastest release", Better::higher},
+    // How well the digits act apart, and where they push.
+    Entry{"individuation_index", "Three-digit individuation", Better::higher},
+    Entry{"individuation_slope", "Unasked force per force asked", Better::lower, Use::research},
+    Entry{"enslaving", "Force of a digit that was not asked", Better::near_zero},
+    Entry{"enslaving_of_maximum", "The same of that digit's maximum", Better::near_zero,
+          Use::research},
+    Entry{"coflexion", "Unwanted flexion", Better::lower},
+    Entry{"direction_error", "Direction error", Better::lower},
+    Entry{"projection_ratio", "Useful share of the force", Better::higher},
+    Entry{"path_deviation", "Detour of the forces", Better::lower},
+    Entry{"net_push", "Push of the arm", Better::lower},
+    Entry{"net_push_time", "Time with a push of more than 20 %", Better::lower},
+    // Handling an object.
     Entry{"targets_reached", "Targets reached", Better::higher},
-    Entry{"completion_time", "Time to reach", Better::lower, true},
-    Entry{"hold_error_position", "Hold error, position", Better::lower, true},
-    Entry{"hold_error_angle", "Hold error, angle", Better::lower, true},
+    Entry{"completion_time", "Time to reach", Better::lower, Use::clinical, Time::censored},
+    Entry{"median_completion_time", "Median time to reach", Better::lower, Use::clinical,
+          Time::censored},
+    Entry{"restricted_mean_time", "Mean time, misses at the limit", Better::lower},
+    Entry{"hold_error_position", "Hold error, position", Better::lower, Use::clinical,
+          Time::censored},
+    Entry{"hold_error_angle", "Hold error, angle", Better::lower, Use::clinical, Time::censored},
     Entry{"tilt_in_transport", "Tilt in transport", Better::lower},
     Entry{"path_length", "Path length", Better::unknown},
     Entry{"path_efficiency", "Directness of the path", Better::higher},
-    Entry{"mean_grip", "Mean grip", Better::unknown},
     Entry{"contact_time", "Time in contact", Better::unknown},
     Entry{"slip", "Slip", Better::lower},
-    Entry{"sparc", "Smoothness (SPARC)", Better::near_zero},
     Entry{"drops", "Drops", Better::lower},
+    Entry{"sparc", "Smoothness (SPARC)", Better::near_zero},
+    Entry{"ldlj", "Smoothness (log dimensionless jerk)", Better::near_zero, Use::research},
+    Entry{"index_of_difficulty", "Index of difficulty", Better::unknown, Use::research},
+    Entry{"throughput", "Throughput", Better::higher, Use::research},
 };
 
-struct Placed {
-  std::string_view name;
-  std::string_view channel;  ///< empty: any
-  Prominence prominence;
-};
-constexpr Placed kRest[] = {{"resting_force", "grip", Prominence::trend}};
-constexpr Placed kMaximum[] = {{"maximum_force", "", Prominence::key}};
-constexpr Placed kTracking[] = {{"relative_rmse", "", Prominence::key},
-                                {"time_in_range", "", Prominence::trend},
-                                {"lag", "", Prominence::trend}};
-constexpr Placed kPoses[] = {{"targets_reached", "", Prominence::key},
-                             {"tilt_in_transport", "", Prominence::key},
-                             {"path_efficiency", "", Prominence::trend}};
-constexpr Placed kObserve[] = {{"mean_grip", "", Prominence::trend},
-                               {"path_length", "", Prominence::trend},
-                               {"contact_time", "", Prominence::trend}};
+/// Channels that need no word: the only one of their measure, or the one that is usual.
+constexpr std::array<std::string_view, 10> kPlainChannels{
+    "force", "grip",    "platform", "digits",    "position",
+    "angle", "targets", "contact",  "transport", ""};
+/// Parts of a force target.
+constexpr std::pair<std::string_view, std::string_view> kParts[] = {
+    {"force_rise", ", building up"},
+    {"force_hold", ", holding"},
+    {"force_fall", ", letting down"},
+    {"force_rate", " of the force"}};
 
-std::span<const Placed> places(const std::optional<TaskSpec>& spec) {
-  if (!spec) return {};
-  if (std::holds_alternative<RestSpec>(spec->kind)) return kRest;
-  if (std::holds_alternative<MaximumSpec>(spec->kind)) return kMaximum;
-  if (std::holds_alternative<ForceTrackingSpec>(spec->kind)) return kTracking;
-  if (std::holds_alternative<PoseTargetsSpec>(spec->kind)) return kPoses;
-  return kObserve;
+std::string digits_words(Digits digits) {
+  switch (digits) {
+    case Digits::grip: return "grip";
+    case Digits::grip_mean: return "mean of thumb and fingers";
+    case Digits::pinch: return "thumb and index";
+    case Digits::sum: return "all digits";
+    case Digits::thumb: return "thumb";
+    case Digits::index: return "index";
+    case Digits::middle: return "middle";
+  }
+  return "";
+}
+
+std::string force_words(ForceChannel channel) {
+  const std::string digits = digits_words(channel.digits);
+  if (channel.direction == Direction::plus_z) return digits;
+  if (channel.direction == Direction::minus_z)
+    return channel.digits == Digits::grip ? "opening" : digits + " opening";
+  const std::string name = name_of(channel);  // "thumb_-x"
+  return digits + " toward " + name.substr(name.size() - 2);
+}
+
+/// What stands behind the title: ", thumb", " at 25 %", " target 3".
+std::string channel_words(std::string_view channel) {
+  if (std::find(kPlainChannels.begin(), kPlainChannels.end(), channel) != kPlainChannels.end())
+    return "";
+  for (const auto& [part, words] : kParts)
+    if (channel == part) return std::string(words);
+  if (const auto force = force_channel_from_name(channel)) return ", " + force_words(*force);
+  std::string text(channel);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  if (const auto to = text.find(" to "); to != std::string::npos)  // instructed, other digit
+    return ", " + text.substr(to + 4) + " while " + text.substr(0, to) + " presses";
+  if (text.starts_with("force ")) {  // "force_25_percent", "force_5_N", "force_0.2_Hz"
+    text = text.substr(std::string_view("force ").size());
+    if (const auto percent = text.find("percent"); percent != std::string::npos)
+      text.replace(percent, std::string::npos, "%");
+    return " at " + text;
+  }
+  return text.starts_with("target ") ? " " + text : ", " + text;
 }
 
 std::string number(double value, bool with_sign) {
@@ -91,13 +204,17 @@ MeasureWords words_for(std::string_view name, std::string_view channel) {
                                    [&](const Entry& entry) { return entry.name == name; });
   MeasureWords words;
   if (found != kEntries.end()) {
-    words = {std::string(found->title), found->better, true, found->censored};
+    words = {std::string(found->title), found->better, found->use == Use::clinical,
+             found->time == Time::censored};
   } else {
     words.title = name;
     std::replace(words.title.begin(), words.title.end(), '_', ' ');
   }
-  if (name == "completion_time" && channel.starts_with("target_"))
-    words.title += " target " + std::string(channel.substr(std::string_view("target_").size()));
+  constexpr std::string_view kForce = "force";
+  const auto force = words.title.find(kForce);
+  if (channel == "grip" && force != std::string::npos)
+    words.title.replace(force, kForce.size(), "grip");
+  if (name != "opening_force") words.title += channel_words(channel);  // its name says it all
   return words;
 }
 
@@ -122,17 +239,6 @@ std::string format_value(double value, const std::string& unit) {
 }
 std::string format_change(double value, const std::string& unit) {
   return number(value * printed_unit(unit).factor, true);
-}
-
-Place place_of(const std::optional<TaskSpec>& spec, std::string_view name,
-               std::string_view channel) {
-  int rank = 0;
-  for (const Placed& placed : places(spec)) {
-    if (placed.name == name && (placed.channel.empty() || placed.channel == channel))
-      return {placed.prominence, rank};
-    ++rank;
-  }
-  return {};
 }
 
 }  // namespace isograsp

@@ -16,9 +16,11 @@ struct MeasureWords {
   std::string title;                ///< "Tracking error, relative"
   Better better = Better::unknown;  ///< empty if more is neither better nor worse
   bool clinical = false;            ///< all others belong to research exports
-  bool censored = false;            ///< a trial without value is a failure, not a gap
+  bool censored = false;            ///< a trial without value took longer than was waited: its
+                                    ///< session has no mean
 };
-/// Words for a measure; an unknown one is called by its own name.
+/// Words for a measure, with those for its channel: "Maximum force above rest, thumb opening". An
+/// unknown one is called by its own name.
 [[nodiscard]] MeasureWords words_for(std::string_view name, std::string_view channel);
 [[nodiscard]] std::string_view describe(Better better) noexcept;  ///< "lower is better"
 
@@ -34,7 +36,8 @@ struct PrintedUnit {
 /// The same with an explicit sign.
 [[nodiscard]] std::string format_change(double value, const std::string& unit);
 
-/// Which measures of a task the report draws, in order, and which of them stand at a glance.
+/// Which measures of a task the report draws, in order, and which of them stand at a glance. No
+/// research measure has a place.
 enum class Prominence : std::uint8_t { none, trend, key };
 struct Place {
   Prominence prominence = Prominence::none;

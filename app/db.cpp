@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp db: care of the database. Nothing here but `init`, `backup` and `migrate` writes a file.
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
-#include <limits>
 #include <memory>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
-#include "app/console.hpp"
+#include "app/verification.hpp"
 #include "storage/session_store.hpp"
-#include "tasks/score.hpp"
 
 namespace isograsp {
 
@@ -23,15 +19,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Beyond this a stored measure is not the one that its signals give: the same build and CPU agree
-/// to the bit; another libm may round the last digits otherwise.
-constexpr double kLargestRelativeDifference = 1e-12;
-
 struct DbOptions {
   std::string file;
   std::string to;
   bool protected_file = false;
   bool json = false;
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
 void print(const DbOptions& options, const Json& json, const std::string& text) {
@@ -78,111 +71,10 @@ Result<void> check(const DbOptions& options) {
                ""};
 }
 
-/// What recomputing all measures showed.
-struct Verification {
-  std::int64_t trials = 0;
-  std::int64_t measures = 0;
-  std::int64_t identical = 0;      ///< to the bit
-  std::int64_t other_version = 0;  ///< of the measure: not comparable
-  double largest_relative_difference = 0.0;
-  std::string largest_at;
-  std::vector<std::string> problems;
-};
-
-double relative_difference(double a, double b) {
-  if (a == b) return 0.0;
-  return std::abs(a - b) / std::max(std::abs(a), std::abs(b));
-}
-
-void compare(const std::string& place, const std::vector<Measure>& stored,
-             const std::vector<Measure>& recomputed, Verification& result) {
-  if (stored.size() != recomputed.size())
-    result.problems.push_back(place + ": " + std::to_string(stored.size()) +
-                              " measures are stored, its signals give " +
-                              std::to_string(recomputed.size()));
-  for (std::size_t i = 0; i < std::min(stored.size(), recomputed.size()); ++i) {
-    const Measure& a = stored[i];
-    const Measure& b = recomputed[i];
-    const std::string name = place + ", " + a.name + " of " + a.channel;
-    ++result.measures;
-    if (a.name != b.name || a.channel != b.channel || a.unit != b.unit) {
-      result.problems.push_back(name + ": its signals give " + b.name + " of " + b.channel);
-    } else if (a.version != b.version) {
-      ++result.other_version;
-    } else if (a.value.has_value() != b.value.has_value()) {
-      result.problems.push_back(name + ": only " + (a.value ? "the stored" : "the recomputed") +
-                                " one has a value");
-    } else if (a.samples != b.samples || a.excluded != b.excluded) {
-      result.problems.push_back(name + ": was computed from other samples");
-    } else if (!a.value ||
-               std::bit_cast<std::uint64_t>(*a.value) == std::bit_cast<std::uint64_t>(*b.value)) {
-      ++result.identical;
-    } else {
-      const double difference = relative_difference(*a.value, *b.value);
-      if (result.largest_at.empty() || difference > result.largest_relative_difference) {
-        result.largest_relative_difference = difference;
-        result.largest_at = name;
-      }
-      if (!(difference <= kLargestRelativeDifference)) {
-        char text[96];
-        std::snprintf(text, sizeof text, ": stored %.17g, recomputed %.17g", *a.value, *b.value);
-        result.problems.push_back(name + text);
-      }
-    }
-  }
-}
-
-/// Calls `visit` for every trial of the file that is closed.
-Result<void> for_each_trial(
-    SessionStore& store, const std::function<void(const std::string&, const TrialRecord&)>& visit) {
-  const auto patients = store.patients();
-  if (!patients) return patients.error();
-  for (const auto& patient : *patients) {
-    const auto sessions = store.sessions(patient.id);
-    if (!sessions) return sessions.error();
-    for (std::size_t s = 0; s < sessions->size(); ++s) {
-      const auto trials = store.trials((*sessions)[s].id);
-      if (!trials) return trials.error();
-      for (const auto& trial : *trials)
-        if (trial.status != TrialStatus::running)
-          visit("patient " + patient.code + ", session " + std::to_string(s + 1) + ", trial " +
-                    std::to_string(trial.number),
-                trial);
-    }
-  }
-  return {};
-}
-
 Result<void> verify(const DbOptions& options) {
-  const auto store = read_store(options.file);
-  if (!store) return store.error();
-  std::vector<std::pair<std::string, TrialRecord>> trials;
-  const auto listed =
-      for_each_trial(**store, [&trials](const std::string& place, const TrialRecord& trial) {
-        trials.emplace_back(place, trial);
-      });
-  if (!listed) return listed.error();
-
-  Verification result;
-  ProgressBar bar("Verifying");
-  for (const auto& [place, trial] : trials) {
-    bar.show(static_cast<double>(result.trials) / static_cast<double>(trials.size()), place);
-    ++result.trials;
-    const auto stored = (*store)->measures(trial.id);
-    if (!stored) return stored.error();
-    // An interrupted trial was never scored.
-    if (stored->empty() && trial.status == TrialStatus::interrupted) continue;
-    const auto signals = (*store)->signals(trial);
-    const auto task = parse_task(trial.task_text, "the task of " + place);
-    if (!signals)
-      result.problems.push_back(signals.error().what);
-    else if (!task)
-      result.problems.push_back(task.error().message());
-    else
-      compare(place, *stored, score(*task, *signals), result);
-  }
-  bar.show(1.0);
-
+  const auto verified = verify_database(options.file, options.threads);
+  if (!verified) return verified.error();
+  const Verification& result = *verified;
   char largest[32];
   std::snprintf(largest, sizeof largest, "%.3g", result.largest_relative_difference);
   std::string text = options.file + ": " + std::to_string(result.trials) + " trials, " +
@@ -258,7 +150,10 @@ void add_db(CLI::App& app, Action& action) {
       ->add_flag("--protected", options->protected_file, "With a passphrase");
   add("check", "Is the file sound, every block readable", "check clinic.db", check);
   add("verify", "Recompute every measure from the stored signals and compare", "verify clinic.db",
-      verify);
+      verify)
+      ->add_option("--threads", options->threads, "How many; the result is the same")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
   add("backup", "Copy to a new file while others work, and check the copy",
       "backup clinic.db --to clinic-monday.db", backup)
       ->add_option("--to", options->to, "File to make")

@@ -5,9 +5,11 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 
+#include "app/clinic.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/paths.hpp"
@@ -47,7 +49,7 @@ std::string device_of(int patient, int session) {
          "&recovery=" + std::to_string(std::min(recovery, 1.0));
 }
 
-Result<std::string> make_clinic() {
+Result<std::string> make_small_clinic() {
   RunOptions options;
   options.protocol_file = library_folder() + "/protocols/short.toml";
   options.database = fresh_database("demonstration.db");
@@ -82,23 +84,38 @@ Result<void> headless() {
 }
 
 Result<void> with_window() {
-  const auto database = make_clinic();
+  const auto database = make_small_clinic();
   if (!database) return database.error();
   return run_gui(*database, "sim://healthy?seed=7");
+}
+
+struct DemoOptions {
+  bool headless = false;
+  std::string clinic;
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+};
+
+Result<void> run_demo(const DemoOptions& options) {
+  if (!options.clinic.empty()) return make_clinic(options.clinic, options.threads);
+  return options.headless ? headless() : with_window();
 }
 
 }  // namespace
 
 void add_demo(CLI::App& app, Action& action) {
-  auto without_window = std::make_shared<bool>(false);
+  auto options = std::make_shared<DemoOptions>();
   auto* command = app.add_subcommand(
       "demo", "The application on a demonstration clinic, or one whole session without a window");
-  command->add_flag("--headless", *without_window,
+  command->add_flag("--headless", options->headless,
                     "One complete simulated session, its scores and its report");
-  command->footer("Example:\n  isograsp demo --headless");
-  command->callback([without_window, &action] {
-    action = [without_window] { return *without_window ? headless() : with_window(); };
-  });
+  command->add_option("--clinic", options->clinic,
+                      "Make a clinic of 12 simulated patients with 20 training sessions each in "
+                      "this new file");
+  command->add_option("--threads", options->threads, "For --clinic; the result is the same")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  command->footer("Examples:\n  isograsp demo --headless\n  isograsp demo --clinic clinic.db");
+  command->callback([options, &action] { action = [options] { return run_demo(*options); }; });
 }
 
 }  // namespace isograsp

@@ -44,8 +44,7 @@ void print_live(const FingerFrame& frame, const DeviceHealth& health) {
 
 nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& health,
                                const std::array<Seen, kFingerCount>& seen, double seconds,
-                               std::uint64_t frames, std::uint64_t missing,
-                               const Timing& timing) {
+                               std::uint64_t frames, std::uint64_t missing, const Timing& timing) {
   nlohmann::ordered_json document{
       {"device", info.uri},
       {"description", info.description},
@@ -138,7 +137,8 @@ Result<void> run_monitor(const MonitorOptions& options) {
   if (!done) return done.error();
   const DeviceInfo& info = live->device().info();
   if (options.json)
-    std::puts(as_json(info, health, seen, seconds, frames, missing, live->timing()).dump(2).c_str());
+    std::puts(
+        as_json(info, health, seen, seconds, frames, missing, live->timing()).dump(2).c_str());
   else
     print_summary(info, health, seconds);
   return {};

@@ -8,8 +8,8 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/live_device.hpp"
-#include "app/realtime_option.hpp"
 #include "app/raw_log.hpp"
+#include "app/realtime_option.hpp"
 #include "core/csv.hpp"
 #include "core/finger_forces.hpp"
 

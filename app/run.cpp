@@ -93,8 +93,8 @@ Result<void> run_session(const RunOptions& options) {
   (*session)->close();
   bar.end();
   if (!result) return result.error();
-  if (!options.quiet)
-    for (const auto& outcome : result->trials) print_trial(outcome);
+  if (options.quiet) return {};
+  for (const auto& outcome : result->trials) print_trial(outcome);
   for (const auto& left_out : result->left_out) print_note("left out: " + left_out);
   return {};
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "tasks/course.hpp"
+#include "tasks/agenda.hpp"
 #include "tasks/protocol.hpp"
 
 namespace isograsp {

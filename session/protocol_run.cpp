@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tasks/course.hpp"
+#include "tasks/agenda.hpp"
 
 namespace isograsp {
 
@@ -32,13 +32,13 @@ class Run {
       : session_(session), progress_(progress), serviced_(serviced) {}
 
   Result<ProtocolResult> all(const ReadyProtocol& protocol) {
-    Course course(protocol.spec, session_.record().seed);
-    while (const auto item = course.next()) {
+    Agenda agenda(protocol.spec, session_.record().seed);
+    while (const auto item = agenda.next()) {
       const ProtocolStep& step = protocol.spec.steps[item->step];
-      position_.step = course.done();
-      position_.steps = course.done() + course.expected();
+      position_.step = agenda.done();
+      position_.steps = agenda.done() + agenda.expected();
       wait_until(item->not_before_s);
-      Course::Outcome outcome;
+      Agenda::Outcome outcome;
       switch (step.kind) {
         case ProtocolStep::Kind::instrument_zero:
           if (auto done = zero_step(); !done) return done.error();
@@ -56,7 +56,7 @@ class Run {
         }
       }
       outcome.ended_s = session_.snapshot().session_time_s;
-      course.record(outcome);
+      agenda.record(outcome);
     }
     position_.step = position_.steps;
     report("");
@@ -94,7 +94,7 @@ class Run {
     return failure("the instrument zero was refused: " + reason, remedy);
   }
 
-  Result<void> task_step(const ProtocolStep& step, const TaskSpec& spec, const Course::Item& item) {
+  Result<void> task_step(const ProtocolStep& step, const TaskSpec& spec, const Agenda::Item& item) {
     std::string doing = spec.name;
     if (step.practice) doing += ", practice";
     const int planned = std::max(step.repetitions, item.attempt);

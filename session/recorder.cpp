@@ -276,8 +276,8 @@ void Recorder::add_event(const EventRecord& event) {
   events_.push_back(event);
 }
 
-Result<void> Recorder::end_session() {
-  return store_->end_session(session_.id);
+Result<void> Recorder::end_session(std::optional<double> session_time_s) {
+  return store_->end_session(session_.id, session_time_s ? utc_at(*session_time_s) : "");
 }
 
 }  // namespace isograsp

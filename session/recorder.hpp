@@ -33,7 +33,8 @@ class Recorder {
   void add_event(const EventRecord& event);  ///< goes to the database with the next pump()
 
   /// Closes the session's record. Owner thread, after the last pump().
-  [[nodiscard]] Result<void> end_session();
+  /// `session_time_s`: when it ended, in virtual time; nothing: now.
+  [[nodiscard]] Result<void> end_session(std::optional<double> session_time_s);
 
  private:
   void take(const RecordItem& item);

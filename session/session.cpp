@@ -254,7 +254,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   auto patient = (*store)->find_patient(config.patient_code);
   if (!patient) return patient.error();
   if (!*patient) {
-    const auto added = (*store)->add_patient(config.patient_code);
+    const auto added = (*store)->add_patient(config.patient_code, config.started_utc);
     if (!added) return added.error();
     *patient = *added;
     parts->patient_is_new = true;
@@ -488,7 +488,9 @@ void Session::close() {
   p.stop_threads();
   p.stop_device();
   p.recorder->pump();
-  (void)p.recorder->end_session();
+  // Virtual time has its own end.
+  (void)p.recorder->end_session(p.virtual_time() ? std::optional(snapshot().session_time_s)
+                                                 : std::nullopt);
 }
 
 }  // namespace isograsp

@@ -114,9 +114,10 @@ Result<void> SqliteStore::repair() {
   });
 }
 
-Result<PatientRecord> SqliteStore::add_patient(const std::string& code) {
+Result<PatientRecord> SqliteStore::add_patient(const std::string& code,
+                                               const std::string& created_utc) {
   if (const auto allowed = check_patient_code(code); !allowed) return allowed.error();
-  PatientRecord patient{0, code, utc_text(std::time(nullptr))};
+  PatientRecord patient{0, code, created_utc.empty() ? utc_text(std::time(nullptr)) : created_utc};
   const auto done = database_.transact("adding a patient", [&] {
     soci::session& sql = database_.sql();
     std::string present;
@@ -162,9 +163,9 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session) {
   return id;
 }
 
-Result<void> SqliteStore::end_session(RowId session) {
+Result<void> SqliteStore::end_session(RowId session, const std::string& ended_utc) {
   return database_.transact("ending a session", [&] {
-    const std::string ended = utc_text(std::time(nullptr));
+    const std::string ended = ended_utc.empty() ? utc_text(std::time(nullptr)) : ended_utc;
     soci::statement update =
         (database_.sql().prepare << "UPDATE sessions SET ended_utc = :ended WHERE id = :id",
          soci::use(ended), soci::use(session));

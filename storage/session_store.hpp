@@ -175,9 +175,12 @@ class SessionStore {
   [[nodiscard]] virtual const std::string& path() const noexcept = 0;
 
   // Writing. Each call is one transaction, durable when it returns.
-  [[nodiscard]] virtual Result<PatientRecord> add_patient(const std::string& code) = 0;
+  /// `created_utc`, `ended_utc`: ISO 8601; empty: now.
+  [[nodiscard]] virtual Result<PatientRecord> add_patient(const std::string& code,
+                                                          const std::string& created_utc = "") = 0;
   [[nodiscard]] virtual Result<RowId> begin_session(const SessionRecord& session) = 0;
-  [[nodiscard]] virtual Result<void> end_session(RowId session) = 0;
+  [[nodiscard]] virtual Result<void> end_session(RowId session,
+                                                 const std::string& ended_utc = "") = 0;
   /// Its drift, if it has one, goes to all trials of the session since the zero before it.
   [[nodiscard]] virtual Result<RowId> add_zero(const InstrumentZeroRecord& zero) = 0;
   [[nodiscard]] virtual Result<RowId> add_resting_force(const RestingForceRecord& rest) = 0;
@@ -212,6 +215,10 @@ class SessionStore {
   [[nodiscard]] virtual Result<Signals> signals(const TrialRecord& trial) = 0;
   /// Every measure of a patient's completed trials, oldest first.
   [[nodiscard]] virtual Result<std::vector<MeasurePoint>> progress(RowId patient) = 0;
+
+  /// Adds all that another file of the same format holds, in its order, behind what is here.
+  /// Refused, and nothing is added, if a patient of it has a code that is here already.
+  [[nodiscard]] virtual Result<void> absorb(const std::string& other) = 0;
 
   // Care.
   /// integrity_check, foreign keys, every block readable. The list of problems; empty: sound.

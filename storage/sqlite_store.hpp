@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The session store on SQLite. Internal to this folder; open one with SessionStore::open().
-// Writing is in session_store.cpp, reading in read_records.cpp and read_signals.cpp, care in
-// maintenance.cpp and migration.cpp.
+// Writing is in session_store.cpp and absorb.cpp, reading in read_records.cpp and read_signals.cpp,
+// care in maintenance.cpp and migration.cpp.
 #pragma once
 
 #include <functional>
@@ -22,9 +22,10 @@ class SqliteStore final : public SessionStore {
 
   [[nodiscard]] const std::string& path() const noexcept override { return database_.path(); }
 
-  [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code) override;
+  [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code,
+                                                  const std::string& created_utc) override;
   [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session) override;
-  [[nodiscard]] Result<void> end_session(RowId session) override;
+  [[nodiscard]] Result<void> end_session(RowId session, const std::string& ended_utc) override;
   [[nodiscard]] Result<RowId> add_zero(const InstrumentZeroRecord& zero) override;
   [[nodiscard]] Result<RowId> add_resting_force(const RestingForceRecord& rest) override;
   [[nodiscard]] Result<RowId> begin_trial(const TrialRecord& trial) override;
@@ -47,6 +48,7 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<Signals> signals(const TrialRecord& trial) override;
   [[nodiscard]] Result<std::vector<MeasurePoint>> progress(RowId patient) override;
 
+  [[nodiscard]] Result<void> absorb(const std::string& other) override;
   [[nodiscard]] Result<std::vector<std::string>> check() override;
   [[nodiscard]] Result<void> backup(const std::string& to) override;
 

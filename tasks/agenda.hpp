@@ -12,7 +12,7 @@
 
 namespace isograsp {
 
-class Course {
+class Agenda {
  public:
   /// One act of the protocol.
   struct Item {
@@ -28,7 +28,7 @@ class Course {
   };
 
   /// Refers to `protocol`, which must outlive it.
-  Course(const ProtocolSpec& protocol, std::uint64_t seed);
+  Agenda(const ProtocolSpec& protocol, std::uint64_t seed);
 
   /// Nothing: the protocol is over.
   [[nodiscard]] std::optional<Item> next() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/course.hpp"
+#include "tasks/agenda.hpp"
 
 #include <algorithm>
 
@@ -31,23 +31,23 @@ struct Played {
 };
 template <class Value>
 Played play(const ProtocolSpec& protocol, std::uint64_t seed, Value&& value) {
-  Course course(protocol, seed);
+  Agenda agenda(protocol, seed);
   Played played;
   double now_s = 0.0;
-  while (const auto item = course.next()) {
+  while (const auto item = agenda.next()) {
     now_s = std::max(now_s, item->not_before_s);
     played.begun_s.push_back(now_s);
     played.order += protocol.steps[item->step].tasks[item->task];
     now_s += 10.0;
-    course.record({true, value(*item), now_s});
+    agenda.record({true, value(*item), now_s});
   }
   return played;
 }
-std::optional<double> no_value(const Course::Item&) {
+std::optional<double> no_value(const Agenda::Item&) {
   return std::nullopt;
 }
 
-TEST(Course, EveryOrderGivesEveryTaskItsRepetitions) {
+TEST(Agenda, EveryOrderGivesEveryTaskItsRepetitions) {
   for (const auto& [order, expected] :
        {std::pair{Order::ordered, "aabbcc"}, std::pair{Order::interleaved, "abcabc"}})
     EXPECT_EQ(play(protocol_of({step_of({"a", "b", "c"}, 2, order)}), 1, no_value).order, expected);
@@ -59,7 +59,7 @@ TEST(Course, EveryOrderGivesEveryTaskItsRepetitions) {
   EXPECT_EQ(first.size(), 40u);
 }
 
-TEST(Course, TheSameTaskRecursAfterItsTimeAndEveryTaskAfterItsRest) {
+TEST(Agenda, TheSameTaskRecursAfterItsTimeAndEveryTaskAfterItsRest) {
   ProtocolStep step = step_of({"a", "b"}, 2, Order::interleaved);
   step.rest_s = 5.0;
   step.recurrence_s = 60.0;
@@ -67,20 +67,20 @@ TEST(Course, TheSameTaskRecursAfterItsTimeAndEveryTaskAfterItsRest) {
   EXPECT_EQ(played.begun_s, (std::vector<double>{0.0, 15.0, 70.0, 85.0}));
 }
 
-TEST(Course, AttemptsAreRepeatedUntilTheBestTwoAgreeAndNotBeyondTheMost) {
+TEST(Agenda, AttemptsAreRepeatedUntilTheBestTwoAgreeAndNotBeyondTheMost) {
   ProtocolStep step = step_of({"a", "b"}, 2, Order::interleaved);
   step.agreement = Agreement{10.0, "maximum_force", 4};
   const auto protocol = protocol_of({step});
   EXPECT_EQ(play(protocol, 1, [](const auto&) { return 20.0; }).order, "abab");
   // b agrees at its third attempt, a never.
-  const auto values = [](const Course::Item& item) {
+  const auto values = [](const Agenda::Item& item) {
     if (item.task == 0) return 10.0 * item.attempt * item.attempt;
     return item.attempt == 1 ? 5.0 : 9.0;
   };
   EXPECT_EQ(play(protocol, 1, values).order, "abababa");
 }
 
-TEST(Course, PracticeLooksAtTheLastTwoAndAssessmentAtTheBestTwo) {
+TEST(Agenda, PracticeLooksAtTheLastTwoAndAssessmentAtTheBestTwo) {
   EXPECT_TRUE(is_agreed({5.0, 20.0, 20.5, 9.0}, 10.0, false));
   EXPECT_FALSE(is_agreed({5.0, 20.0, 20.5, 9.0}, 10.0, true));
   EXPECT_TRUE(is_agreed({20.0, 9.0, 9.5}, 10.0, true));
@@ -88,28 +88,28 @@ TEST(Course, PracticeLooksAtTheLastTwoAndAssessmentAtTheBestTwo) {
   EXPECT_TRUE(is_agreed({10.0, 9.0}, 10.0, false)) << "ten percent of the larger";
 }
 
-TEST(Course, ARefusedTaskIsNotAskedAgain) {
+TEST(Agenda, ARefusedTaskIsNotAskedAgain) {
   ProtocolStep step = step_of({"a", "b"}, 3, Order::interleaved);
   step.agreement = Agreement{10.0, "maximum_force", 4};
   const auto protocol = protocol_of({step});
-  Course course(protocol, 1);
+  Agenda agenda(protocol, 1);
   std::string order;
-  while (const auto item = course.next()) {
+  while (const auto item = agenda.next()) {
     order += step.tasks[item->task];
-    course.record({item->task != 0, 20.0, 0.0});
+    agenda.record({item->task != 0, 20.0, 0.0});
   }
   EXPECT_EQ(order, "abbb");
 }
 
-TEST(Course, ToldItsOutcomesAgainItStandsWhereItStood) {
+TEST(Agenda, ToldItsOutcomesAgainItStandsWhereItStood) {
   ProtocolStep step = step_of({"a", "b", "c"}, 3, Order::random);
   step.agreement = Agreement{10.0, "maximum_force", 5};
   const auto protocol = protocol_of({step, step_of({"d"}, 2, Order::ordered)});
-  Course live(protocol, 7);
-  std::vector<Course::Outcome> told;
-  const auto outcome = [](int k) { return Course::Outcome{true, 10.0 + 3.0 * (k % 4), 10.0 * k}; };
+  Agenda live(protocol, 7);
+  std::vector<Agenda::Outcome> told;
+  const auto outcome = [](int k) { return Agenda::Outcome{true, 10.0 + 3.0 * (k % 4), 10.0 * k}; };
   for (int k = 0; const auto item = live.next(); ++k) {
-    Course again(protocol, 7);
+    Agenda again(protocol, 7);
     for (const auto& one : told) again.record(one);
     const auto same = again.next();
     ASSERT_TRUE(same);
@@ -123,7 +123,7 @@ TEST(Course, ToldItsOutcomesAgainItStandsWhereItStood) {
   EXPECT_GT(told.size(), 11u);
 }
 
-TEST(Course, DurationsCountTrialsRestsInstructionsAndFurtherAttempts) {
+TEST(Agenda, DurationsCountTrialsRestsInstructionsAndFurtherAttempts) {
   TaskSpec task;
   MaximumSpec maximum;
   maximum.lead_in_s = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/course.hpp"
+#include "tasks/agenda.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,12 +42,12 @@ bool is_agreed(const std::vector<double>& values, double percent, bool last_two)
   return 100.0 * std::abs(two[0] - two[1]) <= percent * larger;
 }
 
-Course::Course(const ProtocolSpec& protocol, std::uint64_t seed)
+Agenda::Agenda(const ProtocolSpec& protocol, std::uint64_t seed)
     : protocol_(protocol), seed_(seed) {
   enter_step();
 }
 
-void Course::enter_step() {
+void Agenda::enter_step() {
   place_ = 0;
   order_.clear();
   if (step_ == protocol_.steps.size()) return;
@@ -58,7 +58,7 @@ void Course::enter_step() {
   given_up_.assign(values_.size(), false);
 }
 
-std::optional<Course::Item> Course::next() const {
+std::optional<Agenda::Item> Agenda::next() const {
   if (step_ == protocol_.steps.size()) return std::nullopt;
   const ProtocolStep& step = protocol_.steps[step_];
   Item item{step_, order_[place_], 1, rest_until_s_};
@@ -70,7 +70,7 @@ std::optional<Course::Item> Course::next() const {
   return item;
 }
 
-void Course::record(const Outcome& outcome) {
+void Agenda::record(const Outcome& outcome) {
   const ProtocolStep& step = protocol_.steps[step_];
   const std::size_t task = order_[place_];
   ++done_;
@@ -86,14 +86,14 @@ void Course::record(const Outcome& outcome) {
   enter_step();
 }
 
-void Course::give_up(std::size_t task) {
+void Agenda::give_up(std::size_t task) {
   given_up_[task] = true;
   order_.erase(
       std::remove(order_.begin() + static_cast<std::ptrdiff_t>(place_), order_.end(), task),
       order_.end());
 }
 
-void Course::plan_more() {
+void Agenda::plan_more() {
   const ProtocolStep& step = protocol_.steps[step_];
   if (!step.agreement) return;
   for (std::size_t task = 0; task < step.tasks.size(); ++task)
@@ -102,7 +102,7 @@ void Course::plan_more() {
       order_.push_back(task);
 }
 
-int Course::expected() const {
+int Agenda::expected() const {
   int count = done_ + static_cast<int>(order_.size() - place_);
   for (std::size_t i = step_ + 1; i < protocol_.steps.size(); ++i)
     count += static_cast<int>(planned(protocol_.steps[i], seed_).size());
@@ -119,11 +119,11 @@ constexpr double kInstruction_s = 6.0;
 
 double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskSpec>>& tasks,
                bool worst) {
-  Course course(protocol, 0);
+  Agenda agenda(protocol, 0);
   std::set<std::string> instructed;
   double now_s = 0.0;
   int attempt = 0;
-  while (const auto item = course.next()) {
+  while (const auto item = agenda.next()) {
     const ProtocolStep& step = protocol.steps[item->step];
     now_s = std::max(now_s, item->not_before_s);
     if (step.kind == ProtocolStep::Kind::instrument_zero) {
@@ -136,7 +136,7 @@ double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskS
       now_s += worst ? duration.worst_s : duration.nominal_s;
     }
     // Attempts that grow tenfold never agree; equal ones do at once.
-    course.record({true, worst ? std::pow(10.0, ++attempt) : 1.0, now_s});
+    agenda.record({true, worst ? std::pow(10.0, ++attempt) : 1.0, now_s});
   }
   return now_s;
 }

@@ -155,12 +155,14 @@ ObjectState Plan::at_rest(const Pose& pose) const noexcept {
   state.pose = scene_.initial_pose;
   for (Eigen::Index i = 0; i < 3; ++i)
     if (scene_.free[static_cast<std::size_t>(i)]) state.pose.p_WO[i] = pose.p_WO[i];
-  if (rotations_ == Rotations::three) state.pose.q_WO = pose.q_WO;
+  // Both signs of a quaternion are the same attitude: the springs take the shorter way back.
+  if (rotations_ == Rotations::three)
+    state.pose.q_WO.coeffs() =
+        pose.q_WO.w() < 0.0 ? -branch_ * pose.q_WO.coeffs() : branch_ * pose.q_WO.coeffs();
   if (rotations_ == Rotations::one_axis) {
-    constexpr double kHalfTurn_rad = std::numbers::pi;
     const double angle_rad = 2.0 * std::atan2(pose.q_WO.vec()[axis_], pose.q_WO.w());
-    state.angle_rad = std::remainder(angle_rad, 2.0 * kHalfTurn_rad);
-    state.pose.q_WO = Quat(Eigen::AngleAxisd(state.angle_rad, Vec3::Unit(axis_)));
+    state.angle_rad = std::remainder(angle_rad, 2.0 * std::numbers::pi);
+    set_attitude(state.angle_rad, state);
   }
   return state;
 }

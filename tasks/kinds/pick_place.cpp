@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pick, place and release: an object appears, is touched, carried to its target, held there for a
-// while and let go. Losing touch on the way is a drop: it is counted and the object appears again
-// where it began. After the time limit the next object comes, and this one is censored.
+// while and let go. An object that was picked up and is away from its place and its target without
+// a touch was dropped: that is counted and the object appears again where it began. Let go too
+// early inside the tolerance it may be taken hold of again; the time of holding begins anew. After
+// the time limit the next object comes, and this one is censored.
 #include <algorithm>
 #include <vector>
 
@@ -67,38 +69,36 @@ class PickPlace final : public Task {
                                      [](bool contact) { return contact; });
     const bool inside = input.object != nullptr && tolerance_.holds(item.X_WT, input.object->pose);
     if (inside) view.phase = Phase::hold;
-    if (held_ && !touched) return inside || lost(item, view);
+    if (held_ && inside && !touched) return true;
     inside_frames_ = inside && touched ? inside_frames_ + 1 : 0;
-    held_ = held_ || inside_frames_ > hold_frames_;  // n + 1 samples span n periods
-    if (held_ && !inside) held_ = false;             // carried away again
-    view.hold_fraction = held_
-                             ? 1.0
-                             : static_cast<double>(std::max<std::int64_t>(0, inside_frames_ - 1)) /
-                                   static_cast<double>(std::max<std::int64_t>(1, hold_frames_));
-    const bool carried = input.object != nullptr &&
-                         (input.object->pose.p_WO - item.X_WO.p_WO).norm() > drop_distance_m_;
-    if (touched_ && !touched && carried) return lost(item, view);
-    touched_ = touched;
+    // n + 1 samples span n periods; what is carried away again was not placed.
+    held_ = inside && (held_ || inside_frames_ > hold_frames_);
+    if (held_)
+      view.hold_fraction = 1.0;
+    else if (inside_frames_ > 0)
+      view.hold_fraction =
+          static_cast<double>(inside_frames_ - 1) / static_cast<double>(hold_frames_);
+    const bool away = input.object != nullptr && !inside &&
+                      (input.object->pose.p_WO - item.X_WO.p_WO).norm() > drop_distance_m_;
+    picked_up_ = picked_up_ || touched;
+    if (picked_up_ && !touched && away) drop(item, view);
     return false;
   }
 
-  bool lost(const Item& item, TaskView& view) noexcept {
+  void drop(const Item& item, TaskView& view) noexcept {
     ++drops_;
     place(item, view);
-    return false;
   }
   void place(const Item& item, TaskView& view) noexcept {
     view.object_placed = true;
     view.placed = item.X_WO;
-    held_ = touched_ = false;
+    held_ = picked_up_ = false;
     inside_frames_ = 0;
   }
   void next(TaskView& view, bool placed) noexcept {
     if (placed) view.targets_reached = ++placed_;
     ++current_;
     item_frames_ = 0;
-    held_ = touched_ = false;
-    inside_frames_ = 0;
   }
 
   TaskView blank_;
@@ -112,8 +112,8 @@ class PickPlace final : public Task {
   std::int64_t frame_ = 0;
   std::int64_t item_frames_ = 0;    ///< since this object appeared
   std::int64_t inside_frames_ = 0;  ///< uninterrupted
-  bool touched_ = false;
-  bool held_ = false;  ///< long enough inside the tolerance: it may be let go
+  bool picked_up_ = false;          ///< touched since it appeared
+  bool held_ = false;               ///< long enough inside the tolerance: it may be let go
   int placed_ = 0;
   int drops_ = 0;
 };

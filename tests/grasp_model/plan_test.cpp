@@ -49,6 +49,71 @@ TEST(Plan, LockedAxesKeepTheirBits) {
   EXPECT_NE(state.w_WO_W.z(), 0.0);
 }
 
+/// A pose that differs from the origin in every degree of freedom but turns about one axis alone.
+Pose turned_about(const Vec3& axis, double angle_rad) {
+  return {Vec3(0.11, -0.07, 0.05), Quat(Eigen::AngleAxisd(angle_rad, axis))};
+}
+
+TEST(Plan, AnObjectPutDownRestsThereAndItsLockedAxesStay) {
+  const Scene scene = test::scene_of(
+      test::block(dynamics("\"x\", \"rz\""),
+                  "[initial]\nposition_m = [0.1, 0.2, 0.3]\nvelocity_m_s = [1, 0, 0]\n" +
+                      test::kDeviceContacts));
+  const Plan plan = test::plan_of(scene);
+  const ObjectState state = plan.at_rest(turned_about(Vec3::UnitZ(), 0.4));
+  EXPECT_EQ(state.pose.p_WO, Vec3(0.11, 0.2, 0.3));
+  EXPECT_NEAR(state.angle_rad, 0.4, 4.0 * test::kEpsilon);
+  EXPECT_NEAR(angle_between(state.pose.q_WO, Quat(Eigen::AngleAxisd(0.4, Vec3::UnitZ()))), 0.0,
+              4.0 * test::kEpsilon);
+  EXPECT_EQ(state.v_WO_W, Vec3::Zero());
+  EXPECT_EQ(state.w_WO_W, Vec3::Zero());
+  EXPECT_EQ(state.contact, (std::array<bool, kFingerCount>{})) << "nobody touches it yet";
+}
+
+TEST(Plan, ALockedAttitudeStaysWhateverThePoseSays) {
+  const Plan plan = test::plan_of(test::scene_of(test::block(dynamics("\"x\", \"y\""))));
+  const ObjectState state = plan.at_rest(turned_about(Vec3::UnitZ(), 0.4));
+  EXPECT_EQ(state.pose.q_WO.coeffs(), Quat::Identity().coeffs());
+  EXPECT_EQ(state.angle_rad, 0.0);
+}
+
+TEST(Plan, OneFreeRotationTakesItsOwnAngleWithinHalfATurn) {
+  const Plan plan = test::plan_of(test::scene_of(test::block(dynamics("\"ry\""))));
+  constexpr double kRounding_rad = 4e-15;
+  for (const double angle_rad : {-3.0, -0.5, 0.0, 1.5, 3.0}) {
+    Pose pose = turned_about(Vec3::UnitY(), angle_rad);
+    EXPECT_NEAR(plan.at_rest(pose).angle_rad, angle_rad, kRounding_rad);
+    pose.q_WO.coeffs() = -pose.q_WO.coeffs();  // the same attitude
+    EXPECT_NEAR(plan.at_rest(pose).angle_rad, angle_rad, kRounding_rad);
+  }
+  EXPECT_EQ(plan.at_rest(turned_about(Vec3::UnitX(), 0.5)).angle_rad, 0.0);
+}
+
+TEST(Plan, AnObjectPutDownGoesBackTheShorterWayWhicheverSignsItsQuaternionsHave) {
+  const Pose pose = turned_about(Vec3(1, 2, 2) / 3.0, 0.6);
+  Pose same = pose;
+  same.q_WO.coeffs() = -same.q_WO.coeffs();
+  for (const char* initial : {"[1, 0, 0, 0]", "[-1, 0, 0, 0]"})
+    for (const char* free : {"\"rz\"", "\"rx\", \"ry\", \"rz\""}) {
+      const Plan plan = test::plan_of(test::scene_of(test::block(
+          dynamics(free),
+          "[initial]\nquaternion_wxyz = " + std::string(initial) + "\n" + test::kDeviceContacts)));
+      for (const Pose& put : {pose, same}) {
+        ObjectState state = plan.at_rest(put);
+        const Quat before = state.pose.q_WO;
+        double largest_rad = angle_between(before, Quat::Identity());
+        plan.step({}, state);
+        EXPECT_GT(before.dot(state.pose.q_WO), 0.0) << "the sign is continuous";
+        for (int hold = 0; hold < 2; ++hold) {
+          plan.step({}, state);
+          const double angle_rad = angle_between(state.pose.q_WO, Quat::Identity());
+          EXPECT_LE(angle_rad, largest_rad);
+          largest_rad = angle_rad;
+        }
+      }
+    }
+}
+
 TEST(Plan, EachFreeAxisMovesAsIfAlone) {
   const ObjectState all =
       run(test::plan_of(test::scene_of(test::block(dynamics("\"x\", \"y\", \"z\", \"ry\"")))),

@@ -154,6 +154,11 @@ Group object_columns() {
   add("actual_qx", [](const auto& s) { return s.object.pose.q_WO.x(); });
   add("actual_qy", [](const auto& s) { return s.object.pose.q_WO.y(); });
   add("actual_qz", [](const auto& s) { return s.object.pose.q_WO.z(); });
+  for (std::size_t i = 0; i < 4; ++i)
+    add(std::string("target_q") + "wxyz"[i], [i](const auto& s) {
+      const Quat& q = s.task.target.q_WO;
+      return s.task.pose_target_shown ? std::array{q.w(), q.x(), q.y(), q.z()}[i] : kMissing;
+    });
   for (const int axis : {0, 1, 2}) {
     const char letter = "xyz"[axis];
     add(std::string("v") + letter + "_mps",

@@ -22,6 +22,8 @@ namespace isograsp {
 [[nodiscard]] std::vector<Measure> measures_of(const ForceDirectionSpec& spec,
                                                const Record& record);
 [[nodiscard]] std::vector<Measure> measures_of(const PoseTargetsSpec& spec, const Record& record);
+[[nodiscard]] std::vector<Measure> measures_of(const PoseTrackingSpec& spec, const Record& record);
+[[nodiscard]] std::vector<Measure> measures_of(const PickPlaceSpec& spec, const Record& record);
 [[nodiscard]] std::vector<Measure> measures_of(const ObserveSpec& spec, const Record& record);
 
 }  // namespace isograsp

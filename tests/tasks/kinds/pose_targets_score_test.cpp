@@ -268,6 +268,111 @@ TEST(ScorePoseTargets, AQuaternionServesWhereThreeRotationsAreFree) {
     EXPECT_NEAR(value_of(a, name), value_of(b, name), kRounding) << name;
 }
 
+/// To and fro between two places 0.1 m apart, jumping there and held for 0.5 s. The ends err by
+/// `error_m` along the way.
+Signals to_and_fro(const PoseTargetsSpec& spec, const std::vector<double>& error_m) {
+  return play_poses(spec, [&](double t_s) {
+    // Every target is reached 0.5 s after it appeared and held for 0.5 s, and the next appears one
+    // frame later.
+    const auto target = std::min(static_cast<std::size_t>((t_s + 1e-9) / 1.01), error_m.size() - 1);
+    const double since_s = t_s - 1.01 * static_cast<double>(target);
+    const bool there = since_s >= 0.5 - 1e-9;
+    const auto at = [&](std::size_t i) { return i % 2 == 0 ? 0.1 + error_m[i] : -error_m[i]; };
+    Motion m;
+    m.x_m = there ? at(target) : target == 0 ? 0.0 : at(target - 1);
+    return m;
+  });
+}
+PoseTargetsSpec series(std::size_t count) {
+  PoseTargetsSpec spec;
+  spec.scene = "planar_block";
+  spec.time_limit_s = 5.0;
+  for (std::size_t i = 0; i < count; ++i)
+    spec.targets.push_back({Vec3(i % 2 == 0 ? 0.1 : 0.0, 0.0, 0.0), 0.0, 0.5, false});
+  return spec;
+}
+
+TEST(ScorePoseTargets, ASeriesHasTheDifficultyAndThroughputOfFitts) {
+  const std::vector<double> error_m{0.01, -0.01, 0.01, -0.01, 0.01, -0.01,
+                                    0.01, -0.01, 0.01, -0.01, 0.01, -0.01};
+  const PoseTargetsSpec spec = series(error_m.size());
+  const auto measures = score(spec_of(spec), to_and_fro(spec, error_m));
+  ASSERT_EQ(value_of(measures, "targets_reached"), 12.0);
+  EXPECT_NEAR(value_of(measures, "completion_time", "target_5"), 0.5, kRounding);
+  // Ends 0.11 and 0.01 m by turns: after the first every way begins 10 mm nearer or further off.
+  double difficulty_bit = std::log2(0.1 / 0.04 + 1.0);
+  for (std::size_t i = 1; i < error_m.size(); ++i)
+    difficulty_bit += std::log2((0.1 + error_m[i - 1]) / 0.04 + 1.0);
+  EXPECT_NEAR(value_of(measures, "index_of_difficulty"), difficulty_bit / 12.0, kRounding);
+  // Six ends 10 mm too far and six 10 mm too short; all ways but the first are 0.1 m long.
+  const double sd_m = 0.01 * std::sqrt(12.0 / 11.0);
+  const double mean_m = (0.11 + 11.0 * 0.10) / 12.0;
+  EXPECT_NEAR(value_of(measures, "throughput"), std::log2(mean_m / (4.133 * sd_m) + 1.0) / 0.5,
+              1e-9);
+}
+
+TEST(ScorePoseTargets, ThroughputNeedsTenHeldTargetsAtOneDistance) {
+  const PoseTargetsSpec few = series(4);
+  const auto measures = score(spec_of(few), to_and_fro(few, {0.01, -0.01, 0.01, -0.01}));
+  EXPECT_TRUE(find(measures, "index_of_difficulty")->value);
+  EXPECT_EQ(find(measures, "throughput")->reason, "fewer than ten trials");
+  PoseTargetsSpec uneven = series(12);
+  for (std::size_t i = 1; i < uneven.targets.size(); i += 2) uneven.targets[i].p_WT.x() = 0.0;
+  uneven.targets[0].p_WT.x() = 0.2;
+  const auto far = score(spec_of(uneven), play_poses(uneven, [&](double t_s) {
+                           const auto i = static_cast<std::size_t>((t_s + 1e-9) / 1.01);
+                           Motion m;
+                           const bool there = t_s - 1.01 * static_cast<double>(i) >= 0.5 - 1e-9;
+                           const auto at = [&](std::size_t k) {
+                             return uneven.targets[std::min<std::size_t>(k, 11)].p_WT.x();
+                           };
+                           m.x_m = there ? at(i) : i == 0 ? 0.0 : at(i - 1);
+                           return m;
+                         }));
+  EXPECT_EQ(find(far, "throughput")->reason, "the targets lie at different distances");
+  PoseTargetsSpec passing = series(4);
+  for (auto& target : passing.targets) target.hold_s = 0.0;
+  EXPECT_EQ(find(score(spec_of(passing), play_poses(passing,
+                                                    [](double t_s) {
+                                                      Motion m;
+                                                      m.x_m = 0.1 * (static_cast<int>(t_s) % 2);
+                                                      return m;
+                                                    })),
+                 "index_of_difficulty")
+                ->reason,
+            "no target was brought to and held");
+}
+
+TEST(ScorePoseTargets, TimeOutsEnterTheMedianAndTheRestrictedMeanAsLongerThanTheLimit) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const auto both = score(spec_of(spec), play_poses(spec, skilled));
+  const double first_s = value_of(both, "completion_time", "target_1");
+  const double second_s = value_of(both, "completion_time", "target_2");
+  EXPECT_NEAR(value_of(both, "median_completion_time"), std::min(first_s, second_s), kRounding);
+  EXPECT_NEAR(value_of(both, "restricted_mean_time"), 0.5 * (first_s + second_s), kRounding);
+  const auto one = score(spec_of(spec), play_poses(spec, [](double t_s) {
+                           Motion m = skilled(t_s);
+                           m.angle_rad = 0.0;  // never turns
+                           return m;
+                         }));
+  EXPECT_NEAR(value_of(one, "restricted_mean_time"), 0.5 * (first_s + 5.0), kRounding)
+      << "never the mean of the successes";
+}
+
+TEST(ScorePoseTargets, AGripThatTremblesIsLessSmoothThoughTheObjectMovesAlike) {
+  const PoseTargetsSpec spec = left_and_turn();
+  const Signals calm = edited(play_poses(spec, skilled), [](std::size_t k, auto& row) {
+    row[3] = 3.0 + min_jerk(static_cast<double>(k) * kPeriod_s, 2.0);
+  });
+  const Signals trembling = edited(calm, [](std::size_t k, auto& row) {
+    row[3] += 0.05 * std::sin(2.0 * std::numbers::pi * 6.0 * static_cast<double>(k) * kPeriod_s);
+  });
+  const auto smooth = score(spec_of(spec), calm);
+  const auto rough = score(spec_of(spec), trembling);
+  EXPECT_LT(value_of(rough, "sparc", "grip_rate"), value_of(smooth, "sparc", "grip_rate"));
+  EXPECT_EQ(value_of(rough, "sparc", "transport"), value_of(smooth, "sparc", "transport"));
+}
+
 TEST(ScorePoseTargets, AWrittenAndReadBackTrialHasTheSameScoreBitForBit) {
   const PoseTargetsSpec spec = left_and_turn();
   const Signals signals = play_poses(spec, skilled);

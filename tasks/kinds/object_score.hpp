@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside tasks/ only: object, target and touch of a trial as the measures of all tasks with an
+// object see them. SI units; positions and attitudes in the world.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/spatial.hpp"
+#include "tasks/measures/survival.hpp"
+#include "tasks/record.hpp"
+
+namespace isograsp {
+
+/// Appends the rows of `part` to `sum`.
+void append(Section& sum, const Section& part);
+
+class ObjectRecord {
+ public:
+  /// Refers to `record`, which must outlive it.
+  explicit ObjectRecord(const Record& record);
+
+  [[nodiscard]] const Record& record() const noexcept { return record_; }
+
+  /// Rows in [first, last) in which object and target have a position: x and y, z if recorded.
+  [[nodiscard]] Section select_positions(std::size_t first, std::size_t last,
+                                         std::initializer_list<Phase> phases) const;
+  /// Rows in which both have an attitude: quaternions, or the angle about z where there are none.
+  [[nodiscard]] Section select_attitudes(std::size_t first, std::size_t last,
+                                         std::initializer_list<Phase> phases) const;
+
+  [[nodiscard]] Vec3 position(std::size_t row) const { return position_of_axes(actual_m_, row); }
+  [[nodiscard]] Vec3 target(std::size_t row) const { return position_of_axes(target_m_, row); }
+  [[nodiscard]] Quat attitude(std::size_t row) const {
+    return attitude_of(actual_q_, actual_angle_, row);
+  }
+  [[nodiscard]] Quat target_attitude(std::size_t row) const {
+    return attitude_of(target_q_, target_angle_, row);
+  }
+  /// From the object to its target [m].
+  [[nodiscard]] double distance(std::size_t row) const {
+    return (position(row) - target(row)).norm();
+  }
+  /// Geodesic angle between object and target [rad, 0 … pi].
+  [[nodiscard]] double angle(std::size_t row) const {
+    return angle_between(target_attitude(row), attitude(row));
+  }
+  [[nodiscard]] bool touched(std::size_t row) const { return any(contact_, row); }
+  [[nodiscard]] bool slips(std::size_t row) const { return any(slip_, row); }
+
+  /// Weighted mean of the distance, and of the angle, over a section.
+  [[nodiscard]] Computed mean_distance(const Section& section) const;
+  [[nodiscard]] Computed mean_angle(const Section& section) const;
+
+  /// Share of the time of contact in which a finger slips, in %; and the mean of the grip [N].
+  [[nodiscard]] Measure slip(std::initializer_list<Phase> phases) const;
+  [[nodiscard]] Measure mean_grip(std::initializer_list<Phase> phases) const;
+  /// Spectral arc length of the object's speed, and of |dF/dt| of the grip, over a section: the
+  /// speed of the virtual object is also that of its springs, the force is the hand's alone.
+  [[nodiscard]] Computed sparc_of_motion(const Section& section) const;
+  [[nodiscard]] Computed sparc_of_grip(const Section& section) const;
+
+  [[nodiscard]] std::string no_contact_columns() const { return contact_.absent; }
+
+ private:
+  using Axes = std::array<std::span<const double>, 3>;
+  using Components = std::array<std::span<const double>, 4>;  ///< w x y z; empty: angle instead
+  struct Flags {
+    std::array<std::span<const double>, kFingerCount> columns;
+    std::string absent;  ///< why there are none
+  };
+
+  [[nodiscard]] static Vec3 position_of_axes(const Axes& axes, std::size_t row) {
+    return {axes[0][row], axes[1][row], axes[2].empty() ? 0.0 : axes[2][row]};
+  }
+  [[nodiscard]] static Quat attitude_of(const Components& q, std::span<const double> angle,
+                                        std::size_t row) {
+    if (q[0].empty()) return Quat(Eigen::AngleAxisd(angle[row], Vec3::UnitZ()));
+    return {q[0][row], q[1][row], q[2][row], q[3][row]};
+  }
+  [[nodiscard]] static bool any(const Flags& flags, std::size_t row);
+  [[nodiscard]] Components components(const std::string& prefix) const;
+  [[nodiscard]] Flags flags(const std::string& prefix) const;
+
+  const Record& record_;
+  Axes actual_m_, target_m_;
+  Components actual_q_, target_q_;
+  std::span<const double> actual_angle_, target_angle_;
+  Flags contact_, slip_;
+};
+
+/// What happened to one of several targets, or objects to be placed.
+struct Attempt {
+  bool shown = false;
+  bool reached = false;
+  std::size_t first_row = 0;
+  std::size_t last_row = 0;
+  std::size_t hold_row = 0;  ///< reached: where the uninterrupted hold began
+};
+
+/// All attempts of a trial, in the order of the task.
+struct Attempts {
+  std::vector<Attempt> all;
+  std::string absent;  ///< the column without which nothing is known
+};
+[[nodiscard]] Attempts attempts_of(const Record& record, std::size_t count);
+
+/// From the appearance of the target to `end`, or how long it was tried in vain, up to the limit.
+/// Time is task time: a device fault costs the patient nothing. @pre attempt.shown
+[[nodiscard]] Completion completion_of(const Record& record, const Attempt& attempt,
+                                       std::size_t end_row, double limit_s);
+
+/// "k of n", the time of each, and over all that were shown the Kaplan-Meier median and the
+/// restricted mean time up to the limit: a time-out is a time longer than the limit, not a failure
+/// left out. `unit_name`: what one attempt is called, "target"; `end_row` of a reached attempt.
+void add_completions(std::vector<Measure>& measures, const Record& record, const Attempts& attempts,
+                     const std::string& reached_name, const std::string& unit_name, double limit_s,
+                     std::size_t Attempt::*end_row);
+
+/// The phases in which an object is moved.
+inline constexpr std::initializer_list<Phase> kMoving = {Phase::transport, Phase::hold};
+
+}  // namespace isograsp

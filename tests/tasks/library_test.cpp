@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shipped tasks and protocols.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
+#include "grasp_model/plan.hpp"
+#include "tasks/measures/fitts.hpp"
 #include "tasks/protocol.hpp"
 
 namespace isograsp {
@@ -31,8 +35,109 @@ TaskSpec task(const std::string& name) {
   return std::move(*parsed);
 }
 
+Scene scene(const fs::path& path) {
+  const auto text = read_text(path);
+  EXPECT_TRUE(text) << path;
+  auto parsed = parse_scene(*text, path);
+  EXPECT_TRUE(parsed) << parsed.error().message();
+  return std::move(*parsed);
+}
+
+/// x y z [m] and turns about the world's axes [rad].
+using Place = std::array<double, 6>;
+Place place(const Vec3& p, double angle_rad) {
+  return {p.x(), p.y(), p.z(), 0.0, 0.0, angle_rad};
+}
+/// Every place to which the task may bring its object.
+std::vector<Place> places(const TaskSpec& spec) {
+  std::vector<Place> all;
+  if (const auto* poses = std::get_if<PoseTargetsSpec>(&spec.kind))
+    for (const auto& target : poses->targets) all.push_back(place(target.p_WT, target.angle_rad));
+  if (const auto* items = std::get_if<PickPlaceSpec>(&spec.kind))
+    for (const auto& item : items->items) {
+      all.push_back(place(item.p_WO, 0.0));
+      all.push_back(place(item.p_WT, item.angle_rad));
+    }
+  if (const auto* tracking = std::get_if<PoseTrackingSpec>(&spec.kind)) {
+    Place least{};
+    Place most{};
+    for (const auto& axis : tracking->axes) {
+      least[static_cast<std::size_t>(axis.axis)] = axis.least;
+      most[static_cast<std::size_t>(axis.axis)] = axis.most;
+    }
+    all = {least, most};
+  }
+  return all;
+}
+
+TEST(Library, EverySceneCompilesForBothHands) {
+  ASSERT_GE(files_in("scenes").size(), 9u);
+  for (const auto& path : files_in("scenes"))
+    for (const Hand hand : {Hand::right, Hand::left}) {
+      const auto plan = Plan::compile(for_hand(scene(path), hand), 0.01);
+      EXPECT_TRUE(plan) << plan.error().message();
+    }
+}
+
+TEST(Library, EveryTargetCanBeReachedWithTheForceOfAWeakHand) {
+  constexpr double kWeak_N = 3.0;
+  constexpr double kArm_m = 0.065;  // from thumb to fingers: a couple of forces there turns
+  for (const auto& path : files_in("tasks")) {
+    const TaskSpec spec = task(path.filename());
+    if (spec.scene().empty()) continue;
+    const Scene object = scene(kLibrary / "scenes" / (spec.scene() + ".toml"));
+    for (const Place& to : places(spec)) {
+      double squares = 0.0;
+      for (std::size_t dof = 0; dof < 6; ++dof) {
+        const auto i = static_cast<Eigen::Index>(dof);
+        EXPECT_TRUE(object.free[dof] || to[dof] == 0.0) << path << " moves what is locked";
+        for (const auto& limit : object.limits) {
+          if (static_cast<std::size_t>(limit.dof) != dof) continue;
+          EXPECT_GE(to[dof], limit.least) << path;
+          EXPECT_LE(to[dof], limit.most) << path;
+        }
+        const double rest = dof < 3 ? object.anchor_m[i] : 0.0;
+        const double weight_N = dof < 3 ? object.mass_kg * object.gravity_m_s2[i] : 0.0;
+        const double needed = object.stiffness[i] * (to[dof] - rest) - weight_N;
+        if (!object.free[dof]) continue;
+        if (dof < 3)
+          squares += needed * needed;
+        else
+          EXPECT_LE(std::abs(needed) / kArm_m, kWeak_N) << path;
+      }
+      EXPECT_LE(std::sqrt(squares), kWeak_N) << path;
+    }
+  }
+}
+
+TEST(Library, WhereThereIsNoSpringTheObjectStaysOnlyIfRestingFingersDoNotMoveIt) {
+  for (const auto& path : files_in("scenes")) {
+    const Scene object = scene(path);
+    for (std::size_t dof = 0; dof < 6; ++dof)
+      if (object.free[dof] && object.stiffness[static_cast<Eigen::Index>(dof)] == 0.0) {
+        EXPECT_NE(object.grasp_rule, GraspRule::any) << path;
+        EXPECT_GT(object.damping[static_cast<Eigen::Index>(dof)], 0.0) << path;
+      }
+  }
+}
+
+TEST(Library, TheSeriesHasTheDifficultyThatItsCommentStates) {
+  const TaskSpec spec = task("target_series.toml");
+  const auto& series = std::get<PoseTargetsSpec>(spec.kind);
+  int held = 0;
+  for (std::size_t i = 1; i < series.targets.size(); ++i) {
+    const double distance_m = (series.targets[i].p_WT - series.targets[i - 1].p_WT).norm();
+    const auto difficulty = index_of_difficulty(distance_m, series.position_tolerance_m);
+    constexpr double kStated_bit = 2.32;
+    EXPECT_NEAR(*difficulty.value, kStated_bit, 0.005);
+    if (series.targets[i].hold_s > 0.0) ++held;
+  }
+  EXPECT_EQ(held, 12);
+  EXPECT_EQ(series.targets.front().hold_s, 0.0);
+}
+
 TEST(Library, EveryTaskParsesAndItsSceneIsShipped) {
-  ASSERT_GE(files_in("tasks").size(), 6u);
+  ASSERT_GE(files_in("tasks").size(), 18u);
   for (const auto& path : files_in("tasks")) {
     const TaskSpec spec = task(path.filename());
     EXPECT_FALSE(spec.name.empty());
@@ -100,6 +205,18 @@ TEST(Library, CoversEveryKeyOfTheTaskAndProtocolFormats) {
                           "angle_deg",
                           "hold_s",
                           "level",
+                          "preview_s",
+                          "dof",
+                          "least_m",
+                          "most_m",
+                          "least_deg",
+                          "most_deg",
+                          "waveform",
+                          "frequencies_Hz",
+                          "seed",
+                          "drop_distance_m",
+                          "from_m",
+                          "to_m",
                           "task",
                           "repetitions",
                           "practice",

@@ -168,9 +168,7 @@ Completion completion_of(const Record& record, const Attempt& attempt, std::size
 }
 
 void add_completions(std::vector<Measure>& measures, const Record& record, const Attempts& attempts,
-                     const std::string& reached_name, const std::string& unit_name, double limit_s,
-                     std::size_t Attempt::*end_row) {
-  const std::string group = unit_name + "s";
+                     double limit_s, std::size_t Attempt::*end_row) {
   Section whole = record.select(kMoving, {});
   if (!attempts.absent.empty()) whole.reason = attempts.absent;
   std::vector<Completion> completions;
@@ -182,7 +180,7 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
     if (!attempts.absent.empty()) {
       section.reason = attempts.absent;
     } else if (!attempt.shown) {
-      section.reason = "the trial ended before this " + unit_name;
+      section.reason = "the trial ended before this target";
     } else {
       section = record.select(attempt.first_row, attempt.last_row + 1, kMoving, {});
       completions.push_back(completion_of(record, attempt, attempt.*end_row, limit_s));
@@ -194,15 +192,16 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
       else
         time_s = "the trial ended before it was reached";
     }
-    times.push_back(make_measure("completion_time", unit_name + "_" + std::to_string(i + 1), "s",
-                                 section, time_s));
+    times.push_back(
+        make_measure("completion_time", "target_" + std::to_string(i + 1), "s", section, time_s));
   }
-  measures.push_back(make_measure(reached_name, group, "of " + std::to_string(attempts.all.size()),
-                                  whole, static_cast<double>(reached_of(completions).count)));
+  measures.push_back(make_measure("targets_reached", "targets",
+                                  "of " + std::to_string(attempts.all.size()), whole,
+                                  static_cast<double>(reached_of(completions).count)));
   for (Measure& time : times) measures.push_back(std::move(time));
-  measures.push_back(
-      make_measure("median_completion_time", group, "s", whole, median_completion(completions)));
-  measures.push_back(make_measure("restricted_mean_time", group, "s", whole,
+  measures.push_back(make_measure("median_completion_time", "targets", "s", whole,
+                                  median_completion(completions)));
+  measures.push_back(make_measure("restricted_mean_time", "targets", "s", whole,
                                   restricted_mean_time(completions, limit_s)));
 }
 

@@ -110,12 +110,11 @@ struct Attempts {
 [[nodiscard]] Completion completion_of(const Record& record, const Attempt& attempt,
                                        std::size_t end_row, double limit_s);
 
-/// "k of n", the time of each, and over all that were shown the Kaplan-Meier median and the
-/// restricted mean time up to the limit: a time-out is a time longer than the limit, not a failure
-/// left out. `unit_name`: what one attempt is called, "target"; `end_row` of a reached attempt.
+/// "k of n", the time of each up to the `end_row` of a reached attempt, and over all that were
+/// shown the Kaplan-Meier median and the restricted mean time: a time-out is a time longer than the
+/// limit, not a failure left out.
 void add_completions(std::vector<Measure>& measures, const Record& record, const Attempts& attempts,
-                     const std::string& reached_name, const std::string& unit_name, double limit_s,
-                     std::size_t Attempt::*end_row);
+                     double limit_s, std::size_t Attempt::*end_row);
 
 /// The phases in which an object is moved.
 inline constexpr std::initializer_list<Phase> kMoving = {Phase::transport, Phase::hold};

@@ -21,8 +21,7 @@ class PickPlaceScore {
   [[nodiscard]] std::vector<Measure> measures() const {
     std::vector<Measure> all;
     // Up to letting go: that is part of the task.
-    add_completions(all, record_, attempts_, "items_placed", "item", spec_.time_limit_s,
-                    &Attempt::last_row);
+    add_completions(all, record_, attempts_, spec_.time_limit_s, &Attempt::last_row);
     all.push_back(drops());
     all.push_back(path_efficiency());
     add_hold_errors(all);

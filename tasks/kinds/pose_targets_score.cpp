@@ -21,8 +21,7 @@ class PoseScore {
 
   [[nodiscard]] std::vector<Measure> measures() const {
     std::vector<Measure> all;
-    add_completions(all, record_, attempts_, "targets_reached", "target", spec_.time_limit_s,
-                    &Attempt::hold_row);
+    add_completions(all, record_, attempts_, spec_.time_limit_s, &Attempt::hold_row);
     add_hold_errors(all);
     all.push_back(tilt_in_transport());
     add_path(all);
@@ -108,6 +107,8 @@ class PoseScore {
       path_m += path_length_of(way, signals);
       append(transports, way);
     }
+    if (transports.reason.empty() && transports.rows.empty())
+      transports.reason = "no transport reached its target";
     all.push_back(make_measure(
         "path_efficiency", "position", "%", transports,
         path_m > 0.0 ? Computed(100.0 * straight_m / path_m) : Computed("nothing moved")));
@@ -137,31 +138,35 @@ class PoseScore {
     const bool has_level = std::any_of(spec_.targets.begin(), spec_.targets.end(),
                                        [](const PoseTarget& target) { return target.level; });
     Section motion;
-    Section grip;
-    motion.reason = grip.reason = attempts_.absent;
-    std::vector<double> motion_arcs;
-    std::vector<double> grip_arcs;
+    Section force;
+    motion.reason = force.reason = attempts_.absent;
+    std::vector<Computed> motion_arcs;
+    std::vector<Computed> force_arcs;
     for (std::size_t i = 0; i < attempts_.all.size(); ++i) {
       const Attempt& attempt = attempts_.all[i];
       if (!attempt.reached || (has_level && !spec_.targets[i].level)) continue;
       const std::size_t end = attempt.hold_row + 1;
       const Section way = record_.select_position(attempt.first_row, end, kMoving);
       append(motion, way);
-      if (const Computed arc = object_.sparc_of_motion(way); arc.value)
-        motion_arcs.push_back(*arc.value);
-      const Section force = record_.select(attempt.first_row, end, kMoving, {"actual_force_N"});
-      append(grip, force);
-      if (const Computed arc = object_.sparc_of_grip(force); arc.value)
-        grip_arcs.push_back(*arc.value);
+      motion_arcs.push_back(object_.sparc_of_motion(way));
+      const Section grip = record_.select(attempt.first_row, end, kMoving, {"actual_force_N"});
+      append(force, grip);
+      force_arcs.push_back(object_.sparc_of_grip(grip));
     }
     all.push_back(make_measure("sparc", "transport", "", motion, mean_of(motion_arcs)));
-    all.push_back(make_measure("sparc", "grip_rate", "", grip, mean_of(grip_arcs)));
+    all.push_back(make_measure("sparc", "force_rate", "", force, mean_of(force_arcs)));
   }
-  static Computed mean_of(const std::vector<double>& arcs) {
-    if (arcs.empty()) return "no transport reached its target";
+  /// Of those that have a value; the first reason if none has.
+  static Computed mean_of(const std::vector<Computed>& arcs) {
     double sum = 0.0;
-    for (const double arc : arcs) sum += arc;
-    return sum / static_cast<double>(arcs.size());
+    double count = 0.0;
+    for (const Computed& arc : arcs) {
+      if (!arc.value) continue;
+      sum += *arc.value;
+      count += 1.0;
+    }
+    if (count > 0.0) return sum / count;
+    return arcs.empty() ? Computed("no transport reached its target") : arcs.front();
   }
 
   /// Research measures after Fitts. A target without a hold is reached at the edge of its

@@ -46,7 +46,7 @@ class TrackingScore {
                                motion.rows.empty() ? 0.0 : path_length_of(motion, signals)));
     all.push_back(make_measure("sparc", "position", "", motion, object_.sparc_of_motion(motion)));
     const Section force = record_.select(kScored, {"actual_force_N"});
-    all.push_back(make_measure("sparc", "grip_rate", "", force, object_.sparc_of_grip(force)));
+    all.push_back(make_measure("sparc", "force_rate", "", force, object_.sparc_of_grip(force)));
     all.push_back(object_.slip(kScored));
     all.push_back(object_.mean_grip(kScored));
     return all;

@@ -144,6 +144,8 @@ TEST(Library, EveryTaskParsesAndItsSceneIsShipped) {
     EXPECT_FALSE(spec.instruction.empty());
     if (!spec.scene().empty()) {
       EXPECT_TRUE(fs::exists(kLibrary / "scenes" / (spec.scene() + ".toml"))) << spec.scene();
+      EXPECT_FALSE(fs::exists(kLibrary / "tasks" / (spec.scene() + ".toml")))
+          << spec.scene() << ": a file beside the task would be taken for the scene";
     }
   }
 }

@@ -46,14 +46,14 @@ struct Hand {
 TEST(ScorePickPlace, AStraightTrialHasTheMeasuresOfItsGeometry) {
   const TaskSpec spec = placing(2);
   const auto measures = score(spec, play_object(spec, Hand{}));
-  EXPECT_EQ(value_of(measures, "items_placed"), 2.0);
-  EXPECT_EQ(find(measures, "items_placed")->unit, "of 2");
+  EXPECT_EQ(value_of(measures, "targets_reached"), 2.0);
+  EXPECT_EQ(find(measures, "targets_reached")->unit, "of 2");
   EXPECT_EQ(value_of(measures, "drops"), 0.0);
   EXPECT_NEAR(value_of(measures, "path_efficiency"), 100.0, 1e-9);
   // 81 frames to 20 mm from the target, half a second held, on its way during that.
-  EXPECT_NEAR(value_of(measures, "completion_time", "item_1"), 1.33, 0.02);
+  EXPECT_NEAR(value_of(measures, "completion_time", "target_1"), 1.33, 0.02);
   EXPECT_NEAR(value_of(measures, "median_completion_time"),
-              value_of(measures, "completion_time", "item_1"), 0.02);
+              value_of(measures, "completion_time", "target_1"), 0.02);
   EXPECT_LE(value_of(measures, "restricted_mean_time"), 1.36);
   EXPECT_GT(value_of(measures, "hold_error_position"), 0.006);
   EXPECT_LT(value_of(measures, "hold_error_position"), 0.010);
@@ -68,10 +68,10 @@ TEST(ScorePickPlace, ADropIsCountedAndOnlyTheLastWayIsMeasured) {
   const auto measures = score(spec, play_object(spec, clumsy));
   const auto clean = score(spec, play_object(spec, Hand{}));
   EXPECT_EQ(value_of(measures, "drops"), 1.0);
-  EXPECT_EQ(value_of(measures, "items_placed"), 1.0);
+  EXPECT_EQ(value_of(measures, "targets_reached"), 1.0);
   EXPECT_NEAR(value_of(measures, "path_efficiency"), 100.0, 1e-9) << "the jump back is no movement";
-  EXPECT_NEAR(value_of(measures, "completion_time", "item_1"),
-              value_of(clean, "completion_time", "item_1") + 0.5, 0.03);
+  EXPECT_NEAR(value_of(measures, "completion_time", "target_1"),
+              value_of(clean, "completion_time", "target_1") + 0.5, 0.03);
 }
 
 TEST(ScorePickPlace, WhatWasNotPlacedInTimeIsCensored) {
@@ -79,10 +79,10 @@ TEST(ScorePickPlace, WhatWasNotPlacedInTimeIsCensored) {
   Hand stops;
   stops.idle_from = 1;
   const auto measures = score(spec, play_object(spec, stops));
-  EXPECT_EQ(value_of(measures, "items_placed"), 1.0);
-  EXPECT_EQ(find(measures, "completion_time", "item_2")->reason, "not reached within 5 s");
+  EXPECT_EQ(value_of(measures, "targets_reached"), 1.0);
+  EXPECT_EQ(find(measures, "completion_time", "target_2")->reason, "not reached within 5 s");
   EXPECT_EQ(find(measures, "median_completion_time")->reason, "longer than the limit");
-  const double first_s = value_of(measures, "completion_time", "item_1");
+  const double first_s = value_of(measures, "completion_time", "target_1");
   EXPECT_NEAR(value_of(measures, "restricted_mean_time"), (first_s + 2.0 * 5.0) / 3.0, 1e-9);
 }
 
@@ -91,7 +91,7 @@ TEST(ScorePickPlace, WhenNothingWasPlacedEveryMeasureOfPlacingSaysSo) {
   Hand idle;
   idle.idle_from = 0;
   const auto measures = score(spec, play_object(spec, idle));
-  EXPECT_EQ(value_of(measures, "items_placed"), 0.0);
+  EXPECT_EQ(value_of(measures, "targets_reached"), 0.0);
   for (const char* name : {"path_efficiency", "hold_error_position", "hold_error_angle"})
     EXPECT_EQ(find(measures, name)->reason, "nothing was placed") << name;
   EXPECT_NEAR(value_of(measures, "restricted_mean_time"), 5.0, 1e-9);
@@ -104,10 +104,10 @@ TEST(ScorePickPlace, AnAbortedTrialIsNotATimeOut) {
         if (k >= 50) row.clear();
       });
   const auto measures = score(spec, cut);
-  EXPECT_EQ(find(measures, "completion_time", "item_1")->reason,
+  EXPECT_EQ(find(measures, "completion_time", "target_1")->reason,
             "the trial ended before it was reached");
-  EXPECT_EQ(find(measures, "completion_time", "item_2")->reason,
-            "the trial ended before this item");
+  EXPECT_EQ(find(measures, "completion_time", "target_2")->reason,
+            "the trial ended before this target");
   EXPECT_FALSE(find(measures, "restricted_mean_time")->value);
 }
 

@@ -369,7 +369,7 @@ TEST(ScorePoseTargets, AGripThatTremblesIsLessSmoothThoughTheObjectMovesAlike) {
   });
   const auto smooth = score(spec_of(spec), calm);
   const auto rough = score(spec_of(spec), trembling);
-  EXPECT_LT(value_of(rough, "sparc", "grip_rate"), value_of(smooth, "sparc", "grip_rate"));
+  EXPECT_LT(value_of(rough, "sparc", "force_rate"), value_of(smooth, "sparc", "force_rate"));
   EXPECT_EQ(value_of(rough, "sparc", "transport"), value_of(smooth, "sparc", "transport"));
 }
 

@@ -143,7 +143,7 @@ TEST(ScorePoseTracking, ATargetThatJumpsHasNoGainAndAStillObjectNoLag) {
   EXPECT_NEAR(value_of(measures, "rmse", "x"), 0.05, 1e-12);
   EXPECT_EQ(value_of(measures, "path_length"), 0.0);
   EXPECT_FALSE(find(measures, "sparc", "position")->value);
-  EXPECT_FALSE(find(measures, "sparc", "grip_rate")->value) << "the grip did not change";
+  EXPECT_FALSE(find(measures, "sparc", "force_rate")->value) << "the grip did not change";
 }
 
 TEST(ScorePoseTracking, WithoutItsColumnsAMeasureSaysWhichIsMissing) {

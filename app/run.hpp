@@ -2,6 +2,7 @@
 // A session without a window, for `isograsp run` and `isograsp demo`.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/result.hpp"
@@ -20,6 +21,8 @@ struct RunOptions {
   std::string started_utc;  ///< empty: now
   std::string operator_name;
   bool serviced = false;  ///< the operator confirms that the device was serviced or remounted
+  std::string allowed = "maximum";  ///< outcome of the screening for this hand
+  std::optional<double> ceiling_N;  ///< no target may exceed it
   Realtime realtime = Realtime::prefer;
 };
 

@@ -12,6 +12,7 @@
 
 #include "app/commands.hpp"
 #include "core/csv.hpp"
+#include "session/library.hpp"
 
 namespace isograsp {
 
@@ -85,9 +86,7 @@ Result<void> run_score(const ScoreOptions& options) {
                    0,
                    ""};
   } else {
-    const auto text = read_text(options.task);
-    if (!text) return text.error();
-    const auto task = parse_task(*text, options.task);
+    const auto task = load_task(options.task);
     if (!task) return task.error();
     const auto signals = read_signals(options.signals);
     if (!signals) return signals.error();

@@ -216,6 +216,9 @@ void read_difficulty(TomlReader& reader, TaskSpec& spec) {
   }
   if (!multiply(spec.kind, difficulty.factor, by))
     table.fail("factor", "is nothing that this kind of task has", "choose another factor");
+  const Aim* aim = spec.aim();
+  if (aim != nullptr && aim->scale != Scale::newton && spec.largest_level() > 1.0)
+    table.fail("hardest", "asks for more than the whole force", "write a smaller factor");
   spec.difficulty = std::move(difficulty);
 }
 

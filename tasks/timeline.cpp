@@ -144,6 +144,10 @@ std::int64_t Timeline::frames() const noexcept {
 }
 
 Result<Timeline> timeline_of(const TaskSpec& spec, const TaskContext& context) {
+  if (const auto* tracking = std::get_if<ForceTrackingSpec>(&spec.kind))
+    if (tracking->waveform.shape == Waveform::Shape::csv && tracking->waveform.values.empty())
+      return refused(spec, "csv", "the points of " + tracking->waveform.csv + " were not loaded",
+                     "put the file beside the task");
   std::optional<Error> problem;
   const Aim* aim = spec.aim();
   const Unit unit = [&](ForceChannel channel) {

@@ -156,6 +156,19 @@ TEST(Timeline, ATargetThatTheSensorsCannotResolveIsRefusedWithTheLeastLevel) {
   EXPECT_FALSE(timeline_of(sine, context));
 }
 
+TEST(Timeline, ATargetFromAFileThatWasNotLoadedIsRefused) {
+  ForceTrackingSpec spec;
+  spec.waveform.shape = Waveform::Shape::csv;
+  spec.waveform.csv = "target.csv";
+  EXPECT_EQ(timeline_of(spec_of(spec), context_of()).error().field, "csv");
+  spec.waveform.t_s = {0.0, 10.0};
+  spec.waveform.values = {0.0, 1.0};
+  const auto timeline = timeline_of(spec_of(spec), context_of()).value();
+  constexpr double kRounding_N = 1e-12;
+  EXPECT_NEAR(timeline.segments[1].target_N.at(500), 8.0, kRounding_N) << "half way from 4 to 12 N";
+  EXPECT_NEAR(timeline.segments[1].target_N.back(), 12.0, kRounding_N);
+}
+
 TEST(Timeline, AFixedLoadIsThatOfTheBaselineAndAtMostHalfOfToday) {
   ForceTrackingSpec spec;
   spec.aim.scale = Scale::of_baseline;

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/training.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp {
+namespace {
+
+const std::string kTask =
+    "format = \"isograsp-task-1\"\nname = \"train\"\ninstruction = \"do\"\nkind = "
+    "\"force_tracking\"\nleast_fraction = 0.1\nmost_fraction = 0.3\n[difficulty]\nfactor = "
+    "\"frequency\"\neasiest = 1\nhardest = 2\nstart = 0.4\nsuccess_measure = "
+    "\"time_in_range\"\nsuccess_at_least = 60\n";
+
+TaskSpec task() {
+  return parse_task(kTask, "train.toml").value();
+}
+
+/// A clinic whose trials are made by hand.
+struct Clinic {
+  test::TemporaryFolder folder;
+  std::unique_ptr<SessionStore> store =
+      SessionStore::open(folder.path("c.db"), SessionStore::Open::create).value();
+  RowId patient = store->add_patient("P-1").value().id;
+
+  SessionRecord session(const std::string& utc, Hand hand, bool simulated) {
+    SessionRecord record;
+    record.patient_id = patient;
+    record.started_utc = utc;
+    record.hand = hand;
+    record.simulated = simulated;
+    record.id = store->begin_session(record).value();
+    return record;
+  }
+  void trial(const SessionRecord& session, const std::string& text, const Measure& measure,
+             TrialStatus status = TrialStatus::completed) {
+    TrialRecord record;
+    record.session_id = session.id;
+    record.number = ++number;
+    record.task_name = "train";
+    record.task_text = text;
+    record.groups = {{"task", {"t_s"}}};
+    record.id = store->begin_trial(record).value();
+    record.status = status;
+    ASSERT_TRUE(store->end_trial(record, std::vector{measure}).ok());
+  }
+  int number = 0;
+};
+
+Measure measured(const std::string& name, const std::string& channel, double value) {
+  Measure measure;
+  measure.name = name;
+  measure.channel = channel;
+  measure.value = value;
+  return measure;
+}
+Measure on_target(double percent) {
+  return measured("time_in_range", "force", percent);
+}
+
+TEST(Training, BeginsAtTheStartAndGoesOnWhereItStopped) {
+  Clinic clinic;
+  const auto now = clinic.session("2026-01-09T09:00:00Z", Hand::right, true);
+  EXPECT_EQ(Training::read(*clinic.store, now).value().level(task()), 0.4);
+  const auto before = clinic.session("2026-01-05T09:00:00Z", Hand::right, true);
+  clinic.trial(before, at_level(task(), 0.4).value().text, on_target(70.0));
+  clinic.trial(before, at_level(task(), 0.45).value().text, on_target(30.0));
+  EXPECT_DOUBLE_EQ(Training::read(*clinic.store, now).value().level(task()), 0.30);
+}
+
+TEST(Training, OtherHandsDevicesAbortsAndPlainTrialsSayNothing) {
+  Clinic clinic;
+  const auto now = clinic.session("2026-01-09T09:00:00Z", Hand::right, false);
+  const std::string text = at_level(task(), 0.9).value().text;
+  clinic.trial(clinic.session("2026-01-05T09:00:00Z", Hand::left, false), text, on_target(99.0));
+  clinic.trial(clinic.session("2026-01-05T09:00:00Z", Hand::right, true), text, on_target(99.0));
+  const auto same = clinic.session("2026-01-05T09:00:00Z", Hand::right, false);
+  clinic.trial(same, text, on_target(99.0), TrialStatus::aborted);
+  clinic.trial(same, kTask, on_target(99.0));
+  EXPECT_EQ(Training::read(*clinic.store, now).value().level(task()), 0.4);
+}
+
+TEST(Training, TheBaselineIsTheMeanOfTheBestOfTheFirstTwoDays) {
+  Clinic clinic;
+  const auto add = [&](const std::string& utc, double force_N) {
+    clinic.trial(clinic.session(utc, Hand::right, true), kTask,
+                 measured("maximum_force", "grip", force_N));
+  };
+  add("2026-01-05T09:00:00Z", 10.0);
+  add("2026-01-05T10:00:00Z", 14.0);
+  add("2026-01-07T09:00:00Z", 20.0);
+  add("2026-01-09T09:00:00Z", 99.0);
+  const auto now = clinic.session("2026-01-12T09:00:00Z", Hand::right, true);
+  const auto training = Training::read(*clinic.store, now).value();
+  EXPECT_DOUBLE_EQ(training.baseline_N().at({}), 17.0);
+}
+
+TEST(Training, ALevelChangesTheTaskAndStaysInItsText) {
+  const auto easy = at_level(task(), 0.0).value();
+  const auto hard = at_level(task(), 1.0).value();
+  EXPECT_DOUBLE_EQ(std::get<ForceTrackingSpec>(easy.kind).waveform.frequency_Hz, 0.2);
+  EXPECT_DOUBLE_EQ(std::get<ForceTrackingSpec>(hard.kind).waveform.frequency_Hz, 0.4);
+  const auto again = parse_task(hard.text, "stored").value();
+  EXPECT_EQ(again.difficulty->chosen, 1.0);
+  EXPECT_DOUBLE_EQ(std::get<ForceTrackingSpec>(again.kind).waveform.frequency_Hz, 0.4);
+}
+
+}  // namespace
+}  // namespace isograsp

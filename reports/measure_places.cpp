@@ -48,10 +48,13 @@ constexpr Placed kForceDirection[] = {{"direction_error", "", Prominence::key},
 constexpr Placed kPoseTargets[] = {{"targets_reached", "", Prominence::key},
                                    {"tilt_in_transport", "", Prominence::key},
                                    {"path_efficiency", "", Prominence::trend}};
-constexpr Placed kPoseTracking[] = {{"rmse", "", Prominence::key}, {"lag", "", Prominence::trend}};
-constexpr Placed kPickPlace[] = {{"median_completion_time", "", Prominence::key},
-                                 {"drops", "", Prominence::trend},
-                                 {"hold_error_position", "", Prominence::trend}};
+// The whole distance and angle stand for the single degrees of freedom.
+constexpr Placed kPoseTracking[] = {{"rmse", "position", Prominence::key},
+                                    {"rmse", "attitude", Prominence::key},
+                                    {"lag", "", Prominence::trend}};
+constexpr Placed kPickPlace[] = {{"targets_reached", "", Prominence::key},
+                                 {"median_completion_time", "", Prominence::key},
+                                 {"drops", "", Prominence::trend}};
 constexpr Placed kObserve[] = {{"mean_grip", "", Prominence::trend},
                                {"path_length", "", Prominence::trend},
                                {"contact_time", "", Prominence::trend}};

@@ -134,11 +134,10 @@ constexpr std::array kEntries{
 constexpr std::array<std::string_view, 10> kPlainChannels{
     "force", "grip",    "platform", "digits",    "position",
     "angle", "targets", "contact",  "transport", ""};
-/// Parts of a force target.
+/// Parts of a force target; turns of an object.
 constexpr std::pair<std::string_view, std::string_view> kParts[] = {
-    {"force_rise", ", building up"},
-    {"force_hold", ", holding"},
-    {"force_fall", ", letting down"},
+    {"rx", ", turn about x"},        {"ry", ", turn about y"},    {"rz", ", turn about z"},
+    {"force_rise", ", building up"}, {"force_hold", ", holding"}, {"force_fall", ", letting down"},
     {"force_rate", " of the force"}};
 
 std::string digits_words(Digits digits) {

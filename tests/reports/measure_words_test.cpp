@@ -152,8 +152,9 @@ TEST(MeasureWords, EveryMeasureOfEveryKindOfTaskHasWords) {
     }
   }
   EXPECT_EQ(kinds.size(), std::variant_size_v<decltype(TaskSpec::kind)>);
-  for (const char* name : {"release_time_share", "power_2_8_Hz", "enslaving", "coflexion", "pauses",
-                           "direction_error", "early_rate", "opening_force", "endurance"})
+  for (const char* name :
+       {"release_time_share", "power_2_8_Hz", "enslaving", "coflexion", "pauses", "direction_error",
+        "early_rate", "opening_force", "endurance", "throughput", "median_completion_time"})
     EXPECT_TRUE(names.contains(name)) << name << " was not emitted, so nothing was proved of it";
 }
 
@@ -239,6 +240,7 @@ TEST(MeasureWords, ATitleSaysTheChannel) {
   EXPECT_EQ(title("completion_time", "target_5"), "Time to reach target 5");
   EXPECT_EQ(title("resting_force", "thumb_fz"), "Resting force, thumb fz");
   EXPECT_EQ(title("rmse", "x"), "Tracking error (RMS), x");
+  EXPECT_EQ(title("rmse", "rz"), "Tracking error (RMS), turn about z");
 }
 
 }  // namespace

@@ -108,8 +108,10 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
     const Release let_go = release(trace.t_s, trace.force_N, record.task_time_s(part.first),
                                    resting, resolution_in(record, part));
     initiations.push_back(let_go.initiation);
-    releases.push_back(let_go.release);
-    residual.push_back(let_go.residual_N);
+    const bool rested = !std::isnan(resting_N);
+    const char* unknown = "the resting force was not measured";
+    releases.push_back(rested ? let_go.release : EventTime{unknown, std::nullopt});
+    residual.push_back(rested ? let_go.residual_N : Computed(unknown));
     fastest.push_back(let_go.fastest_N_per_s);
     const Trace after = trace_of(record, part.first, part.last);
     sections.push_back(after.section);

@@ -86,24 +86,41 @@ void add_rates(const Record& record, const Part& part, const std::string& channe
   list.add("early_rate", channel, "N/s", trace.section, early);
 }
 
-/// Press of digits that were to open.
+/// Normal forces of the digits in some rows.
+struct NormalForces {
+  Section section;
+  std::array<std::vector<double>, kFingerCount> force_N;
+};
+NormalForces normal_forces(const Record& record, std::size_t first, std::size_t last) {
+  NormalForces forces;
+  forces.section = record.select(first, last, {}, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
+  if (!forces.section.reason.empty()) return forces;
+  for (const Finger finger : kFingers)
+    forces.force_N[index_of(finger)] =
+        forces.section.values(record.signals().column(std::string(name_of(finger)) + "_fz_N"));
+  return forces;
+}
+
+/// Press, above what the digits did in the lead-in, of those that were to open.
 void add_coflexion(const Record& record, const Part& part, const std::string& channel,
                    MeasureList& list) {
-  const Section section =
-      record.select(part.first, part.last, {}, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
-  Computed share = "no samples";
-  if (section.reason.empty()) {
-    std::array<std::vector<double>, kFingerCount> force_N;
+  std::size_t first = part.first;
+  while (first > 0 && record.phase(first - 1) == Phase::lead_in) --first;
+  const NormalForces before = normal_forces(record, first, part.first);
+  NormalForces opening = normal_forces(record, part.first, part.last);
+  Computed share = "the force before the cue is not known";
+  if (!before.section.rows.empty()) {
     DigitForces forces;
-    for (const Finger finger : kFingers) {
-      const std::string column = std::string(name_of(finger)) + "_fz_N";
-      force_N[index_of(finger)] = section.values(record.signals().column(column));
-      forces.force_N[index_of(finger)] = force_N[index_of(finger)];
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
+      const double resting_N =
+          weighted_mean(before.force_N[f], before.section.weight_s).value.value_or(0.0);
+      for (double& force_N : opening.force_N[f]) force_N -= resting_N;
+      forces.force_N[f] = opening.force_N[f];
     }
-    forces.weight = section.weight_s;
+    forces.weight = opening.section.weight_s;
     share = coflexion(forces);
   }
-  list.add("coflexion", channel, "%", section, share);
+  list.add("coflexion", channel, "%", opening.section, share);
 }
 
 /// Rows of an effort; of old records without segments, those that are active.

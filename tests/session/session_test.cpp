@@ -178,7 +178,7 @@ TEST(Session, AProtocolWhoseStepsLackWhatTheyNeedIsRefusedBeforeASessionBegins) 
   const std::string sine = "[[step]]\nkind = \"task\"\ntask = \"grip_sine.toml\"\n";
   EXPECT_TRUE(read(rest + maximum + sine));
   for (const auto& [steps, message] :
-       {std::pair{rest + sine, "step[2].task: the target is a share of a maximum"},
+       {std::pair{rest + sine, "step[2].task: the target is a share of the maximum of 'grip'"},
         {maximum + sine, "step[1].task: a maximum is measured above the resting force"}}) {
     const auto refused = read(steps);
     ASSERT_FALSE(refused);

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Force tasks played with forces whose measures are known.
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tasks/score.hpp"
+#include "tasks/timeline.hpp"
+#include "tests/tasks/samples.hpp"
+
+namespace isograsp {
+namespace {
+
+using test::find;
+using test::value_of;
+constexpr double kPeriod_s = 0.01;
+
+using Answer = std::function<FingerWrenches(const TaskView&, double t_s)>;
+
+FingerWrenches pressing(double thumb_N, double index_N, double middle_N) {
+  FingerWrenches wrench_C;
+  for (Wrench& w : wrench_C) w.force = w.torque = Vec3::Zero();
+  wrench_C[0].force.z() = thumb_N;
+  wrench_C[1].force.z() = index_N;
+  wrench_C[2].force.z() = middle_N;
+  return wrench_C;
+}
+FingerWrenches grip_of(double grip_N) {
+  return pressing(grip_N, 0.5 * grip_N, 0.5 * grip_N);
+}
+
+template <class Kind>
+TaskSpec spec_of(Kind kind) {
+  TaskSpec spec;
+  spec.kind = std::move(kind);
+  return spec;
+}
+
+TaskContext context() {
+  TaskContext made;
+  made.period_s = kPeriod_s;
+  made.seed = 3;
+  made.references.resting_C = grip_of(0.0);
+  for (int digits = 0; digits <= static_cast<int>(Digits::middle); ++digits)
+    made.references.maximum_N[{static_cast<Digits>(digits)}] = 40.0;
+  return made;
+}
+
+/// Plays a task; `answer` gives the forces, which the record keeps with all that scores need.
+Signals played(const TaskSpec& spec, const Answer& answer) {
+  const TaskContext made = context();
+  auto task = make_task(spec, made);
+  EXPECT_TRUE(task) << (task ? "" : task.error().message());
+  std::vector<std::string> names{"t_s",
+                                 "phase",
+                                 "sample_flags",
+                                 "target_force_N",
+                                 "actual_force_N",
+                                 "resting_force_N",
+                                 "maximum_force_N",
+                                 "resolution_N",
+                                 "device_delay_s",
+                                 "segment",
+                                 "cue",
+                                 "channel_digits",
+                                 "channel_direction"};
+  for (const char* prefix : {"", "target_"})
+    for (const Finger finger : kFingers)
+      for (const char* axis : {"_fx_N", "_fy_N", "_fz_N"})
+        names.push_back(prefix + std::string(name_of(finger)) + axis);
+  Signals signals(names);
+  FingerWrenches wrench_C = grip_of(0.0);
+  for (int k = 0;; ++k) {
+    const TaskView view = (*task)->step({wrench_C});
+    if (view.phase == Phase::done) return signals;
+    // What the hand does in this frame is seen in this frame.
+    wrench_C = answer(view, k * kPeriod_s);
+    std::vector<double> row{k * kPeriod_s,
+                            static_cast<double>(view.phase),
+                            0.0,
+                            view.has_force_target ? view.target_force_N : std::nan(""),
+                            force_of(wrench_C, view.channel),
+                            view.resting_force_N,
+                            view.maximum_force_N,
+                            0.01,
+                            0.03,
+                            static_cast<double>(view.segment),
+                            static_cast<double>(view.cue),
+                            static_cast<double>(view.channel.digits),
+                            static_cast<double>(view.channel.direction)};
+    for (const Wrench& w : wrench_C) row.insert(row.end(), {w.force.x(), w.force.y(), w.force.z()});
+    for (std::size_t f = 0; f < kFingerCount; ++f)
+      for (int axis = 0; axis < 3; ++axis)
+        row.push_back(view.digit_targets.shown[f] ? view.digit_targets.force_C[f][axis]
+                                                  : std::nan(""));
+    signals.append_row(row);
+  }
+}
+
+/// Follows the last value `delay_s` late.
+class Late {
+ public:
+  explicit Late(double delay_s)
+      : frames_(static_cast<std::size_t>(std::lround(delay_s / kPeriod_s))) {}
+  double operator()(double value) {
+    seen_.push_back(value);
+    return seen_[seen_.size() > frames_ ? seen_.size() - 1 - frames_ : 0];
+  }
+
+ private:
+  std::size_t frames_;
+  std::vector<double> seen_;
+};
+
+constexpr double kRounding = 1e-9;
+
+TEST(ForceScores, AMaximumOfOneDigitIsItsBestHalfSecondAboveRestInItsChannel) {
+  MaximumSpec spec;
+  spec.channel = channel_of(Finger::index);
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [](const TaskView& view, double) {
+              return view.cue == Cue::squeeze ? pressing(3, 25, 4) : pressing(0, 0, 0);
+            }));
+  EXPECT_NEAR(value_of(measures, "maximum_force", "index"), 25.0, kRounding);
+  EXPECT_EQ(find(measures, "maximum_force", "grip"), nullptr);
+  EXPECT_EQ(find(measures, "net_push"), nullptr) << "one digit always pushes the platform";
+}
+
+TEST(ForceScores, OpeningIsPositiveAndThePressOfOtherDigitsBesideItIsCoflexion) {
+  MaximumSpec spec;
+  spec.channel.direction = Direction::minus_z;
+  const double tone_N = 2.0;
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
+              const bool opens = view.cue == Cue::squeeze;
+              return opens ? pressing(-10, -12, tone_N + 1.1) : pressing(0, 0, tone_N);
+            }));
+  EXPECT_NEAR(value_of(measures, "maximum_force", "opening"), 8.9, kRounding);
+  EXPECT_NEAR(value_of(measures, "coflexion", "opening"), 100.0 * 1.1 / 22.0, kRounding)
+      << "the tone of the middle finger is none";
+}
+
+TEST(ForceScores, ReactionsOfStepsAreTheDelayAndAnticipationsAreCountedApart) {
+  StepResponseSpec spec;
+  spec.to = {0.3};
+  spec.repetitions = 4;
+  Late late(0.25);
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
+              return grip_of(late(view.target_force_N));
+            }));
+  constexpr double kOneFrame_s = kPeriod_s + kRounding;
+  EXPECT_NEAR(value_of(measures, "reaction_time"), 0.25, kOneFrame_s);
+  EXPECT_NEAR(value_of(measures, "reaction_time_corrected"),
+              value_of(measures, "reaction_time") - 0.03, kRounding);
+  EXPECT_NEAR(value_of(measures, "settling_time"), 0.25, kOneFrame_s);
+  EXPECT_NEAR(value_of(measures, "overshoot"), 0.0, kRounding);
+  EXPECT_EQ(value_of(measures, "reaction_time_share"), 100.0);
+  EXPECT_EQ(value_of(measures, "anticipations"), 0.0);
+  Late early(0.05);
+  const auto hasty = score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
+                             return grip_of(early(view.target_force_N));
+                           }));
+  EXPECT_EQ(value_of(hasty, "anticipations"), 4.0);
+  EXPECT_FALSE(find(hasty, "reaction_time")->value);
+}
+
+TEST(ForceScores, AHandThatNeverLetsGoHasNoReleaseTimeButAShareOfZero) {
+  GripReleaseSpec spec;
+  spec.repetitions = 3;
+  const auto stuck = score(
+      spec_of(spec), played(spec_of(spec), [](const TaskView&, double) { return grip_of(10.0); }));
+  EXPECT_FALSE(find(stuck, "release_time")->value);
+  EXPECT_EQ(value_of(stuck, "release_time_share"), 0.0);
+  EXPECT_NEAR(value_of(stuck, "release_time_restricted"), spec.after_s, kRounding);
+  EXPECT_NEAR(value_of(stuck, "residual_force"), 10.0, kRounding);
+}
+
+TEST(ForceScores, AnExponentialReleaseReachesTenPercentAfterItsTimeConstantTimesLnTen) {
+  GripReleaseSpec spec;
+  spec.repetitions = 3;
+  constexpr double kTime_s = 0.5;
+  constexpr double kReaction_s = 0.2;
+  double since_s = 0.0;
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
+              since_s = view.cue == Cue::let_go ? since_s + kPeriod_s : -kPeriod_s;
+              const double fading_s = std::max(0.0, since_s - kReaction_s);
+              return grip_of(10.0 * std::exp(-fading_s / kTime_s));
+            }));
+  constexpr double kFrames_s = 2.0 * kPeriod_s;
+  EXPECT_NEAR(value_of(measures, "release_time"), kReaction_s + kTime_s * std::numbers::ln10,
+              kFrames_s);
+  EXPECT_NEAR(value_of(measures, "release_initiation"), kReaction_s, kFrames_s);
+}
+
+TEST(ForceScores, AForceMadeAgainTooWeakHasThatConstantError) {
+  const auto measures =
+      score(spec_of(ForceSenseSpec{}),
+            played(spec_of(ForceSenseSpec{}), [](const TaskView& view, double) {
+              return grip_of(view.cue == Cue::reproduce ? 6.5 : view.target_force_N);
+            }));
+  EXPECT_NEAR(value_of(measures, "constant_error"), -1.5, kRounding);  // 20 % of 40 N is 8 N
+  EXPECT_NEAR(value_of(measures, "absolute_error"), 1.5, kRounding);
+  EXPECT_NEAR(value_of(measures, "variable_error"), 0.0, kRounding);
+}
+
+TEST(ForceScores, DigitsThatDragTheirNeighbourAlongHaveThatEnslaving) {
+  constexpr double kShare = 0.2;
+  const auto measures =
+      score(spec_of(IndividuationSpec{}),
+            played(spec_of(IndividuationSpec{}), [&](const TaskView& view, double) {
+              if (!view.has_force_target) return pressing(0.3, 0.3, 0.3);  // tone is no enslaving
+              std::array<double, 3> force_N{0.3, 0.3, 0.3};
+              const std::size_t j = index_of(*single_digit(view.channel));
+              force_N[j] += view.target_force_N;
+              if (j == 1) force_N[2] += kShare * view.target_force_N;
+              return pressing(force_N[0], force_N[1], force_N[2]);
+            }));
+  EXPECT_NEAR(value_of(measures, "enslaving", "index_to_middle"), kShare, kRounding);
+  EXPECT_NEAR(value_of(measures, "enslaving", "middle_to_index"), 0.0, kRounding);
+  EXPECT_NEAR(value_of(measures, "enslaving_of_maximum", "index_to_middle"), kShare * 0.2,
+              kRounding);
+}
+
+TEST(ForceScores, AForceTurnedFromItsTargetHasThatDirectionError) {
+  ForceDirectionSpec spec;
+  ForceDirectionTarget target;
+  target.asked[0] = true;
+  target.direction_C[0] = Vec3::UnitZ();
+  spec.targets = {target};
+  constexpr double kAngle_rad = 0.3;
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
+              FingerWrenches wrench_C = grip_of(0.0);
+              wrench_C[0].force = Eigen::AngleAxisd(kAngle_rad, Vec3::UnitX()) *
+                                  Vec3(view.digit_targets.force_C[0]);
+              return wrench_C;
+            }));
+  EXPECT_NEAR(value_of(measures, "direction_error", "thumb"), kAngle_rad, kRounding);
+  EXPECT_NEAR(value_of(measures, "projection_ratio", "thumb"), std::cos(kAngle_rad), kRounding);
+  EXPECT_EQ(find(measures, "direction_error", "index"), nullptr);
+}
+
+TEST(ForceScores, ASteadyHandHasTheSpreadThatItWasGiven) {
+  SteadinessSpec spec;
+  spec.levels = {0.25};
+  constexpr double kAmplitude_N = 0.4;
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double t_s) {
+              const double wave_N = kAmplitude_N * std::sin(2.0 * std::numbers::pi * 4.0 * t_s);
+              return grip_of(view.target_force_N + wave_N);
+            }));
+  constexpr double kShortRecord =
+      0.01;  // of a whole number of cycles the SD is exact but for n - 1
+  EXPECT_NEAR(value_of(measures, "force_sd", "force_25_percent"), kAmplitude_N / std::sqrt(2.0),
+              kShortRecord * kAmplitude_N);
+  EXPECT_GT(value_of(measures, "power_2_8_Hz", "force_25_percent"), 99.0);
+}
+
+TEST(ForceScores, EveryTaskSaysWhyItHasNoValuesOfAnEmptyRecord) {
+  DirectionalMaximaSpec directions;
+  directions.digits = {Finger::thumb};
+  directions.directions = {Direction::plus_x};
+  for (const TaskSpec& spec :
+       {spec_of(RestSpec{}), spec_of(MaximumSpec{}), spec_of(ForceTrackingSpec{}),
+        spec_of(SteadinessSpec{}), spec_of(StepResponseSpec{}), spec_of(GripReleaseSpec{}),
+        spec_of(ForceSenseSpec{}), spec_of(FatigueSpec{}), spec_of(IndividuationSpec{}),
+        spec_of(ForceDirectionSpec{}), spec_of(directions)})
+    for (const Measure& measure : score(spec, Signals({"t_s"}))) {
+      EXPECT_FALSE(measure.value) << measure.name;
+      EXPECT_FALSE(measure.reason.empty()) << measure.name;
+    }
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -39,6 +39,7 @@ TaskGroup group_of(const TaskSpec& spec) {
     TaskGroup operator()(const PoseTrackingSpec&) const { return TaskGroup::object; }
     TaskGroup operator()(const PickPlaceSpec&) const { return TaskGroup::object; }
     TaskGroup operator()(const ObserveSpec&) const { return TaskGroup::object; }
+    TaskGroup operator()(const RecordedSpec&) const { return TaskGroup::follow; }
   };
   return std::visit(Group{}, spec.kind);
 }

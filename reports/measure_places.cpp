@@ -58,6 +58,15 @@ constexpr Placed kPickPlace[] = {{"targets_reached", "", Prominence::key},
 constexpr Placed kObserve[] = {{"mean_grip", "", Prominence::trend},
                                {"path_length", "", Prominence::trend},
                                {"contact_time", "", Prominence::trend}};
+constexpr Placed kRecorded[] = {{"corridor_rms", "", Prominence::key},
+                                {"time_in_corridor", "", Prominence::key},
+                                {"corridor_distance", "", Prominence::trend},
+                                {"maximum_window_mean", "", Prominence::key},
+                                {"relative_rmse", "", Prominence::key},
+                                {"time_in_range", "", Prominence::trend},
+                                {"synergy_index", "", Prominence::key},
+                                {"rhythm", "", Prominence::trend},
+                                {"sharing", "", Prominence::trend}};
 
 // One for each kind: a new kind of task does not compile without its line here.
 Places places_of(const RestSpec&) {
@@ -104,6 +113,9 @@ Places places_of(const PickPlaceSpec&) {
 }
 Places places_of(const ObserveSpec&) {
   return kObserve;
+}
+Places places_of(const RecordedSpec&) {
+  return kRecorded;
 }
 
 }  // namespace

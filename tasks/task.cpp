@@ -35,6 +35,13 @@ Result<std::unique_ptr<Task>> make_task(const TaskSpec& spec, const TaskContext&
                  spec.file,
                  0,
                  ""};
+  if (std::holds_alternative<RecordedSpec>(spec.kind))
+    return Error{Error::Code::bad_input,
+                 "is a task of recordings, which nobody can do live",
+                 "choose another task, or read the recording with isograsp import",
+                 spec.file,
+                 0,
+                 "kind"};
   if (const auto* targets = std::get_if<PoseTargetsSpec>(&spec.kind))
     return make_pose_targets(*targets, context);
   if (const auto* tracking = std::get_if<PoseTrackingSpec>(&spec.kind))

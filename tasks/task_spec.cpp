@@ -46,6 +46,9 @@ Duration estimate(const PoseTrackingSpec& kind) {
 Duration estimate(const ObserveSpec& kind) {
   return {kind.duration_s, kind.duration_s};
 }
+Duration estimate(const RecordedSpec& kind) {
+  return {kind.duration_s, kind.duration_s};
+}
 Duration estimate(const PoseTargetsSpec& kind) {
   const double worst_s = kind.time_limit_s * static_cast<double>(kind.targets.size());
   return {kUsualShare * worst_s, worst_s};
@@ -132,7 +135,7 @@ decltype(TaskSpec::kind) read_kind(TomlReader& reader) {
   switch (reader.choice(
       "kind", {"rest", "maximum", "force_tracking", "pose_targets", "observe", "directional_maxima",
                "steadiness", "step_response", "grip_release", "force_sense", "fatigue",
-               "individuation", "force_direction", "pose_tracking", "pick_place"})) {
+               "individuation", "force_direction", "pose_tracking", "pick_place", "recorded"})) {
     case 0: return read_rest(reader);
     case 1: return read_maximum(reader);
     case 2: return read_force_tracking(reader);
@@ -147,7 +150,8 @@ decltype(TaskSpec::kind) read_kind(TomlReader& reader) {
     case 11: return read_individuation(reader);
     case 12: return read_force_direction(reader);
     case 13: return read_pose_tracking(reader);
-    default: return read_pick_place(reader);
+    case 14: return read_pick_place(reader);
+    default: return read_recorded(reader);
   }
 }
 

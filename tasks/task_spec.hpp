@@ -13,6 +13,7 @@
 #include "core/result.hpp"
 #include "core/spatial.hpp"
 #include "tasks/kinds/object_kinds.hpp"
+#include "tasks/kinds/recorded_kind.hpp"
 
 namespace isograsp {
 
@@ -41,7 +42,7 @@ struct TaskSpec {
   std::variant<RestSpec, MaximumSpec, ForceTrackingSpec, PoseTargetsSpec, ObserveSpec,
                DirectionalMaximaSpec, SteadinessSpec, StepResponseSpec, GripReleaseSpec,
                ForceSenseSpec, FatigueSpec, IndividuationSpec, ForceDirectionSpec, PoseTrackingSpec,
-               PickPlaceSpec>
+               PickPlaceSpec, RecordedSpec>
       kind;
   std::optional<Difficulty> difficulty;
   std::string file;  ///< where it was read from, for errors

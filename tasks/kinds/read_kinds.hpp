@@ -39,4 +39,6 @@ ObserveSpec read_observe(TomlReader& reader);
 PoseTrackingSpec read_pose_tracking(TomlReader& reader);
 PickPlaceSpec read_pick_place(TomlReader& reader);
 
+RecordedSpec read_recorded(TomlReader& reader);
+
 }  // namespace isograsp

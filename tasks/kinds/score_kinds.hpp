@@ -25,5 +25,6 @@ namespace isograsp {
 [[nodiscard]] std::vector<Measure> measures_of(const PoseTrackingSpec& spec, const Record& record);
 [[nodiscard]] std::vector<Measure> measures_of(const PickPlaceSpec& spec, const Record& record);
 [[nodiscard]] std::vector<Measure> measures_of(const ObserveSpec& spec, const Record& record);
+[[nodiscard]] std::vector<Measure> measures_of(const RecordedSpec& spec, const Record& record);
 
 }  // namespace isograsp

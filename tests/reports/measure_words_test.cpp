@@ -65,6 +65,19 @@ std::vector<TaskSpec> object_tasks() {
   return {spec_of(targets), spec_of(tracking), spec_of(pick_place), spec_of(ObserveSpec{})};
 }
 
+std::vector<TaskSpec> recorded_tasks() {
+  using Measures = RecordedSpec::Measures;
+  std::vector<TaskSpec> tasks;
+  for (const Measures measures :
+       {Measures::corridor, Measures::maximum, Measures::tracking, Measures::finger_forces}) {
+    RecordedSpec recorded;
+    recorded.measures = measures;
+    recorded.fingers = {"index", "ring"};
+    tasks.push_back(spec_of(recorded));
+  }
+  return tasks;
+}
+
 /// A trial of a force task in which the hand lies still, with every column that tells its parts.
 Signals still_hand(const TaskSpec& spec) {
   TaskContext context;
@@ -127,6 +140,8 @@ const std::vector<Emitted>& emitted() {
     std::vector<Emitted> list;
     for (const TaskSpec& spec : force_tasks())
       list.push_back({spec, score(spec, still_hand(spec))});
+    for (const TaskSpec& spec : recorded_tasks())
+      list.push_back({spec, score(spec, Signals({"t_s"}))});
     for (const TaskSpec& spec : object_tasks())
       list.push_back({spec, score(spec, Signals({"t_s", "phase"}))});
     return list;

@@ -27,6 +27,7 @@ void add_emulate(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_grasp(CLI::App& app, Action& action);
 void add_gui(CLI::App& app, Action& action);
+void add_import(CLI::App& app, Action& action);
 void add_monitor(CLI::App& app, Action& action);
 void add_record(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);

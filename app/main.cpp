@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   isograsp::add_export(app, action);
   isograsp::add_grasp(app, action);
   isograsp::add_gui(app, action);
+  isograsp::add_import(app, action);
   isograsp::add_monitor(app, action);
   isograsp::add_record(app, action);
   isograsp::add_report(app, action);

@@ -24,11 +24,6 @@
 
 namespace isograsp {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-/// What glibc's libm may choose its code by; stored beside results (docs/storage.md).
 std::string cpu_features() {
   std::string text = "x86-64";
   if (__builtin_cpu_supports("avx2")) text += " avx2";
@@ -36,6 +31,10 @@ std::string cpu_features() {
   if (__builtin_cpu_supports("avx512f")) text += " avx512f";
   return text;
 }
+
+namespace {
+
+namespace fs = std::filesystem;
 
 std::string joined_lines(const std::vector<std::string>& lines) {
   std::string text;

@@ -23,6 +23,9 @@
 
 namespace isograsp {
 
+/// What glibc's libm may choose its code by; stored beside results (docs/storage.md).
+[[nodiscard]] std::string cpu_features();
+
 struct SessionConfig {
   std::string database;  ///< path
   bool create_database =

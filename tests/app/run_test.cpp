@@ -56,7 +56,7 @@ TEST(CommandLine, HelpAndVersionSucceedOnEverySubcommand) {
   const auto help = isograsp("--help");
   EXPECT_EQ(help.status, 0);
   for (const char* name : {"convert", "db", "decode", "devices", "emulate", "export", "grasp",
-                           "gui", "monitor", "record", "report", "run", "score", "simulate"}) {
+                           "gui", "import", "monitor", "record", "report", "run", "score", "simulate"}) {
     EXPECT_NE(help.out.find(name), std::string::npos) << name;
     const auto own = isograsp(std::string(name) + " --help");
     EXPECT_EQ(own.status, 0) << name;

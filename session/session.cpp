@@ -324,6 +324,13 @@ const Training& Session::training() const noexcept {
 const ForceReferences& Session::references() const noexcept {
   return parts_->references;
 }
+TaskContext Session::next_context() const {
+  TaskContext context;
+  context.period_s = parts_->device->info().frame_period_s;
+  context.references = parts_->references;
+  context.seed = trial_seed(parts_->record, parts_->setups.size());
+  return context;
+}
 double Session::maximum_force_N() const noexcept {
   const double maximum_N = parts_->references.maximum({});
   return std::isnan(maximum_N) ? 0.0 : maximum_N;
@@ -385,10 +392,7 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
   auto setup = std::make_unique<TrialSetup>();
   if (p.strapped_at_s) setup->since_strapping_s = snapshot().session_time_s - *p.strapped_at_s;
   setup->spec = spec;
-  TaskContext context;
-  context.period_s = p.device->info().frame_period_s;
-  context.references = p.references;
-  context.seed = trial_seed(p.record, p.setups.size());
+  const TaskContext context = next_context();
   setup->constants.device_delay_s = p.device->info().delay_s;
   if (p.references.resolution_N > 0.0) setup->constants.resolution_N = p.references.resolution_N;
   TrialRecord& record = setup->record;

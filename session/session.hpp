@@ -19,6 +19,7 @@
 #include "session/training.hpp"
 #include "storage/session_store.hpp"
 #include "tasks/references.hpp"
+#include "tasks/task.hpp"
 #include "tasks/task_spec.hpp"
 
 namespace isograsp {
@@ -125,6 +126,8 @@ class Session {
 
   /// What earlier sessions, and this one so far, say about the level of training tasks.
   [[nodiscard]] const Training& training() const noexcept;
+  /// What the task of the next trial will be made with: the same task made with it is the same.
+  [[nodiscard]] TaskContext next_context() const;
   /// What tasks measure forces against, from this session's trials so far.
   [[nodiscard]] const ForceReferences& references() const noexcept;
   /// Maximum grip force [N]; 0: not measured yet.

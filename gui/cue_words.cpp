@@ -24,8 +24,8 @@ std::string close(Digits digits) {
     case Digits::pinch: return "Pinch: thumb and index";
     case Digits::sum: return "Press with all fingers";
     case Digits::thumb: return "Press with the thumb only";
-    case Digits::index: return "Press with the index only";
-    case Digits::middle: return "Press with the middle only";
+    case Digits::index: return "Press with the index finger only";
+    case Digits::middle: return "Press with the middle finger only";
     default: return "Squeeze";
   }
 }
@@ -76,6 +76,7 @@ CueWords words_for(Cue cue, ForceChannel channel, Hand hand) {
     case Cue::squeeze: return {act + "!", "As hard as you can. Breathe out."};
     case Cue::press:
       // How strongly is the large line: this hand may not be allowed more.
+      if (grip) return {"Squeeze comfortably", "Hold it. Breathe calmly."};
       return {(channel.direction == Direction::plus_z    ? "Press"
                : channel.direction == Direction::minus_z ? "Open"
                                                          : "Push") +
@@ -90,6 +91,19 @@ CueWords words_for(Cue cue, ForceChannel channel, Hand hand) {
     case Cue::move: return {"Bring it to the outline", "Slowly and level"};
   }
   return {};
+}
+
+CueWords words_for_digits(const std::array<bool, kFingerCount>& asked) {
+  std::string who;
+  int count = 0;
+  for (const Finger finger : kFingers) {
+    if (!asked[index_of(finger)]) continue;
+    ++count;
+    who = digit_title(channel_of(finger).digits);
+  }
+  const std::string how = "Disc into the ring, same size";
+  if (count == 1) return {who + ": fill the ring", how};
+  return {"Fill every ring", how};
 }
 
 }  // namespace isograsp

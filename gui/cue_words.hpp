@@ -9,10 +9,10 @@
 namespace isograsp {
 
 struct CueWords {
-  std::string headline;  ///< readable at 3 m: at most kMostHeadline letters
+  std::string headline;  ///< readable at 3 m: at most six words, kMostHeadline letters
   std::string detail;    ///< one more short sentence
 };
-inline constexpr std::size_t kMostHeadline = 32;
+inline constexpr std::size_t kMostHeadline = 34;
 inline constexpr std::size_t kMostDetail = 42;
 
 /// What the hand does, without how strongly: "Squeeze", "Press with the thumb only", "Thumb: push
@@ -22,6 +22,9 @@ inline constexpr std::size_t kMostDetail = 42;
 [[nodiscard]] std::string act_of(ForceChannel channel, Hand hand);
 
 [[nodiscard]] CueWords words_for(Cue cue, ForceChannel channel, Hand hand);
+
+/// Forces asked of these digits, each with its own picture.
+[[nodiscard]] CueWords words_for_digits(const std::array<bool, kFingerCount>& asked);
 
 /// +y of the finger's contact frame points toward the person.
 [[nodiscard]] constexpr bool plus_y_is_toward(Finger finger, Hand hand) noexcept {

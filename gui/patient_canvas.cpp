@@ -6,22 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/direction_page.hpp"
 #include "gui/look.hpp"
+#include "gui/patient_ink.hpp"
+#include "gui/patient_signs.hpp"
 
 namespace isograsp {
 
-namespace {
+using namespace ink;
 
-// On kPaper: kInk 15.5:1, kSoftInk 8.7:1, kDot 8.6:1.
-const QColor kPaper(0xF4, 0xF6, 0xF8);
-const QColor kInk(0x12, 0x1C, 0x28);
-const QColor kSoftInk(0x3A, 0x49, 0x58);
-const QColor kBand(0xF5, 0xC9, 0x6B);
-const QColor kBandEdge(0x73, 0x45, 0x00);
-const QColor kDot(0x0B, 0x3F, 0x78);
-const QColor kGood(0x00, 0x66, 0x45);
-const QColor kFaint(0xD3, 0xDA, 0xE1);
-const QColor kWarn(0x8E, 0x14, 0x0E);
+namespace ink {
 
 QFont font_of(const QRectF& area, double share, bool bold) {
   QFont font("DejaVu Sans");
@@ -42,10 +36,9 @@ void draw_line(QPainter& painter, const QRectF& area, const QRectF& line, const 
   painter.drawText(line, Qt::AlignCenter, text);
 }
 
-QRectF part(const QRectF& area, double left, double top, double right, double bottom) {
-  return {area.left() + left * area.width(), area.top() + top * area.height(),
-          (right - left) * area.width(), (bottom - top) * area.height()};
-}
+}  // namespace ink
+
+namespace {
 
 void draw_simulated(QPainter& painter, const QRectF& area) {
   const QFont font = font_of(area, 0.026, true);
@@ -53,7 +46,7 @@ void draw_simulated(QPainter& painter, const QRectF& area) {
   const double width = QFontMetricsF(font).horizontalAdvance(text) + 0.03 * area.height();
   const QRectF badge(area.right() - width - 0.03 * area.height(), area.top() + 0.03 * area.height(),
                      width, 0.046 * area.height());
-  painter.setPen(Qt::NoPen);
+  painter.setPen(QPen(Qt::white, 2));  // also on a dark head
   painter.setBrush(kInk);
   painter.drawRoundedRect(badge, 5, 5);
   painter.setFont(font);
@@ -73,142 +66,96 @@ void draw_progress(QPainter& painter, const QRectF& area, double fraction) {
   painter.drawRoundedRect(done, radius, radius);
 }
 
-void draw_arrow(QPainter& painter, QPointF from, QPointF to, double width) {
-  painter.setPen(QPen(kDot, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawLine(from, to);
-  const QPointF along = (to - from) / std::hypot(to.x() - from.x(), to.y() - from.y());
-  const QPointF across(-along.y(), along.x());
-  const double head = 2.2 * width;
-  painter.drawPolyline(polygon({to - head * (along - across), to, to - head * (along + across)}));
-}
-
-/// A hand seen from above, fingers up; `stretch` 1: open, 0: a fist. On a grid of 100 x 100.
-void draw_hand(QPainter& painter, double stretch) {
-  painter.setPen(QPen(kDot, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(Qt::white);
-  QPainterPath hand;
-  hand.addRoundedRect(QRectF(28, 46, 46, 44), 16, 16);
-  constexpr std::array<double, 4> kLength{32, 40, 37, 26};
-  for (std::size_t i = 0; i < kLength.size(); ++i) {
-    const double length = 14 + (kLength[i] + 4 - 14) * stretch;
-    QPainterPath finger;
-    finger.addRoundedRect(QRectF(28 + 11.6 * static_cast<double>(i), 58 - length, 11.2, length + 6),
-                          5.6, 5.6);
-    hand = hand.united(finger);
-  }
-  QPainterPath thumb;
-  thumb.addRoundedRect(QRectF(-6, -26 * (0.55 + 0.45 * stretch), 12, 36), 6, 6);
-  QTransform turn;
-  turn.translate(33, 74);
-  turn.rotate(-46);
-  hand = hand.united(turn.map(thumb));
-  painter.drawPath(hand);
-}
-
-void draw_sign(QPainter& painter, const QRectF& box, PatientPicture::Sign sign) {
-  painter.save();
-  painter.translate(box.topLeft());
-  painter.scale(box.width() / 100.0, box.height() / 100.0);
-  switch (sign) {
-    case PatientPicture::Sign::wait:
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(kDot);
-      for (const double x : {26.0, 50.0, 74.0}) painter.drawEllipse(QPointF(x, 54), 7.5, 7.5);
-      break;
-    case PatientPicture::Sign::hand_out:
-      painter.save();
-      painter.translate(-14, 6);
-      draw_hand(painter, 1.0);
-      painter.restore();
-      draw_arrow(painter, {72, 66}, {104, 66}, 6.0);
-      break;
-    case PatientPicture::Sign::rest: draw_hand(painter, 0.75); break;
-    case PatientPicture::Sign::squeeze:
-      draw_hand(painter, 0.0);
-      draw_arrow(painter, {-8, 66}, {14, 66}, 6.0);
-      draw_arrow(painter, {108, 66}, {86, 66}, 6.0);
-      break;
-    case PatientPicture::Sign::good:
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(kGood);
-      painter.drawEllipse(QPointF(50, 54), 38, 38);
-      painter.setPen(QPen(Qt::white, 9, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-      painter.setBrush(Qt::NoBrush);
-      painter.drawPolyline(polygon({{33, 55}, {46, 68}, {69, 41}}));
-      break;
-  }
-  painter.restore();
+/// Headline and detail at the top. What is to be done now stands white on dark: a change that is
+/// seen without reading and without colours.
+void draw_words(QPainter& painter, const QRectF& area, const PatientPicture& picture,
+                double left = 0.06) {
+  if (picture.urgent) painter.fillRect(part(area, 0.0, 0.0, 1.0, 0.28), kInk);
+  const double share = picture.urgent ? 0.115 : 0.085;
+  draw_line(painter, area, part(area, left, 0.03, 1.0 - left, 0.17),
+            QString::fromStdString(picture.headline), share, true,
+            picture.urgent ? QColor(Qt::white) : kInk);
+  draw_line(painter, area, part(area, left, 0.17, 1.0 - left, 0.26),
+            QString::fromStdString(picture.detail), 0.05, false,
+            picture.urgent ? QColor(Qt::white) : kSoftInk);
 }
 
 void draw_message(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
+  if (picture.urgent) {
+    const double size = 0.5 * area.height();
+    draw_words(painter, area, picture);
+    return paint_sign(
+        painter,
+        QRectF(area.center().x() - size / 2, area.top() + 0.36 * area.height(), size, size),
+        picture);
+  }
   const double size = 0.34 * area.height();
-  draw_sign(painter,
-            QRectF(area.center().x() - size / 2, area.top() + 0.14 * area.height(), size, size),
-            picture.sign);
+  paint_sign(painter,
+             QRectF(area.center().x() - size / 2, area.top() + 0.14 * area.height(), size, size),
+             picture);
   draw_line(painter, area, part(area, 0.06, 0.53, 0.94, 0.67),
             QString::fromStdString(picture.headline), 0.095, true, kInk);
   draw_line(painter, area, part(area, 0.08, 0.68, 0.92, 0.78),
             QString::fromStdString(picture.detail), 0.05, false, kSoftInk);
 }
 
-void draw_effort(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
-  draw_line(painter, area, part(area, 0.06, 0.06, 0.94, 0.21),
-            QString::fromStdString(picture.headline), 0.115, true, kInk);
-  draw_line(painter, area, part(area, 0.06, 0.21, 0.94, 0.30),
-            QString::fromStdString(picture.detail), 0.05, false, kSoftInk);
+void draw_column(QPainter& painter, const QRectF& column, const PatientPicture& picture) {
   // More force always fills more, whatever the patient's maximum is.
-  constexpr double kScale_N = 30.0;
-  const double fill = 1.0 - std::exp(-std::max(0.0, picture.force_N) / kScale_N);
-  const double width = 0.16 * area.height();
-  const QRectF column(area.center().x() - width / 2, area.top() + 0.36 * area.height(), width,
-                      0.53 * area.height());
+  const double fill = 1.0 - std::exp(-std::max(0.0, picture.force_N) / picture.full_N);
   QPainterPath outline;
-  outline.addRoundedRect(column, width / 4, width / 4);
+  outline.addRoundedRect(column, column.width() / 4, column.width() / 4);
   painter.fillPath(outline, kFaint);
   painter.save();
   painter.setClipPath(outline);
-  painter.fillRect(QRectF(column.left(), column.bottom() - fill * column.height(), width,
+  painter.fillRect(QRectF(column.left(), column.bottom() - fill * column.height(), column.width(),
                           fill * column.height()),
                    kDot);
   painter.restore();
   painter.setPen(QPen(kSoftInk, 2));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(outline);
-  const double hand = 0.26 * area.height();
-  draw_sign(painter,
-            QRectF(area.center().x() - 2.3 * hand, area.top() + 0.48 * area.height(), hand, hand),
-            PatientPicture::Sign::squeeze);
 }
 
-void draw_tracking(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
-  constexpr double kBehind_s = 1.5;
-  constexpr double kAhead_s = 4.0;
-  constexpr int kSteps = 160;
-  const TargetPreview& preview = *picture.preview;
-  draw_line(painter, area, part(area, 0.06, 0.05, 0.94, 0.17),
-            QString::fromStdString(picture.headline), 0.085, true, kInk);
-  draw_line(painter, area, part(area, 0.06, 0.17, 0.94, 0.25),
-            QString::fromStdString(picture.detail), 0.045, false, kSoftInk);
+void draw_effort(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
+  draw_words(painter, area, picture);
+  const double sign = 0.40 * area.height();
+  const double middle = area.center().x();
+  const double left = picture.force_shown ? middle - 1.2 * sign : middle - 0.5 * sign;
+  paint_sign(painter, QRectF(left, area.top() + 0.42 * area.height(), sign, sign), picture);
+  if (!picture.force_shown) return;
+  const double width = 0.16 * area.height();
+  draw_column(
+      painter,
+      QRectF(middle + 0.3 * sign, area.top() + 0.36 * area.height(), width, 0.54 * area.height()),
+      picture);
+}
 
-  const QRectF field = part(area, 0.0, 0.30, 1.0, 0.90);
-  const double px_per_s = field.width() / (kBehind_s + kAhead_s);
-  const double now_x = field.left() + kBehind_s * px_per_s;
-  const auto y_of = [&](double force_N) {
-    const double share = std::clamp(force_N / picture.top_N, -0.05, 1.05);
-    return field.bottom() - share * field.height();
-  };
-  painter.setPen(Qt::NoPen);
-  painter.fillRect(field, Qt::white);
-  painter.setPen(QPen(kFaint, 2));
-  painter.drawLine(QPointF(field.left(), y_of(0.0)), QPointF(field.right(), y_of(0.0)));
-
-  const double half_band = 0.055 * field.height();
-  QPolygonF line, band;
-  for (int k = 0; k <= kSteps; ++k) {
-    const double t_s = picture.task_time_s - kBehind_s + (kBehind_s + kAhead_s) * k / kSteps;
-    if (t_s > preview.end_s()) break;
-    line.append({field.left() + field.width() * k / kSteps, y_of(preview.at(t_s))});
+/// A field of time to the right and force up, round the present.
+class Field {
+ public:
+  Field(const QRectF& field, const PatientPicture& picture, double behind_s, double ahead_s)
+      : field_(field),
+        axis_(picture.axis),
+        now_s_(picture.task_time_s),
+        behind_s_(behind_s),
+        px_per_s_(field.width() / (behind_s + ahead_s)) {}
+  [[nodiscard]] double x(double task_time_s) const {
+    return field_.left() + (task_time_s - now_s_ + behind_s_) * px_per_s_;
   }
+  [[nodiscard]] double y(double force_N) const {
+    return field_.bottom() - axis_.share(force_N) * field_.height();
+  }
+
+ private:
+  QRectF field_;
+  ForceAxis axis_;
+  double now_s_;
+  double behind_s_;
+  double px_per_s_;
+};
+
+void draw_band(QPainter& painter, const QPolygonF& line, double half_band) {
+  QPolygonF band;
   for (const auto& point : line) band.append(point - QPointF(0, half_band));
   for (auto point = line.rbegin(); point != line.rend(); ++point)
     band.append(*point + QPointF(0, half_band));
@@ -217,18 +164,76 @@ void draw_tracking(QPainter& painter, const QRectF& area, const PatientPicture& 
   painter.drawPolygon(band);
   painter.setPen(QPen(kBandEdge, 3));
   painter.drawPolyline(line);
+}
 
-  painter.setPen(QPen(kSoftInk, 2, Qt::DashLine));
-  painter.drawLine(QPointF(now_x, field.top()), QPointF(now_x, field.bottom()));
-  const QPointF dot(now_x, y_of(picture.force_N));
-  const bool inside = std::abs(dot.y() - y_of(picture.target_N)) <= half_band;
-  const double radius = 0.036 * area.height();
+/// The target as time passes; where it has no value on the screen the line is broken.
+void draw_moving_target(QPainter& painter, const PatientPicture& picture, const Field& place,
+                        double from_s, double to_s, double half_band) {
+  constexpr int kSteps = 160;
+  QPolygonF line;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double t_s = from_s + (to_s - from_s) * k / kSteps;
+    const auto target_N = picture.preview->at(t_s, picture.task_time_s);
+    if (target_N) line.append({place.x(t_s), place.y(*target_N)});
+    if (target_N && k < kSteps) continue;
+    draw_band(painter, line, half_band);
+    line.clear();
+  }
+}
+
+void draw_dot(QPainter& painter, const QPointF& dot, double radius, bool inside) {
+  if (inside) return paint_check(painter, dot, radius);
   painter.setPen(QPen(Qt::white, 4));
   painter.setBrush(kDot);
-  if (inside)
-    paint_check(painter, dot, radius);
-  else
-    painter.drawEllipse(dot, radius, radius);
+  painter.drawEllipse(dot, radius, radius);
+}
+
+void draw_tracking(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
+  constexpr double kBehind_s = 1.5;
+  const bool sign = picture.sign == PatientPicture::Sign::act && picture.channel != ForceChannel{};
+  const double sign_side = 0.22 * area.height();
+  const double sign_left = 0.05;
+  draw_words(painter, area, picture, sign ? sign_left + 0.03 + sign_side / area.width() : 0.06);
+  const QRectF field = part(area, 0.0, 0.30, 1.0, 0.90);
+  // With a future the present stands at the left, without one in the middle of the screen.
+  const bool future = picture.preview != nullptr;
+  const double ahead_s = future ? picture.preview->ahead_s : kBehind_s;
+  const Field place(field, picture, kBehind_s, ahead_s);
+  const double now_x = place.x(picture.task_time_s);
+  painter.fillRect(field, Qt::white);
+  painter.setPen(QPen(kZero, 3));
+  painter.drawLine(QPointF(field.left(), place.y(0.0)), QPointF(field.right(), place.y(0.0)));
+  const double half_band = 0.055 * field.height();
+  const double target_y = place.y(picture.target_N);
+  if (picture.line_shown && future)
+    draw_moving_target(painter, picture, place, picture.task_time_s - kBehind_s,
+                       picture.task_time_s + ahead_s, half_band);
+  else if (picture.line_shown)
+    draw_band(painter, polygon({{field.left(), target_y}, {field.right(), target_y}}), half_band);
+  painter.setPen(QPen(kSoftInk, 2, Qt::DashLine));
+  painter.drawLine(QPointF(now_x, field.top()), QPointF(now_x, field.bottom()));
+  if (picture.force_shown) {
+    const QPointF dot(now_x, place.y(picture.force_N));
+    draw_dot(painter, dot, 0.036 * area.height(),
+             picture.line_shown && std::abs(dot.y() - target_y) <= half_band);
+  }
+  if (picture.sign == PatientPicture::Sign::let_go) {
+    const double size = 0.44 * area.height();
+    paint_sign(
+        painter,
+        QRectF(field.left() + 0.14 * area.width(), field.center().y() - 0.5 * size, size, size),
+        picture);
+  }
+  if (sign)
+    paint_sign(painter,
+               QRectF(area.left() + sign_left * area.width(), area.top() + 0.04 * area.height(),
+                      sign_side, sign_side),
+               picture);
+}
+
+void draw_directions(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
+  draw_words(painter, area, picture);
+  paint_directions(painter, part(area, 0.03, 0.27, 0.97, 0.93), picture);
 }
 
 }  // namespace
@@ -239,6 +244,7 @@ void paint_page(QPainter& painter, const QRectF& area, const PatientPicture& pic
   switch (picture.page) {
     case PatientPicture::Page::effort: draw_effort(painter, area, picture); break;
     case PatientPicture::Page::tracking: draw_tracking(painter, area, picture); break;
+    case PatientPicture::Page::directions: draw_directions(painter, area, picture); break;
     default: draw_message(painter, area, picture);
   }
   if (picture.progress_shown) draw_progress(painter, area, picture.progress);

@@ -18,6 +18,7 @@ struct PatientFacts {
   bool session_open = false;
   bool simulated = false;
   bool device_fault = false;  ///< also while no trial runs
+  Hand hand = Hand::right;    ///< in the device
   Snapshot snapshot;
   std::shared_ptr<const TaskSpec> task;  ///< the running one
   std::shared_ptr<const Scene> scene;    ///< of that task, turned for the hand
@@ -36,9 +37,18 @@ struct FingerPicture {
   double effort = 0.0;  ///< 0 … 1
 };
 
+/// Force asked of one digit, and its own, contact frame [N].
+struct DigitPicture {
+  bool asked = false;
+  Vec3 target_C = Vec3::Zero();
+  Vec3 force_C = Vec3::Zero();
+  bool on_target = false;
+};
+
 struct PatientPicture {
-  enum class Page : std::uint8_t { message, effort, tracking, object };
-  enum class Sign : std::uint8_t { wait, hand_out, rest, squeeze, good };
+  enum class Page : std::uint8_t { message, effort, tracking, directions, object };
+  /// `act`: what the channel asks for.
+  enum class Sign : std::uint8_t { wait, hand_out, rest, act, let_go, memory, good };
   enum class Notice : std::uint8_t { none, pause, fault };
 
   Page page = Page::message;
@@ -47,15 +57,23 @@ struct PatientPicture {
   std::string headline;          ///< the instruction, large
   std::string detail;            ///< one more sentence, or nothing
   std::string notice_words;
+  bool urgent = false;  ///< it is to be done now: the instruction stands out
   bool simulated = false;
   bool progress_shown = false;
   double progress = 0.0;  ///< of the trial, 0 … 1
 
-  double force_N = 0.0;  ///< grip
-  double target_N = 0.0;
+  Hand hand = Hand::right;
+  ForceChannel channel;      ///< which force the next values are
+  bool force_shown = false;  ///< the own force is on the screen
+  double force_N = 0.0;      ///< 0 while it is not
+  double full_N = 1.0;       ///< effort: about half of the column
+  bool line_shown = false;   ///< the force target is on the screen
+  double target_N = 0.0;     ///< 0 while it is not
   double task_time_s = 0.0;
-  double top_N = 1.0;  ///< upper end of the force scale
-  std::shared_ptr<const TargetPreview> preview;
+  ForceAxis axis;                                ///< of force and target
+  std::shared_ptr<const TargetPreview> preview;  ///< null: nothing of the target's future
+  std::array<DigitPicture, kFingerCount> digits{};
+  double digits_N = 1.0;  ///< largest force asked of a digit in this trial
 
   std::shared_ptr<const Scene> scene;
   Pose object;

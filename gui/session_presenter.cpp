@@ -324,6 +324,7 @@ void SessionPresenter::start() {
   zero_refusal_.clear();
   zero_only_changed_ = false;
   const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
+  const TaskContext context = session_->next_context();
   if (auto started = session_->start_trial(spec, practice_); !started) {
     refuse(started.error());
     return;
@@ -331,16 +332,13 @@ void SessionPresenter::start() {
   starting_ = true;
   just_completed_ = false;
   live_score_.clear();
-  prepare_picture(spec);
+  prepare_picture(spec, context);
   Q_EMIT score_changed();
   update();
 }
 
-void SessionPresenter::prepare_picture(const TaskSpec& spec) {
+void SessionPresenter::prepare_picture(const TaskSpec& spec, const TaskContext& context) {
   running_ = std::make_shared<TaskSpec>(spec);
-  TaskContext context;
-  context.period_s = session_->device().frame_period_s;
-  context.references = session_->references();
   preview_ = std::make_shared<TargetPreview>(preview_target(spec, context));
   scene_.reset();
   if (spec.scene().empty()) return;
@@ -459,6 +457,7 @@ PatientPicture SessionPresenter::picture() const {
   facts.simulated = simulated();
   facts.device_fault = session_ != nullptr && snapshot_.frames > 0 &&
                        snapshot_.stage != Stage::finished && view_.device_mood == Mood::fault;
+  facts.hand = session_ == nullptr ? Hand::right : session_->record().hand;
   facts.snapshot = snapshot_;
   facts.task = running_;
   facts.scene = scene_;

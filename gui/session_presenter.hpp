@@ -116,7 +116,7 @@ class SessionPresenter final : public QObject {
   void close_session(const std::string& why);
   template <class Closed>
   void close_on_worker(std::unique_ptr<Session> session, Closed closed);
-  void prepare_picture(const TaskSpec& spec);
+  void prepare_picture(const TaskSpec& spec, const TaskContext& context);
   void refuse(const Error& error);
 
   GuiConfig config_;

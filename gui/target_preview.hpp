@@ -1,25 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force target ahead of time, for the scrolling band of the patient's screen: the task itself
-// is run once without forces, so preview and trial cannot differ.
+// What is known of a force task before it begins, for the patient's screen: the range of its
+// targets, what comes after each part, and as much of the target's future as may be seen. It comes
+// from the timeline that the task itself plays, so picture and trial cannot differ.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "tasks/task.hpp"
 
 namespace isograsp {
 
-struct TargetPreview {
-  double period_s = 0.0;
-  std::vector<double> target_N;  ///< value k is shown at task time k * period_s; empty: no target
-  [[nodiscard]] bool empty() const noexcept { return target_N.empty(); }
-  /// Linear between the values; the first before the start, the last after the end. @pre !empty()
-  [[nodiscard]] double at(double task_time_s) const noexcept;
-  [[nodiscard]] double end_s() const noexcept;
-  [[nodiscard]] double most_N() const noexcept;
+/// The force axis of a picture: the targets of the whole trial and zero lie in its linear middle;
+/// beyond it more force still moves the mark, ever less, and never off the screen. It stays as it
+/// is for the trial.
+struct ForceAxis {
+  double least_N = 0.0;  ///< <= 0
+  double most_N = 1.0;   ///< > least_N, >= 0
+  /// Height of a force, 0 … 1 exclusive. Strictly increasing.
+  [[nodiscard]] double share(double force_N) const noexcept;
 };
 
-/// Empty for tasks whose target is not a function of time alone.
+struct TargetPreview {
+  /// One part of the task, as TaskView::segment counts them.
+  struct Part {
+    Cue cue = Cue::relax;
+    ForceChannel channel;
+    bool steady = false;  ///< a target that stays where it is
+  };
+  double period_s = 0.0;
+  /// Value k is the target at task time k * period_s; NaN: none on the screen then. Empty unless
+  /// some future may be seen.
+  std::vector<double> target_N;
+  double ahead_s = 0.0;  ///< how much of the future may be on the screen
+  ForceAxis axis;
+  double digits_N = 0.0;  ///< largest force asked of a single digit; 0: none is asked
+  std::vector<Part> parts;
+
+  [[nodiscard]] bool has_target() const noexcept { return axis.most_N > axis.least_N; }
+  /// Linear between two values; nothing where no target may be seen: before the start, after the
+  /// end, later than `ahead_s` after `now_s`, beside a part without one.
+  [[nodiscard]] std::optional<double> at(double task_time_s, double now_s) const noexcept;
+  /// The next part after `segment` that asks for something; null: rest until the end.
+  [[nodiscard]] const Part* next_effort(int segment) const noexcept;
+};
+
+/// Without parts for tasks with an object. Tasks whose waits cannot be foreseen have no future to
+/// be seen whatever their file says: the wait would show where it ends.
 [[nodiscard]] TargetPreview preview_target(const TaskSpec& spec, const TaskContext& context);
 
 }  // namespace isograsp

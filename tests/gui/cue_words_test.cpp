@@ -51,7 +51,7 @@ TEST(CueWords, AreThereAndShortForEveryCueChannelAndHand) {
         EXPECT_FALSE(detail.empty()) << where;
         EXPECT_LE(headline.size(), kMostHeadline) << where;
         EXPECT_LE(detail.size(), kMostDetail) << where;
-        EXPECT_LE(std::count(headline.begin(), headline.end(), ' '), 4) << where;
+        EXPECT_LE(std::count(headline.begin(), headline.end(), ' '), 5) << where;
       }
 }
 

@@ -135,16 +135,57 @@ TEST(TargetPreview, IsExactlyWhatTheTaskWillShow) {
   for (std::size_t k = 0; k < preview.target_N.size(); ++k) {
     const TaskView view = (*trial)->step(pressing);
     ASSERT_EQ(preview.target_N[k], view.target_force_N);
-    ASSERT_NEAR(preview.at(view.task_time_s), view.target_force_N, 1e-9)
+    const auto shown = preview.at(view.task_time_s, view.task_time_s);
+    ASSERT_TRUE(shown.has_value()) << view.task_time_s;
+    ASSERT_NEAR(*shown, view.target_force_N, 1e-9)
         << "time over period may round to a neighbour: slope 12 N/s times 1e-12 s";
   }
-  EXPECT_DOUBLE_EQ(preview.end_s(), sine->duration().worst_s);
-  EXPECT_DOUBLE_EQ(preview.most_N(), 0.3 * 40.0);
+  EXPECT_DOUBLE_EQ(preview.period_s * static_cast<double>(preview.target_N.size()),
+                   sine->duration().worst_s);
+  EXPECT_DOUBLE_EQ(preview.axis.most_N, 0.3 * 40.0);
+  EXPECT_DOUBLE_EQ(preview.axis.least_N, 0.0);
+}
+
+TEST(TargetPreview, EndsAsFarAheadAsTheTaskAllows) {
+  TaskContext context;
+  context.references.maximum_N[{}] = 40.0;
+  const auto preview = preview_target(*task("grip_sine.toml"), context);
+  EXPECT_DOUBLE_EQ(preview.ahead_s, 4.0) << "the shipped sine keeps its picture";
+  EXPECT_TRUE(preview.at(14.0, 10.0).has_value());
+  EXPECT_FALSE(preview.at(14.1, 10.0).has_value());
+  EXPECT_FALSE(preview.at(-0.1, 0.0).has_value()) << "nothing before the start";
+  EXPECT_FALSE(preview.at(32.1, 32.0).has_value()) << "nothing after the end";
 }
 
 TEST(TargetPreview, IsEmptyWhereTheTargetIsNotAFunctionOfTime) {
-  EXPECT_TRUE(preview_target(*task("two_target.toml"), {}).empty());
-  EXPECT_TRUE(preview_target(*task("resting_force.toml"), {}).empty());
+  EXPECT_TRUE(preview_target(*task("two_target.toml"), {}).parts.empty());
+  EXPECT_FALSE(preview_target(*task("resting_force.toml"), {}).has_target());
+}
+
+TEST(ForceAxis, HoldsEveryForceAndMoreForceIsAlwaysHigher) {
+  for (const ForceAxis axis : {ForceAxis{0.0, 12.0}, ForceAxis{-4.0, 8.0}, ForceAxis{-6.0, 0.0}}) {
+    double last = 0.0;
+    for (double force_N = -500.0; force_N <= 500.0; force_N += 0.25) {
+      const double share = axis.share(force_N);
+      ASSERT_GT(share, last) << force_N;
+      ASSERT_LT(share, 1.0) << force_N;
+      last = share;
+    }
+    const double middle = axis.share(0.5 * (axis.least_N + axis.most_N));
+    EXPECT_NEAR(middle, 0.5 * (axis.share(axis.least_N) + axis.share(axis.most_N)), 1e-12)
+        << "linear between the targets";
+  }
+}
+
+TEST(ForceAxis, DoesNotBendSharplyWhereTheTargetsEnd) {
+  const ForceAxis axis{-2.0, 10.0};
+  constexpr double kStep_N = 1e-6;
+  constexpr double kCurvature = 1e-5;  // one step's share of the slope's change
+  for (const double end_N : {axis.least_N, axis.most_N}) {
+    const double before = axis.share(end_N) - axis.share(end_N - kStep_N);
+    const double after = axis.share(end_N + kStep_N) - axis.share(end_N);
+    EXPECT_NEAR(after / before, 1.0, kCurvature);
+  }
 }
 
 }  // namespace

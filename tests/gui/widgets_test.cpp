@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QShortcut>
+#include <set>
 
 #include "gui/patient_canvas.hpp"
 #include "operator.hpp"
@@ -110,6 +111,29 @@ TEST_F(TherapistWindowTest, SearchFindsAPatientByAnyPartOfTheCode) {
   EXPECT_EQ(list.count(), 0);
 }
 
+TEST_F(TherapistWindowTest, KeysAndClicksPassOverTheHeadingsOfTheTaskList) {
+  auto& list = operator_.find<QListWidget>("tasks");
+  const auto number = [&](int row) { return list.item(row)->data(Qt::UserRole); };
+  int headings = 0;
+  for (int row = 0; row < list.count(); ++row) headings += number(row).isValid() ? 0 : 1;
+  EXPECT_GE(headings, 3);
+  EXPECT_EQ(list.count() - headings, static_cast<int>(windows_.presenter().tasks().size()));
+  EXPECT_FALSE(number(0).isValid()) << "a heading comes first";
+  list.setFocus();
+  std::set<int> visited{windows_.presenter().task()};
+  for (int step = 0; step < list.count(); ++step) {
+    QTest::keyClick(&list, Qt::Key_Down);
+    ASSERT_TRUE(number(list.currentRow()).isValid()) << list.currentRow();
+    EXPECT_EQ(number(list.currentRow()).toInt(), windows_.presenter().task());
+    visited.insert(windows_.presenter().task());
+  }
+  EXPECT_EQ(visited.size(), windows_.presenter().tasks().size());
+  const int chosen = windows_.presenter().task();
+  QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier,
+                    list.visualItemRect(list.item(0)).center());
+  EXPECT_EQ(windows_.presenter().task(), chosen);
+}
+
 TEST_F(TherapistWindowTest, AnAbsentDeviceIsRefusedInWords) {
   operator_.press("add_patient");
   ASSERT_TRUE(wait_until([&] { return !windows_.presenter().patient().empty(); }));
@@ -203,7 +227,8 @@ TEST(PatientCanvas, EveryPageLooksDifferent) {
   PatientPicture picture;
   for (const auto sign :
        {PatientPicture::Sign::wait, PatientPicture::Sign::hand_out, PatientPicture::Sign::rest,
-        PatientPicture::Sign::squeeze, PatientPicture::Sign::good}) {
+        PatientPicture::Sign::act, PatientPicture::Sign::let_go, PatientPicture::Sign::memory,
+        PatientPicture::Sign::good}) {
     picture.sign = sign;
     pages.push_back(paint(picture));
   }
@@ -218,20 +243,16 @@ TEST(PatientCanvas, EveryPageLooksDifferent) {
 }
 
 TEST(PatientCanvas, TheDotOnTheTargetIsMarkedByShapeToo) {
-  auto preview = std::make_shared<TargetPreview>();
-  preview->period_s = 0.01;
-  preview->target_N.assign(1000, 10.0);
   PatientPicture picture;
   picture.page = PatientPicture::Page::tracking;
-  picture.preview = preview;
-  picture.top_N = 15.0;
+  picture.line_shown = picture.force_shown = true;
+  picture.axis = {0.0, 10.0};
   picture.target_N = 10.0;
-  picture.task_time_s = 5.0;
   const auto whites_near_dot = [&](double force_N) {
     picture.force_N = force_N;
     const QImage image = paint(picture);
-    const int x = static_cast<int>(640.0 * 1.5 / 5.5);
-    const int y = static_cast<int>(360 * (0.90 - 0.60 * force_N / 15.0));
+    const int x = 640 / 2;
+    const int y = static_cast<int>(360 * (0.90 - 0.60 * picture.axis.share(force_N)));
     int bright = 0;
     for (int dy = -6; dy <= 6; ++dy)
       for (int dx = -6; dx <= 6; ++dx) bright += qGreen(image.pixel(x + dx, y + dy)) > 200;

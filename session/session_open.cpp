@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a session begins: device, clock, database, in an order in which a refusal leaves no trace.
+#include <algorithm>
+#include <ctime>
+
+#include "core/time.hpp"
+#include "device/uri.hpp"
+#include "session/session_parts.hpp"
+#include "session/simulated_person.hpp"
+
+namespace isograsp {
+
+std::string cpu_features() {
+  std::string text = "x86-64";
+  if (__builtin_cpu_supports("avx2")) text += " avx2";
+  if (__builtin_cpu_supports("fma")) text += " fma";
+  if (__builtin_cpu_supports("avx512f")) text += " avx512f";
+  return text;
+}
+
+namespace {
+
+std::string joined_lines(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const auto& line : lines) text += line + "\n";
+  return text;
+}
+
+/// Coarsest step of a force component; 0: the device has no counts.
+double resolution_N(const DeviceInfo& info) {
+  double coarsest_N = 0.0;
+  for (const Vec6& unit : info.units_per_count)
+    coarsest_N = std::max(coarsest_N, unit.head<3>().cwiseAbs().maxCoeff());
+  return coarsest_N;
+}
+
+}  // namespace
+
+Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for, Hand hand) {
+  if (mounted_for == name_of(hand)) return {};
+  return Error{Error::Code::bad_input,
+               "the device is set up for the " + std::string(mounted_for) +
+                   " hand, the session for the " + std::string(name_of(hand)),
+               "turn the platform and choose the configuration for that hand, or choose the " +
+                   std::string(mounted_for) + " hand",
+               device_uri,
+               0,
+               "hand"};
+}
+
+Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
+  auto parts = std::make_unique<Parts>();
+  parts->config = config;
+  const auto uri = Uri::parse(config.device_uri);
+  if (!uri) return uri.error();
+  const std::string said = uri->text_or("hand", std::string(name_of(config.hand)));
+  if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same.error();
+  if (auto good = check_patient_code(config.patient_code); !good) return good.error();
+  auto viewer = simulated_person(*uri, config.library);
+  if (!viewer) return viewer.error();
+  parts->viewer = std::move(*viewer);
+  DeviceOptions device_options;
+  device_options.source = parts->viewer.get();
+  auto device = open_device(config.device_uri, device_options);
+  if (!device) return device.error();
+  parts->device = std::move(*device);
+  const DeviceInfo& info = parts->device->info();
+  if (info.hand)
+    if (auto same = check_hand(config.device_uri, name_of(*info.hand), config.hand); !same)
+      return same.error();
+  if (config.virtual_time && !info.simulated && !info.recorded)
+    return uri->error("", "a real device cannot run in virtual time", "leave out --fast");
+  if (!config.virtual_time)
+    if (auto made = parts->make_acquisition_thread(); !made) return made.error();
+
+  // Real sensors tell who they are only when they are started; if they do not answer, nothing is
+  // written.
+  if (config.virtual_time)
+    parts->clock = std::make_unique<ManualClock>();
+  else
+    parts->clock = std::make_unique<SteadyClock>();
+  if (auto started = parts->device->start(*parts->clock); !started) return started.error();
+  parts->streaming = true;
+  const Timestamp start = parts->device->now(*parts->clock);
+
+  auto store =
+      SessionStore::open(config.database, config.create_database ? SessionStore::Open::create
+                                                                 : SessionStore::Open::existing);
+  if (!store) return store.error();
+  auto patient = (*store)->find_patient(config.patient_code);
+  if (!patient) return patient.error();
+  if (!*patient) {
+    const auto added = (*store)->add_patient(config.patient_code, config.started_utc);
+    if (!added) return added.error();
+    *patient = *added;
+    parts->patient_is_new = true;
+  }
+  SessionRecord& record = parts->record;
+  record.patient_id = (*patient)->id;
+  record.started_utc =
+      config.started_utc.empty() ? utc_text(std::time(nullptr)) : config.started_utc;
+  record.hand = config.hand;
+  record.device_uri = config.device_uri;
+  record.device_description = info.description;
+  record.simulated = info.simulated;
+  record.recorded = info.recorded;
+  record.provenance = joined_lines(info.provenance);
+  record.protocol_name = config.protocol_name;
+  record.protocol_text = config.protocol_text;
+  record.rate_Hz = 1.0 / info.frame_period_s;
+  record.device_delay_s = info.delay_s;
+  record.software_version = config.software_version;
+  record.cpu_features = cpu_features();
+  record.serial_numbers = info.serial_numbers;
+  record.operator_name = config.operator_name;
+  record.realtime = describe(parts->realtime);
+  if (uri->parameters.contains("seed"))
+    record.seed = std::strtoull(uri->parameters.at("seed").c_str(), nullptr, 10);
+  const auto last_zero = (*store)->last_zero(record);
+  if (!last_zero) return last_zero.error();
+  auto training = Training::read(**store, record);
+  if (!training) return training.error();
+  parts->training = *std::move(training);
+  parts->references.baseline_N = parts->training.baseline_N();
+  parts->references.allowed = config.allowed;
+  parts->references.ceiling_N = config.ceiling_N;
+  parts->references.resolution_N = resolution_N(info);
+  const auto session_id = (*store)->begin_session(record);
+  if (!session_id) return session_id.error();
+  record.id = *session_id;
+
+  Acquisition::Options options;
+  options.resume_by_itself = info.recorded;
+  options.viewer = parts->viewer.get();
+  if (*last_zero) options.last_zero = (*last_zero)->mean;
+  parts->acquisition = std::make_unique<Acquisition>(*parts->device, *parts->clock, start, options);
+  parts->recorder = std::make_unique<Recorder>(std::move(*store), record,
+                                               parts->acquisition->records(), !config.virtual_time);
+  if (!config.virtual_time) parts->start_threads();
+  return std::unique_ptr<Session>(new Session(std::move(parts)));
+}
+
+}  // namespace isograsp

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside session/ only: what a session consists of.
+#pragma once
+
+#include <atomic>
+#include <future>
+#include <latch>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "session/acquisition.hpp"
+#include "session/recorder.hpp"
+#include "session/session.hpp"
+#include "virtual_patient/virtual_patient.hpp"
+
+namespace isograsp {
+
+struct Session::Parts {
+  SessionConfig config;
+  SessionRecord record;
+  std::unique_ptr<Clock> clock;
+  std::unique_ptr<VirtualPatient> viewer;
+  std::unique_ptr<ForceDevice> device;
+  std::unique_ptr<Acquisition> acquisition;
+  std::unique_ptr<Recorder> recorder;
+  std::vector<std::unique_ptr<TrialSetup>> setups;  ///< live as long as the threads
+  std::atomic<bool> stop{false};
+  std::thread acquisition_thread;
+  std::thread recorder_thread;
+  bool pending = false;   ///< a zero or a trial was asked for and has not ended
+  bool finished = false;  ///< virtual time: the device has finished
+  bool closed = false;
+  bool patient_is_new = false;
+  ForceReferences references;
+  Training training;
+  std::optional<InstrumentZeroRecord> zero;  ///< in force
+  std::optional<double> strapped_at_s;       ///< session time
+  RealtimeGrant realtime;
+  std::latch go{1};  ///< the acquisition thread may begin
+  bool gone = false;
+  bool streaming = false;  ///< the device is started
+
+  ~Parts() {
+    stop_threads();
+    stop_device();
+  }
+
+  void stop_device() {
+    if (std::exchange(streaming, false)) device->stop();
+  }
+
+  [[nodiscard]] bool virtual_time() const { return clock->is_virtual(); }
+
+  /// Virtual time: one frame, recorded at once.
+  void step() {
+    if (!finished) finished = !acquisition->tick();
+    recorder->pump();
+  }
+
+  /// The acquisition thread asks for real time and waits; before anything is written, so that a
+  /// refusal leaves no trace.
+  Result<void> make_acquisition_thread() {
+    std::promise<Result<RealtimeGrant>> granted;
+    auto grant = granted.get_future();
+    acquisition_thread = std::thread([this, granted = std::move(granted)]() mutable {
+      granted.set_value(enter_realtime(config.realtime));
+      go.wait();
+      while (!stop.load(std::memory_order_relaxed) && acquisition->tick()) {
+      }
+    });
+    auto got = grant.get();
+    if (!got) return got.error();
+    realtime = *std::move(got);
+    return {};
+  }
+
+  void let_go() {
+    if (!std::exchange(gone, true)) go.count_down();
+  }
+
+  void start_threads() {
+    let_go();
+    recorder_thread = std::thread([this] {
+      constexpr auto kPoll = std::chrono::milliseconds(10);
+      while (!stop.load(std::memory_order_relaxed)) {
+        recorder->pump();
+        std::this_thread::sleep_for(kPoll);
+      }
+    });
+  }
+
+  void stop_threads() {
+    stop = true;
+    let_go();
+    if (acquisition_thread.joinable()) acquisition_thread.join();
+    if (recorder_thread.joinable()) recorder_thread.join();
+  }
+
+  Result<void> send(const Command& command) {
+    if (acquisition->commands().push(command)) return {};
+    return Error{
+        Error::Code::failed, "the session does not answer", "close it and start again", "", 0, ""};
+  }
+
+  /// What the news say about references, zero and training.
+  void learn(const std::vector<SessionNews>& news);
+};
+
+}  // namespace isograsp

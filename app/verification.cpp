@@ -32,18 +32,19 @@ double relative_difference(double a, double b) {
 
 void compare(const std::string& place, const std::vector<Measure>& stored,
              const std::vector<Measure>& recomputed, Verification& result) {
-  if (stored.size() != recomputed.size())
-    result.problems.push_back(place + ": " + std::to_string(stored.size()) +
-                              " measures are stored, its signals give " +
-                              std::to_string(recomputed.size()));
-  for (std::size_t i = 0; i < std::min(stored.size(), recomputed.size()); ++i) {
-    const Measure& a = stored[i];
-    const Measure& b = recomputed[i];
+  // A newer program may give more measures than are stored, never fewer.
+  for (const Measure& a : stored) {
     const std::string name = place + ", " + a.name + " of " + a.channel;
     ++result.measures;
-    if (a.name != b.name || a.channel != b.channel || a.unit != b.unit) {
-      result.problems.push_back(name + ": its signals give " + b.name + " of " + b.channel);
-    } else if (a.version != b.version) {
+    const auto found = std::find_if(recomputed.begin(), recomputed.end(), [&](const Measure& one) {
+      return one.name == a.name && one.channel == a.channel && one.unit == a.unit;
+    });
+    if (found == recomputed.end()) {
+      result.problems.push_back(name + ": its signals give no such measure");
+      continue;
+    }
+    const Measure& b = *found;
+    if (a.version != b.version) {
       ++result.other_version;
     } else if (a.value.has_value() != b.value.has_value()) {
       result.problems.push_back(name + ": only " + (a.value ? "the stored" : "the recomputed") +

@@ -105,11 +105,13 @@ class TrackingScore {
     const std::vector<double> frequencies = axis.waveform.shape == Waveform::Shape::sine
                                                 ? std::vector{axis.waveform.frequency_Hz}
                                                 : axis.waveform.frequencies;
-    for (const SineAnswer& answer : sine_answers(section.t_s, target, actual, frequencies))
+    for (const SineAnswer& answer : sine_answers(section.t_s, target, actual, frequencies)) {
       add("gain",
           frequencies.size() == 1 ? channel
                                   : channel + "_" + format_number(answer.frequency_Hz) + "_Hz",
           "", answer.gain);
+      all.back().version = kGainVersion;
+    }
   }
 
   /// The distance, and the angle, between the object and the target as they are on the screen: also

@@ -86,10 +86,11 @@ double known_in(const Record& record, const Part& part, std::string_view column)
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-void MeasureList::add(std::string name, std::string channel, std::string unit,
-                      const Section& section, Computed computed) {
+Measure& MeasureList::add(std::string name, std::string channel, std::string unit,
+                          const Section& section, Computed computed) {
   measures_.push_back(make_measure(std::move(name), std::move(channel), std::move(unit), section,
                                    std::move(computed)));
+  return measures_.back();
 }
 
 void MeasureList::add_mean(std::string name, const std::string& channel, std::string unit,

@@ -48,8 +48,9 @@ struct Trace {
 /// Measures on their way to the record.
 class MeasureList {
  public:
-  void add(std::string name, std::string channel, std::string unit, const Section& section,
-           Computed computed);
+  /// The measure, so that its version can be raised.
+  Measure& add(std::string name, std::string channel, std::string unit, const Section& section,
+               Computed computed);
   /// Mean over repetitions of those that have a value; the first reason if none has.
   void add_mean(std::string name, const std::string& channel, std::string unit,
                 const Section& section, std::span<const Computed> each);

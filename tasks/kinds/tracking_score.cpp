@@ -62,7 +62,7 @@ void add_sines(const ForceTrackingSpec& spec, const Trace& trace, MeasureList& l
   for (const SineAnswer& answer : answers) {
     const std::string channel =
         answers.size() == 1 ? "force" : "force_" + format_number(answer.frequency_Hz) + "_Hz";
-    list.add("gain", channel, "", trace.section, answer.gain);
+    list.add("gain", channel, "", trace.section, answer.gain).version = kGainVersion;
     list.add("phase", channel, "rad", trace.section, answer.phase_rad);
     list.add("phase_lag", channel, "s", trace.section, answer.lag_s);
   }

@@ -35,7 +35,10 @@ struct SinesFit {
 [[nodiscard]] SinesFit fit_sines(std::span<const double> t_s, std::span<const double> x,
                                  std::span<const double> frequencies_Hz);
 
-/// How one sine of the target is answered, version 1.
+/// Version of the gain as tasks report it: 1 fitted one sine alone, 2 fits all of a target together.
+inline constexpr int kGainVersion = 2;
+
+/// How one sine of the target is answered, version 1 but for the gain.
 struct SineAnswer {
   double frequency_Hz = 0.0;
   Computed gain;       ///< amplitude of actual / amplitude of target

@@ -24,9 +24,19 @@ fi
 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-# The root is the host's own file tree, read-only; /mnt is the guest's. Words behind -- go to init.
-# More urgent than a busy computer's other work, where that is allowed.
-nice -n -20 "$uml" mem=384M rootfstype=hostfs rootflags=/ ro init="$init" con=null con0=null,fd:1 quiet \
-  ${ISOGRASP_LONG:+"ISOGRASP_LONG=1"} -- "$tests" </dev/null >"$log" 2>&1
-tr -d '\r' <"$log"
-grep -q '^guest: exit status 0' "$log"
+# One processor: the host stops the guest at every call of its kernel, and to hand it from one
+# processor to another costs up to forty times more.
+processor=$(taskset -cp $$ | sed 's/.*[^0-9]//')
+# Boots the guest; true if the tests passed there. The root is the host's own file tree, read-only;
+# /mnt is the guest's. Words behind -- go to init. More urgent than a busy computer's other work,
+# where that is allowed.
+passes() {
+  nice -n -20 taskset -c "$processor" \
+    "$uml" mem=384M rootfstype=hostfs rootflags=/ ro init="$init" con=null con0=null,fd:1 quiet \
+    ${ISOGRASP_LONG:+"ISOGRASP_LONG=1"} -- "$tests" </dev/null >"$log" 2>&1
+  tr -d '\r' <"$log"
+  grep -q '^guest: exit status 77' "$log" && exit 77
+  grep -q '^guest: exit status 0' "$log"
+}
+# A computer shared with others can stand still once; a fault of ours comes again.
+passes || { echo "run.sh: once more"; passes; }

@@ -120,11 +120,14 @@ Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64
       {"device_delay_s", session.device_delay_s},
       {"software_version", session.software_version},
       {"cpu_features", session.cpu_features},
-      {"seed", session.seed}};
+      {"seed", session.seed},
+      {"screening", session.allowed},
+      {"ceiling_N", or_null(session.ceiling_N)}};
   json["trial"] = {{"number", trial.number},
                    {"task", trial.task_name},
                    {"task_version", trial.task_version},
                    {"practice", trial.practice},
+                   {"helped", trial.helped},
                    {"status", name_of(trial.status)},
                    {"session_time_s", trial.session_time_s},
                    {"maximum_force_N", trial.maximum_force_N},
@@ -136,6 +139,7 @@ Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64
   for (std::size_t f = 0; f < kFingerCount; ++f)
     json["trial"]["contact_threshold_N"][std::string(kFingerNames[f])] =
         or_null(trial.threshold_N[f]);
+  json["trial"]["seed"] = trial.seed;
   json["trial"]["zero_drift_N"] = or_null(trial.zero_drift_N);
   json["trial"]["zero_drifted"] = trial.zero_drifted;
   json["health"] = Json::parse(trial.health_json, nullptr, false);

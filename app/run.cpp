@@ -48,7 +48,7 @@ Result<void> run_session(const RunOptions& options) {
                  0,
                  "--hand"};
   const auto allowed = effort_from_name(options.allowed);
-  if (!allowed)
+  if (!allowed && !options.allowed.empty())
     return Error{Error::Code::bad_input,
                  "'" + options.allowed + "' is no outcome of a screening",
                  "write maximum, comfortable or none",
@@ -71,8 +71,9 @@ Result<void> run_session(const RunOptions& options) {
   config.started_utc = options.started_utc;
   config.operator_name = options.operator_name;
   config.realtime = options.realtime;
-  config.allowed = *allowed;
+  config.allowed = allowed;
   config.ceiling_N = options.ceiling_N;
+  config.resume = options.resume;
   auto session = Session::open(config);
   if (!session) return session.error();
 
@@ -121,13 +122,15 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--hand", options->hand, "right or left")->capture_default_str();
   command->add_option("--operator", options->operator_name,
                       "Who runs it, stored with zero and resting force");
-  command
-      ->add_option("--allowed", options->allowed,
-                   "What the screening allows this hand: maximum, comfortable or none")
-      ->capture_default_str();
+  command->add_option(
+      "--allowed", options->allowed,
+      "What the screening allows this hand: maximum, comfortable or none; without it "
+      "nothing is kept and maximum is allowed");
   command->add_option("--ceiling", options->ceiling_N, "No target may exceed this force [N]")
       ->check(CLI::PositiveNumber);
   command->add_flag("--fast", options->fast, "Simulated and replayed devices in virtual time");
+  command->add_flag("--resume", options->resume,
+                    "Go on with the protocol that the last session of this hand has not finished");
   command->add_flag("--serviced", options->serviced,
                     "The device was serviced or remounted: its zero may differ from the last one");
   realtime->add_to(*command);

@@ -17,11 +17,12 @@ struct RunOptions {
   std::string patient;
   std::string hand = "right";
   bool fast = false;
+  bool resume = false;      ///< go on with the protocol of the patient's last session
   bool quiet = false;       ///< no progress bar and no scores
   std::string started_utc;  ///< empty: now
   std::string operator_name;
   bool serviced = false;  ///< the operator confirms that the device was serviced or remounted
-  std::string allowed = "maximum";  ///< outcome of the screening for this hand
+  std::string allowed;    ///< outcome of the screening for this hand; empty: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
   Realtime realtime = Realtime::prefer;
 };

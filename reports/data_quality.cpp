@@ -134,9 +134,11 @@ QualityLine sample_line(const SignalFacts& facts, std::int64_t recorder_drops, s
 QualityLine trial_line(const std::vector<TrialRecord>& trials) {
   int completed = 0;
   int practice = 0;
+  int helped = 0;
   std::string unfinished;
   for (const auto& trial : trials) {
     practice += trial.practice ? 1 : 0;
+    helped += trial.helped ? 1 : 0;
     if (trial.status == TrialStatus::completed)
       ++completed;
     else
@@ -146,6 +148,7 @@ QualityLine trial_line(const std::vector<TrialRecord>& trials) {
   std::string text =
       std::to_string(completed) + " of " + std::to_string(trials.size()) + " completed";
   if (practice > 0) text += ", " + std::to_string(practice) + " of them practice";
+  if (helped > 0) text += ", " + std::to_string(helped) + " with the therapist's help";
   return {"Trials", text + unfinished, !unfinished.empty()};
 }
 

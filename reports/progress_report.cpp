@@ -61,7 +61,7 @@ std::string difference(const StoredTrial& a, const StoredTrial& b) {
 }
 
 bool counts(const TrialRecord& trial) {
-  return trial.status == TrialStatus::completed && !trial.practice;
+  return trial.status == TrialStatus::completed && !trial.practice && !trial.helped;
 }
 
 void add_last_trial(SessionStore& store, const StoredTrial& newest, TaskSection& section) {
@@ -97,12 +97,15 @@ TaskSection make_section(SessionStore& store, const std::vector<const StoredTria
   std::vector<const StoredTrial*> compared;
   std::map<std::string, std::set<std::size_t>> left_out;
   int practice = 0;
+  int helped = 0;
   int unfinished = 0;
   for (const StoredTrial* entry : all) {
     if (const auto why = difference(*entry, newest); !why.empty())
       left_out[why].insert(entry->session);
     else if (entry->trial.practice)
       ++practice;
+    else if (entry->trial.helped)
+      ++helped;
     else if (entry->trial.status != TrialStatus::completed)
       ++unfinished;
     else
@@ -117,6 +120,8 @@ TaskSection make_section(SessionStore& store, const std::vector<const StoredTria
     if (n > 0) section.notes.push_back(std::to_string(n) + (n == 1 ? one : many));
   };
   note(practice, " practice trial left out", " practice trials left out");
+  note(helped, " trial with the therapist's help left out",
+       " trials with the therapist's help left out");
   note(unfinished, " trial that did not end left out", " trials that did not end left out");
   if (compared.empty()) return section;
 

@@ -16,7 +16,7 @@ namespace isograsp {
 /// - a series holds only trials of one hand, one source, one task version with equal parameters and
 ///   scene, one frame rate, device delay and measure version; the newest such group is shown and
 ///   the others are named in the notes;
-/// - practice, aborted and interrupted trials are recorded but not part of any value;
+/// - practice, helped, aborted and interrupted trials are recorded but not part of any value;
 /// - the baseline is the mean of the first two assessment days once there is a later one; before
 ///   that it is the first day, or the first session if all stand on one day.
 /// Errors: bad_input for an unknown patient; failed, if the watcher wants to stop (asked between

@@ -29,7 +29,7 @@ struct ReportSession {
   std::string provenance;  ///< of a recording; one line each
 };
 
-/// All completed trials of one session, practice left out.
+/// All completed trials of one session, practice and helped ones left out.
 struct SessionValue {
   std::size_t session = 0;     ///< index into ReportContent::sessions
   std::vector<double> trials;  ///< in the order of the trials

@@ -18,21 +18,15 @@ Error failure(std::string what, std::string remedy) {
   return {Error::Code::failed, std::move(what), std::move(remedy), "", 0, ""};
 }
 
-/// The measure of this trial on which attempts must agree.
-std::optional<double> agreeing(const ProtocolStep& step, const TrialOutcome& outcome) {
-  if (!step.agreement) return std::nullopt;
-  for (const Measure& measure : outcome.measures)
-    if (measure.name == step.agreement->measure) return measure.value;
-  return std::nullopt;
-}
-
 class Run {
  public:
   Run(Session& session, const std::function<void(const ProtocolProgress&)>& progress, bool serviced)
       : session_(session), progress_(progress), serviced_(serviced) {}
 
   Result<ProtocolResult> all(const ReadyProtocol& protocol) {
-    Agenda agenda(protocol.spec, session_.record().seed);
+    Agenda agenda(protocol.spec, session_.order_seed());
+    tell(agenda, protocol.spec, session_.earlier());
+    if (auto ready = set_up_again(protocol, agenda); !ready) return ready.error();
     while (const auto item = agenda.next()) {
       const ProtocolStep& step = protocol.spec.steps[item->step];
       position_.step = agenda.done();
@@ -51,7 +45,8 @@ class Run {
           const TaskSpec& spec = protocol.tasks[item->step][item->task];
           if (auto done = task_step(step, spec, *item); !done) return done.error();
           outcome.completed = trial_was_made_;
-          if (trial_was_made_) outcome.agreeing = agreeing(step, result_.trials.back());
+          if (trial_was_made_ && !result_.trials.back().trial.helped)
+            outcome.agreeing = agreeing(step, result_.trials.back().measures);
           break;
         }
       }
@@ -67,6 +62,25 @@ class Run {
   void report(std::string doing) {
     position_.doing = std::move(doing);
     if (progress_) progress_(position_);
+  }
+
+  /// A protocol that is taken up again: the device was switched off and the hand taken out, so zero
+  /// and resting force are measured anew.
+  Result<void> set_up_again(const ReadyProtocol& protocol, const Agenda& agenda) {
+    const auto next = agenda.next();
+    if (agenda.done() == 0 || !next) return {};
+    bool zeroed = false;
+    for (std::size_t i = 0; i < next->step; ++i) {
+      const bool zero = protocol.spec.steps[i].kind == ProtocolStep::Kind::instrument_zero;
+      if (zero && !std::exchange(zeroed, true))
+        if (auto done = zero_step(); !done) return done;
+      for (const TaskSpec& spec : protocol.tasks[i]) {
+        if (!std::holds_alternative<RestSpec>(spec.kind)) continue;
+        report(spec.name);
+        if (auto done = trial(spec, false, std::nullopt); !done) return done;
+      }
+    }
+    return {};
   }
 
   Result<void> zero_step() {
@@ -101,9 +115,10 @@ class Run {
     if (planned > 1)
       doing += " (" + std::to_string(item.attempt) + " of " + std::to_string(planned) + ")";
     report(doing);
-    if (!step.adaptive) return trial(spec, step.practice);
+    const TrialPlace place{static_cast<int>(item.step), static_cast<int>(item.task)};
+    if (!step.adaptive) return trial(spec, step.practice, place);
     const auto leveled = at_level(spec, session_.training().level(spec));
-    return leveled ? trial(*leveled, step.practice) : leveled.error();
+    return leveled ? trial(*leveled, step.practice, place) : leveled.error();
   }
 
   /// Rests go on in the session's own time.
@@ -112,11 +127,11 @@ class Run {
     if (session_time_s > now_s) session_.let_pass(session_time_s - now_s);
   }
 
-  Result<void> trial(const TaskSpec& spec, bool practice) {
+  Result<void> trial(const TaskSpec& spec, bool practice, std::optional<TrialPlace> place) {
     std::string reason;
     trial_was_made_ = true;
     for (int attempt = 0; attempt < kTrialAttempts; ++attempt) {
-      if (auto started = session_.start_trial(spec, practice); !started) {
+      if (auto started = session_.start_trial(spec, practice, place); !started) {
         if (started.error().code != Error::Code::bad_input) return started;
         leave_out(spec, started.error());
         return {};

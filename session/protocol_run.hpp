@@ -20,11 +20,12 @@ struct ProtocolResult {
   std::vector<std::string> left_out;  ///< tasks that this hand cannot be asked, and why
 };
 
-/// Runs `protocol` in `session`; `serviced`: the operator has confirmed that the device was
-/// serviced or remounted, so that its first zero may differ from the last one. A zero that is
-/// refused three times, or a trial that a device fault interrupts twice, ends the protocol with an
-/// error; what was recorded stays. A task that is refused for this hand (a target that the sensors
-/// cannot resolve, effort that the screening does not allow) is left out, noted and told.
+/// Runs `protocol` in `session`, or what is left of it if the session resumes one; `serviced`: the
+/// operator has confirmed that the device was serviced or remounted, so that its first zero may
+/// differ from the last one. A zero that is refused three times, or a trial that a device fault
+/// interrupts twice, ends the protocol with an error; what was recorded stays. A task that is
+/// refused for this hand (a target that the sensors cannot resolve, effort that the screening does
+/// not allow) is left out, noted and told.
 [[nodiscard]] Result<ProtocolResult> run_protocol(
     Session& session, const ReadyProtocol& protocol,
     const std::function<void(const ProtocolProgress&)>& progress, bool serviced = false);

@@ -53,16 +53,32 @@ Recorder::Recorder(std::unique_ptr<SessionStore> store, const SessionRecord& ses
 
 bool Recorder::pump() {
   while (records_.pop(item_)) take(item_);
+  take_remarks();
+  return !finished_;
+}
+
+void Recorder::take_remarks() {
   std::vector<EventRecord> events;
+  std::vector<RatingRecord> ratings;
+  std::vector<std::pair<RowId, bool>> helped;
   {
     const std::lock_guard lock(mutex_);
     events.swap(events_);
+    ratings.swap(ratings_);
+    helped.swap(helped_);
   }
   for (auto& event : events) {
     event.trial_id = trial_id_;
     stored(store_->add_event(session_.id, event));
   }
-  return !finished_;
+  for (auto& rating : ratings) {
+    rating.session_id = session_.id;
+    rating.trial_id = last_trial_id_;
+    rating.recorded_utc = utc_at(rating.session_time_s);
+    const auto id = store_->add_rating(rating);
+    if (!id) stored(id.error());
+  }
+  for (const auto& [trial, mark] : helped) stored(store_->mark_helped(trial, mark));
 }
 
 void Recorder::take(const RecordItem& item) {
@@ -155,7 +171,7 @@ void Recorder::end(const RecordItem& item) {
   if (item.status == TrialStatus::completed && std::holds_alternative<RestSpec>(trial_->spec.kind))
     outcome.rest = add_rest(item);
   trial_ = nullptr;
-  trial_id_ = 0;
+  last_trial_id_ = std::exchange(trial_id_, 0);
   SessionNews news;
   news.trial = std::move(outcome);
   publish(std::move(news));
@@ -274,6 +290,16 @@ std::vector<Measure> Recorder::live_score() const {
 void Recorder::add_event(const EventRecord& event) {
   const std::lock_guard lock(mutex_);
   events_.push_back(event);
+}
+
+void Recorder::add_rating(const RatingRecord& rating) {
+  const std::lock_guard lock(mutex_);
+  ratings_.push_back(rating);
+}
+
+void Recorder::mark_helped(RowId trial, bool helped) {
+  const std::lock_guard lock(mutex_);
+  helped_.emplace_back(trial, helped);
 }
 
 Result<void> Recorder::end_session(std::optional<double> session_time_s) {

@@ -30,7 +30,10 @@ class Recorder {
   /// Waits until there is news or `seconds` have passed. Owner thread.
   void wait_for_news(double seconds);
   [[nodiscard]] std::vector<Measure> live_score() const;
-  void add_event(const EventRecord& event);  ///< goes to the database with the next pump()
+  // These go to the database with the next pump().
+  void add_event(const EventRecord& event);
+  void add_rating(const RatingRecord& rating);  ///< after the newest trial
+  void mark_helped(RowId trial, bool helped);
 
   /// Closes the session's record. Owner thread, after the last pump().
   /// `session_time_s`: when it ended, in virtual time; nothing: now.
@@ -38,6 +41,7 @@ class Recorder {
 
  private:
   void take(const RecordItem& item);
+  void take_remarks();
   void add_pause(const RecordItem& item);
   void begin(TrialSetup& setup);
   void add_sample(const TrialSample& sample);
@@ -65,6 +69,7 @@ class Recorder {
 
   TrialSetup* trial_ = nullptr;
   RowId trial_id_ = 0;
+  RowId last_trial_id_ = 0;  ///< that ended
   RowId zero_id_ = 0;
   bool has_object_ = false;
   int second_ = 0;
@@ -79,6 +84,8 @@ class Recorder {
   std::vector<SessionNews> news_;
   std::vector<Measure> live_;
   std::vector<EventRecord> events_;
+  std::vector<RatingRecord> ratings_;
+  std::vector<std::pair<RowId, bool>> helped_;
 };
 
 }  // namespace isograsp

@@ -14,12 +14,9 @@ namespace isograsp {
 namespace {
 
 /// Fresh sequences and waits of each trial, from the seed of the session and the trial's number.
-std::uint64_t trial_seed(const SessionRecord& session, std::size_t trials_before) {
+std::uint64_t trial_seed(std::uint64_t session_seed, std::size_t trials_before) {
   constexpr std::uint64_t kTrialsPerSession = 1000;
-  // Without a seed of the device every session has its own.
-  const std::uint64_t own =
-      session.seed != 0 ? session.seed : static_cast<std::uint64_t>(session.id);
-  return own * kTrialsPerSession + trials_before + 1;
+  return session_seed * kTrialsPerSession + trials_before + 1;
 }
 
 }  // namespace
@@ -45,25 +42,31 @@ const Snapshot& Session::snapshot() noexcept {
 std::vector<Measure> Session::live_score() const {
   return parts_->recorder->live_score();
 }
+const EarlierWork& Session::earlier() const noexcept {
+  return parts_->earlier;
+}
+std::uint64_t Session::order_seed() const noexcept {
+  return isograsp::order_seed(parts_->record, parts_->earlier);
+}
 const Training& Session::training() const noexcept {
-  return parts_->training;
+  return parts_->lesson.training;
 }
 const ForceReferences& Session::references() const noexcept {
-  return parts_->references;
+  return parts_->lesson.references;
 }
 TaskContext Session::next_context() const {
   TaskContext context;
   context.period_s = parts_->device->info().frame_period_s;
-  context.references = parts_->references;
-  context.seed = trial_seed(parts_->record, parts_->setups.size());
+  context.references = references();
+  context.seed = trial_seed(order_seed(), parts_->earlier.trials_made + parts_->setups.size());
   return context;
 }
 double Session::maximum_force_N() const noexcept {
-  const double maximum_N = parts_->references.maximum({});
+  const double maximum_N = references().maximum({});
   return std::isnan(maximum_N) ? 0.0 : maximum_N;
 }
 double Session::resting_force_N() const noexcept {
-  const double resting_N = parts_->references.resting({});
+  const double resting_N = references().resting({});
   return std::isnan(resting_N) ? 0.0 : resting_N;
 }
 
@@ -103,7 +106,8 @@ Result<void> Session::start_zero(const ZeroRequest& request) {
   return sent;
 }
 
-Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
+Result<void> Session::start_trial(const TaskSpec& spec, bool practice,
+                                  std::optional<TrialPlace> place) {
   Parts& p = *parts_;
   if (p.pending)
     return Error{
@@ -121,7 +125,8 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
   setup->spec = spec;
   const TaskContext context = next_context();
   setup->constants.device_delay_s = p.device->info().delay_s;
-  if (p.references.resolution_N > 0.0) setup->constants.resolution_N = p.references.resolution_N;
+  const double resolution_N = references().resolution_N;
+  if (resolution_N > 0.0) setup->constants.resolution_N = resolution_N;
   TrialRecord& record = setup->record;
   if (const std::string name = spec.scene(); !name.empty()) {
     const auto path = find_in_library(p.config.library, "scenes", name, spec.file);
@@ -147,12 +152,15 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice) {
   record.task_version = spec.version;
   record.task_text = spec.text;
   record.practice = practice;
+  record.seed = context.seed;
+  record.place = place;
   record.maximum_force_N = maximum_force_N();
   record.resting_force_N = resting_force_N();
   auto sent = p.send({Command::Kind::begin, setup.get()});
   if (!sent) return sent;
   p.setups.push_back(std::move(setup));
-  p.pending = true;
+  p.pending = p.in_trial = true;
+  p.helped = false;
   return {};
 }
 
@@ -168,6 +176,26 @@ void Session::abort(const char* reason) {
 
 void Session::note(const std::string& text) {
   parts_->recorder->add_event({0, snapshot().session_time_s, "note", text});
+}
+
+void Session::mark_helped(bool helped) {
+  Parts& p = *parts_;
+  p.helped = helped;
+  if (p.in_trial || !p.last) return;  // a running trial is marked at its end
+  p.last->trial.helped = helped;
+  p.recorder->mark_helped(p.last->trial.id, helped);
+  p.lesson = p.before_last;
+  p.learn(*p.last);
+}
+
+std::optional<std::string> Session::rate(int effort, int pain) {
+  RatingRecord rating;
+  rating.session_time_s = snapshot().session_time_s;
+  rating.effort = effort;
+  rating.pain = pain;
+  parts_->recorder->add_rating(rating);
+  parts_->ratings.push_back(rating);
+  return reason_to_stop(parts_->ratings);
 }
 
 std::vector<SessionNews> Session::take_news() {

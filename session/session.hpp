@@ -15,6 +15,7 @@
 #include "core/result.hpp"
 #include "session/library.hpp"
 #include "session/realtime.hpp"
+#include "session/resume.hpp"
 #include "session/snapshot.hpp"
 #include "session/training.hpp"
 #include "storage/session_store.hpp"
@@ -41,9 +42,12 @@ struct SessionConfig {
   std::string started_utc;    ///< ISO 8601; empty: now (demonstration data lie in the past)
   std::string operator_name;  ///< who runs it; stored with zero and resting force; may be empty
   Realtime realtime = Realtime::prefer;  ///< of the acquisition thread; not in virtual time
-  Effort allowed = Effort::maximum;      ///< outcome of the screening for this hand
-  std::optional<double> ceiling_N;       ///< no target may exceed it
-  bool virtual_time = false;             ///< simulated and replayed devices only
+  std::optional<Effort> allowed;    ///< outcome of the screening for this hand; nothing: not asked
+  std::optional<double> ceiling_N;  ///< no target may exceed it
+  /// Goes on with the protocol that the patient's newest session with this hand has not finished.
+  /// Refused if there is none, or if it began more than kLongestBreak_s ago.
+  bool resume = false;
+  bool virtual_time = false;  ///< simulated and replayed devices only
 };
 
 /// An instrument zero is asked for.
@@ -115,7 +119,9 @@ class Session {
   [[nodiscard]] double settling_s() noexcept;
   /// Prepares and starts a trial. Fails if one is running, if the task lacks its context (maximum)
   /// or if a hand that is to rest was strapped less than a minute ago. News: TrialOutcome.
-  [[nodiscard]] Result<void> start_trial(const TaskSpec& spec, bool practice);
+  /// `place`: in the session's protocol; nothing: chosen by hand.
+  [[nodiscard]] Result<void> start_trial(const TaskSpec& spec, bool practice,
+                                         std::optional<TrialPlace> place = std::nullopt);
   /// The trial stands still until resume(); task clock and object freeze, recording goes on.
   void pause();
   void resume();
@@ -123,7 +129,17 @@ class Session {
   void abort(const char* reason = "Stopped by the therapist.");
   /// A remark at this moment of the session, stored with it.
   void note(const std::string& text);
+  /// The therapist helps in the running trial or, if none runs, did in the last one: it is kept and
+  /// marked, and neither references nor levels follow from it. False takes the mark away again.
+  void mark_helped(bool helped = true);
+  /// What the patient says of the work so far, 0 to 10 each.
+  /// @return why work should stop now; nothing: it may go on.
+  [[nodiscard]] std::optional<std::string> rate(int effort, int pain);
 
+  /// What an interrupted session did of this protocol; empty unless SessionConfig::resume.
+  [[nodiscard]] const EarlierWork& earlier() const noexcept;
+  /// Orders the tasks of this session's protocol, the same way when it is resumed.
+  [[nodiscard]] std::uint64_t order_seed() const noexcept;
   /// What earlier sessions, and this one so far, say about the level of training tasks.
   [[nodiscard]] const Training& training() const noexcept;
   /// What the task of the next trial will be made with: the same task made with it is the same.

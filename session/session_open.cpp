@@ -114,17 +114,28 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   record.serial_numbers = info.serial_numbers;
   record.operator_name = config.operator_name;
   record.realtime = describe(parts->realtime);
+  if (config.allowed) record.allowed = name_of(*config.allowed);
+  record.ceiling_N = config.ceiling_N;
   if (uri->parameters.contains("seed"))
     record.seed = std::strtoull(uri->parameters.at("seed").c_str(), nullptr, 10);
   const auto last_zero = (*store)->last_zero(record);
   if (!last_zero) return last_zero.error();
   auto training = Training::read(**store, record);
   if (!training) return training.error();
-  parts->training = *std::move(training);
-  parts->references.baseline_N = parts->training.baseline_N();
-  parts->references.allowed = config.allowed;
-  parts->references.ceiling_N = config.ceiling_N;
-  parts->references.resolution_N = resolution_N(info);
+  if (config.resume) {
+    auto earlier = read_earlier_work(**store, record);
+    if (!earlier) return earlier.error();
+    parts->earlier = *std::move(earlier);
+    record.resumes_id = parts->earlier.last_id;
+  }
+  parts->lesson.training = *std::move(training);
+  ForceReferences& references = parts->lesson.references;
+  references.baseline_N = parts->lesson.training.baseline_N();
+  references.allowed = config.allowed.value_or(Effort::maximum);
+  references.ceiling_N = config.ceiling_N;
+  references.resolution_N = resolution_N(info);
+  for (const EarlierTrial& trial : parts->earlier.trials)
+    if (!trial.record.helped) learn_maxima(trial.measures, references);
   const auto session_id = (*store)->begin_session(record);
   if (!session_id) return session_id.error();
   record.id = *session_id;

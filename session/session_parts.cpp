@@ -24,9 +24,10 @@ FingerWrenches wrenches_of(const RestingForceRecord& rest) {
   return wrench_C;
 }
 
-/// Forces that this trial measured raise the references of their channels.
-void learn_maxima(const TrialOutcome& outcome, ForceReferences& references) {
-  for (const Measure& measure : outcome.measures) {
+}  // namespace
+
+void learn_maxima(const std::vector<Measure>& measures, ForceReferences& references) {
+  for (const Measure& measure : measures) {
     if (!measure.value) continue;
     auto* const known = measure.name == "maximum_force"       ? &references.maximum_N
                         : measure.name == "comfortable_force" ? &references.comfortable_N
@@ -38,20 +39,27 @@ void learn_maxima(const TrialOutcome& outcome, ForceReferences& references) {
   }
 }
 
-}  // namespace
-
-void Session::Parts::learn(const std::vector<SessionNews>& news) {
-  for (const auto& item : news) {
-    if (item.zero || item.trial || item.failure) pending = false;
+void Session::Parts::learn(std::vector<SessionNews>& news) {
+  for (auto& item : news) {
+    if (item.zero || item.trial || item.failure) pending = in_trial = false;
     if (item.zero && item.zero->accepted) {
       zero = item.zero->zero;
-      references.noise_sd_N = noise_of(*zero);
+      lesson.references.noise_sd_N = before_last.references.noise_sd_N = noise_of(*zero);
     }
-    if (!item.trial || item.trial->trial.status != TrialStatus::completed) continue;
-    learn_maxima(*item.trial, references);
-    training.learn(setups.back()->spec, item.trial->trial, item.trial->measures);
-    if (item.trial->rest) references.resting_C = wrenches_of(item.trial->rest->rest);
+    if (!item.trial) continue;
+    item.trial->trial.helped = helped;
+    if (helped) recorder->mark_helped(item.trial->trial.id, true);
+    last = *item.trial;
+    before_last = lesson;
+    learn(*last);
   }
+}
+
+void Session::Parts::learn(const TrialOutcome& outcome) {
+  if (outcome.trial.status != TrialStatus::completed || outcome.trial.helped) return;
+  learn_maxima(outcome.measures, lesson.references);
+  lesson.training.learn(setups.back()->spec, outcome.trial, outcome.measures);
+  if (outcome.rest) lesson.references.resting_C = wrenches_of(outcome.rest->rest);
 }
 
 }  // namespace isograsp

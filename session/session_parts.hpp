@@ -30,11 +30,21 @@ struct Session::Parts {
   std::thread acquisition_thread;
   std::thread recorder_thread;
   bool pending = false;   ///< a zero or a trial was asked for and has not ended
+  bool in_trial = false;  ///< it is a trial
   bool finished = false;  ///< virtual time: the device has finished
   bool closed = false;
   bool patient_is_new = false;
-  ForceReferences references;
-  Training training;
+  EarlierWork earlier;
+  /// What the trials so far teach.
+  struct Lesson {
+    ForceReferences references;
+    Training training;
+  };
+  Lesson lesson;
+  Lesson before_last;                        ///< the same without the last trial
+  std::optional<TrialOutcome> last;          ///< the last trial that ended
+  bool helped = false;                       ///< the running trial, or the last one
+  std::vector<RatingRecord> ratings;         ///< of this session
   std::optional<InstrumentZeroRecord> zero;  ///< in force
   std::optional<double> strapped_at_s;       ///< session time
   RealtimeGrant realtime;
@@ -104,8 +114,12 @@ struct Session::Parts {
         Error::Code::failed, "the session does not answer", "close it and start again", "", 0, ""};
   }
 
-  /// What the news say about references, zero and training.
-  void learn(const std::vector<SessionNews>& news);
+  /// What the news say about references, zero and training. Trials that were helped are marked.
+  void learn(std::vector<SessionNews>& news);
+  void learn(const TrialOutcome& outcome);
 };
+
+/// Maxima and comfortable forces that a trial measured raise the references of their channels.
+void learn_maxima(const std::vector<Measure>& measures, ForceReferences& references);
 
 }  // namespace isograsp

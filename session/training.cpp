@@ -61,7 +61,7 @@ Result<Training> Training::read(SessionStore& store, const SessionRecord& sessio
     if (!trials) return trials.error();
     constexpr std::size_t kDateLength = 10;  // YYYY-MM-DD
     for (const TrialRecord& trial : *trials) {
-      if (trial.status != TrialStatus::completed) continue;
+      if (trial.status != TrialStatus::completed || trial.helped) continue;
       const auto& measures = measures_of[trial.id];
       if (!trial.practice) learn_maxima(measures, days[earlier.started_utc.substr(0, kDateLength)]);
       if (trial.task_text.find("\n[chosen]\n") == std::string::npos) continue;
@@ -80,8 +80,8 @@ double Training::level(const TaskSpec& spec) const {
 
 void Training::learn(const TaskSpec& spec, const TrialRecord& trial,
                      const std::vector<Measure>& measures) {
-  if (trial.status != TrialStatus::completed || !spec.difficulty || !spec.difficulty->chosen)
-    return;
+  if (trial.status != TrialStatus::completed || trial.helped) return;
+  if (!spec.difficulty || !spec.difficulty->chosen) return;
   const Staircase used{*spec.difficulty->chosen};
   staircases_[{spec.name, spec.version}] = used.after(is_success(*spec.difficulty, measures));
 }

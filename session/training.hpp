@@ -23,7 +23,7 @@ class Training {
 
   /// The level at which this task goes on; its start if it was never trained. @pre spec.difficulty
   [[nodiscard]] double level(const TaskSpec& spec) const;
-  /// A trial of today. Only completed ones at a chosen level count.
+  /// A trial of today. Only completed ones at a chosen level count, without help.
   void learn(const TaskSpec& spec, const TrialRecord& trial, const std::vector<Measure>& measures);
 
   /// Mean of the best maxima of the first two days of assessment, per channel [N].

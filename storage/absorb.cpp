@@ -21,9 +21,9 @@ struct Table {
   std::array<Numbered, 3> numbers;  ///< unused ones are empty
 };
 /// In an order in which nothing refers to what is not there yet.
-constexpr std::array<Table, 9> kTables{{
+constexpr std::array<Table, 10> kTables{{
     {"patients", {{{"id", "patients"}, {}, {}}}},
-    {"sessions", {{{"id", "sessions"}, {"patient_id", "patients"}, {}}}},
+    {"sessions", {{{"id", "sessions"}, {"patient_id", "patients"}, {"resumes_id", "sessions"}}}},
     {"instrument_zeros", {{{"id", "instrument_zeros"}, {"session_id", "sessions"}, {}}}},
     {"trials", {{{"id", "trials"}, {"session_id", "sessions"}, {"zero_id", "instrument_zeros"}}}},
     {"signal_groups", {{{"trial_id", "trials"}, {}, {}}}},
@@ -32,6 +32,7 @@ constexpr std::array<Table, 9> kTables{{
     {"events", {{{"id", "events"}, {"session_id", "sessions"}, {"trial_id", "trials"}}}},
     {"resting_forces",
      {{{"id", "resting_forces"}, {"session_id", "sessions"}, {"trial_id", "trials"}}}},
+    {"ratings", {{{"id", "ratings"}, {"session_id", "sessions"}, {"trial_id", "trials"}}}},
 }};
 
 std::string last_number(std::string_view table) {

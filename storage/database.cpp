@@ -143,8 +143,8 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
     sql << "PRAGMA application_id=" + std::to_string(schema::kApplicationId);
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
     soci::transaction whole(sql);
-    for (const char* statement : schema::kCreate) sql << statement;
-    for (const char* statement : schema::kToFormat2) sql << statement;
+    for (int format = 1; format <= kDatabaseFormat; ++format)
+      for (const char* statement : schema::statements_to(format)) sql << statement;
     whole.commit();
   } catch (const soci::sqlite3_soci_error& why) {
     tidy();

@@ -50,7 +50,8 @@ Result<SessionStore::Migration> SessionStore::migrate(const std::string& path) {
     sql << "PRAGMA user_version", soci::into(format);
     if (format != migration.from)
       throw Refusal{failed(path, "another program has changed the file meanwhile", "try again")};
-    for (const char* statement : schema::kToFormat2) sql << statement;
+    for (++format; format <= kDatabaseFormat; ++format)
+      for (const char* statement : schema::statements_to(format)) sql << statement;
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
   });
   if (!done) return done.error();

@@ -41,6 +41,12 @@ struct Nullable {
   }
 };
 
+std::uint64_t read_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  std::from_chars(text.data(), text.data() + text.size(), seed);
+  return seed;
+}
+
 std::array<Vec6, kFingerCount> unpack(soci::blob& blob) {
   std::array<Vec6, kFingerCount> wrenches;
   for (std::size_t f = 0; f < kFingerCount; ++f)
@@ -56,8 +62,8 @@ std::string serials_text(const std::array<std::string, kFingerCount>& serials) {
   return serials[0] + "\n" + serials[1] + "\n" + serials[2];
 }
 
-std::string SqliteStore::since_2(const char* expression, const char* instead) const {
-  return database_.format() >= 2 ? expression : instead;
+std::string SqliteStore::since(int format, const char* expression, const char* instead) const {
+  return database_.format() >= format ? expression : instead;
 }
 
 Result<std::vector<PatientRecord>> SqliteStore::patients() {
@@ -94,6 +100,7 @@ Result<std::vector<SessionRecord>> SqliteStore::sessions(RowId patient) {
     std::string hand;
     std::string seed;
     std::string serials;
+    Nullable ceiling;
     int simulated = 0;
     int recorded = 0;
     soci::statement select =
@@ -101,7 +108,8 @@ Result<std::vector<SessionRecord>> SqliteStore::sessions(RowId patient) {
              << "SELECT id, patient_id, started_utc, ended_utc, hand, device_uri, "
                 "device_description, simulated, recorded, provenance, protocol_name, "
                 "protocol_text, rate_Hz, device_delay_s, software_version, cpu_features, seed, " +
-                    since_2("device_serials, operator_name, realtime", "'', '', ''") +
+                    since(2, "device_serials, operator_name, realtime", "'', '', ''") + ", " +
+                    since(3, "coalesce(resumes_id, 0), allowed, ceiling_N", "0, '', NULL") +
                     " FROM sessions WHERE patient_id = :patient ORDER BY id",
          soci::use(patient), soci::into(one.id), soci::into(one.patient_id),
          soci::into(one.started_utc), soci::into(one.ended_utc), soci::into(hand),
@@ -109,14 +117,16 @@ Result<std::vector<SessionRecord>> SqliteStore::sessions(RowId patient) {
          soci::into(recorded), soci::into(one.provenance), soci::into(one.protocol_name),
          soci::into(one.protocol_text), soci::into(one.rate_Hz), soci::into(one.device_delay_s),
          soci::into(one.software_version), soci::into(one.cpu_features), soci::into(seed),
-         soci::into(serials), soci::into(one.operator_name), soci::into(one.realtime));
+         soci::into(serials), soci::into(one.operator_name), soci::into(one.realtime),
+         soci::into(one.resumes_id), soci::into(one.allowed),
+         soci::into(ceiling.value, ceiling.present));
     select.execute();
     while (select.fetch()) {
+      one.ceiling_N = ceiling.get();
       one.hand = read_hand(hand);
       one.simulated = simulated != 0;
       one.recorded = recorded != 0;
-      one.seed = 0;
-      std::from_chars(seed.data(), seed.data() + seed.size(), one.seed);
+      one.seed = read_seed(seed);
       one.serial_numbers = {};
       const auto lines = split_lines(serials);
       std::copy_n(lines.begin(), std::min(lines.size(), kFingerCount), one.serial_numbers.begin());
@@ -150,6 +160,9 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
     int drifted = 0;
     std::array<Nullable, kFingerCount> threshold;
     Nullable drift;
+    std::string seed;
+    TrialPlace place;
+    int helped = 0;
     soci::statement select =
         (database_.sql().prepare
              << "SELECT id, session_id, number, task_name, task_version, task_text, scene_text, "
@@ -157,9 +170,13 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
                 "coalesce(zero_id, 0), coalesce(sample_count, (SELECT coalesce(sum(row_count), 0) "
                 "FROM signal_blocks WHERE trial_id = trials.id AND position = 0)), dropped_count, "
                 "worst_lateness_s, worst_compute_s, health_json, " +
-                    since_2("timing_json, thumb_threshold_N, index_threshold_N, "
-                            "middle_threshold_N, zero_drift_N, zero_drifted",
-                            "'', NULL, NULL, NULL, NULL, 0") +
+                    since(2,
+                          "timing_json, thumb_threshold_N, index_threshold_N, "
+                          "middle_threshold_N, zero_drift_N, zero_drifted",
+                          "'', NULL, NULL, NULL, NULL, 0") +
+                    ", " +
+                    since(3, "seed, coalesce(step, -1), coalesce(step_task, -1), helped",
+                          "'', -1, -1, 0") +
                     " FROM trials WHERE session_id = :session ORDER BY number",
          soci::use(session), soci::into(one.id), soci::into(one.session_id), soci::into(one.number),
          soci::into(one.task_name), soci::into(one.task_version), soci::into(one.task_text),
@@ -171,9 +188,13 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
          soci::into(threshold[0].value, threshold[0].present),
          soci::into(threshold[1].value, threshold[1].present),
          soci::into(threshold[2].value, threshold[2].present),
-         soci::into(drift.value, drift.present), soci::into(drifted));
+         soci::into(drift.value, drift.present), soci::into(drifted), soci::into(seed),
+         soci::into(place.step), soci::into(place.task), soci::into(helped));
     select.execute();
     while (select.fetch()) {
+      one.seed = read_seed(seed);
+      one.place = place.step >= 0 ? std::optional(place) : std::nullopt;
+      one.helped = helped != 0;
       for (std::size_t f = 0; f < kFingerCount; ++f) one.threshold_N[f] = threshold[f].get();
       one.zero_drift_N = drift.get();
       one.zero_drifted = drifted != 0;
@@ -237,9 +258,10 @@ std::vector<InstrumentZeroRecord> SqliteStore::read_zeros(const std::string& whe
   soci::statement select =
       (database_.sql().prepare
            << "SELECT z.id, z.session_id, z.session_time_s, z.mean_N_Nm, z.sd_N_Nm, " +
-                  since_2("z.recorded_utc, z.operator_name, z.change_N, z.change_confirmed, "
-                          "z.drift_N",
-                          "'', '', NULL, 0, NULL") +
+                  since(2,
+                        "z.recorded_utc, z.operator_name, z.change_N, z.change_confirmed, "
+                        "z.drift_N",
+                        "'', '', NULL, 0, NULL") +
                   " FROM instrument_zeros z JOIN sessions s ON s.id = z.session_id " + where,
        soci::into(one.id), soci::into(one.session_id), soci::into(one.session_time_s),
        soci::into(mean), soci::into(sd), soci::into(one.recorded_utc),
@@ -286,7 +308,7 @@ Result<std::optional<InstrumentZeroRecord>> SqliteStore::last_zero(const Session
     select.prepare(
         "SELECT coalesce(max(z.id), 0) FROM instrument_zeros z JOIN sessions s "
         "ON s.id = z.session_id WHERE s.simulated = :simulated AND s.recorded = 0 AND " +
-        since_2("s.device_serials", "''") + " = :serials" + same_place);
+        since(2, "s.device_serials", "''") + " = :serials" + same_place);
     select.define_and_bind();
     select.execute(true);
     if (id == 0) return;
@@ -327,6 +349,26 @@ Result<std::vector<RestingForceRecord>> SqliteStore::resting_forces(RowId sessio
   return all;
 }
 
+Result<std::vector<RatingRecord>> SqliteStore::ratings(RowId session) {
+  std::vector<RatingRecord> all;
+  if (database_.format() < 3) return all;
+  const auto done =
+      database_.guard("reading ratings", [&] {
+        RatingRecord one;
+        soci::statement select =
+            (database_.sql().prepare
+                 << "SELECT id, session_id, coalesce(trial_id, 0), session_time_s, recorded_utc, "
+                    "effort, pain FROM ratings WHERE session_id = :session ORDER BY id",
+             soci::use(session), soci::into(one.id), soci::into(one.session_id),
+             soci::into(one.trial_id), soci::into(one.session_time_s), soci::into(one.recorded_utc),
+             soci::into(one.effort), soci::into(one.pain));
+        select.execute();
+        while (select.fetch()) all.push_back(one);
+      });
+  if (!done) return done.error();
+  return all;
+}
+
 Result<std::vector<MeasurePoint>> SqliteStore::progress(RowId patient) {
   std::vector<MeasurePoint> all;
   const auto done =
@@ -334,6 +376,7 @@ Result<std::vector<MeasurePoint>> SqliteStore::progress(RowId patient) {
         MeasurePoint one;
         std::string hand;
         int practice = 0;
+        int helped = 0;
         int simulated = 0;
         double value = 0.0;
         soci::indicator present = soci::i_ok;
@@ -342,19 +385,22 @@ Result<std::vector<MeasurePoint>> SqliteStore::progress(RowId patient) {
             (database_.sql().prepare
                  << "SELECT s.id, t.id, t.number, s.started_utc, s.hand, t.practice, s.simulated, "
                     "t.task_name, t.task_version, m.name, m.channel, m.value, m.unit, m.version, "
-                    "m.sample_count, m.excluded_count, m.reason "
-                    "FROM sessions s JOIN trials t ON t.session_id = s.id "
-                    "JOIN measures m ON m.trial_id = t.id "
-                    "WHERE s.patient_id = :patient AND t.status = 'completed' "
-                    "ORDER BY s.started_utc, s.id, t.number, m.id",
+                    "m.sample_count, m.excluded_count, m.reason, " +
+                        since(3, "t.helped", "0") +
+                        " FROM sessions s JOIN trials t ON t.session_id = s.id "
+                        "JOIN measures m ON m.trial_id = t.id "
+                        "WHERE s.patient_id = :patient AND t.status = 'completed' "
+                        "ORDER BY s.started_utc, s.id, t.number, m.id",
              soci::use(patient), soci::into(one.session_id), soci::into(one.trial_id),
              soci::into(one.trial_number), soci::into(one.started_utc), soci::into(hand),
              soci::into(practice), soci::into(simulated), soci::into(one.task_name),
              soci::into(one.task_version), soci::into(measure.name), soci::into(measure.channel),
              soci::into(value, present), soci::into(measure.unit), soci::into(measure.version),
-             soci::into(measure.samples), soci::into(measure.excluded), soci::into(measure.reason));
+             soci::into(measure.samples), soci::into(measure.excluded), soci::into(measure.reason),
+             soci::into(helped));
         select.execute();
         while (select.fetch()) {
+          one.helped = helped != 0;
           one.hand = read_hand(hand);
           one.practice = practice != 0;
           one.simulated = simulated != 0;

@@ -3,9 +3,15 @@
 // negative: a REAL column would turn -0.0 into 0.0.
 #include "storage/schema.hpp"
 
+#include <array>
+
+#include "storage/session_store.hpp"
+
 namespace isograsp::schema {
 
-const std::array<const char*, 12> kCreate{
+namespace {
+
+const std::array<const char*, 12> kToFormat1{
     R"(CREATE TABLE patients (
   id INTEGER PRIMARY KEY,
   code TEXT NOT NULL UNIQUE COLLATE NOCASE CHECK (length(code) BETWEEN 2 AND 32),
@@ -154,5 +160,40 @@ const std::array<const char*, 16> kToFormat2{
 
     "CREATE INDEX resting_forces_of_session ON resting_forces (session_id)",
 };
+
+const std::array<const char*, 10> kToFormat3{
+    "ALTER TABLE sessions ADD COLUMN resumes_id INTEGER REFERENCES sessions (id)",
+    "ALTER TABLE sessions ADD COLUMN allowed TEXT NOT NULL DEFAULT '' "
+    "CHECK (allowed IN ('', 'maximum', 'comfortable', 'none'))",
+    "ALTER TABLE sessions ADD COLUMN ceiling_N REAL CHECK (ceiling_N > 0)",
+
+    "ALTER TABLE trials ADD COLUMN seed TEXT NOT NULL DEFAULT ''",
+    "ALTER TABLE trials ADD COLUMN step INTEGER CHECK (step >= 0)",
+    "ALTER TABLE trials ADD COLUMN step_task INTEGER CHECK ((step_task IS NULL) = (step IS NULL))",
+    "ALTER TABLE trials ADD COLUMN helped INTEGER NOT NULL DEFAULT 0 CHECK (helped IN (0, 1))",
+
+    R"(CREATE TABLE ratings (
+  id INTEGER PRIMARY KEY,
+  session_id INTEGER NOT NULL REFERENCES sessions (id),
+  trial_id INTEGER,
+  session_time_s REAL NOT NULL,
+  recorded_utc TEXT NOT NULL,
+  effort INTEGER NOT NULL CHECK (effort BETWEEN 0 AND 10),
+  pain INTEGER NOT NULL CHECK (pain BETWEEN 0 AND 10),
+  FOREIGN KEY (session_id, trial_id) REFERENCES trials (session_id, id)
+) STRICT)",
+
+    "CREATE INDEX ratings_of_session ON ratings (session_id)",
+    "CREATE INDEX sessions_that_resume ON sessions (resumes_id) WHERE resumes_id IS NOT NULL",
+};
+
+const std::array<std::span<const char* const>, kDatabaseFormat> kFormats{kToFormat1, kToFormat2,
+                                                                         kToFormat3};
+
+}  // namespace
+
+std::span<const char* const> statements_to(int format) {
+  return kFormats.at(static_cast<std::size_t>(format - 1));
+}
 
 }  // namespace isograsp::schema

@@ -2,18 +2,17 @@
 // The tables of the database (docs/file_formats.md, "Database"). SI units, named in the columns.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 
 namespace isograsp::schema {
 
 /// "IsoG": tells our files from other SQLite files.
 inline constexpr std::int32_t kApplicationId = 0x49736F47;
 
-/// Statements that make an empty database of format 1, in order.
-extern const std::array<const char*, 12> kCreate;
-/// Statements that make a database of format 1 one of format 2. A new file is made by kCreate and
-/// this, so that it does not differ from one that was brought up to date.
-extern const std::array<const char*, 16> kToFormat2;
+/// Statements that make a file of format `format` of one of the format before it; those of format 1
+/// make an empty file. A new file is made by all of them in turn, so that it does not differ from
+/// one that was brought up to date. @pre 1 <= format <= kDatabaseFormat
+[[nodiscard]] std::span<const char* const> statements_to(int format);
 
 }  // namespace isograsp::schema

@@ -141,22 +141,26 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session) {
   const int simulated = session.simulated ? 1 : 0;
   const int recorded = session.recorded ? 1 : 0;
   const std::string serials = serials_text(session.serial_numbers);
+  auto resumes_present = null_if_zero(session.resumes_id);
+  Optional ceiling(session.ceiling_N);
   const auto done = database_.transact("beginning a session", [&] {
     soci::session& sql = database_.sql();
     sql << "INSERT INTO sessions (patient_id, started_utc, hand, device_uri, device_description, "
            "simulated, recorded, provenance, protocol_name, protocol_text, rate_Hz, "
            "device_delay_s, software_version, cpu_features, seed, device_serials, "
-           "operator_name, realtime) "
+           "operator_name, realtime, resumes_id, allowed, ceiling_N) "
            "VALUES (:patient, :started, :hand, :uri, :description, :simulated, :recorded, "
            ":provenance, :protocol, :protocol_text, :rate, :delay, :version, :cpu, :seed, "
-           ":serials, :operator, :realtime)",
+           ":serials, :operator, :realtime, :resumes, :allowed, :ceiling)",
         soci::use(session.patient_id), soci::use(started), soci::use(hand),
         soci::use(session.device_uri), soci::use(session.device_description), soci::use(simulated),
         soci::use(recorded), soci::use(session.provenance), soci::use(session.protocol_name),
         soci::use(session.protocol_text), soci::use(session.rate_Hz),
         soci::use(session.device_delay_s), soci::use(session.software_version),
         soci::use(session.cpu_features), soci::use(seed), soci::use(serials),
-        soci::use(session.operator_name), soci::use(session.realtime);
+        soci::use(session.operator_name), soci::use(session.realtime),
+        soci::use(session.resumes_id, resumes_present), soci::use(session.allowed),
+        soci::use(ceiling.value, ceiling.present);
     id = last_id(sql, "sessions");
   });
   if (!done) return done.error();
@@ -255,6 +259,9 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
   Optional thumb(trial.threshold_N[0]);
   Optional index(trial.threshold_N[1]);
   Optional middle(trial.threshold_N[2]);
+  const std::string seed = trial.seed == 0 ? "" : std::to_string(trial.seed);
+  const TrialPlace place = trial.place.value_or(TrialPlace{});
+  auto place_present = trial.place ? soci::i_ok : soci::i_null;
   const auto done = database_.transact("beginning a trial", [&] {
     soci::session& sql = database_.sql();
     sql << "SELECT rate_Hz FROM sessions WHERE id = :id", soci::use(trial.session_id),
@@ -263,15 +270,18 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
       throw Refusal{refuse("there is no session " + std::to_string(trial.session_id), "begin one")};
     sql << "INSERT INTO trials (session_id, number, task_name, task_version, task_text, "
            "scene_text, practice, session_time_s, status, maximum_force_N, resting_force_N, "
-           "zero_id, thumb_threshold_N, index_threshold_N, middle_threshold_N) "
+           "zero_id, thumb_threshold_N, index_threshold_N, middle_threshold_N, seed, step, "
+           "step_task) "
            "VALUES (:session, :number, :task, :version, :task_text, :scene_text, "
-           ":practice, :time, 'running', :maximum, :resting, :zero, :thumb, :index, :middle)",
+           ":practice, :time, 'running', :maximum, :resting, :zero, :thumb, :index, :middle, "
+           ":seed, :step, :step_task)",
         soci::use(trial.session_id), soci::use(trial.number), soci::use(trial.task_name),
         soci::use(trial.task_version), soci::use(trial.task_text), soci::use(trial.scene_text),
         soci::use(practice), soci::use(trial.session_time_s), soci::use(trial.maximum_force_N),
         soci::use(trial.resting_force_N), soci::use(trial.zero_id, zero_present),
         soci::use(thumb.value, thumb.present), soci::use(index.value, index.present),
-        soci::use(middle.value, middle.present);
+        soci::use(middle.value, middle.present), soci::use(seed),
+        soci::use(place.step, place_present), soci::use(place.task, place_present);
     recording.trial = last_id(sql, "trials");
     for (std::size_t g = 0; g < trial.groups.size(); ++g) {
       const int position = static_cast<int>(g);
@@ -388,6 +398,36 @@ Result<void> SqliteStore::add_event(RowId session, const EventRecord& event) {
                        "VALUES (:session, :trial, :time, :kind, :text)",
         soci::use(session), soci::use(event.trial_id, trial_present),
         soci::use(event.session_time_s), soci::use(event.kind), soci::use(event.text);
+  });
+}
+
+Result<RowId> SqliteStore::add_rating(const RatingRecord& rating) {
+  RowId id = 0;
+  auto trial_present = null_if_zero(rating.trial_id);
+  const auto done = database_.transact("storing a rating", [&] {
+    soci::session& sql = database_.sql();
+    sql << "INSERT INTO ratings (session_id, trial_id, session_time_s, recorded_utc, effort, pain) "
+           "VALUES (:session, :trial, :time, :utc, :effort, :pain)",
+        soci::use(rating.session_id), soci::use(rating.trial_id, trial_present),
+        soci::use(rating.session_time_s), soci::use(rating.recorded_utc), soci::use(rating.effort),
+        soci::use(rating.pain);
+    id = last_id(sql, "ratings");
+  });
+  if (!done) return done.error();
+  return id;
+}
+
+Result<void> SqliteStore::mark_helped(RowId trial, bool helped) {
+  const int mark = helped ? 1 : 0;
+  return database_.transact("marking a trial", [&] {
+    soci::statement update =
+        (database_.sql().prepare
+             << "UPDATE trials SET helped = :mark WHERE id = :id AND status <> 'running'",
+         soci::use(mark), soci::use(trial));
+    update.execute(true);
+    if (update.get_affected_rows() != 1)
+      throw Refusal{refuse("trial " + std::to_string(trial) + " has not ended or does not exist",
+                           "wait for its end")};
   });
 }
 

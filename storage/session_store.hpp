@@ -21,7 +21,7 @@ namespace isograsp {
 using RowId = std::int64_t;
 
 /// Format of the files that this program writes (PRAGMA user_version).
-inline constexpr int kDatabaseFormat = 2;
+inline constexpr int kDatabaseFormat = 3;
 
 /// Patients are codes: letters, digits and '-', 2 to 32 characters, with at least one digit (a code
 /// is generated; names, initials and dates are refused).
@@ -54,6 +54,9 @@ struct SessionRecord {
   std::array<std::string, kFingerCount> serial_numbers;  ///< of the sensors; empty: not told
   std::string operator_name;  ///< who runs the session, as they wish to be called; may be empty
   std::string realtime;       ///< what the acquisition thread was given; empty: not asked for
+  RowId resumes_id = 0;       ///< the interrupted session whose protocol goes on here; 0: none
+  std::string allowed;  ///< by the screening: "maximum", "comfortable", "none"; empty: not asked
+  std::optional<double> ceiling_N = std::nullopt;  ///< no target exceeds it
 };
 
 /// Device empty, one second quiet: mean and SD per finger and axis.
@@ -103,6 +106,13 @@ struct SignalGroup {
   std::vector<std::string> columns;  ///< with units
 };
 
+/// Where in a protocol a trial belongs.
+struct TrialPlace {
+  int step = 0;  ///< of the protocol
+  int task = 0;  ///< of the step
+  friend bool operator==(const TrialPlace&, const TrialPlace&) = default;
+};
+
 struct TrialRecord {
   RowId id = 0;
   RowId session_id = 0;
@@ -128,6 +138,10 @@ struct TrialRecord {
   /// Drift from the zero in force to the next empty zero; nothing: no zero followed.
   std::optional<double> zero_drift_N = std::nullopt;
   bool zero_drifted = false;  ///< beyond the limit: the forces of this trial are in doubt
+  std::uint64_t seed = 0;     ///< of its sequences and waits; 0: not known (formats 1 and 2)
+  /// Place in the protocol; nothing: chosen by hand.
+  std::optional<TrialPlace> place = std::nullopt;
+  bool helped = false;  ///< the therapist helped: no assessment, and no level follows from it
   std::vector<SignalGroup> groups;
 };
 
@@ -138,6 +152,17 @@ struct EventRecord {
   std::string text;
 };
 
+/// What the patient says after a block of work, 0 (none) to 10.
+struct RatingRecord {
+  RowId id = 0;
+  RowId session_id = 0;
+  RowId trial_id = 0;  ///< the last one before; 0: none
+  double session_time_s = 0.0;
+  std::string recorded_utc;
+  int effort = 0;
+  int pain = 0;
+};
+
 /// One row of a progress plot.
 struct MeasurePoint {
   RowId session_id = 0;
@@ -146,6 +171,7 @@ struct MeasurePoint {
   std::string started_utc;
   Hand hand = Hand::right;
   bool practice = false;
+  bool helped = false;
   bool simulated = false;
   std::string task_name;
   int task_version = 1;
@@ -194,6 +220,9 @@ class SessionStore {
   [[nodiscard]] virtual Result<void> end_trial(const TrialRecord& end,
                                                std::span<const Measure> measures) = 0;
   [[nodiscard]] virtual Result<void> add_event(RowId session, const EventRecord& event) = 0;
+  [[nodiscard]] virtual Result<RowId> add_rating(const RatingRecord& rating) = 0;
+  /// Of a trial that has ended.
+  [[nodiscard]] virtual Result<void> mark_helped(RowId trial, bool helped) = 0;
 
   // Reading.
   [[nodiscard]] virtual Result<std::vector<PatientRecord>> patients() = 0;
@@ -210,6 +239,7 @@ class SessionStore {
   [[nodiscard]] virtual Result<std::optional<InstrumentZeroRecord>> last_zero(
       const SessionRecord& session) = 0;
   [[nodiscard]] virtual Result<std::vector<RestingForceRecord>> resting_forces(RowId session) = 0;
+  [[nodiscard]] virtual Result<std::vector<RatingRecord>> ratings(RowId session) = 0;
   /// All groups of a trial side by side, in the order of trial.groups. Fails on a damaged block,
   /// naming it.
   [[nodiscard]] virtual Result<Signals> signals(const TrialRecord& trial) = 0;

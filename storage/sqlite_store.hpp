@@ -34,6 +34,8 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<void> end_trial(const TrialRecord& end,
                                        std::span<const Measure> measures) override;
   [[nodiscard]] Result<void> add_event(RowId session, const EventRecord& event) override;
+  [[nodiscard]] Result<RowId> add_rating(const RatingRecord& rating) override;
+  [[nodiscard]] Result<void> mark_helped(RowId trial, bool helped) override;
 
   [[nodiscard]] Result<std::vector<PatientRecord>> patients() override;
   [[nodiscard]] Result<std::optional<PatientRecord>> find_patient(const std::string& code) override;
@@ -45,6 +47,7 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<std::optional<InstrumentZeroRecord>> last_zero(
       const SessionRecord& session) override;
   [[nodiscard]] Result<std::vector<RestingForceRecord>> resting_forces(RowId session) override;
+  [[nodiscard]] Result<std::vector<RatingRecord>> ratings(RowId session) override;
   [[nodiscard]] Result<Signals> signals(const TrialRecord& trial) override;
   [[nodiscard]] Result<std::vector<MeasurePoint>> progress(RowId patient) override;
 
@@ -71,8 +74,8 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<void> check_blocks(int second,
                                           std::span<const std::vector<double>> rows) const;
   void read_groups(TrialRecord& trial);
-  /// `expression` where the file has the columns of format 2, else `instead`.
-  [[nodiscard]] std::string since_2(const char* expression, const char* instead) const;
+  /// `expression` where the file has the columns of that format, else `instead`.
+  [[nodiscard]] std::string since(int format, const char* expression, const char* instead) const;
   /// `where` stands behind FROM instrument_zeros z JOIN sessions s.
   [[nodiscard]] std::vector<InstrumentZeroRecord> read_zeros(const std::string& where);
 

@@ -31,6 +31,13 @@ std::vector<std::size_t> planned(const ProtocolStep& step, std::uint64_t seed) {
 
 }  // namespace
 
+std::optional<double> agreeing(const ProtocolStep& step, const std::vector<Measure>& measures) {
+  if (!step.agreement) return std::nullopt;
+  for (const Measure& measure : measures)
+    if (measure.name == step.agreement->measure) return measure.value;
+  return std::nullopt;
+}
+
 bool is_agreed(const std::vector<double>& values, double percent, bool last_two) {
   if (values.size() < 2) return false;
   std::vector<double> two(values.end() - 2, values.end());
@@ -113,8 +120,8 @@ namespace {
 
 /// Hand out, one second of quiet, hand in again.
 constexpr double kZero_s = 15.0;
-/// An instruction in plain words, before the first trial of every task: 70 s for the twelve tasks of
-/// the battery.
+/// An instruction in plain words, before the first trial of every task: 70 s for the twelve tasks
+/// of the battery.
 constexpr double kInstruction_s = 6.0;
 
 double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskSpec>>& tasks,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/measure.hpp"
 #include "tasks/protocol.hpp"
 
 namespace isograsp {
@@ -57,6 +58,10 @@ class Agenda {
   double rest_until_s_ = 0.0;
   int done_ = 0;
 };
+
+/// The value among the measures of a trial on which attempts at this step must agree.
+[[nodiscard]] std::optional<double> agreeing(const ProtocolStep& step,
+                                             const std::vector<Measure>& measures);
 
 /// The values agree: the best two (assessment), or the last two (practice), differ by at most
 /// `percent` of the larger. Fewer than two never agree.

@@ -104,6 +104,8 @@ inline SessionRecord example_session(RowId patient) {
   session.serial_numbers = {"A 1", "", "C-3"};
   session.operator_name = "Therapist 7";
   session.realtime = "SCHED_FIFO 40, memory locked";
+  session.allowed = "comfortable";
+  session.ceiling_N = 25.5;
   return session;
 }
 
@@ -120,6 +122,8 @@ inline TrialRecord example_trial(RowId session, int number = 1) {
   trial.maximum_force_N = 31.7;
   trial.resting_force_N = -0.0;
   trial.threshold_N = {0.5, std::nullopt, 0.8};
+  trial.seed = std::numeric_limits<std::uint64_t>::max() - 1;
+  trial.place = TrialPlace{3, 1};
   trial.groups = {{"force", {"t_s", "thumb_fz_N", "index_fz_N"}}, {"raw", {"thumb_fz_counts"}}};
   return trial;
 }

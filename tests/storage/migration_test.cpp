@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file that an older program made: read as it is, brought up to date only when asked, losing
-// nothing. tests/data/format_1.db was made by the last program that wrote format 1.
+// nothing. tests/data/format_N.db was made by the last program that wrote format N.
 #include <map>
 #include <thread>
 
@@ -16,11 +16,17 @@ namespace {
 using Open = SessionStore::Open;
 namespace fs = std::filesystem;
 
-struct Migration : testing::Test {
+/// Parameter: the old format.
+struct Migration : testing::TestWithParam<int> {
   TemporaryFolder folder;
   std::string path = folder.file("clinic.db");
-  Migration() { fs::copy_file(std::string(ISOGRASP_SOURCE_DIR) + "/tests/data/format_1.db", path); }
+  std::string format = std::to_string(GetParam());
+  Migration() {
+    fs::copy_file(std::string(ISOGRASP_SOURCE_DIR) + "/tests/data/format_" + format + ".db", path);
+  }
 };
+INSTANTIATE_TEST_SUITE_P(OfFormat, Migration, testing::Range(1, kDatabaseFormat),
+                         testing::PrintToStringParamName());
 
 /// Everything that a reader can see of the only session.
 struct Contents {
@@ -82,13 +88,15 @@ std::map<std::string, std::string> schema_of(const std::string& path) {
   return statements;
 }
 
-TEST_F(Migration, AnOldFileIsNotOpenedForWritingAndStaysAsItWas) {
+TEST_P(Migration, AnOldFileIsNotOpenedForWritingAndStaysAsItWas) {
   const std::string before = bytes_of(path);
   for (const Open how : {Open::create, Open::existing}) {
     const auto store = SessionStore::open(path, how);
     ASSERT_FALSE(store.ok());
-    EXPECT_NE(store.error().message().find("older isograsp (format 1, this program writes 2)"),
-              std::string::npos)
+    EXPECT_NE(
+        store.error().message().find("older isograsp (format " + format + ", this program writes " +
+                                     std::to_string(kDatabaseFormat) + ")"),
+        std::string::npos)
         << store.error().message();
     EXPECT_NE(store.error().remedy.find("isograsp db migrate"), std::string::npos);
   }
@@ -96,25 +104,29 @@ TEST_F(Migration, AnOldFileIsNotOpenedForWritingAndStaysAsItWas) {
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"clinic.db"});
 }
 
-TEST_F(Migration, AnOldFileIsReadAsItIs) {
+TEST_P(Migration, AnOldFileIsReadAsItIs) {
   const auto store = must(SessionStore::open_to_read(path));
   const Contents all = contents_of(*store);
   EXPECT_EQ(all.trials.size(), 2u);
   EXPECT_GT(all.signals[0].rows(), 10u);
   EXPECT_FALSE(all.zeros.at(0).change_N.has_value());
-  EXPECT_EQ(all.zeros[0].recorded_utc, "");
+  EXPECT_EQ(all.zeros[0].recorded_utc.empty(), GetParam() < 2);
   EXPECT_FALSE(all.trials[1].threshold_N[0].has_value());
-  EXPECT_TRUE(must(store->resting_forces(all.session.id)).empty());
-  EXPECT_FALSE(must(store->last_zero(all.session)).has_value() &&
-               all.session.serial_numbers[0] != "");
+  EXPECT_EQ(must(store->resting_forces(all.session.id)).empty(), GetParam() < 2);
+  EXPECT_EQ(all.session.resumes_id, 0);
+  EXPECT_EQ(all.session.allowed, "");
+  EXPECT_FALSE(all.trials[1].place.has_value());
+  EXPECT_FALSE(all.trials[1].helped);
+  EXPECT_TRUE(must(store->ratings(all.session.id)).empty());
+  EXPECT_FALSE(must(store->progress(all.session.patient_id)).empty());
   EXPECT_TRUE(must(store->check()).empty());
 }
 
-TEST_F(Migration, KeepsEverythingAndLeavesACheckedCopy) {
+TEST_P(Migration, KeepsEverythingAndLeavesACheckedCopy) {
   const Contents before = contents_of(*must(SessionStore::open(path, Open::read_only)));
   const auto done = must(SessionStore::migrate(path));
-  EXPECT_EQ(done.from, 1);
-  EXPECT_EQ(done.copy, path + ".format-1");
+  EXPECT_EQ(done.from, GetParam());
+  EXPECT_EQ(done.copy, path + ".format-" + format);
   expect_same(before, contents_of(*must(SessionStore::open(done.copy, Open::read_only))));
   const auto store = open_store(path, Open::existing);
   expect_same(before, contents_of(*store));
@@ -122,22 +134,22 @@ TEST_F(Migration, KeepsEverythingAndLeavesACheckedCopy) {
   must(store->add_patient("P-2"));
 }
 
-TEST_F(Migration, GivesTheSameTablesAsANewFile) {
+TEST_P(Migration, GivesTheSameTablesAsANewFile) {
   must(SessionStore::migrate(path));
   open_store(folder.file("new.db"));
   EXPECT_EQ(schema_of(path), schema_of(folder.file("new.db")));
 }
 
-TEST_F(Migration, IsDoneOnceAndNeverOverwritesACopy) {
-  std::ofstream(path + ".format-1") << "somebody's";
-  EXPECT_EQ(must(SessionStore::migrate(path)).copy, path + ".format-1-2");
-  EXPECT_EQ(bytes_of(path + ".format-1"), "somebody's");
+TEST_P(Migration, IsDoneOnceAndNeverOverwritesACopy) {
+  std::ofstream(path + ".format-" + format) << "somebody's";
+  EXPECT_EQ(must(SessionStore::migrate(path)).copy, path + ".format-" + format + "-2");
+  EXPECT_EQ(bytes_of(path + ".format-" + format), "somebody's");
   const auto again = must(SessionStore::migrate(path));
   EXPECT_EQ(again.from, kDatabaseFormat);
   EXPECT_EQ(again.copy, "");
 }
 
-TEST_F(Migration, IsRefusedWhileSomebodyRecords) {
+TEST_P(Migration, IsRefusedWhileSomebodyRecords) {
   const auto recording = must(RecordingLock::shared(path));
   const std::string before = bytes_of(path);
   const auto refused = SessionStore::migrate(path);

@@ -113,10 +113,10 @@ TEST(OpenStore, NewerFormatIsReadButNotWritten) {
   must(open_store(path)->add_patient("P-1"));
   {
     soci::session sql(soci::sqlite3, path);
-    sql << "PRAGMA user_version=3";
+    sql << "PRAGMA user_version=4";
   }
   expect_refused(folder, path, {Open::create, Open::existing},
-                 "was made by a newer isograsp (format 3, this program knows 2)");
+                 "was made by a newer isograsp (format 4, this program knows 3)");
   EXPECT_EQ(must(open_store(path, Open::read_only)->patients()).size(), 1u);
 }
 

@@ -49,6 +49,9 @@ TEST_F(Records, SessionKeepsEveryField) {
   EXPECT_EQ(read.serial_numbers, written.serial_numbers);
   EXPECT_EQ(read.operator_name, written.operator_name);
   EXPECT_EQ(read.realtime, written.realtime);
+  EXPECT_EQ(read.allowed, written.allowed);
+  EXPECT_EQ(read.ceiling_N, written.ceiling_N);
+  EXPECT_EQ(read.resumes_id, 0);
 }
 
 TEST_F(Records, InstrumentZeroComesBackToTheBit) {
@@ -120,6 +123,32 @@ TEST_F(Records, RestingForceComesBackToTheBit) {
       EXPECT_TRUE(same_bits(all[0].mean[f][a], written.mean[f][a])) << f << " " << a;
       EXPECT_TRUE(same_bits(all[0].sd[f][a], written.sd[f][a])) << f << " " << a;
     }
+}
+
+TEST_F(Records, RatingsAndHelpComeBack) {
+  const RowId session_id = session();
+  TrialRecord trial = example_trial(session_id);
+  trial.id = must(store->begin_trial(trial));
+  EXPECT_FALSE(store->mark_helped(trial.id, true).ok()) << "it runs";
+  trial.status = TrialStatus::completed;
+  must(store->end_trial(trial, std::vector<Measure>{{"rmse", "force", 0.3, "N", 2, 1, 0, ""}}));
+  must(store->mark_helped(trial.id, true));
+  EXPECT_FALSE(store->mark_helped(trial.id + 1, true).ok()) << "there is none";
+  must(store->add_rating({0, session_id, trial.id, 61.5, "2026-03-01T09:31:01Z", 10, 0}));
+  must(store->add_rating({0, session_id, 0, 90.0, "2026-03-01T09:31:30Z", 0, 10}));
+  EXPECT_FALSE(store->add_rating({0, session_id, 0, 91.0, "", 11, 0}).ok());
+  EXPECT_FALSE(store->add_rating({0, session_id, 0, 91.0, "", 0, -1}).ok());
+  reopen();
+  EXPECT_TRUE(must(store->trials(session_id)).at(0).helped);
+  EXPECT_TRUE(must(store->progress(must(store->patients()).at(0).id)).at(0).helped);
+  const auto ratings = must(store->ratings(session_id));
+  ASSERT_EQ(ratings.size(), 2u);
+  EXPECT_EQ(ratings[0].trial_id, trial.id);
+  EXPECT_EQ(ratings[0].session_time_s, 61.5);
+  EXPECT_EQ(ratings[0].recorded_utc, "2026-03-01T09:31:01Z");
+  EXPECT_EQ(ratings[0].effort, 10);
+  EXPECT_EQ(ratings[1].trial_id, 0);
+  EXPECT_EQ(ratings[1].pain, 10);
 }
 
 TEST_F(Records, TheLastZeroIsThatOfTheSameSensorsWhicheverSessionItWasIn) {
@@ -206,6 +235,9 @@ TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
   EXPECT_EQ(read.health_json, end.health_json);
   EXPECT_EQ(read.timing_json, end.timing_json);
   EXPECT_EQ(read.threshold_N, written.threshold_N);
+  EXPECT_EQ(read.seed, written.seed);
+  EXPECT_EQ(read.place, written.place);
+  EXPECT_FALSE(read.helped);
   EXPECT_FALSE(read.zero_drift_N.has_value());
   ASSERT_EQ(read.groups.size(), 2u);
   EXPECT_EQ(read.groups[0].name, "force");

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/resume.hpp"
+
+#include <algorithm>
+
+#include "core/time.hpp"
+
+namespace isograsp {
+
+namespace {
+
+Error nothing_to_resume(std::string why) {
+  return {Error::Code::bad_input,
+          "there is nothing to resume: " + std::move(why),
+          "begin a new session",
+          "",
+          0,
+          "resume"};
+}
+
+/// Seconds from one time to another; 0 where a text is no time.
+double seconds_between(const std::string& from_utc, const std::string& to_utc) {
+  const auto from = time_of_utc(from_utc);
+  const auto to = time_of_utc(to_utc);
+  return from && to ? static_cast<double>(*to - *from) : 0.0;
+}
+
+/// The newest session of the same hand and kind of device, and those it resumes, newest first.
+Result<std::vector<SessionRecord>> chain_before(SessionStore& store, const SessionRecord& session) {
+  const auto sessions = store.sessions(session.patient_id);
+  if (!sessions) return sessions.error();
+  std::vector<SessionRecord> chain;
+  for (auto earlier = sessions->rbegin(); earlier != sessions->rend(); ++earlier) {
+    const bool wanted = chain.empty()
+                            ? earlier->hand == session.hand &&
+                                  earlier->simulated == session.simulated && !earlier->recorded
+                            : earlier->id == chain.back().resumes_id;
+    if (wanted) chain.push_back(*earlier);
+    if (!chain.empty() && chain.back().resumes_id == 0) break;
+  }
+  return chain;
+}
+
+Result<void> add_trials_of(SessionStore& store, const SessionRecord& earlier,
+                           const SessionRecord& session, EarlierWork& work) {
+  const auto trials = store.trials(earlier.id);
+  if (!trials) return trials.error();
+  work.trials_made += trials->size();
+  const double began_s = -seconds_between(earlier.started_utc, session.started_utc);
+  for (const TrialRecord& trial : *trials) {
+    if (trial.status != TrialStatus::completed || !trial.place) continue;
+    auto measures = store.measures(trial.id);
+    if (!measures) return measures.error();
+    const double lasted_s = static_cast<double>(trial.samples) / earlier.rate_Hz;
+    const double ended_s = std::min(0.0, began_s + trial.session_time_s + lasted_s);
+    work.trials.push_back({trial, *std::move(measures), ended_s});
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<EarlierWork> read_earlier_work(SessionStore& store, const SessionRecord& session) {
+  const auto chain = chain_before(store, session);
+  if (!chain) return chain.error();
+  if (chain->empty()) return nothing_to_resume("this hand has had no session yet");
+  const SessionRecord& last = chain->front();
+  if (last.protocol_text != session.protocol_text)
+    return nothing_to_resume("the last session of this hand followed the protocol '" +
+                             last.protocol_name + "', or another version of this one");
+  if (seconds_between(last.started_utc, session.started_utc) > kLongestBreak_s)
+    return nothing_to_resume("the last session of this hand began more than four hours ago");
+  EarlierWork work;
+  work.first_id = chain->back().id;
+  work.last_id = last.id;
+  for (auto earlier = chain->rbegin(); earlier != chain->rend(); ++earlier)
+    if (auto added = add_trials_of(store, *earlier, session, work); !added) return added.error();
+  const auto protocol = parse_protocol(session.protocol_text, session.protocol_name);
+  if (!protocol) return protocol.error();
+  Agenda agenda(*protocol, order_seed(session, work));
+  tell(agenda, *protocol, work);
+  if (!agenda.next()) return nothing_to_resume("the last session finished its protocol");
+  return work;
+}
+
+void tell(Agenda& agenda, const ProtocolSpec& protocol, const EarlierWork& earlier) {
+  auto next = earlier.trials.begin();
+  double ended_s = next == earlier.trials.end() ? 0.0 : next->ended_s;
+  while (next != earlier.trials.end()) {
+    const auto item = agenda.next();
+    if (!item) return;
+    const ProtocolStep& step = protocol.steps[item->step];
+    Agenda::Outcome outcome;
+    if (step.kind == ProtocolStep::Kind::task) {
+      const TrialPlace place{static_cast<int>(item->step), static_cast<int>(item->task)};
+      outcome.completed = next->record.place == place;
+      if (outcome.completed) {
+        ended_s = next->ended_s;
+        if (!next->record.helped) outcome.agreeing = agreeing(step, next->measures);
+        ++next;
+      }
+    }
+    outcome.ended_s = ended_s;
+    agenda.record(outcome);
+  }
+}
+
+std::uint64_t order_seed(const SessionRecord& session, const EarlierWork& earlier) {
+  if (session.seed != 0) return session.seed;
+  return static_cast<std::uint64_t>(earlier.first_id != 0 ? earlier.first_id : session.id);
+}
+
+std::optional<std::string> reason_to_stop(const std::vector<RatingRecord>& ratings) {
+  constexpr int kMostPain = 4;  // of 10: at this work stops
+  constexpr int kMostRise = 2;  // since the first rating of the session
+  if (ratings.empty()) return std::nullopt;
+  const int pain = ratings.back().pain;
+  const std::string now = "Pain " + std::to_string(pain) + " of 10";
+  if (pain >= kMostPain) return now + ": stop the work of this hand for today.";
+  if (pain - ratings.front().pain >= kMostRise)
+    return now + ", " + std::to_string(pain - ratings.front().pain) +
+           " more than at first: stop the work of this hand for today.";
+  return std::nullopt;
+}
+
+}  // namespace isograsp

@@ -34,6 +34,7 @@ void add_report(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);
 void add_score(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
+void add_target(CLI::App& app, Action& action);
 
 /// Opens the therapist application; empty: the default database, no device chosen (app/gui.cpp).
 [[nodiscard]] Result<void> run_gui(const std::string& database, const std::string& device);

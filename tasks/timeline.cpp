@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
-#include "core/csv.hpp"
 #include "tasks/kinds/segments.hpp"
 
 namespace isograsp {
@@ -41,6 +41,13 @@ Result<void> check_effort(const TaskSpec& spec, const Timeline& timeline,
   return {};
 }
 
+/// For people: three significant digits.
+std::string newtons(double force_N) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g N", force_N);
+  return text;
+}
+
 /// A target is worth showing only where the sensors can tell on it from beside it (clinical rule).
 Result<void> check_resolution(const TaskSpec& spec, const Segment& segment,
                               const ForceReferences& references) {
@@ -55,10 +62,10 @@ Result<void> check_resolution(const TaskSpec& spec, const Segment& segment,
   constexpr double kRounding = 1e-9;
   if (band >= least_band_N * (1.0 - kRounding)) return {};
   return refused(spec, "band_fraction",
-                 "the target of " + format_number(target_N) + " N has a band of +-" +
-                     format_number(band) + " N, which the sensors cannot resolve",
-                 "choose a level of at least " + format_number(least_band_N / aim->band_fraction) +
-                     " N, or a wider band");
+                 "the target of " + newtons(target_N) + " has a band of +-" + newtons(band) +
+                     ", which the sensors cannot resolve",
+                 "choose a level of at least " + newtons(least_band_N / aim->band_fraction) +
+                     ", or a wider band");
 }
 
 Result<void> check(const TaskSpec& spec, const Timeline& timeline,
@@ -67,9 +74,8 @@ Result<void> check(const TaskSpec& spec, const Timeline& timeline,
   for (const Segment& segment : timeline.segments) {
     if (references.ceiling_N && largest_N(segment) > *references.ceiling_N)
       return refused(spec, "",
-                     "the target of " + format_number(largest_N(segment)) +
-                         " N is above the ceiling of " + format_number(*references.ceiling_N) +
-                         " N for this hand",
+                     "the target of " + newtons(largest_N(segment)) + " is above the ceiling of " +
+                         newtons(*references.ceiling_N) + " for this hand",
                      "choose a lower level");
     if (auto resolved = check_resolution(spec, segment, references); !resolved) return resolved;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -23,9 +24,14 @@ constexpr double kTouchMargin_N = 0.3;         ///< … and above it
 constexpr double kLargestTouchFraction = 0.4;  ///< of the maximum: weak hands save their strength
 constexpr double kLargestCorrectionFraction = 0.5;
 
-/// A target that moves this little was shifted, not replaced.
+/// A target that moves this much between two pictures has jumped.
 constexpr double kShift_m = 0.005;
 constexpr double kShift_rad = 0.05;
+
+/// A target that is slower stands or creeps: its place is what counts.
+constexpr double kPursued_m_s = 0.005;
+constexpr double kPursued_rad_s = 0.05;
+constexpr double kSpeedSeen_s = 0.1;  ///< time constant of seeing a speed
 
 /// The shorter way round.
 Vec3 shortest_turn(const Quat& from, const Quat& to) noexcept {
@@ -52,6 +58,49 @@ PosePlan::Point PosePlan::at(double t_s) const noexcept {
   point.pose.q_WO = from_.q_WO * so3::exp(way * turn_);
   point.v_WO_W = rate * (to_.p_WO - from_.p_WO);
   point.w_WO_O = rate * turn_;
+  return point;
+}
+
+void Pursuit::see(const Pose& target, double dt_s, double t_s) noexcept {
+  if (seen_ && dt_s > 0.0) {
+    const double share = 1.0 - std::exp(-dt_s / kSpeedSeen_s);
+    v_W_ += share * ((target.p_WO - target_.p_WO) / dt_s - v_W_);
+    w_T_ += share * (shortest_turn(target_.q_WO, target.q_WO) / dt_s - w_T_);
+  }
+  target_ = target;
+  seen_ = true;
+  seen_at_s_ = t_s;
+}
+
+bool Pursuit::moves() const noexcept {
+  return v_W_.norm() > kPursued_m_s || w_T_.norm() > kPursued_rad_s;
+}
+
+void Pursuit::forget() noexcept {
+  seen_ = false;
+  v_W_.setZero();
+  w_T_.setZero();
+}
+
+Pose Pursuit::expected(double t_s) const noexcept {
+  const double ahead_s = t_s - seen_at_s_ + delay_s_;
+  return {target_.p_WO + ahead_s * v_W_, target_.q_WO * so3::exp(ahead_s * w_T_)};
+}
+
+void Pursuit::begin(const Pose& from, double t_s, double duration_s, double delay_s) noexcept {
+  delay_s_ = delay_s;
+  const Pose target = expected(t_s);
+  const Pose behind{from.p_WO - target.p_WO, target.q_WO.conjugate() * from.q_WO};
+  catch_up_ = PosePlan(behind, Pose{}, t_s, duration_s);
+}
+
+PosePlan::Point Pursuit::at(double t_s) const noexcept {
+  const Pose target = expected(t_s);
+  PosePlan::Point point = catch_up_.at(t_s);
+  point.pose.p_WO += target.p_WO;
+  point.v_WO_W += v_W_;
+  point.w_WO_O += point.pose.q_WO.conjugate() * w_T_;
+  point.pose.q_WO = target.q_WO * point.pose.q_WO;
   return point;
 }
 
@@ -102,7 +151,9 @@ void ObjectSkill::learn_grasp() {
 void ObjectSkill::begin(double t_s) noexcept {
   plan_ = PosePlan(picture_.object);
   begin_s_ = t_s;
-  waiting_ = false;
+  waiting_ = pursuing_ = false;
+  moving_s_ = 0.0;
+  pursuit_.forget();
   correction_.setZero();
   error_.setZero();
   if (seen_ && picture_.object_shown) {
@@ -117,24 +168,51 @@ Vec6 ObjectSkill::error(const Pose& wanted, const Pose& seen) const noexcept {
   return difference.cwiseProduct(free_);
 }
 
-void ObjectSkill::perceive(const Stimulus& picture, double t_s) noexcept {
-  const double dt_s = seen_ ? std::max(0.0, picture.t_s - picture_.t_s) : 0.0;
-  const bool had_object = seen_ && picture_.object_shown;
-  picture_ = picture;
-  seen_ = true;
-  if (!picture.object_shown) return;
-  if (!had_object) plan_ = PosePlan(picture.object);
+PosePlan::Point ObjectSkill::planned(double t_s) const noexcept {
+  return pursuing_ ? pursuit_.at(t_s) : plan_.at(t_s);
+}
 
-  const bool moved = (picture.target.p_WO - plan_.end().p_WO).norm() > kShift_m ||
-                     angle_between(picture.target.q_WO, plan_.end().q_WO) > kShift_rad;
-  if (moved && !waiting_) {
+/// @pre picture_ is the picture before
+void ObjectSkill::see_target(const Stimulus& picture, double dt_s, double t_s) noexcept {
+  const auto far = [](const Pose& a, const Pose& b) {
+    return (a.p_WO - b.p_WO).norm() > kShift_m || angle_between(a.q_WO, b.q_WO) > kShift_rad;
+  };
+  if (far(picture.target, picture_.target)) {
+    if (std::exchange(pursuing_, false)) plan_ = PosePlan(pursuit_.at(t_s).pose);
+    pursuit_.forget();
+    moving_s_ = 0.0;
+  }
+  pursuit_.see(picture.target, dt_s, t_s);
+  moving_s_ = pursuit_.moves() ? moving_s_ + dt_s : 0.0;
+  if (pursuing_) return;
+  if (moving_s_ >= traits_.reaction_s) {
+    pursuit_.begin(plan_.at(t_s).pose, t_s, traits_.movement_s, loop_delay_s(traits_));
+    pursuing_ = true;
+    waiting_ = false;
+  } else if (moving_s_ == 0.0 && far(picture.target, plan_.end()) && !waiting_) {
     waiting_ = true;
     waiting_until_s_ = t_s + traits_.reaction_s;
   }
+}
+
+void ObjectSkill::perceive(const Stimulus& picture, double t_s) noexcept {
+  const double dt_s = seen_ ? std::max(0.0, picture.t_s - picture_.t_s) : 0.0;
+  const bool had_object = seen_ && picture_.object_shown;
+  if (picture.object_shown) {
+    if (!had_object) {
+      plan_ = PosePlan(picture.object);
+      pursuing_ = false;
+      pursuit_.forget();
+    }
+    see_target(picture, had_object ? dt_s : 0.0, t_s);
+  }
+  picture_ = picture;
+  seen_ = true;
+  if (!picture.object_shown) return;
 
   // What is seen answers to what was wanted one loop delay ago.
   const double answered_s = t_s - loop_delay_s(traits_);
-  error_ = error(plan_.at(answered_s).pose, picture.object);
+  error_ = error(planned(answered_s).pose, picture.object);
   bool held = true;
   for (const Contact& contact : scene_.contacts) held &= picture.contact[index_of(contact.finger)];
   if (!held) return;
@@ -147,7 +225,7 @@ Vec6 ObjectSkill::wrench_W(double t_s) noexcept {
     plan_ = PosePlan(plan_.at(t_s).pose, picture_.target, t_s, traits_.movement_s);
     waiting_ = false;
   }
-  const PosePlan::Point point = plan_.at(t_s);
+  const PosePlan::Point point = planned(t_s);
   const Quat& q = point.pose.q_WO;
   Quat near = q;  // of the two signs, the one nearer to the springs' rest
   if (near.w() < 0.0) near.coeffs() = -near.coeffs();

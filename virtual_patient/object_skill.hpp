@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moving an object on the screen: a planned path, the forces that its springs need, correction of
-// the seen error, and fingers that share the wrench and squeeze enough not to slip. Frames: W
-// world, O object, C contact. SI units.
+// Moving an object on the screen: a planned path to a target that stands, pursuit of one that
+// moves, the forces that its springs need, correction of the seen error, and fingers that share the
+// wrench and squeeze enough not to slip. Frames: W world, O object, C contact. SI units.
 #pragma once
 
 #include "core/stimulus.hpp"
@@ -34,6 +34,34 @@ class PosePlan {
   double duration_s_ = 1.0;
 };
 
+/// Smooth pursuit of a target that moves without jumps: its speed is seen, and one loop delay is
+/// bridged by it (people predict a target that they follow). From where the hand was it is caught
+/// up with least jerk.
+class Pursuit {
+ public:
+  /// The target as perceived at time t_s of the person, `dt_s` after the picture before.
+  void see(const Pose& target, double dt_s, double t_s) noexcept;
+  /// Faster than a target that stands or creeps.
+  [[nodiscard]] bool moves() const noexcept;
+  /// The hand is at `from` and catches up in `duration_s`.
+  void begin(const Pose& from, double t_s, double duration_s, double delay_s) noexcept;
+  /// The target jumped or is new: its speed is not known.
+  void forget() noexcept;
+  [[nodiscard]] PosePlan::Point at(double t_s) const noexcept;
+
+ private:
+  /// Where the target will be when what is wanted at t_s has come to pass.
+  [[nodiscard]] Pose expected(double t_s) const noexcept;
+
+  Pose target_;
+  bool seen_ = false;
+  double seen_at_s_ = 0.0;
+  Vec3 v_W_ = Vec3::Zero();  ///< [m/s]
+  Vec3 w_T_ = Vec3::Zero();  ///< [rad/s], axes of the target
+  double delay_s_ = 0.0;
+  PosePlan catch_up_;  ///< from the distance to the target to none
+};
+
 class ObjectSkill {
  public:
   /// Learns the object. Allocates nothing later.
@@ -55,6 +83,8 @@ class ObjectSkill {
   void learn_grasp();
   [[nodiscard]] Vec6 error(const Pose& wanted, const Pose& seen) const noexcept;
   [[nodiscard]] Vec6 wrench_W(double t_s) noexcept;
+  [[nodiscard]] PosePlan::Point planned(double t_s) const noexcept;
+  void see_target(const Stimulus& picture, double dt_s, double t_s) noexcept;
   void squeeze(Stacked& forces) const noexcept;
 
   PatientTraits traits_;
@@ -66,7 +96,10 @@ class ObjectSkill {
   Vec6 largest_correction_ = Vec6::Zero();
 
   PosePlan plan_;
-  bool waiting_ = false;  ///< a new target was perceived; the movement starts at waiting_until_s_
+  Pursuit pursuit_;
+  bool pursuing_ = false;
+  double moving_s_ = 0.0;  ///< the target moves without jumps since
+  bool waiting_ = false;   ///< a new target was perceived; the movement starts at waiting_until_s_
   double waiting_until_s_ = 0.0;
   bool seen_ = false;
   Stimulus picture_;

@@ -79,8 +79,9 @@ PoseTrackingSpec read_pose_tracking(TomlReader& reader) {
     axis.least = unit * read_within(table, turns ? "least_deg" : "least_m", -most, most);
     axis.most = unit * read_within(table, turns ? "most_deg" : "most_m", -most, most);
     axis.waveform = read_waveform(table, spec.duration_s);
-    if (axis.waveform.shape == Waveform::Shape::csv)
-      table.fail("waveform", "cannot be a file here", "choose another shape");
+    if (axis.waveform.shape == Waveform::Shape::csv && axis.waveform.values.empty())
+      table.fail("waveform", "cannot be a file here",
+                 "write its points into [axis.csv_data], or choose another shape");
     if (std::exchange(used[static_cast<std::size_t>(axis.axis)], true))
       table.fail("dof", "is driven twice", "write one [[axis]] per degree of freedom");
     spec.axes.push_back(std::move(axis));

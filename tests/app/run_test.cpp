@@ -51,12 +51,36 @@ TEST(CommandLine, AnErrorIsOneLineThatNamesTheCauseAndTheStatusIsTwo) {
   EXPECT_FALSE(fs::exists(folder.path("c.db"))) << "nothing may be made before the input is good";
 }
 
+TEST(CommandLine, WhatWasDoneInATrialBecomesATargetThatCanBeRun) {
+  const TemporaryFolder folder;
+  const std::string head =
+      "format = \"isograsp-protocol-1\"\nname = \"P\"\n[[step]]\nkind = "
+      "\"instrument_zero\"\n[[step]]\nkind = \"task\"\ntask = ";
+  const auto run = [&](const std::string& task) {
+    return isograsp("run --protocol-file " + folder.write("p.toml", head + task) +
+                    " --device 'sim://healthy?seed=3' --db " + folder.path("c.db") +
+                    " --patient P-1 --fast");
+  };
+  ASSERT_EQ(run("\"pose_tracking_x.toml\"\n").status, 0);
+  const std::string target = "target --db " + folder.path("c.db") +
+                             " --patient P-1 --name Mine --out " + folder.path("mine.toml");
+  EXPECT_NE(isograsp(target + " --trial 2").err.find("this session has 1 trials"),
+            std::string::npos);
+  const auto made = isograsp(target);
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(isograsp(target).err.find("exists already"), std::string::npos);
+  const auto again = run("\"mine.toml\"\n");
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.out.find("Trial 1  Mine  [completed]"), std::string::npos) << again.out;
+}
+
 TEST(CommandLine, HelpAndVersionSucceedOnEverySubcommand) {
   EXPECT_EQ(isograsp("--version").status, 0);
   const auto help = isograsp("--help");
   EXPECT_EQ(help.status, 0);
-  for (const char* name : {"convert", "db", "decode", "devices", "emulate", "export", "grasp",
-                           "gui", "import", "monitor", "record", "report", "run", "score", "simulate"}) {
+  for (const char* name :
+       {"convert", "db", "decode", "devices", "emulate", "export", "grasp", "gui", "import",
+        "monitor", "record", "report", "run", "score", "simulate", "target"}) {
     EXPECT_NE(help.out.find(name), std::string::npos) << name;
     const auto own = isograsp(std::string(name) + " --help");
     EXPECT_EQ(own.status, 0) << name;

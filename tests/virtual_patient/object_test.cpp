@@ -169,6 +169,44 @@ TEST(VirtualPatientObject, ABlockThatCarriesItsForcesAlongIsMovedAsWell) {
   EXPECT_EQ(outcome.reached, 5);
 }
 
+/// RMS distance of the block's centre to a target on a sine, after `settle_s`.
+double pursuit_error_m(const char* name, double frequency_Hz, double amplitude_m) {
+  constexpr double kSettle_s = 10.0;
+  constexpr double kEnd_s = 40.0;
+  const Scene scene = block();
+  SensedPatient person(*patient_traits(name), 5);
+  person.patient.meet_object(scene);
+  const auto plan = Plan::compile(scene, kFrame_s);
+  ObjectState state = plan->initial_state();
+  double squares = 0.0;
+  int count = 0;
+  for (double t_s = 0.0; t_s < kEnd_s; t_s += kFrame_s) {
+    const GraspWrench wrench = plan->grasp(person.next_frame(), state);
+    Stimulus stimulus;
+    stimulus.t_s = person.t_s();
+    stimulus.cue = Cue::move;
+    stimulus.object_shown = true;
+    stimulus.object = state.pose;
+    const double turn = 2.0 * std::numbers::pi * frequency_Hz * t_s;
+    stimulus.target = planar(amplitude_m * std::sin(turn), 0.0, 0.0);
+    stimulus.contact = wrench.contact;
+    person.patient.see(stimulus);
+    plan->move(wrench, state);
+    if (t_s < kSettle_s) continue;
+    squares += (state.pose.p_WO - stimulus.target.p_WO).squaredNorm();
+    ++count;
+  }
+  return std::sqrt(squares / count);
+}
+
+TEST(VirtualPatientObject, ATargetThatMovesIsPursuedAndAFasterOneLess) {
+  constexpr double kAmplitude_m = 0.08;
+  const double slow_m = pursuit_error_m("healthy", 0.1, kAmplitude_m);
+  EXPECT_LT(slow_m, 0.2 * kAmplitude_m / std::numbers::sqrt2) << "a fifth of who stays at rest";
+  EXPECT_GT(pursuit_error_m("healthy", 0.4, kAmplitude_m), 1.5 * slow_m);
+  EXPECT_GT(pursuit_error_m("paretic", 0.1, kAmplitude_m), 1.2 * slow_m);
+}
+
 TEST(VirtualPatientObject, AKnobIsTurnedAndAFreeBlockIsTiltedInSpace) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const Outcome knob =

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp target: what was done in a stored trial becomes the target of a new task.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "core/files.hpp"
+#include "storage/session_store.hpp"
+#include "tasks/recorded_target.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct TargetOptions {
+  std::string database;
+  std::string patient;
+  int session = 1;
+  int trial = 1;
+  std::string out;
+  RecordedTarget wanted{"Recorded target"};
+};
+
+Error bad(const std::string& option, std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, option};
+}
+
+Result<TrialRecord> find_trial(SessionStore& store, const TargetOptions& options) {
+  const auto patient = store.find_patient(options.patient);
+  if (!patient) return patient.error();
+  if (!*patient)
+    return bad("--patient", "there is no patient '" + options.patient + "'", "check the code");
+  const auto sessions = store.sessions((*patient)->id);
+  if (!sessions) return sessions.error();
+  if (options.session > static_cast<int>(sessions->size()))
+    return bad("--session", "this patient has " + std::to_string(sessions->size()) + " sessions",
+               "give one of them, from 1");
+  const auto trials = store.trials((*sessions)[static_cast<std::size_t>(options.session) - 1].id);
+  if (!trials) return trials.error();
+  for (const TrialRecord& trial : *trials)
+    if (trial.number == options.trial) return trial;
+  return bad("--trial", "this session has " + std::to_string(trials->size()) + " trials",
+             "give one of them, from 1");
+}
+
+Result<void> make_target(const TargetOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::exists(options.out, ignored))
+    return bad("--out", options.out + " exists already", "choose another name");
+  const auto store = SessionStore::open_to_read(options.database);
+  if (!store) return store.error();
+  const auto trial = find_trial(**store, options);
+  if (!trial) return trial.error();
+  const auto spec = parse_task(trial->task_text, trial->task_name);
+  if (!spec) return spec.error();
+  const auto signals = (*store)->signals(*trial);
+  if (!signals) return signals.error();
+  const auto text = target_by_doing(*spec, *signals, options.wanted);
+  if (!text) return text.error();
+  if (const auto written = write_text(options.out, *text); !written) return written;
+  std::printf("%s: target of '%s', trial %d\n", options.out.c_str(), trial->task_name.c_str(),
+              trial->number);
+  return {};
+}
+
+}  // namespace
+
+void add_target(CLI::App& app, Action& action) {
+  auto options = std::make_shared<TargetOptions>();
+  CLI::App* command =
+      app.add_subcommand("target", "A task whose target is what was done in a stored trial");
+  command->add_option("--db", options->database, "Database file")->required();
+  command->add_option("--patient", options->patient, "Patient code")->required();
+  command->add_option("--session", options->session, "Session number of the patient, from 1")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--trial", options->trial, "Trial number in the session, from 1")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Task file to be made")->required();
+  command->add_option("--name", options->wanted.name, "Name of the task")->capture_default_str();
+  command->add_option("--slower", options->wanted.slower, "Stretches the time")
+      ->check(CLI::Range(0.1, 10.0))
+      ->capture_default_str();
+  command->add_flag("--force", options->wanted.force,
+                    "The force as the target, also where an object was moved");
+  command->footer(
+      "Example: guide the hand in a trial of free handling, then\n"
+      "  isograsp target --db clinic.db --patient P-0427 --session 3 --trial 2 --out turn.toml");
+  command->callback([options, &action] { action = [options] { return make_target(*options); }; });
+}
+
+}  // namespace isograsp

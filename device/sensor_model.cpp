@@ -6,16 +6,19 @@
 
 namespace isograsp {
 
-Vec6 sensor_resolution() noexcept {
-  return (Vec6() << 0.04, 0.04, 0.08, 0.002, 0.002, 0.002).finished();
+Vec6 sensor_resolution(double fz_step_N) noexcept {
+  const Vec6 usual = (Vec6() << 0.04, 0.04, kSensorStep_N, 0.002, 0.002, 0.002).finished();
+  return usual * (fz_step_N / kSensorStep_N);
 }
 
 Vec6 sensor_range() noexcept {
   return (Vec6() << 150, 150, 300, 8, 8, 8).finished();
 }
 
-SensorModel::SensorModel(std::uint64_t seed, std::uint64_t stream)
-    : filter_(butterworth2(kSensorModelRate_Hz, kSensorCutoff_Hz)), noise_(seed, stream) {
+SensorModel::SensorModel(std::uint64_t seed, std::uint64_t stream, const Vec6& resolution)
+    : filter_(butterworth2(kSensorModelRate_Hz, kSensorCutoff_Hz)),
+      resolution_(resolution),
+      noise_(seed, stream) {
   line_.fill(Vec6::Zero());
 }
 
@@ -41,7 +44,7 @@ Vec6 SensorModel::delayed() const noexcept {
 
 SensorModel::Reading SensorModel::read() noexcept {
   const Vec6 exact = delayed();
-  const Vec6 resolution = sensor_resolution();
+  const Vec6& resolution = resolution_;
   const Vec6 range = sensor_range();
   Reading reading;
   Vec6 measured;

@@ -20,8 +20,10 @@ inline constexpr double kSensorPureDelay_s = 0.0248;
 inline constexpr double kSensorDelay_s = 0.032;     ///< of a slow signal; 7.2 ms are the filter's
 inline constexpr double kSensorNoise_counts = 0.4;  ///< SD before quantisation
 inline constexpr double kSaturatedFraction = 0.98;  ///< of the range of an axis
-[[nodiscard]] Vec6 sensor_resolution() noexcept;    ///< 0.04 0.04 0.08 N, 0.002 N m
-[[nodiscard]] Vec6 sensor_range() noexcept;         ///< 150 150 300 N, 8 N m
+/// 0.04 0.04 0.08 N, 0.002 N m, or all of it in proportion for another step of Fz.
+inline constexpr double kSensorStep_N = 0.08;
+[[nodiscard]] Vec6 sensor_resolution(double fz_step_N = kSensorStep_N) noexcept;
+[[nodiscard]] Vec6 sensor_range() noexcept;  ///< 150 150 300 N, 8 N m
 
 /// One sensor. Same seed and input: same readings, bit for bit.
 class SensorModel {
@@ -32,7 +34,8 @@ class SensorModel {
     std::uint8_t flags = 0;  ///< SampleFlag::saturated
   };
 
-  explicit SensorModel(std::uint64_t seed, std::uint64_t stream = 0);
+  explicit SensorModel(std::uint64_t seed, std::uint64_t stream = 0,
+                       const Vec6& resolution = sensor_resolution());
 
   /// The wrench of the next millisecond. Real-time safe.
   void step(const Wrench& wrench_C) noexcept;
@@ -48,6 +51,7 @@ class SensorModel {
   static constexpr double kFraction = 0.8;
 
   LowPass2 filter_;
+  Vec6 resolution_;
   Vec6 x1_ = Vec6::Zero(), x2_ = Vec6::Zero(), y1_ = Vec6::Zero(), y2_ = Vec6::Zero();
   std::array<Vec6, kWholeSamples + 2> line_;  ///< ring of filtered values
   std::size_t newest_ = 0;

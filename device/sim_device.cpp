@@ -56,7 +56,8 @@ class SimDevice final : public ForceDevice {
 
  private:
   void reset() {
-    for (std::size_t f = 0; f < kFingerCount; ++f) sensors_[f] = SensorModel(seed_, f);
+    for (std::size_t f = 0; f < kFingerCount; ++f)
+      sensors_[f] = SensorModel(seed_, f, info_.units_per_count[f]);
     dropping_ = Random(seed_, kDropStream);
     health_ = DeviceHealth{};
     health_.state = DeviceState::configured;
@@ -110,7 +111,8 @@ class SimDevice final : public ForceDevice {
 }  // namespace
 
 Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const DeviceOptions& options) {
-  if (auto known = uri.require_known({"seed", "hand", "rate", "drop", "recovery", "day", "course"});
+  if (auto known = uri.require_known(
+          {"seed", "hand", "rate", "drop", "recovery", "day", "course", "resolution"});
       !known)
     return known.error();
   if (uri.target.empty())
@@ -127,6 +129,8 @@ Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const Devic
   if (!rate_Hz) return rate_Hz.error();
   const auto drop = uri.number_or("drop", 0.0, 0.0, 1.0);
   if (!drop) return drop.error();
+  const auto step_N = uri.number_or("resolution", kSensorStep_N, 1e-4, 1.0);
+  if (!step_N) return step_N.error();
   if (options.source == nullptr)
     return uri.error("", "nobody presses the simulated device",
                      "open it in a session, which brings the simulated patient");
@@ -140,7 +144,7 @@ Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const Devic
   info.frame_period_s = info.sample_period_s;
   info.delay_s = kSensorDelay_s;
   info.serial_numbers = {"SIM-THUMB", "SIM-INDEX", "SIM-MIDDLE"};
-  info.units_per_count.fill(sensor_resolution());
+  info.units_per_count.fill(sensor_resolution(*step_N));
   info.range.fill(sensor_range());
   info.provenance = {"simulated: " + uri.text};
   return std::unique_ptr<ForceDevice>(std::make_unique<SimDevice>(

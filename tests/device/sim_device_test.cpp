@@ -114,6 +114,30 @@ TEST(SimDevice, DropsTheStatedShareOfSamplesAndCountsThem) {
   EXPECT_EQ(counted, static_cast<std::uint64_t>(invalid));
 }
 
+TEST(SimDevice, AFinerResolutionMakesStepsAndNoiseFinerAlike) {
+  const auto spread_N = [](const std::string& uri) {
+    ScriptedSource source;
+    source.scale = 0.0;
+    ManualClock clock;
+    auto device = opened(uri, source);
+    EXPECT_TRUE(device->start(clock));
+    const Vec6 step = device->info().units_per_count[0];
+    double squares = 0.0;
+    constexpr int kSamples = 3 * 2000;
+    SensorSample sample;
+    for (int k = 0; k < kSamples; ++k) {
+      EXPECT_EQ(device->read(kForever, sample), ReadStatus::sample);
+      EXPECT_EQ(sample.wrench_C.force.z(), sample.raw_counts[2] * step[2]);
+      squares += std::pow(sample.wrench_C.force.z(), 2);
+    }
+    return std::sqrt(squares / kSamples);
+  };
+  const double usual_N = spread_N("sim://healthy");
+  EXPECT_GT(usual_N, 0.02);
+  // The same random numbers: the same counts.
+  EXPECT_NEAR(spread_N("sim://healthy?resolution=0.008"), 0.1 * usual_N, 1e-12);
+}
+
 TEST(SimDevice, SaturationIsFlaggedAndCounted) {
   ScriptedSource source;
   source.scale = 200.0;

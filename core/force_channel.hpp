@@ -23,6 +23,8 @@ enum class Digits : std::uint8_t {
   middle
 };
 
+inline constexpr std::size_t kDigitsCount = 7;
+
 /// Along an axis of the contact frame.
 enum class Direction : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
 inline constexpr std::size_t kDirectionCount = 6;

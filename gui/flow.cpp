@@ -198,6 +198,10 @@ FlowView decide(const FlowFacts& facts) {
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
   view.may_strap = view.may_zero && facts.zeroed && !facts.strapped;
   view.may_choose_task = !in_trial(facts) && !facts.starting;
+  view.may_show_how = view.may_choose_task && facts.task_chosen && !facts.recorded &&
+                      facts.connection != Connection::opening &&
+                      facts.connection != Connection::closing && facts.stage != Stage::zeroing &&
+                      facts.stage != Stage::finished;
   view.start_hint = start_hint(facts);
   view.may_start = quiet && sound && view.start_hint.empty();
   view.may_pause = open && facts.stage == Stage::trial;

@@ -86,6 +86,7 @@ struct FlowView {
   bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
   bool may_strap = false;
   bool may_choose_task = false;
+  bool may_show_how = false;  ///< the patient may watch how the chosen task is done
   bool may_start = false;
   bool may_pause = false;
   bool may_resume = false;

@@ -40,9 +40,11 @@ void draw_line(QPainter& painter, const QRectF& area, const QRectF& line, const 
 
 namespace {
 
-void draw_simulated(QPainter& painter, const QRectF& area) {
+/// What the patient must not take for their own, said on every picture of it.
+void draw_badge(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
+  if (!picture.simulated && !picture.example) return;
   const QFont font = font_of(area, 0.026, true);
-  const QString text = QObject::tr("SIMULATED");
+  const QString text = picture.example ? QObject::tr("EXAMPLE") : QObject::tr("SIMULATED");
   const double width = QFontMetricsF(font).horizontalAdvance(text) + 0.03 * area.height();
   const QRectF badge(area.right() - width - 0.03 * area.height(), area.top() + 0.03 * area.height(),
                      width, 0.046 * area.height());
@@ -249,7 +251,7 @@ void paint_page(QPainter& painter, const QRectF& area, const PatientPicture& pic
   }
   if (picture.progress_shown) draw_progress(painter, area, picture.progress);
   paint_notice(painter, area, picture);
-  if (picture.simulated) draw_simulated(painter, area);
+  draw_badge(painter, area, picture);
 }
 
 void paint_banner(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
@@ -277,7 +279,7 @@ void paint_banner(QPainter& painter, const QRectF& area, const PatientPicture& p
       painter.drawEllipse(centre, radius - 1, radius - 1);
     }
   }
-  if (picture.simulated) draw_simulated(painter, area);
+  draw_badge(painter, area, picture);
 }
 
 void paint_hold_ring(QPainter& painter, const QPointF& centre, double radius, double fraction) {

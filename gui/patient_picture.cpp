@@ -221,7 +221,8 @@ void add_notice(const PatientFacts& facts, PatientPicture& picture) {
 
 PatientPicture picture_for(const PatientFacts& facts) {
   PatientPicture picture;
-  picture.simulated = facts.simulated;
+  picture.simulated = facts.simulated && !facts.example;
+  picture.example = facts.example;
   const Stage stage = facts.snapshot.stage;
   const bool in_trial = facts.session_open && (stage == Stage::trial || stage == Stage::paused) &&
                         facts.task != nullptr;
@@ -230,6 +231,7 @@ PatientPicture picture_for(const PatientFacts& facts) {
   else
     add_idle(facts, picture);
   if (facts.session_open) add_notice(facts, picture);
+  if (facts.example) picture.detail = "Watch how it is done";
   return picture;
 }
 

@@ -25,6 +25,7 @@ struct PatientFacts {
   std::shared_ptr<const TargetPreview> preview;
   double maximum_force_N = 0.0;
   bool just_completed = false;  ///< the last trial ended well and nothing began since
+  bool example = false;         ///< all of this is a demonstration: nothing is the patient's
 };
 
 /// A virtual finger: a cone that approaches along its axis while force builds up and touches when
@@ -59,6 +60,7 @@ struct PatientPicture {
   std::string notice_words;
   bool urgent = false;  ///< it is to be done now: the instruction stands out
   bool simulated = false;
+  bool example = false;  ///< to be watched: nothing in it is the patient's own
   bool progress_shown = false;
   double progress = 0.0;  ///< of the trial, 0 … 1
 

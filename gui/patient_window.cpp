@@ -137,7 +137,7 @@ void PatientWindow::draw_object(const PatientPicture& picture, QPainter& painter
       QStringLiteral("%1|%2|%3|%4|%5x%6")
           .arg(QString::fromStdString(picture.headline), QString::fromStdString(picture.detail))
           .arg(picture.targets_reached)
-          .arg(picture.simulated)
+          .arg(2 * picture.example + picture.simulated)
           .arg(size.width())
           .arg(size.height());
   if (key != banner_key_) {

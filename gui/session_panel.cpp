@@ -31,6 +31,8 @@ TaskPanel::TaskPanel(SessionPresenter& presenter, QWidget* parent)
   practice_->setObjectName("practice");
   describe(*practice_, tr("Practice trial"),
            tr("A practice trial is recorded but counts for no assessment (Alt+M)"));
+  show_how_ = new QPushButton;
+  show_how_->setObjectName("show_how");
   start_ = new QPushButton;
   start_->setObjectName("start");
   start_->setMinimumHeight(30);
@@ -54,6 +56,7 @@ TaskPanel::TaskPanel(SessionPresenter& presenter, QWidget* parent)
   column_->addWidget(list_);
   column_->addWidget(instruction_);
   column_->addWidget(practice_);
+  column_->addWidget(show_how_);
   column_->addWidget(start_);
   column_->addLayout(row);
   column_->addWidget(progress_);
@@ -64,6 +67,7 @@ TaskPanel::TaskPanel(SessionPresenter& presenter, QWidget* parent)
       presenter_.choose_task(item->data(Qt::UserRole).toInt());
   });
   connect(practice_, &QCheckBox::toggled, &presenter_, &SessionPresenter::set_practice);
+  connect(show_how_, &QPushButton::clicked, &presenter_, &SessionPresenter::show_how);
   connect(start_, &QPushButton::clicked, &presenter_, &SessionPresenter::start);
   connect(pause_, &QPushButton::clicked, &presenter_, &SessionPresenter::start_pause_resume);
   connect(stop_, &QPushButton::clicked, &presenter_, &SessionPresenter::stop);
@@ -120,6 +124,10 @@ void TaskPanel::refresh() {
       task < 0
           ? tr("Choose a task.")
           : QString::fromStdString(presenter_.tasks()[static_cast<std::size_t>(task)].instruction));
+  show_how_->setText(presenter_.showing_how() ? tr("End the sho&w") : tr("Show the patient ho&w"));
+  describe(*show_how_, show_how_->text().remove(QLatin1Char('&')),
+           tr("The patient's screen shows how a healthy hand does this task (F7, Alt+W)"));
+  show_how_->setEnabled(view.may_show_how || presenter_.showing_how());
   start_->setText(task < 0 ? tr("&Start") : tr("&Start: %1").arg(name));
   describe(*start_, start_->text().remove(QLatin1Char('&')), tr("Begin the trial (F8, Alt+S)"));
   start_->setEnabled(view.may_start);

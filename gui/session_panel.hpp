@@ -28,6 +28,7 @@ class TaskPanel final : public Card {
   QListWidget* list_;  ///< headings, and tasks with their number in the presenter as data
   QLabel* instruction_;
   QCheckBox* practice_;
+  QPushButton* show_how_;
   QPushButton* start_;
   QPushButton* pause_;
   QPushButton* stop_;

@@ -10,7 +10,7 @@
 #include "core/files.hpp"
 #include "gui/task_groups.hpp"
 #include "reports/progress.hpp"
-#include "session/contact_threshold.hpp"
+#include "session/trial_setup.hpp"
 
 namespace isograsp {
 
@@ -178,6 +178,7 @@ void SessionPresenter::choose_device(const std::string& uri) {
 
 void SessionPresenter::choose_task(int index) {
   if (!view_.may_choose_task || index == task_) return;
+  stop_showing();
   task_ = index;
   look_at_task();
   update();
@@ -189,6 +190,7 @@ void SessionPresenter::set_practice(bool practice) {
 
 void SessionPresenter::connect_device() {
   if (!view_.may_connect) return;
+  stop_showing();
   SessionConfig config;
   config.database = config_.database;
   config.patient_code = patient_;
@@ -276,6 +278,7 @@ void SessionPresenter::close_on_worker(std::unique_ptr<Session> session, Closed 
 }
 
 void SessionPresenter::close_session(const std::string& why) {
+  stop_showing();
   connection_ = Connection::closing;
   snapshot_ = {};
   running_.reset();
@@ -293,6 +296,7 @@ void SessionPresenter::close_session(const std::string& why) {
 
 void SessionPresenter::set_zero(bool accept_changed) {
   if (!(accept_changed ? view_.may_accept_changed : view_.may_zero)) return;
+  stop_showing();
   zero_refusal_.clear();
   zero_remark_.clear();
   zero_only_changed_ = false;
@@ -310,6 +314,7 @@ void SessionPresenter::set_zero(bool accept_changed) {
 
 void SessionPresenter::mark_strapped() {
   if (!view_.may_strap) return;
+  stop_showing();
   session_->strapped();
   strapped_ = true;
   update();
@@ -321,6 +326,7 @@ std::string SessionPresenter::realtime() const {
 
 void SessionPresenter::start() {
   if (!view_.may_start) return;
+  stop_showing();
   zero_refusal_.clear();
   zero_only_changed_ = false;
   const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
@@ -341,16 +347,50 @@ void SessionPresenter::prepare_picture(const TaskSpec& spec, const TaskContext& 
   running_ = std::make_shared<TaskSpec>(spec);
   preview_ = std::make_shared<TargetPreview>(preview_target(spec, context));
   scene_.reset();
-  if (spec.scene().empty()) return;
   // The session has just read the same file: a failure here would have been refused there.
-  const auto path = find_in_library(config_.library, "scenes", spec.scene(), spec.file);
-  if (!path) return refuse(path.error());
-  const auto text = read_text(*path);
-  if (!text) return refuse(text.error());
-  auto scene = parse_scene(*text, *path);
-  if (!scene) return refuse(scene.error());
-  scene_ = std::make_shared<Scene>(with_thresholds(
-      for_hand(*std::move(scene), session_->record().hand), session_->contact_thresholds_N()));
+  auto read = read_trial_scene(spec, session_->record().hand, session_->contact_thresholds_N(),
+                               config_.library);
+  if (!read) return refuse(read.error());
+  if (read->scene) scene_ = std::make_shared<Scene>(*std::move(read->scene));
+}
+
+void SessionPresenter::show_how() {
+  if (showing_how_) {
+    stop_showing();
+    return update();
+  }
+  if (!view_.may_show_how) return;
+  showing_how_ = true;
+  using Shown = Result<Demonstration>;
+  worker_.run(
+      [spec = tasks_[static_cast<std::size_t>(task_)],
+       references = session_ == nullptr ? ForceReferences{} : session_->references(),
+       hand = hand_.value_or(Hand::right), library = config_.library]() -> Shown {
+        return demonstrate(spec, references, hand, library);
+      },
+      [this, task = task_](Shown shown) {
+        if (!showing_how_ || task != task_) return;  // stopped meanwhile
+        if (!shown) {
+          stop_showing();
+          refuse(shown.error());
+        } else if (shown->frames.empty()) {
+          stop_showing();
+        } else {
+          example_preview_ =
+              std::make_shared<TargetPreview>(preview_target(*shown->task, shown->context));
+          example_ = std::make_shared<Demonstration>(*std::move(shown));
+          example_frame_ = 0;
+          example_began_ = clock_.now();
+        }
+        update();
+      });
+  update();
+}
+
+void SessionPresenter::stop_showing() {
+  showing_how_ = false;
+  example_.reset();
+  example_preview_.reset();
 }
 
 void SessionPresenter::pause() {
@@ -376,6 +416,14 @@ void SessionPresenter::note(const std::string& text) {
 }
 
 void SessionPresenter::poll() {
+  if (example_ != nullptr) {
+    const double shown_s = to_seconds(clock_.now() - example_began_);
+    example_frame_ = static_cast<std::size_t>(shown_s / example_->period_s);
+    if (example_frame_ >= example_->frames.size() || !view_.may_show_how) {
+      stop_showing();
+      Q_EMIT changed();
+    }
+  }
   if (session_ != nullptr) {
     snapshot_ = session_->snapshot();
     forces_.add(snapshot_);
@@ -451,7 +499,21 @@ std::string SessionPresenter::device_description() const {
   return session_ == nullptr ? "" : session_->device().description;
 }
 
+PatientFacts SessionPresenter::facts_of_example() const {
+  PatientFacts facts;
+  facts.session_open = true;
+  facts.example = true;
+  facts.hand = hand_.value_or(Hand::right);
+  facts.snapshot = example_->frames[example_frame_];
+  facts.task = example_->task;
+  facts.scene = example_->scene;
+  facts.preview = example_preview_;
+  facts.maximum_force_N = example_->context.references.maximum({});
+  return facts;
+}
+
 PatientPicture SessionPresenter::picture() const {
+  if (example_ != nullptr) return picture_for(facts_of_example());
   PatientFacts facts;
   facts.session_open = session_ != nullptr;
   facts.simulated = simulated();

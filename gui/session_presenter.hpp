@@ -17,6 +17,7 @@
 #include "gui/flow.hpp"
 #include "gui/force_history.hpp"
 #include "gui/patient_picture.hpp"
+#include "session/demonstration.hpp"
 #include "session/session.hpp"
 
 namespace isograsp {
@@ -60,6 +61,8 @@ class SessionPresenter final : public QObject {
   void resume();
   void stop();
   void start_pause_resume();  ///< the one big key
+  /// The patient's screen shows how the chosen task is done; again: it stops. So does any act.
+  void show_how();
   void note(const std::string& text);
 
   [[nodiscard]] const FlowView& view() const noexcept { return view_; }
@@ -89,6 +92,8 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] double worst_lateness_s() const noexcept { return worst_lateness_s_; }
   /// What the acquisition thread was given; empty: not asked for.
   [[nodiscard]] std::string realtime() const;
+  /// A demonstration is being made or is on the patient's screen.
+  [[nodiscard]] bool showing_how() const noexcept { return showing_how_; }
   /// What the patient's screen shows now.
   [[nodiscard]] PatientPicture picture() const;
 
@@ -117,6 +122,8 @@ class SessionPresenter final : public QObject {
   template <class Closed>
   void close_on_worker(std::unique_ptr<Session> session, Closed closed);
   void prepare_picture(const TaskSpec& spec, const TaskContext& context);
+  void stop_showing();
+  [[nodiscard]] PatientFacts facts_of_example() const;
   void refuse(const Error& error);
 
   GuiConfig config_;
@@ -156,6 +163,11 @@ class SessionPresenter final : public QObject {
   std::shared_ptr<const TaskSpec> running_;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const TargetPreview> preview_;
+  bool showing_how_ = false;
+  std::shared_ptr<const Demonstration> example_;  ///< null: none, or it is being made
+  std::shared_ptr<const TargetPreview> example_preview_;
+  std::size_t example_frame_ = 0;
+  Timestamp example_began_{0};
   std::vector<Measure> live_score_;
   Timestamp scored_{0};
   std::optional<TrialOutcome> last_trial_;

@@ -126,6 +126,7 @@ void TherapistWindow::add_shortcuts() {
   const auto add = [this](const QKeySequence& key, auto act) {
     connect(new QShortcut(key, this), &QShortcut::activated, this, act);
   };
+  add(Qt::Key_F7, [this] { presenter_.show_how(); });
   add(Qt::Key_F8, [this] { presenter_.start(); });
   add(Qt::Key_F9, [this] { presenter_.start_pause_resume(); });
   add(Qt::Key_F10, [this] { presenter_.stop(); });

@@ -8,6 +8,7 @@
 #include "session/contact_threshold.hpp"
 #include "session/resting.hpp"
 #include "session/session_parts.hpp"
+#include "session/trial_setup.hpp"
 
 namespace isograsp {
 
@@ -120,39 +121,21 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice,
                  "",
                  0,
                  ""};
-  auto setup = std::make_unique<TrialSetup>();
-  if (p.strapped_at_s) setup->since_strapping_s = snapshot().session_time_s - *p.strapped_at_s;
-  setup->spec = spec;
   const TaskContext context = next_context();
+  const auto scene =
+      read_trial_scene(spec, p.config.hand, contact_thresholds_N(), p.config.library);
+  if (!scene) return scene.error();
+  auto prepared = prepare_trial(spec, context, *scene);
+  if (!prepared) return prepared.error();
+  auto setup = *std::move(prepared);
+  if (p.strapped_at_s) setup->since_strapping_s = snapshot().session_time_s - *p.strapped_at_s;
   setup->constants.device_delay_s = p.device->info().delay_s;
   const double resolution_N = references().resolution_N;
   if (resolution_N > 0.0) setup->constants.resolution_N = resolution_N;
   TrialRecord& record = setup->record;
-  if (const std::string name = spec.scene(); !name.empty()) {
-    const auto path = find_in_library(p.config.library, "scenes", name, spec.file);
-    if (!path) return path.error();
-    const auto text = read_text(*path);
-    if (!text) return text.error();
-    auto scene = parse_scene(*text, *path);
-    if (!scene) return scene.error();
-    const Scene used =
-        with_thresholds(for_hand(*std::move(scene), p.config.hand), contact_thresholds_N());
-    auto plan = Plan::compile(used, context.period_s);
-    if (!plan) return plan.error();
-    setup->plan = std::move(*plan);
-    record.threshold_N = thresholds_of(used);
-    record.scene_text = *text;
-  }
-  auto task = make_task(spec, context);
-  if (!task) return task.error();
-  setup->task = std::move(*task);
   record.session_id = p.record.id;
   record.number = static_cast<int>(p.setups.size()) + 1;
-  record.task_name = spec.name;
-  record.task_version = spec.version;
-  record.task_text = spec.text;
   record.practice = practice;
-  record.seed = context.seed;
   record.place = place;
   record.maximum_force_N = maximum_force_N();
   record.resting_force_N = resting_force_N();

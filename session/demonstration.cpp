@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/demonstration.hpp"
+
+#include "device/uri.hpp"
+#include "session/simulated_person.hpp"
+#include "session/trial_setup.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// Forces that the patient has not been measured in: well below a healthy hand's, for they are
+/// shown and not asked. Opening and sideways a hand is weaker.
+constexpr double kAssumedClosing_N = 20.0;
+constexpr double kAssumedOther_N = 6.0;
+constexpr double kComfortable = 0.4;  ///< of the maximum
+
+ForceReferences completed(const ForceReferences& known) {
+  ForceReferences all;
+  all.maximum_N = known.maximum_N;
+  all.comfortable_N = known.comfortable_N;
+  all.resting_C = known.resting_C.value_or(FingerWrenches{});
+  for (std::size_t digits = 0; digits < kDigitsCount; ++digits)
+    for (std::size_t direction = 0; direction < kDirectionCount; ++direction) {
+      const ForceChannel channel{static_cast<Digits>(digits), static_cast<Direction>(direction)};
+      const bool closing = channel.direction == Direction::plus_z;
+      const double maximum_N =
+          all.maximum_N.try_emplace(channel, closing ? kAssumedClosing_N : kAssumedOther_N)
+              .first->second;
+      all.comfortable_N.try_emplace(channel, kComfortable * maximum_N);
+      all.baseline_N[channel] = maximum_N;
+    }
+  return all;
+}
+
+}  // namespace
+
+Result<Demonstration> demonstrate(const TaskSpec& spec, const ForceReferences& references,
+                                  Hand hand, const std::string& library) {
+  const std::string text = "sim://healthy?seed=1&hand=" + std::string(name_of(hand));
+  const auto uri = Uri::parse(text);
+  if (!uri) return uri.error();
+  const auto person = simulated_person(*uri, library);
+  if (!person) return person.error();
+  DeviceOptions options;
+  options.source = person->get();
+  const auto device = open_device(text, options);
+  if (!device) return device.error();
+  ManualClock clock;
+  if (auto started = (*device)->start(clock); !started) return started.error();
+  Acquisition acquisition(**device, clock, (*device)->now(clock), {.viewer = person->get()});
+
+  Demonstration shown;
+  shown.task = std::make_shared<TaskSpec>(spec);
+  shown.period_s = (*device)->info().frame_period_s;
+  shown.context.period_s = shown.period_s;
+  shown.context.references = completed(references);
+  const auto scene = read_trial_scene(spec, hand, {}, library);
+  if (!scene) return scene.error();
+  if (scene->scene) shown.scene = std::make_shared<Scene>(*scene->scene);
+  const auto setup = prepare_trial(spec, shown.context, *scene);
+  if (!setup) return setup.error();
+  (void)acquisition.commands().push({Command::Kind::begin, setup->get()});
+  const auto most = static_cast<std::size_t>(kLongestDemonstration_s / shown.period_s);
+  bool begun = false;
+  while (shown.frames.size() < most && acquisition.tick()) {
+    for (RecordItem unwanted; acquisition.records().pop(unwanted);) {
+    }
+    const Snapshot& now = acquisition.snapshots().read();
+    begun = begun || now.stage == Stage::trial;
+    if (begun && now.stage != Stage::trial) break;
+    if (begun) shown.frames.push_back(now);
+  }
+  (*device)->stop();
+  return shown;
+}
+
+}  // namespace isograsp

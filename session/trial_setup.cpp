@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/trial_setup.hpp"
+
+#include "core/files.hpp"
+#include "session/contact_threshold.hpp"
+#include "session/library.hpp"
+
+namespace isograsp {
+
+Result<TrialScene> read_trial_scene(
+    const TaskSpec& spec, Hand hand,
+    const std::array<std::optional<double>, kFingerCount>& threshold_N,
+    const std::string& library) {
+  TrialScene read;
+  if (spec.scene().empty()) return read;
+  const auto path = find_in_library(library, "scenes", spec.scene(), spec.file);
+  if (!path) return path.error();
+  auto text = read_text(*path);
+  if (!text) return text.error();
+  auto scene = parse_scene(*text, *path);
+  if (!scene) return scene.error();
+  read.scene = with_thresholds(for_hand(*std::move(scene), hand), threshold_N);
+  read.text = *std::move(text);
+  return read;
+}
+
+Result<std::unique_ptr<TrialSetup>> prepare_trial(const TaskSpec& spec, const TaskContext& context,
+                                                  const TrialScene& scene) {
+  auto setup = std::make_unique<TrialSetup>();
+  setup->spec = spec;
+  TrialRecord& record = setup->record;
+  if (scene.scene) {
+    auto plan = Plan::compile(*scene.scene, context.period_s);
+    if (!plan) return plan.error();
+    setup->plan = std::move(*plan);
+    record.threshold_N = thresholds_of(*scene.scene);
+    record.scene_text = scene.text;
+  }
+  auto task = make_task(spec, context);
+  if (!task) return task.error();
+  setup->task = std::move(*task);
+  record.task_name = spec.name;
+  record.task_version = spec.version;
+  record.task_text = spec.text;
+  record.seed = context.seed;
+  return setup;
+}
+
+}  // namespace isograsp

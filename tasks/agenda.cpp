@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/random.hpp"
+#include "tasks/measures/attempts.hpp"
 
 namespace isograsp {
 
@@ -36,17 +37,6 @@ std::optional<double> agreeing(const ProtocolStep& step, const std::vector<Measu
   for (const Measure& measure : measures)
     if (measure.name == step.agreement->measure) return measure.value;
   return std::nullopt;
-}
-
-bool is_agreed(const std::vector<double>& values, double percent, bool last_two) {
-  if (values.size() < 2) return false;
-  std::vector<double> two(values.end() - 2, values.end());
-  if (!last_two) {
-    two = values;
-    std::partial_sort(two.begin(), two.begin() + 2, two.end(), std::greater<>());
-  }
-  const double larger = std::max(std::abs(two[0]), std::abs(two[1]));
-  return 100.0 * std::abs(two[0] - two[1]) <= percent * larger;
 }
 
 Agenda::Agenda(const ProtocolSpec& protocol, std::uint64_t seed)
@@ -105,7 +95,8 @@ void Agenda::plan_more() {
   if (!step.agreement) return;
   for (std::size_t task = 0; task < step.tasks.size(); ++task)
     if (!given_up_[task] && attempts_[task] < step.agreement->most_repetitions &&
-        !is_agreed(values_[task], step.agreement->percent, step.practice))
+        !attempts_agree(values_[task], step.agreement->percent,
+                        step.practice ? Compared::last_two : Compared::best_two))
       order_.push_back(task);
 }
 

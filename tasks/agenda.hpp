@@ -63,10 +63,6 @@ class Agenda {
 [[nodiscard]] std::optional<double> agreeing(const ProtocolStep& step,
                                              const std::vector<Measure>& measures);
 
-/// The values agree: the best two (assessment), or the last two (practice), differ by at most
-/// `percent` of the larger. Fewer than two never agree.
-[[nodiscard]] bool is_agreed(const std::vector<double>& values, double percent, bool last_two);
-
 /// Nominal and worst duration of a protocol [s], rests, zeros and instructions included: nominal if
 /// attempts agree at once. `tasks[i]`: the tasks of step i.
 [[nodiscard]] Duration duration_of(const ProtocolSpec& protocol,

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tasks/measures/motion.hpp"
+#include "tasks/measures/weighted.hpp"
+
 namespace isograsp {
 
 std::vector<double> Section::values(std::span<const double> column) const {
@@ -123,14 +126,7 @@ Measure make_measure(std::string name, std::string channel, std::string unit,
 }
 
 Computed mean_over(const Section& section, std::span<const double> column) {
-  double sum = 0.0;
-  double total_s = 0.0;
-  for (std::size_t i = 0; i < section.rows.size(); ++i) {
-    sum += section.weight_s[i] * column[section.rows[i]];
-    total_s += section.weight_s[i];
-  }
-  if (!(total_s > 0.0)) return "no samples";
-  return sum / total_s;
+  return weighted_mean_of(section.weight_s, [&](std::size_t k) { return column[section.rows[k]]; });
 }
 
 namespace {
@@ -144,18 +140,18 @@ std::vector<std::span<const double>> position_columns(const Signals& signals) {
 
 }  // namespace
 
-double path_length_of(const Section& section, const Signals& signals) {
+std::vector<Vec3> path_of(const Section& section, const Signals& signals) {
   const auto axes = position_columns(signals);
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < section.rows.size(); ++i) {
-    double squares = 0.0;
-    for (const auto& axis : axes) {
-      const double d = axis[section.rows[i]] - axis[section.rows[i - 1]];
-      squares += d * d;
-    }
-    length_m += std::sqrt(squares);
-  }
-  return length_m;
+  std::vector<Vec3> path_m(section.rows.size(), Vec3::Zero());
+  for (std::size_t k = 0; k < path_m.size(); ++k)
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      path_m[k][static_cast<Eigen::Index>(axis)] = axes[axis][section.rows[k]];
+  return path_m;
+}
+
+Measure path_length(const Section& motion, const Signals& signals) {
+  return make_measure("path_length", "position", "m", motion,
+                      motion.rows.empty() ? 0.0 : path_length(path_of(motion, signals)));
 }
 
 std::vector<UniformSamples> position_of(const Section& section, const Signals& signals) {

@@ -8,6 +8,7 @@
 
 #include "core/measure.hpp"
 #include "core/signals.hpp"
+#include "core/spatial.hpp"
 #include "tasks/measures/samples.hpp"
 #include "tasks/task.hpp"
 
@@ -76,9 +77,11 @@ class Record {
 
 /// sum of the column's value times hold / sum of holds, over the section.
 [[nodiscard]] Computed mean_over(const Section& section, std::span<const double> column);
-/// Sum of the straight distances between successive positions of the section [m].
-[[nodiscard]] double path_length_of(const Section& section, const Signals& signals);
-/// The position columns that the signals have: x and y, and z if present.
+/// Positions of the object in the rows of the section [m]; without a column z in the plane z = 0.
+[[nodiscard]] std::vector<Vec3> path_of(const Section& section, const Signals& signals);
+/// The measure path_length over a section of select_position().
+[[nodiscard]] Measure path_length(const Section& motion, const Signals& signals);
+/// The position columns that the signals have, on a grid: x and y, and z if present.
 [[nodiscard]] std::vector<UniformSamples> position_of(const Section& section,
                                                       const Signals& signals);
 

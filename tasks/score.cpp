@@ -45,9 +45,7 @@ std::vector<Measure> measures_of(const ObserveSpec&, const Record& record) {
   for (const std::size_t row : force.rows)
     if (!most.value || grip[row] > *most.value) most = grip[row];
   return {make_measure("mean_grip", "grip", "N", force, mean_over(force, grip)),
-          make_measure("peak_force", "grip", "N", force, most),
-          make_measure("path_length", "position", "m", motion,
-                       motion.rows.empty() ? 0.0 : path_length_of(motion, signals)),
+          make_measure("peak_force", "grip", "N", force, most), path_length(motion, signals),
           make_measure("contact_time", "contact", "s", contact, contact_time(contact, signals))};
 }
 

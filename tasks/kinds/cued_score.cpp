@@ -19,28 +19,34 @@ double resolution_in(const Record& record, const Part& part) {
   return std::isnan(resolution_N) ? 0.0 : resolution_N;
 }
 
+/// Times of an event that may be censored, and the same without the delay of the device: their
+/// median, as NAME_corrected.
+void add_delayed_times(const std::string& name, const std::string& channel, const Record& record,
+                       const Section& section, const std::vector<EventTime>& times, double limit_s,
+                       MeasureList& list) {
+  const auto delay_s = record.constant("device_delay_s");
+  std::vector<EventTime> corrected = times;
+  for (EventTime& time : corrected)
+    if (time.time_s.value) time.time_s = without_delay(time.time_s, delay_s).corrected_s;
+  list.add_times(name, channel, section, times, limit_s);
+  list.add(
+      name + "_corrected", channel, "s", section,
+      delay_s ? median_time(corrected, limit_s) : Computed("the delay of the device is not known"));
+}
+
 /// Reaction times of several cues: anticipations are excluded and counted, misses are censored.
 void add_reactions(const std::string& name, const std::string& channel, const Record& record,
                    const Section& section, const std::vector<Reaction>& reactions, double limit_s,
                    MeasureList& list) {
   std::vector<EventTime> times;
-  std::vector<EventTime> corrected;
   int anticipations = 0;
-  const auto delay_s = record.constant("device_delay_s");
   for (const Reaction& reaction : reactions) {
-    if (reaction.anticipated_s) {
+    if (reaction.anticipated_s)
       ++anticipations;
-      continue;
-    }
-    times.push_back(reaction.time);
-    corrected.push_back(reaction.time);
-    if (reaction.time.time_s.value)
-      corrected.back().time_s = without_delay(reaction.time.time_s, delay_s).corrected_s;
+    else
+      times.push_back(reaction.time);
   }
-  list.add_times(name, channel, section, times, limit_s);
-  list.add(
-      name + "_corrected", channel, "s", section,
-      delay_s ? median_time(corrected, limit_s) : Computed("the delay of the device is not known"));
+  add_delayed_times(name, channel, record, section, times, limit_s, list);
   list.add("anticipations", channel, "", section,
            reactions.empty() ? Computed("there was no cue")
                              : Computed(static_cast<double>(anticipations)));
@@ -82,6 +88,7 @@ std::vector<Measure> measures_of(const StepResponseSpec& spec, const Record& rec
   list.add_mean("rise_time", channel, "s", all, rise);
   list.add_mean("overshoot", channel, "%", all, overshoot);
   list.add_mean("rmse", channel, "N", all, error);
+  add_force_of_maximum(record, spec.aim.channel, list);
   add_net_push(record, spec.aim.channel, list);
   return list.take();
 }
@@ -123,7 +130,7 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
   const Section all = join(sections);
   const std::string channel = name_of(spec.aim.channel);
   add_reactions("release_initiation", channel, record, all, initiations, spec.after_s, list);
-  list.add_times("release_time", channel, all, releases, spec.after_s);
+  add_delayed_times("release_time", channel, record, all, releases, spec.after_s, list);
   list.add_mean("residual_force", channel, "N", all, residual);
   list.add_mean("fastest_release", channel, "N/s", all, fastest);
   if (spec.open) list.add_mean("opening_force", "opening", "N", all, opening);

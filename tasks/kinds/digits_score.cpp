@@ -10,55 +10,6 @@
 
 namespace isograsp {
 
-namespace {
-
-/// Normal forces of the three digits over some rows.
-struct NormalForces {
-  Section section;
-  std::array<std::vector<double>, kFingerCount> force_N;
-  [[nodiscard]] DigitForces view() const {
-    DigitForces forces;
-    for (std::size_t f = 0; f < kFingerCount; ++f) forces.force_N[f] = force_N[f];
-    forces.weight = section.weight_s;
-    return forces;
-  }
-  [[nodiscard]] PerDigit mean() const {
-    PerDigit mean{};
-    for (std::size_t f = 0; f < kFingerCount; ++f)
-      mean[f] = weighted_mean(force_N[f], section.weight_s).value.value_or(0.0);
-    return mean;
-  }
-};
-
-NormalForces normal_forces(const Record& record, const Part& part) {
-  NormalForces forces;
-  forces.section =
-      record.select(part.first, part.last, {}, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
-  if (!forces.section.reason.empty()) return forces;
-  for (const Finger finger : kFingers)
-    forces.force_N[index_of(finger)] =
-        forces.section.values(record.signals().column(std::string(name_of(finger)) + "_fz_N"));
-  return forces;
-}
-
-/// The vector columns PREFIX_fx_N … of one digit over the rows of a part.
-struct Vectors {
-  Section section;
-  std::vector<Vec3> force_N;
-};
-Vectors vectors_of(const Record& record, const Part& part, const std::string& prefix) {
-  const std::array<std::string, 3> names{prefix + "_fx_N", prefix + "_fy_N", prefix + "_fz_N"};
-  Vectors vectors;
-  vectors.section = record.select(part.first, part.last, {}, {names[0], names[1], names[2]});
-  for (const std::size_t row : vectors.section.rows)
-    vectors.force_N.emplace_back(record.signals().column(names[0])[row],
-                                 record.signals().column(names[1])[row],
-                                 record.signals().column(names[2])[row]);
-  return vectors;
-}
-
-}  // namespace
-
 std::vector<Measure> measures_of(const IndividuationSpec& spec, const Record& record) {
   MeasureList list;
   std::vector<DigitHold> holds;
@@ -70,7 +21,7 @@ std::vector<Measure> measures_of(const IndividuationSpec& spec, const Record& re
   bool rested = false;
   for (const Part& part : parts_of(record)) {
     const auto digit = single_digit(part.channel);
-    const NormalForces forces = normal_forces(record, part);
+    const NormalForces forces = normal_forces(record, part.first, part.last);
     if (part.cue == Cue::relax) {
       rested = !forces.section.rows.empty();
       start_N = forces.mean();
@@ -114,9 +65,9 @@ std::vector<Measure> measures_of(const ForceDirectionSpec&, const Record& record
     std::vector<Section> sections;
     for (const Part& part : parts_of(record)) {
       if (part.phase != Phase::active) continue;
-      const Vectors target = vectors_of(record, part, "target_" + name);
+      const Vectors target = vectors_of(record, part.first, part.last, "target_" + name);
       if (target.force_N.empty()) continue;  // this digit was not asked
-      const Vectors actual = vectors_of(record, part, name);
+      const Vectors actual = vectors_of(record, part.first, part.last, name);
       const Vec3 wanted_N = target.force_N.front();
       const double noise_N = known_in(record, part, "noise_sd_N");
       constexpr double kLeast_sd = 3.0;
@@ -140,9 +91,7 @@ std::vector<Measure> measures_of(const ForceDirectionSpec&, const Record& record
   const auto parts = parts_of(record);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i].phase != Phase::active) continue;
-    Part way = parts[i - 1];
-    way.last = parts[i].last;
-    const NormalForces forces = normal_forces(record, way);
+    const NormalForces forces = normal_forces(record, parts[i - 1].first, parts[i].last);
     if (forces.section.rows.empty()) continue;
     deviations.push_back(path_deviation(forces.force_N, forces.section.weight_s));
     paths.push_back(forces.section);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/csv.hpp"
-#include "tasks/measures/error.hpp"
+#include "tasks/measures/motion.hpp"
 #include "tasks/measures/smoothness.hpp"
 
 namespace isograsp {
@@ -77,18 +77,44 @@ Section ObjectRecord::select_attitudes(std::size_t first, std::size_t last,
   return record_.select(first, last, phases, {actual, target});
 }
 
-Computed ObjectRecord::mean_distance(const Section& section) const {
-  std::vector<double> d;
-  d.reserve(section.rows.size());
-  for (const std::size_t row : section.rows) d.push_back(distance(row));
-  return weighted_mean(d, section.weight_s);
+std::vector<Quat> ObjectRecord::attitudes(const Section& section) const {
+  std::vector<Quat> q;
+  q.reserve(section.rows.size());
+  for (const std::size_t row : section.rows) q.push_back(attitude(row));
+  return q;
 }
 
-Computed ObjectRecord::mean_angle(const Section& section) const {
-  std::vector<double> a;
-  a.reserve(section.rows.size());
-  for (const std::size_t row : section.rows) a.push_back(angle(row));
-  return weighted_mean(a, section.weight_s);
+std::vector<Quat> ObjectRecord::target_attitudes(const Section& section) const {
+  std::vector<Quat> q;
+  q.reserve(section.rows.size());
+  for (const std::size_t row : section.rows) q.push_back(target_attitude(row));
+  return q;
+}
+
+void ObjectRecord::add_hold_errors(std::vector<Measure>& all, const Section& position,
+                                   const Section& attitude) const {
+  std::vector<Vec3> actual_m;
+  std::vector<Vec3> target_m;
+  for (const std::size_t row : position.rows) {
+    actual_m.push_back(this->position(row));
+    target_m.push_back(target(row));
+  }
+  const auto actual = attitudes(attitude);
+  const auto target = target_attitudes(attitude);
+  all.push_back(make_measure("hold_error_position", "position", "m", position,
+                             mean_distance(actual_m, target_m, position.weight_s)));
+  all.push_back(make_measure("hold_error_angle", "angle", "rad", attitude,
+                             mean_angle(target, actual, attitude.weight_s)));
+  // An object that turns in the plane of the screen alone keeps its axis.
+  const bool leans = std::any_of(actual.begin(), actual.end(),
+                                 [](const Quat& q) { return q.x() != 0.0 || q.y() != 0.0; });
+  if (leans)
+    all.push_back(make_measure("hold_error_axis", "angle", "rad", attitude,
+                               mean_axis_angle(actual, target, Vec3::UnitZ(), attitude.weight_s)));
+}
+
+Computed ObjectRecord::tilt(const Section& section) const {
+  return rms_angle(target_attitudes(section), attitudes(section), section.weight_s);
 }
 
 Measure ObjectRecord::slip(std::initializer_list<Phase> phases) const {
@@ -112,15 +138,19 @@ Measure ObjectRecord::mean_grip(std::initializer_list<Phase> phases) const {
                       mean_over(force, record_.signals().column("actual_force_N")));
 }
 
-Computed ObjectRecord::sparc_of_motion(const Section& section) const {
-  if (section.rows.size() < 2) return "fewer than two samples";
-  return sparc(speed_of(position_of(section, record_.signals())));
+Smoothness ObjectRecord::smoothness_of_motion(const Section& section) const {
+  const char* const too_short = "fewer than two samples";
+  if (section.rows.size() < 2) return {too_short, too_short};
+  const UniformSamples speed = speed_of(position_of(section, record_.signals()));
+  return {sparc(speed), ldlj(speed)};
 }
 
-Computed ObjectRecord::sparc_of_grip(const Section& section) const {
-  if (section.rows.size() < 2) return "fewer than two samples";
-  return sparc(rate_of(
-      on_uniform_grid(section.t_s, section.values(record_.signals().column("actual_force_N")))));
+Smoothness ObjectRecord::smoothness_of_grip(const Section& section) const {
+  const char* const too_short = "fewer than two samples";
+  if (section.rows.size() < 2) return {too_short, too_short};
+  const UniformSamples rate = rate_of(
+      on_uniform_grid(section.t_s, section.values(record_.signals().column("actual_force_N"))));
+  return {sparc(rate), ldlj(rate)};
 }
 
 Attempts attempts_of(const Record& record, std::size_t count) {

@@ -15,6 +15,12 @@ namespace isograsp {
 /// Appends the rows of `part` to `sum`.
 void append(Section& sum, const Section& part);
 
+/// Two measures of the same movement.
+struct Smoothness {
+  Computed sparc;
+  Computed ldlj;
+};
+
 class ObjectRecord {
  public:
   /// Refers to `record`, which must outlive it.
@@ -48,17 +54,20 @@ class ObjectRecord {
   [[nodiscard]] bool touched(std::size_t row) const { return any(contact_, row); }
   [[nodiscard]] bool slips(std::size_t row) const { return any(slip_, row); }
 
-  /// Weighted mean of the distance, and of the angle, over a section.
-  [[nodiscard]] Computed mean_distance(const Section& section) const;
-  [[nodiscard]] Computed mean_angle(const Section& section) const;
+  /// Hold errors of position, attitude and, of an object that leans out of the plane of the screen,
+  /// its main axis, over sections of select_positions() and select_attitudes().
+  void add_hold_errors(std::vector<Measure>& all, const Section& position,
+                       const Section& attitude) const;
+  /// Root mean square of the angle over a section of select_attitudes() [rad].
+  [[nodiscard]] Computed tilt(const Section& section) const;
 
   /// Share of the time of contact in which a finger slips, in %; and the mean of the grip [N].
   [[nodiscard]] Measure slip(std::initializer_list<Phase> phases) const;
   [[nodiscard]] Measure mean_grip(std::initializer_list<Phase> phases) const;
-  /// Spectral arc length of the object's speed, and of |dF/dt| of the grip, over a section: the
-  /// speed of the virtual object is also that of its springs, the force is the hand's alone.
-  [[nodiscard]] Computed sparc_of_motion(const Section& section) const;
-  [[nodiscard]] Computed sparc_of_grip(const Section& section) const;
+  /// Of the object's speed, and of |dF/dt| of the grip, over a section: the speed of the virtual
+  /// object is also that of its springs, the force is the hand's alone.
+  [[nodiscard]] Smoothness smoothness_of_motion(const Section& section) const;
+  [[nodiscard]] Smoothness smoothness_of_grip(const Section& section) const;
 
   [[nodiscard]] std::string no_contact_columns() const { return contact_.absent; }
 
@@ -79,6 +88,8 @@ class ObjectRecord {
     return {q[0][row], q[1][row], q[2][row], q[3][row]};
   }
   [[nodiscard]] static bool any(const Flags& flags, std::size_t row);
+  [[nodiscard]] std::vector<Quat> attitudes(const Section& section) const;
+  [[nodiscard]] std::vector<Quat> target_attitudes(const Section& section) const;
   [[nodiscard]] Components components(const std::string& prefix) const;
   [[nodiscard]] Flags flags(const std::string& prefix) const;
 
@@ -88,6 +99,11 @@ class ObjectRecord {
   std::span<const double> actual_angle_, target_angle_;
   Flags contact_, slip_;
 };
+
+/// How the grip suits the load of the virtual object: correlation, lag and slope over the longest
+/// uninterrupted grasp; safety margin over all grasps; friction used over all touch.
+void add_grasp(std::vector<Measure>& measures, const Record& record,
+               std::initializer_list<Phase> phases);
 
 /// What happened to one of several targets, or objects to be placed.
 struct Attempt {

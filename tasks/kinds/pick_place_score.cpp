@@ -5,6 +5,7 @@
 
 #include "tasks/kinds/object_score.hpp"
 #include "tasks/kinds/score_kinds.hpp"
+#include "tasks/measures/motion.hpp"
 
 namespace isograsp {
 
@@ -27,6 +28,7 @@ class PickPlaceScore {
     add_hold_errors(all);
     all.push_back(object_.slip(kMoving));
     all.push_back(object_.mean_grip(kMoving));
+    add_grasp(all, record_, kMoving);
     return all;
   }
 
@@ -54,22 +56,16 @@ class PickPlaceScore {
     const Signals& signals = record_.signals();
     Section ways;
     ways.reason = attempts_.absent;
-    double straight_m = 0.0;
-    double path_m = 0.0;
+    std::vector<std::vector<Vec3>> ways_m;
     for (const Attempt& attempt : attempts_.all) {
       if (!attempt.reached) continue;
       const Section way = last_way(attempt);
       append(ways, way);
-      if (way.rows.size() < 2) continue;
-      Section ends;
-      ends.rows = {way.rows.front(), way.rows.back()};
-      straight_m += path_length_of(ends, signals);
-      path_m += path_length_of(way, signals);
+      ways_m.push_back(path_of(way, signals));
     }
     if (ways.reason.empty() && ways.rows.empty()) ways.reason = kNothingPlaced;
-    return make_measure(
-        "path_efficiency", "position", "%", ways,
-        path_m > 0.0 ? Computed(100.0 * straight_m / path_m) : Computed("nothing moved"));
+    return make_measure("path_efficiency", "position", "%", ways,
+                        isograsp::path_efficiency(ways_m));
   }
 
   /// While the object that was placed then was held inside the tolerance, until it was let go.
@@ -84,10 +80,7 @@ class PickPlaceScore {
     }
     if (position.reason.empty() && position.rows.empty()) position.reason = kNothingPlaced;
     if (angle.reason.empty() && angle.rows.empty()) angle.reason = kNothingPlaced;
-    all.push_back(make_measure("hold_error_position", "position", "m", position,
-                               object_.mean_distance(position)));
-    all.push_back(
-        make_measure("hold_error_angle", "angle", "rad", angle, object_.mean_angle(angle)));
+    object_.add_hold_errors(all, position, angle);
   }
 
   static constexpr const char* kNothingPlaced = "nothing was placed";

@@ -5,7 +5,9 @@
 
 #include "tasks/kinds/object_score.hpp"
 #include "tasks/kinds/score_kinds.hpp"
+#include "tasks/kinds/score_tools.hpp"
 #include "tasks/measures/fitts.hpp"
+#include "tasks/measures/motion.hpp"
 
 namespace isograsp {
 
@@ -30,6 +32,7 @@ class PoseScore {
     add_smoothness(all);
     add_fitts(all);
     all.push_back(object_.mean_grip(kMoving));
+    add_grasp(all, record_, kMoving);
     return all;
   }
 
@@ -51,10 +54,7 @@ class PoseScore {
     }
     if (position.reason.empty() && position.rows.empty())
       position.reason = angle.reason = "no target was held";
-    all.push_back(make_measure("hold_error_position", "position", "m", position,
-                               object_.mean_distance(position)));
-    all.push_back(
-        make_measure("hold_error_angle", "angle", "rad", angle, object_.mean_angle(angle)));
+    object_.add_hold_errors(all, position, angle);
   }
 
   [[nodiscard]] Measure tilt_in_transport() const {
@@ -67,16 +67,7 @@ class PoseScore {
                                                {Phase::transport}));
     }
     if (level.reason.empty() && level.rows.empty()) level.reason = "there was no level transport";
-    double squares = 0.0;
-    double total_s = 0.0;
-    for (std::size_t i = 0; i < level.rows.size(); ++i) {
-      const double angle_rad = object_.angle(level.rows[i]);
-      squares += level.weight_s[i] * angle_rad * angle_rad;
-      total_s += level.weight_s[i];
-    }
-    return make_measure(
-        "tilt_in_transport", "angle", "rad", level,
-        total_s > 0.0 ? Computed(std::sqrt(squares / total_s)) : Computed("no samples"));
+    return make_measure("tilt_in_transport", "angle", "rad", level, object_.tilt(level));
   }
 
   /// From the appearance of a target to the start of its hold.
@@ -91,27 +82,21 @@ class PoseScore {
   void add_path(std::vector<Measure>& all) const {
     const Signals& signals = record_.signals();
     const Section motion = record_.select_position(0, record_.rows(), kMoving);
-    all.push_back(make_measure("path_length", "position", "m", motion,
-                               motion.rows.empty() ? 0.0 : path_length_of(motion, signals)));
+    all.push_back(path_length(motion, signals));
     Section transports;
     transports.reason = attempts_.absent.empty() ? motion.reason : attempts_.absent;
-    double straight_m = 0.0;
-    double path_m = 0.0;
+    std::vector<std::vector<Vec3>> ways_m;
     for (const Attempt& attempt : attempts_.all) {
       if (!attempt.reached) continue;
       const Section way = way_to(attempt);
       if (!is_transport(way)) continue;
-      Section ends;
-      ends.rows = {way.rows.front(), way.rows.back()};
-      straight_m += path_length_of(ends, signals);
-      path_m += path_length_of(way, signals);
+      ways_m.push_back(path_of(way, signals));
       append(transports, way);
     }
     if (transports.reason.empty() && transports.rows.empty())
       transports.reason = "no transport reached its target";
-    all.push_back(make_measure(
-        "path_efficiency", "position", "%", transports,
-        path_m > 0.0 ? Computed(100.0 * straight_m / path_m) : Computed("nothing moved")));
+    all.push_back(
+        make_measure("path_efficiency", "position", "%", transports, path_efficiency(ways_m)));
   }
 
   /// Touch lost on the way; across a pause nothing is the patient's doing.
@@ -140,33 +125,31 @@ class PoseScore {
     Section motion;
     Section force;
     motion.reason = force.reason = attempts_.absent;
-    std::vector<Computed> motion_arcs;
-    std::vector<Computed> force_arcs;
+    std::vector<Computed> motion_arcs, motion_jerks, force_arcs, force_jerks;
     for (std::size_t i = 0; i < attempts_.all.size(); ++i) {
       const Attempt& attempt = attempts_.all[i];
       if (!attempt.reached || (has_level && !spec_.targets[i].level)) continue;
       const std::size_t end = attempt.hold_row + 1;
       const Section way = record_.select_position(attempt.first_row, end, kMoving);
       append(motion, way);
-      motion_arcs.push_back(object_.sparc_of_motion(way));
+      const Smoothness of_motion = object_.smoothness_of_motion(way);
+      motion_arcs.push_back(of_motion.sparc);
+      motion_jerks.push_back(of_motion.ldlj);
       const Section grip = record_.select(attempt.first_row, end, kMoving, {"actual_force_N"});
       append(force, grip);
-      force_arcs.push_back(object_.sparc_of_grip(grip));
+      const Smoothness of_grip = object_.smoothness_of_grip(grip);
+      force_arcs.push_back(of_grip.sparc);
+      force_jerks.push_back(of_grip.ldlj);
     }
-    all.push_back(make_measure("sparc", "transport", "", motion, mean_of(motion_arcs)));
-    all.push_back(make_measure("sparc", "force_rate", "", force, mean_of(force_arcs)));
-  }
-  /// Of those that have a value; the first reason if none has.
-  static Computed mean_of(const std::vector<Computed>& arcs) {
-    double sum = 0.0;
-    double count = 0.0;
-    for (const Computed& arc : arcs) {
-      if (!arc.value) continue;
-      sum += *arc.value;
-      count += 1.0;
-    }
-    if (count > 0.0) return sum / count;
-    return arcs.empty() ? Computed("no transport reached its target") : arcs.front();
+    const auto add = [&](const char* name, const char* channel, const Section& section,
+                         const std::vector<Computed>& each) {
+      all.push_back(make_measure(name, channel, "", section,
+                                 mean_of_repetitions(each, "no transport reached its target")));
+    };
+    add("sparc", "transport", motion, motion_arcs);
+    add("sparc", "force_rate", force, force_arcs);
+    add("ldlj", "transport", motion, motion_jerks);
+    add("ldlj", "force_rate", force, force_jerks);
   }
 
   /// Research measures after Fitts. A target without a hold is reached at the edge of its

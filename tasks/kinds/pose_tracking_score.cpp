@@ -10,6 +10,7 @@
 #include "tasks/kinds/score_kinds.hpp"
 #include "tasks/measures/delay.hpp"
 #include "tasks/measures/error.hpp"
+#include "tasks/measures/known_delay.hpp"
 #include "tasks/measures/sine.hpp"
 
 namespace isograsp {
@@ -42,13 +43,17 @@ class TrackingScore {
     add_whole(all);
     const Signals& signals = record_.signals();
     const Section motion = record_.select_position(0, record_.rows(), kScored);
-    all.push_back(make_measure("path_length", "position", "m", motion,
-                               motion.rows.empty() ? 0.0 : path_length_of(motion, signals)));
-    all.push_back(make_measure("sparc", "position", "", motion, object_.sparc_of_motion(motion)));
+    all.push_back(path_length(motion, signals));
     const Section force = record_.select(kScored, {"actual_force_N"});
-    all.push_back(make_measure("sparc", "force_rate", "", force, object_.sparc_of_grip(force)));
+    const Smoothness of_motion = object_.smoothness_of_motion(motion);
+    const Smoothness of_grip = object_.smoothness_of_grip(force);
+    all.push_back(make_measure("sparc", "position", "", motion, of_motion.sparc));
+    all.push_back(make_measure("sparc", "force_rate", "", force, of_grip.sparc));
+    all.push_back(make_measure("ldlj", "position", "", motion, of_motion.ldlj));
+    all.push_back(make_measure("ldlj", "force_rate", "", force, of_grip.ldlj));
     all.push_back(object_.slip(kScored));
     all.push_back(object_.mean_grip(kScored));
+    add_grasp(all, record_, kScored);
     return all;
   }
 
@@ -95,10 +100,12 @@ class TrackingScore {
     add("rmse", channel, unit, rmse(target, actual, weight_s));
     add("mae", channel, unit, mae(target, actual, weight_s));
     add("constant_error", channel, unit, constant_error(target, actual, weight_s));
-    add("lag", channel, "s",
-        target.size() < 2
-            ? Computed("fewer than two samples")
-            : lag(on_uniform_grid(section.t_s, target), on_uniform_grid(section.t_s, actual)));
+    const Computed late = target.size() < 2 ? Computed("fewer than two samples")
+                                            : lag(on_uniform_grid(section.t_s, target),
+                                                  on_uniform_grid(section.t_s, actual));
+    add("lag", channel, "s", late);
+    add("lag_corrected", channel, "s",
+        without_delay(late, record_.constant("device_delay_s")).corrected_s);
     const bool sines = axis.waveform.shape == Waveform::Shape::sine ||
                        axis.waveform.shape == Waveform::Shape::multi_sine;
     if (!sines) return;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Core>
-
 #include "tasks/kinds/read_kinds.hpp"
 #include "tasks/kinds/score_kinds.hpp"
 #include "tasks/kinds/score_tools.hpp"
@@ -151,52 +149,17 @@ std::vector<double> cycle_starts(const RecordedSpec& spec, const Record& record,
   return starts_s;
 }
 
-double at_time(std::span<const double> t_s, std::span<const double> x, double when_s) {
-  const auto after = std::upper_bound(t_s.begin(), t_s.end(), when_s);
-  if (after == t_s.begin()) return x.front();
-  const auto k = static_cast<std::size_t>(after - t_s.begin());
-  if (k == t_s.size()) return x.back();
-  return std::lerp(x[k - 1], x[k], (when_s - t_s[k - 1]) / (t_s[k] - t_s[k - 1]));
-}
-
-/// UCM analysis at each phase of the cycle, over the cycles; means over the phases.
+/// UCM analysis over the cycles of the metronome, without those at the beginning.
 void add_synergy(const RecordedSpec& spec, const Record& record, const FingerForces& forces,
                  MeasureList& list) {
-  constexpr int kPhases = 100;
   const auto starts_s = cycle_starts(spec, record, forces.section);
-  const auto cycles = static_cast<Eigen::Index>(starts_s.size()) - 1 - spec.cycles_left_out;
-  std::string reason = "there are no beats that cut the recording into cycles";
-  double index = 0.0;
-  double within = 0.0;
-  double across = 0.0;
-  int phases = 0;
-  if (cycles > 0) {
-    const auto fingers = static_cast<Eigen::Index>(forces.force_N.size());
-    const Eigen::VectorXd sum_of_all = Eigen::VectorXd::Ones(fingers);
-    Eigen::MatrixXd trials = Eigen::MatrixXd::Zero(cycles, fingers);
-    for (int phase = 0; phase < kPhases; ++phase) {
-      for (Eigen::Index c = 0; c < cycles; ++c) {
-        const auto cycle = static_cast<std::size_t>(c + spec.cycles_left_out);
-        const double when_s =
-            std::lerp(starts_s[cycle], starts_s[cycle + 1], static_cast<double>(phase) / kPhases);
-        for (Eigen::Index f = 0; f < fingers; ++f)
-          trials(c, f) =
-              at_time(forces.section.t_s, forces.force_N[static_cast<std::size_t>(f)], when_s);
-      }
-      const auto found = synergy(trials, sum_of_all, reason);
-      if (!found) break;
-      index += found->delta_v;
-      within += found->v_ucm;
-      across += found->v_ort;
-      ++phases;
-    }
-  }
-  const auto mean = [&](double sum) {
-    return phases == kPhases ? Computed(sum / kPhases) : Computed(reason);
-  };
-  list.add("synergy_index", "force", "", forces.section, mean(index));
-  list.add("variance_within", "force", "N^2", forces.section, mean(within));
-  list.add("variance_across", "force", "N^2", forces.section, mean(across));
+  const auto left_out = static_cast<std::size_t>(spec.cycles_left_out);
+  const char* const none = "there are no beats that cut the recording into cycles";
+  CycleSynergy found{none, none, none, none};
+  if (starts_s.size() > left_out + 1 && forces.section.reason.empty())
+    found = synergy_over_cycles(forces.section.t_s, forces.force_N,
+                                std::span(starts_s).subspan(left_out));
+  add_synergy(found, forces.section, list);
 }
 
 void add_finger_forces(const RecordedSpec& spec, const Record& record, MeasureList& list) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tasks/measures/direction.hpp"
+#include "tasks/measures/error.hpp"
 #include "tasks/measures/survival.hpp"
 
 namespace isograsp {
@@ -78,6 +79,43 @@ Section join(std::span<const Section> sections) {
   return all;
 }
 
+DigitForces NormalForces::view() const {
+  DigitForces forces;
+  for (std::size_t f = 0; f < kFingerCount; ++f) forces.force_N[f] = force_N[f];
+  forces.weight = section.weight_s;
+  return forces;
+}
+
+PerDigit NormalForces::mean() const {
+  PerDigit mean{};
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    mean[f] = weighted_mean(force_N[f], section.weight_s).value.value_or(0.0);
+  return mean;
+}
+
+NormalForces normal_forces(const Record& record, std::size_t first, std::size_t last,
+                           std::initializer_list<Phase> phases) {
+  NormalForces forces;
+  forces.section = record.select(first, last, phases, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
+  if (!forces.section.reason.empty()) return forces;
+  for (const Finger finger : kFingers)
+    forces.force_N[index_of(finger)] =
+        forces.section.values(record.signals().column(std::string(name_of(finger)) + "_fz_N"));
+  return forces;
+}
+
+Vectors vectors_of(const Record& record, std::size_t first, std::size_t last,
+                   const std::string& prefix) {
+  const std::array<std::string, 3> names{prefix + "_fx_N", prefix + "_fy_N", prefix + "_fz_N"};
+  Vectors vectors;
+  vectors.section = record.select(first, last, {}, {names[0], names[1], names[2]});
+  for (const std::size_t row : vectors.section.rows)
+    vectors.force_N.emplace_back(record.signals().column(names[0])[row],
+                                 record.signals().column(names[1])[row],
+                                 record.signals().column(names[2])[row]);
+  return vectors;
+}
+
 double known_in(const Record& record, const Part& part, std::string_view column) {
   const auto values = record.signals().column(column);
   if (!values.empty())
@@ -93,21 +131,21 @@ Measure& MeasureList::add(std::string name, std::string channel, std::string uni
   return measures_.back();
 }
 
-void MeasureList::add_mean(std::string name, const std::string& channel, std::string unit,
-                           const Section& section, std::span<const Computed> each) {
+Computed mean_of_repetitions(std::span<const Computed> each, const char* none) {
   double sum = 0.0;
   int count = 0;
-  std::string reason = "there was no repetition";
   for (const Computed& one : each) {
-    if (one.value) {
-      sum += *one.value;
-      ++count;
-    } else if (count == 0 && &one == &each.front()) {
-      reason = one.reason;
-    }
+    if (!one.value) continue;
+    sum += *one.value;
+    ++count;
   }
-  add(std::move(name), channel, std::move(unit), section,
-      count > 0 ? Computed(sum / count) : Computed(reason));
+  if (count > 0) return sum / count;
+  return each.empty() ? Computed(none) : each.front();
+}
+
+void MeasureList::add_mean(std::string name, const std::string& channel, std::string unit,
+                           const Section& section, std::span<const Computed> each) {
+  add(std::move(name), channel, std::move(unit), section, mean_of_repetitions(each));
 }
 
 namespace {
@@ -169,6 +207,50 @@ void add_net_push(const Record& record, ForceChannel channel, MeasureList& list)
   const PushSummary push = summary_of_push(push_N, grip_N, section.weight_s, kLeastForce_N);
   list.add("net_push", "platform", "%", section, push.median);
   list.add("net_push_time", "platform", "%", section, push.above_20);
+}
+
+void add_sharing(const Record& record, ForceChannel channel, MeasureList& list) {
+  const bool all_press = channel.digits == Digits::grip || channel.digits == Digits::grip_mean ||
+                         channel.digits == Digits::sum;
+  if (!all_press || channel.direction != Direction::plus_z) return;
+  const NormalForces forces = normal_forces(record, 0, record.rows(), {Phase::active});
+  if (!forces.section.reason.empty()) return;  // finger forces were not recorded
+  const PerDigit mean_N = forces.mean();
+  for (const Finger finger : kFingers)
+    list.add("sharing", std::string(name_of(finger)), "%", forces.section, sharing(mean_N, finger));
+  list.add("thumb_opposition", "digits", "", forces.section, thumb_opposition(mean_N));
+}
+
+void add_force_of_maximum(const Record& record, ForceChannel channel, MeasureList& list) {
+  const auto force = record.signals().column("actual_force_N");
+  const auto maximum = record.signals().column("maximum_force_N");
+  const auto resting = record.signals().column("resting_force_N");
+  if (force.empty() || maximum.empty() || resting.empty()) return;
+  std::vector<double> of_maximum(record.rows(), 0.0);
+  std::vector<double> weight_s(record.rows(), 0.0);
+  std::vector<bool> valid(record.rows(), false);
+  bool known = false;
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    known = known || maximum[row] > 0.0;
+    weight_s[row] = record.hold_s(row);
+    const Phase phase = record.phase(row);
+    const double share = 100.0 * (force[row] - resting[row]) / maximum[row];
+    valid[row] = record.counts(row) && std::isfinite(share) &&
+                 (phase == Phase::active || phase == Phase::hold);
+    if (valid[row]) of_maximum[row] = share;
+  }
+  if (!known) return;
+  constexpr double kWindow_s = 0.5;  // that of the maximum itself
+  list.add("force_of_maximum", name_of(channel), "%",
+           record.select({Phase::active, Phase::hold}, {"actual_force_N", "maximum_force_N"}),
+           best_moving_mean(of_maximum, weight_s, valid, kWindow_s));
+}
+
+void add_synergy(const CycleSynergy& found, const Section& section, MeasureList& list) {
+  list.add("synergy_index", "force", "", section, found.delta_v);
+  list.add("synergy_index_z", "force", "", section, found.delta_v_z);
+  list.add("variance_within", "force", "N^2", section, found.v_ucm);
+  list.add("variance_across", "force", "N^2", section, found.v_ort);
 }
 
 }  // namespace isograsp

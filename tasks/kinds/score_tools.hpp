@@ -2,13 +2,16 @@
 // Inside tasks/ only: a trial cut into the parts of its timeline, and measures put on record.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/force_channel.hpp"
+#include "tasks/measures/digits.hpp"
 #include "tasks/measures/samples.hpp"
+#include "tasks/measures/synergy.hpp"
 #include "tasks/record.hpp"
 
 namespace isograsp {
@@ -39,11 +42,33 @@ struct Trace {
 /// The rows of `parts` one after the other; t_s runs on.
 [[nodiscard]] Section join(std::span<const Section> sections);
 
+/// Normal forces fz of the three digits over the rows in which all are known.
+struct NormalForces {
+  Section section;
+  std::array<std::vector<double>, kFingerCount> force_N;
+  [[nodiscard]] DigitForces view() const;
+  [[nodiscard]] PerDigit mean() const;  ///< 0 without rows
+};
+[[nodiscard]] NormalForces normal_forces(const Record& record, std::size_t first, std::size_t last,
+                                         std::initializer_list<Phase> phases = {});
+
+/// The vector columns PREFIX_fx_N … of one digit, or of its target, over some rows.
+struct Vectors {
+  Section section;
+  std::vector<Vec3> force_N;
+};
+[[nodiscard]] Vectors vectors_of(const Record& record, std::size_t first, std::size_t last,
+                                 const std::string& prefix);
+
 /// Value of a column in the first row of the part in which it is known; NaN: nowhere.
 [[nodiscard]] double known_in(const Record& record, const Part& part, std::string_view column);
 
 /// Kaplan-Meier median of times of which some are longer than `limit_s`.
 [[nodiscard]] Computed median_time(std::span<const EventTime> each, double limit_s);
+
+/// Mean over repetitions of those that have a value; the first reason, or `none`, if none has.
+[[nodiscard]] Computed mean_of_repetitions(std::span<const Computed> each,
+                                           const char* none = "there was no repetition");
 
 /// Measures on their way to the record.
 class MeasureList {
@@ -51,7 +76,7 @@ class MeasureList {
   /// The measure, so that its version can be raised.
   Measure& add(std::string name, std::string channel, std::string unit, const Section& section,
                Computed computed);
-  /// Mean over repetitions of those that have a value; the first reason if none has.
+  /// mean_of_repetitions().
   void add_mean(std::string name, const std::string& channel, std::string unit,
                 const Section& section, std::span<const Computed> each);
   /// Times that may be censored: NAME (median, Kaplan-Meier), NAME_restricted (mean up to
@@ -67,5 +92,16 @@ class MeasureList {
 /// Net push of arm or trunk over the active rows, where digits press against each other: a single
 /// digit always pushes the platform.
 void add_net_push(const Record& record, ForceChannel channel, MeasureList& list);
+
+/// Shares of the digits in their sum, and the thumb against the fingers, over the active rows,
+/// where all three press together.
+void add_sharing(const Record& record, ForceChannel channel, MeasureList& list);
+
+/// The hardest effort in % of the maximum of the session, where that is known: above 110 % it was
+/// none.
+void add_force_of_maximum(const Record& record, ForceChannel channel, MeasureList& list);
+
+/// synergy_index and the two variances behind it.
+void add_synergy(const CycleSynergy& found, const Section& section, MeasureList& list);
 
 }  // namespace isograsp

@@ -86,41 +86,36 @@ void add_rates(const Record& record, const Part& part, const std::string& channe
   list.add("early_rate", channel, "N/s", trace.section, early);
 }
 
-/// Normal forces of the digits in some rows.
-struct NormalForces {
-  Section section;
-  std::array<std::vector<double>, kFingerCount> force_N;
-};
-NormalForces normal_forces(const Record& record, std::size_t first, std::size_t last) {
-  NormalForces forces;
-  forces.section = record.select(first, last, {}, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
-  if (!forces.section.reason.empty()) return forces;
-  for (const Finger finger : kFingers)
-    forces.force_N[index_of(finger)] =
-        forces.section.values(record.signals().column(std::string(name_of(finger)) + "_fz_N"));
-  return forces;
-}
-
 /// Press, above what the digits did in the lead-in, of those that were to open.
 void add_coflexion(const Record& record, const Part& part, const std::string& channel,
-                   MeasureList& list) {
+                   double window_s, MeasureList& list) {
   std::size_t first = part.first;
   while (first > 0 && record.phase(first - 1) == Phase::lead_in) --first;
   const NormalForces before = normal_forces(record, first, part.first);
-  NormalForces opening = normal_forces(record, part.first, part.last);
+  const Section opening =
+      record.select(part.first, part.last, {}, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
   Computed share = "the force before the cue is not known";
-  if (!before.section.rows.empty()) {
+  if (!before.section.rows.empty() && opening.reason.empty()) {
+    // A window must be uninterrupted, so these lists keep the rows that do not count.
+    const std::size_t rows = part.last - part.first;
+    std::array<std::vector<double>, kFingerCount> force_N;
+    std::vector<double> weight_s;
+    std::vector<bool> valid(rows, false);
+    for (const std::size_t row : opening.rows) valid[row - part.first] = true;
+    for (std::size_t k = 0; k < rows; ++k) weight_s.push_back(record.hold_s(part.first + k));
+    const PerDigit resting_N = before.mean();
     DigitForces forces;
-    for (std::size_t f = 0; f < kFingerCount; ++f) {
-      const double resting_N =
-          weighted_mean(before.force_N[f], before.section.weight_s).value.value_or(0.0);
-      for (double& force_N : opening.force_N[f]) force_N -= resting_N;
-      forces.force_N[f] = opening.force_N[f];
+    for (const Finger finger : kFingers) {
+      const std::size_t f = index_of(finger);
+      const auto column = record.signals().column(std::string(name_of(finger)) + "_fz_N");
+      for (std::size_t k = 0; k < rows; ++k)
+        force_N[f].push_back(valid[k] ? column[part.first + k] - resting_N[f] : 0.0);
+      forces.force_N[f] = force_N[f];
     }
-    forces.weight = opening.section.weight_s;
-    share = coflexion(forces);
+    forces.weight = weight_s;
+    share = coflexion(forces, valid, window_s);
   }
-  list.add("coflexion", channel, "%", opening.section, share);
+  list.add("coflexion", channel, "%", opening, share).version = kCoflexionVersion;
 }
 
 /// Rows of an effort; of old records without segments, those that are active.
@@ -147,7 +142,8 @@ std::vector<Measure> measures_of(const MaximumSpec& spec, const Record& record) 
   if (efforts.empty() || spec.comfortable) return list.take();
   add_rates(record, efforts.front(), channel, list);
   if (spec.channel.direction == Direction::minus_z)
-    add_coflexion(record, efforts.front(), channel, list);
+    add_coflexion(record, efforts.front(), channel, spec.window_s, list);
+  add_sharing(record, spec.channel, list);
   add_net_push(record, spec.channel, list);
   return list.take();
 }
@@ -162,13 +158,7 @@ std::vector<Measure> measures_of(const DirectionalMaximaSpec& spec, const Record
     const auto digit = single_digit(part.channel);
     if (!digit || !effort.total.value) continue;
     const std::string name(name_of(*digit));
-    const Section vectors =
-        record.select(part.first, part.last, {}, {name + "_fx_N", name + "_fy_N", name + "_fz_N"});
-    std::vector<Vec3> force_N;
-    for (const std::size_t row : vectors.rows)
-      force_N.emplace_back(record.signals().column(name + "_fx_N")[row],
-                           record.signals().column(name + "_fy_N")[row],
-                           record.signals().column(name + "_fz_N")[row]);
+    const auto [vectors, force_N] = vectors_of(record, part.first, part.last, name);
     // While the force builds up its direction is not the one that was meant.
     constexpr double kOfMaximum = 0.5;
     list.add("direction_error", channel, "rad", vectors,
@@ -176,7 +166,8 @@ std::vector<Measure> measures_of(const DirectionalMaximaSpec& spec, const Record
                  ? direction_error(force_N, axis_of(part.channel.direction), vectors.weight_s,
                                    kOfMaximum * *effort.total.value)
                  : Computed("no force in this direction"));
-    if (part.channel.direction == Direction::minus_z) add_coflexion(record, part, channel, list);
+    if (part.channel.direction == Direction::minus_z)
+      add_coflexion(record, part, channel, spec.window_s, list);
   }
   return list.take();
 }
@@ -198,6 +189,7 @@ std::vector<Measure> measures_of(const FatigueSpec& spec, const Record& record) 
         time_in_band(trace.target_N, trace.force_N, trace.weight_s, spec.aim.band_fraction,
                      record.constant("noise_sd_N").value_or(0.0)));
   }
+  add_force_of_maximum(record, spec.aim.channel, list);
   add_net_push(record, spec.aim.channel, list);
   return list.take();
 }

@@ -111,14 +111,22 @@ void add_steadiness(const Trace& hold, const std::string& channel, double noise_
   list.add("fall", channel, "%", hold.section, steady.fall_percent);
 }
 
-/// Rising and falling parts apart: control of building up, and of letting go.
+/// Control of building up, of holding, and of letting go, apart.
+void add_part(const ForceTrackingSpec& spec, const Record& record, const std::string& channel,
+              const Trace& part, MeasureList& list) {
+  list.add("rmse", channel, "N", part.section, rmse(part.target_N, part.force_N, part.weight_s));
+  list.add("time_in_range", channel, "%", part.section,
+           time_in_band(part.target_N, part.force_N, part.weight_s, spec.aim.band_fraction,
+                        record.constant("noise_sd_N").value_or(0.0)));
+}
+
 void add_ramps(const ForceTrackingSpec& spec, const Record& record, const Trace& trace,
                MeasureList& list) {
   using Shape = Waveform::Shape;
   const Waveform& wave = spec.waveform;
   if (wave.shape != Shape::ramp && wave.shape != Shape::trapezoid) return;
   const auto add = [&](const std::string& channel, const Trace& ramp, double duration_s) {
-    list.add("rmse", channel, "N", ramp.section, rmse(ramp.target_N, ramp.force_N, ramp.weight_s));
+    add_part(spec, record, channel, ramp, list);
     Pauses held{"fewer than three samples", "fewer than three samples"};
     constexpr std::size_t kLeast = 3;
     if (ramp.t_s.size() >= kLeast) {
@@ -132,9 +140,62 @@ void add_ramps(const ForceTrackingSpec& spec, const Record& record, const Trace&
   if (wave.shape != Shape::trapezoid) return;
   const double fall_at_s = wave.rise_s + wave.hold_s;
   constexpr double kSettle_s = 1.0;  // the end of the ramp is no steady force yet
-  add_steadiness(piece_of(trace, wave.rise_s + kSettle_s, fall_at_s), "force_hold",
-                 record.constant("noise_sd_N").value_or(0.0), list);
+  const Trace hold = piece_of(trace, wave.rise_s + kSettle_s, fall_at_s);
+  add_part(spec, record, "force_hold", hold, list);
+  add_steadiness(hold, "force_hold", record.constant("noise_sd_N").value_or(0.0), list);
   add("force_fall", piece_of(trace, fall_at_s, fall_at_s + wave.fall_s), wave.fall_s);
+}
+
+/// Halves of all cycles in which the target rises, and in which it falls.
+void add_halves(const ForceTrackingSpec& spec, const Record& record, const Trace& trace,
+                MeasureList& list) {
+  using Shape = Waveform::Shape;
+  if (spec.waveform.shape != Shape::sine && spec.waveform.shape != Shape::triangle) return;
+  for (const auto& [channel, sign] :
+       {std::pair{"force_rise", 1.0}, std::pair{"force_fall", -1.0}}) {
+    Trace half;
+    half.section.reason = trace.section.reason;
+    half.section.excluded = trace.section.excluded;
+    for (std::size_t k = 0; k + 1 < trace.t_s.size(); ++k) {
+      if (!(sign * (trace.target_N[k + 1] - trace.target_N[k]) > 0.0)) continue;
+      half.section.rows.push_back(trace.section.rows[k]);
+      half.force_N.push_back(trace.force_N[k]);
+      half.target_N.push_back(trace.target_N[k]);
+      half.weight_s.push_back(trace.weight_s[k]);
+    }
+    add_part(spec, record, channel, half, list);
+  }
+}
+
+/// UCM analysis over the cycles of the target, where the sum of the digits is what follows it and
+/// there are cycles enough.
+void add_cycles(const ForceTrackingSpec& spec, const Record& record, MeasureList& list) {
+  using Shape = Waveform::Shape;
+  const auto [shape, f_Hz] = std::pair(spec.waveform.shape, spec.waveform.frequency_Hz);
+  if (shape != Shape::sine && shape != Shape::triangle && shape != Shape::rectangle) return;
+  // Of a minimum of forces the digits have no common gradient.
+  const Digits digits = spec.aim.channel.digits;
+  if (digits != Digits::sum && digits != Digits::grip_mean) return;
+  constexpr std::size_t kLeftOut = 1;  // until in time with the target
+  constexpr std::size_t kLeast = 15;   // synergy.hpp
+  constexpr double kRoundingSlack = 1e-9;
+  const auto cycles =
+      static_cast<std::size_t>(std::floor(spec.duration_s * f_Hz * (1.0 + kRoundingSlack)));
+  if (cycles < kLeast + kLeftOut) return;
+  const NormalForces forces = normal_forces(record, 0, record.rows(), {Phase::active});
+  std::size_t begin = 0;
+  while (begin < record.rows() && record.phase(begin) != Phase::active) ++begin;
+  CycleSynergy found{"no samples", "no samples", "no samples", "no samples"};
+  if (!forces.section.rows.empty()) {
+    std::vector<double> starts_s;
+    for (std::size_t c = kLeftOut; c <= cycles; ++c)
+      starts_s.push_back(record.task_time_s(begin) + static_cast<double>(c) / f_Hz);
+    // A trial that ended early has no later cycles.
+    while (!starts_s.empty() && starts_s.back() > forces.section.t_s.back() + record.hold_s(begin))
+      starts_s.pop_back();
+    found = synergy_over_cycles(forces.section.t_s, forces.force_N, starts_s);
+  }
+  add_synergy(found, forces.section, list);
 }
 
 }  // namespace
@@ -153,7 +214,11 @@ std::vector<Measure> measures_of(const ForceTrackingSpec& spec, const Record& re
   add_lag(record, trace, "force", list);
   add_sines(spec, trace, list);
   add_ramps(spec, record, trace, list);
+  add_halves(spec, record, trace, list);
   add_smoothness(trace, list);
+  add_cycles(spec, record, list);
+  add_sharing(record, spec.aim.channel, list);
+  add_force_of_maximum(record, spec.aim.channel, list);
   add_net_push(record, spec.aim.channel, list);
   return list.take();
 }
@@ -185,6 +250,8 @@ std::vector<Measure> measures_of(const SteadinessSpec& spec, const Record& recor
           std::pair{"power_2_8_Hz", kTremorBand}, std::pair{"power_8_12_Hz", kFastTremorBand}})
       list.add(name, channel, "%", hold.section, band_share(spectrum, band));
   }
+  add_sharing(record, spec.aim.channel, list);
+  add_force_of_maximum(record, spec.aim.channel, list);
   add_net_push(record, spec.aim.channel, list);
   return list.take();
 }

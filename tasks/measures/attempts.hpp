@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What several attempts at a maximum are worth together.
+// Whether several attempts at one thing agree, so that no further one is needed.
 #pragma once
 
+#include <cstdint>
 #include <span>
-
-#include "tasks/measures/samples.hpp"
 
 namespace isograsp {
 
-/// The strongest attempt, version 1, unit of force.
-[[nodiscard]] Computed best_attempt(std::span<const double> attempts);
-/// Mean of all attempts, version 1, unit of force.
-[[nodiscard]] Computed mean_of_attempts(std::span<const double> attempts);
-/// Difference of the best two, version 1, in % of the best. Needs two attempts and force.
-[[nodiscard]] Computed best_two_difference(std::span<const double> attempts);
-/// The best two differ by at most 10 %: no further attempt is needed.
-[[nodiscard]] bool attempts_agree(std::span<const double> attempts);
-/// A later force exceeds the best attempt by more than 10 %: that was no maximum.
-[[nodiscard]] bool is_submaximal(std::span<const double> attempts, double later);
+/// Which two attempts must agree: the best of an assessment, the last of practice.
+enum class Compared : std::uint8_t { best_two, last_two };
+
+/// They differ by at most `percent` of the larger. Fewer than two never agree.
+[[nodiscard]] bool attempts_agree(std::span<const double> attempts, double percent,
+                                  Compared compared);
 
 }  // namespace isograsp

@@ -6,8 +6,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "tasks/measures/quantile.hpp"
-
 namespace isograsp {
 
 namespace {
@@ -106,34 +104,18 @@ Coupling grip_load_coupling(const UniformSamples& grip, const UniformSamples& lo
   return coupling;
 }
 
-Computed safety_margin(std::span<const double> grip_N, std::span<const double> load_N,
-                       std::span<const double> weight, double mu) {
-  assert(grip_N.size() == load_N.size() && grip_N.size() == weight.size() && mu > 0.0);
+Computed safety_margin(std::span<const double> grip_N, std::span<const double> needed_N,
+                       std::span<const double> weight) {
+  assert(grip_N.size() == needed_N.size() && grip_N.size() == weight.size());
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t k = 0; k < weight.size(); ++k) {
     if (!(grip_N[k] > 0.0)) continue;
-    sum += weight[k] * (1.0 - std::abs(load_N[k]) / (mu * grip_N[k]));
+    sum += weight[k] * (1.0 - needed_N[k] / grip_N[k]);
     total += weight[k];
   }
   if (!(total > 0.0)) return "there was no grip";
   return 100.0 * sum / total;
-}
-
-Computed friction_utilisation(std::span<const double> tangential_N,
-                              std::span<const double> normal_N, std::span<const double> weight,
-                              double mu, double least_normal_N, double share) {
-  assert(tangential_N.size() == normal_N.size() && normal_N.size() == weight.size());
-  assert(mu > 0.0 && least_normal_N >= 0.0);
-  std::vector<double> used;
-  std::vector<double> held;
-  for (std::size_t k = 0; k < weight.size(); ++k) {
-    if (!(normal_N[k] > least_normal_N)) continue;
-    used.push_back(std::abs(tangential_N[k]) / (mu * normal_N[k]));
-    held.push_back(weight[k]);
-  }
-  if (used.empty()) return "there was no contact";
-  return quantile(used, held, share);
 }
 
 }  // namespace isograsp

@@ -24,18 +24,11 @@ struct Coupling {
 /// @pre both on the same uniform grid
 [[nodiscard]] Coupling grip_load_coupling(const UniformSamples& grip, const UniformSamples& load);
 
-/// Safety margin, version 1, in % of the grip: weighted mean of 100 (G - |L| / mu) / G over samples
-/// with G > 0. L [N] is the load that the friction of G carries: with G = opposing_mean(), half of
-/// the load of the object. Negative: it would slip. @pre mu > 0
-[[nodiscard]] Computed safety_margin(std::span<const double> grip_N, std::span<const double> load_N,
-                                     std::span<const double> weight, double mu);
-
-/// Friction utilisation, version 1, dimensionless: the weighted quantile `share` of
-/// |tangential| / (mu normal) over the samples with normal > least_normal_N; 1 is the limit.
-/// @pre mu > 0, least_normal_N >= 0
-[[nodiscard]] Computed friction_utilisation(std::span<const double> tangential_N,
-                                            std::span<const double> normal_N,
-                                            std::span<const double> weight, double mu,
-                                            double least_normal_N, double share = 0.95);
+/// Safety margin, version 1, in % of the grip: weighted mean of 100 (G - G_needed) / G over samples
+/// with G > 0. G_needed [N] is the grip at which friction just carries the load, |L| / mu; with G =
+/// opposing_mean(), L is half of the load of the object. Negative: it slips.
+[[nodiscard]] Computed safety_margin(std::span<const double> grip_N,
+                                     std::span<const double> needed_N,
+                                     std::span<const double> weight);
 
 }  // namespace isograsp

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "tasks/measures/error.hpp"
 #include "tasks/measures/quantile.hpp"
 
 namespace isograsp {
@@ -83,20 +84,19 @@ Computed individuation_index(std::span<const Individuation> holds) {
   return -std::log(*slope.value);
 }
 
-Computed coflexion(const DigitForces& forces) {
-  double opening_N = 0.0;
+Computed coflexion(const DigitForces& forces, const std::vector<bool>& valid, double window_s) {
+  std::vector<double> pull_N(forces.weight.size(), 0.0);
   double press_N = 0.0;
-  for (std::size_t k = 0; k < forces.weight.size(); ++k) {
-    double pull_N = 0.0;
-    for (const auto& force_N : forces.force_N) {
-      assert(force_N.size() == forces.weight.size());
-      pull_N += std::max(0.0, -force_N[k]);
-      press_N = std::max(press_N, force_N[k]);
-    }
-    opening_N = std::max(opening_N, pull_N);
+  for (const auto& force_N : forces.force_N) {
+    assert(force_N.size() == forces.weight.size());
+    for (std::size_t k = 0; k < pull_N.size(); ++k) pull_N[k] += std::max(0.0, -force_N[k]);
+    const Computed best = best_moving_mean(force_N, forces.weight, valid, window_s);
+    press_N = std::max(press_N, best.value.value_or(0.0));
   }
-  if (!(opening_N > 0.0)) return "there was no opening force";
-  return 100.0 * press_N / opening_N;
+  const Computed opening_N = best_moving_mean(pull_N, forces.weight, valid, window_s);
+  if (!opening_N.value) return opening_N;
+  if (!(*opening_N.value > 0.0)) return "there was no opening force";
+  return 100.0 * press_N / *opening_N.value;
 }
 
 Computed sharing(const PerDigit& mean_N, Finger finger) {

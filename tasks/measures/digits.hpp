@@ -53,10 +53,15 @@ struct Individuation {
 /// (Xu et al. 2017, with five digits and another robust line: not comparable in value)
 [[nodiscard]] Computed individuation_index(std::span<const Individuation> holds);
 
-/// Unwanted co-flexion, version 1, in %: largest press of any digit while opening, relative to the
-/// largest opening force (sum of -fz of the digits that pull). 0: no digit pressed at any time.
+/// Version of coflexion(): 1 took the largest single samples, to which noise adds.
+inline constexpr int kCoflexionVersion = 2;
+/// Unwanted co-flexion, version 2, in %: largest press of any digit while opening, relative to the
+/// largest opening force (sum of -fz of the digits that pull), each the best mean over any window
+/// of `window_s` of uninterrupted samples. 0: no digit pressed.
 /// @param forces above rest, while opening was asked for
-[[nodiscard]] Computed coflexion(const DigitForces& forces);
+/// @param valid  valid[k]: sample k may be used
+[[nodiscard]] Computed coflexion(const DigitForces& forces, const std::vector<bool>& valid,
+                                 double window_s);
 
 /// Share of one digit in the sum of the three mean forces, version 1, in %.
 [[nodiscard]] Computed sharing(const PerDigit& mean_N, Finger finger);

@@ -6,25 +6,11 @@
 #include <cmath>
 
 #include "tasks/measures/line.hpp"
+#include "tasks/measures/weighted.hpp"
 
 namespace isograsp {
 
 namespace {
-
-constexpr const char* kNoSamples = "no samples";
-
-/// Weighted mean of f(k).
-template <class Function>
-Computed mean_of(std::span<const double> weight, Function&& f) {
-  double sum = 0.0;
-  double total = 0.0;
-  for (std::size_t k = 0; k < weight.size(); ++k) {
-    sum += weight[k] * f(k);
-    total += weight[k];
-  }
-  if (!(total > 0.0)) return kNoSamples;
-  return sum / total;
-}
 
 Computed percent(Computed share) {
   if (share.value) share.value = 100.0 * *share.value;
@@ -35,13 +21,13 @@ Computed percent(Computed share) {
 
 Computed weighted_mean(std::span<const double> x, std::span<const double> weight) {
   assert(x.size() == weight.size());
-  return mean_of(weight, [&](std::size_t k) { return x[k]; });
+  return weighted_mean_of(weight, [&](std::size_t k) { return x[k]; });
 }
 
 Computed rmse(std::span<const double> target, std::span<const double> actual,
               std::span<const double> weight) {
   assert(target.size() == actual.size() && target.size() == weight.size());
-  Computed mean_square = mean_of(weight, [&](std::size_t k) {
+  Computed mean_square = weighted_mean_of(weight, [&](std::size_t k) {
     const double e = actual[k] - target[k];
     return e * e;
   });
@@ -52,13 +38,13 @@ Computed rmse(std::span<const double> target, std::span<const double> actual,
 Computed mae(std::span<const double> target, std::span<const double> actual,
              std::span<const double> weight) {
   assert(target.size() == actual.size() && target.size() == weight.size());
-  return mean_of(weight, [&](std::size_t k) { return std::abs(actual[k] - target[k]); });
+  return weighted_mean_of(weight, [&](std::size_t k) { return std::abs(actual[k] - target[k]); });
 }
 
 Computed constant_error(std::span<const double> target, std::span<const double> actual,
                         std::span<const double> weight) {
   assert(target.size() == actual.size() && target.size() == weight.size());
-  return mean_of(weight, [&](std::size_t k) { return actual[k] - target[k]; });
+  return weighted_mean_of(weight, [&](std::size_t k) { return actual[k] - target[k]; });
 }
 
 Computed relative_rmse(std::span<const double> target, std::span<const double> actual,
@@ -81,7 +67,7 @@ Computed time_in_range(std::span<const double> target, std::span<const double> a
 Computed time_in_band(std::span<const double> target, std::span<const double> actual,
                       std::span<const double> weight, double share_of_target, double noise_sd) {
   assert(target.size() == actual.size() && target.size() == weight.size());
-  return percent(mean_of(weight, [&](std::size_t k) {
+  return percent(weighted_mean_of(weight, [&](std::size_t k) {
     const double band = std::max(share_of_target * std::abs(target[k]), 3.0 * noise_sd);
     return std::abs(actual[k] - target[k]) <= band ? 1.0 : 0.0;
   }));
@@ -94,10 +80,12 @@ Corridor corridor(std::span<const double> lower, std::span<const double> upper,
   const auto outside = [&](std::size_t k) {
     return std::max({lower[k] - actual[k], actual[k] - upper[k], 0.0});
   };
-  Computed mean_square = mean_of(weight, [&](std::size_t k) { return outside(k) * outside(k); });
+  Computed mean_square =
+      weighted_mean_of(weight, [&](std::size_t k) { return outside(k) * outside(k); });
   if (mean_square.value) mean_square.value = std::sqrt(*mean_square.value);
-  return {percent(mean_of(weight, [&](std::size_t k) { return outside(k) > 0.0 ? 0.0 : 1.0; })),
-          mean_of(weight, outside), mean_square};
+  return {percent(weighted_mean_of(weight,
+                                   [&](std::size_t k) { return outside(k) > 0.0 ? 0.0 : 1.0; })),
+          weighted_mean_of(weight, outside), mean_square};
 }
 
 Computed cv(std::span<const double> t_s, std::span<const double> x) {

@@ -2,39 +2,28 @@
 #include "tasks/measures/motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
 #include <numbers>
 
 #include "tasks/measures/direction.hpp"
+#include "tasks/measures/weighted.hpp"
 
 namespace isograsp {
-
-namespace {
-
-template <class Function>
-Computed mean_of(std::span<const double> weight, Function&& f) {
-  double sum = 0.0;
-  double total = 0.0;
-  for (std::size_t k = 0; k < weight.size(); ++k) {
-    sum += weight[k] * f(k);
-    total += weight[k];
-  }
-  if (!(total > 0.0)) return "no samples";
-  return sum / total;
-}
-
-}  // namespace
 
 Computed mean_distance(std::span<const Vec3> actual_m, std::span<const Vec3> target_m,
                        std::span<const double> weight) {
   assert(actual_m.size() == weight.size() && target_m.size() == weight.size());
-  return mean_of(weight, [&](std::size_t k) { return (actual_m[k] - target_m[k]).norm(); });
+  return weighted_mean_of(weight,
+                          [&](std::size_t k) { return (actual_m[k] - target_m[k]).norm(); });
 }
 
 Computed mean_angle(std::span<const Quat> actual, std::span<const Quat> target,
                     std::span<const double> weight) {
   assert(actual.size() == weight.size() && target.size() == weight.size());
-  return mean_of(weight, [&](std::size_t k) { return angle_between(actual[k], target[k]); });
+  return weighted_mean_of(weight,
+                          [&](std::size_t k) { return angle_between(actual[k], target[k]); });
 }
 
 double axis_angle(const Quat& a, const Quat& b, const Vec3& axis_O) {
@@ -44,23 +33,46 @@ double axis_angle(const Quat& a, const Quat& b, const Vec3& axis_O) {
 Computed mean_axis_angle(std::span<const Quat> actual, std::span<const Quat> target,
                          const Vec3& axis_O, std::span<const double> weight, bool either_way) {
   assert(actual.size() == weight.size() && target.size() == weight.size());
-  return mean_of(weight, [&](std::size_t k) {
+  return weighted_mean_of(weight, [&](std::size_t k) {
     const double angle = axis_angle(actual[k], target[k], axis_O);
     return either_way ? std::min(angle, std::numbers::pi - angle) : angle;
   });
 }
 
+Computed rms_angle(std::span<const Quat> actual, std::span<const Quat> target,
+                   std::span<const double> weight) {
+  assert(actual.size() == weight.size() && target.size() == weight.size());
+  double squares = 0.0;
+  double total = 0.0;
+  for (std::size_t k = 0; k < weight.size(); ++k) {
+    const double angle_rad = angle_between(actual[k], target[k]);
+    squares += weight[k] * angle_rad * angle_rad;
+    total += weight[k];
+  }
+  if (!(total > 0.0)) return "no samples";
+  return std::sqrt(squares / total);
+}
+
 double path_length(std::span<const Vec3> position_m) {
   double length_m = 0.0;
-  for (std::size_t k = 1; k < position_m.size(); ++k)
-    length_m += (position_m[k] - position_m[k - 1]).norm();
+  for (std::size_t k = 1; k < position_m.size(); ++k) {
+    const Vec3 d = position_m[k] - position_m[k - 1];
+    // In this order: that of norm() depends on the version of Eigen, and so would the last bit.
+    length_m += std::sqrt(d.x() * d.x() + d.y() * d.y() + d.z() * d.z());
+  }
   return length_m;
 }
 
-Computed path_efficiency(std::span<const Vec3> position_m) {
-  const double length_m = path_length(position_m);
+Computed path_efficiency(std::span<const std::vector<Vec3>> ways_m) {
+  double straight_m = 0.0;
+  double length_m = 0.0;
+  for (const auto& way_m : ways_m) {
+    if (way_m.empty()) continue;
+    straight_m += path_length(std::array{way_m.front(), way_m.back()});
+    length_m += path_length(way_m);
+  }
   if (!(length_m > 0.0)) return "nothing moved";
-  return 100.0 * (position_m.back() - position_m.front()).norm() / length_m;
+  return 100.0 * straight_m / length_m;
 }
 
 }  // namespace isograsp

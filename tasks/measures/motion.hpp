@@ -24,9 +24,14 @@ namespace isograsp {
                                        const Vec3& axis_O, std::span<const double> weight,
                                        bool either_way = false);
 
+/// Tilt, version 1 [rad, 0 … pi]: root of the weighted mean of the squared geodesic angle.
+[[nodiscard]] Computed rms_angle(std::span<const Quat> actual, std::span<const Quat> target,
+                                 std::span<const double> weight);
+
 /// Path length, version 1 [m]: sum of the distances between successive positions; noise adds to it.
 [[nodiscard]] double path_length(std::span<const Vec3> position_m);
-/// Path efficiency, version 1, in %: 100 straight distance from first to last / path length.
-[[nodiscard]] Computed path_efficiency(std::span<const Vec3> position_m);
+/// Path efficiency, version 1, in %: 100 sum of straight distances from first to last / sum of path
+/// lengths, over one way or several.
+[[nodiscard]] Computed path_efficiency(std::span<const std::vector<Vec3>> ways_m);
 
 }  // namespace isograsp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/measures/synergy.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -35,6 +36,47 @@ std::optional<Synergy> synergy(const Eigen::MatrixXd& trials, const Eigen::Vecto
   // n + Delta V and n / (n - 1) - Delta V are multiples of the two variances.
   found.delta_v_z = 0.5 * std::log((n - 1.0) * found.v_ucm / found.v_ort);
   return found;
+}
+
+namespace {
+
+double at_time(std::span<const double> t_s, std::span<const double> x, double when_s) {
+  const auto after = std::upper_bound(t_s.begin(), t_s.end(), when_s);
+  if (after == t_s.begin()) return x.front();
+  const auto k = static_cast<std::size_t>(after - t_s.begin());
+  if (k == t_s.size()) return x.back();
+  return std::lerp(x[k - 1], x[k], (when_s - t_s[k - 1]) / (t_s[k] - t_s[k - 1]));
+}
+
+}  // namespace
+
+CycleSynergy synergy_over_cycles(std::span<const double> t_s,
+                                 std::span<const std::vector<double>> force_N,
+                                 std::span<const double> starts_s) {
+  assert(!t_s.empty() && force_N.size() >= 2);
+  constexpr int kPhases = 100;
+  const std::size_t cycles = starts_s.empty() ? 0 : starts_s.size() - 1;
+  const auto elements = static_cast<Eigen::Index>(force_N.size());
+  const Eigen::VectorXd sum_of_all = Eigen::VectorXd::Ones(elements);
+  Eigen::MatrixXd trials = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cycles), elements);
+  Synergy sum;
+  for (int phase = 0; phase < kPhases; ++phase) {
+    for (std::size_t c = 0; c < cycles; ++c) {
+      const double when_s =
+          std::lerp(starts_s[c], starts_s[c + 1], static_cast<double>(phase) / kPhases);
+      for (std::size_t e = 0; e < force_N.size(); ++e)
+        trials(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(e)) =
+            at_time(t_s, force_N[e], when_s);
+    }
+    std::string reason;
+    const auto found = synergy(trials, sum_of_all, reason);
+    if (!found) return {reason, reason, reason, reason};
+    sum.delta_v += found->delta_v;
+    sum.delta_v_z += found->delta_v_z;
+    sum.v_ucm += found->v_ucm;
+    sum.v_ort += found->v_ort;
+  }
+  return {sum.delta_v / kPhases, sum.delta_v_z / kPhases, sum.v_ucm / kPhases, sum.v_ort / kPhases};
 }
 
 }  // namespace isograsp

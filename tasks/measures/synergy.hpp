@@ -29,4 +29,20 @@ struct Synergy {
 [[nodiscard]] std::optional<Synergy> synergy(const Eigen::MatrixXd& trials,
                                              const Eigen::VectorXd& jacobian, std::string& reason);
 
+/// The same at 100 phases of a movement that repeats, over its cycles, version 1: means over the
+/// phases. The elements act alike: their sum is the result.
+struct CycleSynergy {
+  Computed delta_v;
+  Computed delta_v_z;  ///< mean of the transforms
+  Computed v_ucm;      ///< unit of force^2
+  Computed v_ort;      ///< unit of force^2
+};
+/// Forces between samples are interpolated linearly.
+/// @param force_N   one signal per element, at t_s
+/// @param starts_s  where cycles begin, and where the last one ends: one more than there are cycles
+/// @pre at least two elements of the length of t_s, not empty; t_s and starts_s increase
+[[nodiscard]] CycleSynergy synergy_over_cycles(std::span<const double> t_s,
+                                               std::span<const std::vector<double>> force_N,
+                                               std::span<const double> starts_s);
+
 }  // namespace isograsp

@@ -81,11 +81,15 @@ TEST(Agenda, AttemptsAreRepeatedUntilTheBestTwoAgreeAndNotBeyondTheMost) {
 }
 
 TEST(Agenda, PracticeLooksAtTheLastTwoAndAssessmentAtTheBestTwo) {
-  EXPECT_TRUE(is_agreed({5.0, 20.0, 20.5, 9.0}, 10.0, false));
-  EXPECT_FALSE(is_agreed({5.0, 20.0, 20.5, 9.0}, 10.0, true));
-  EXPECT_TRUE(is_agreed({20.0, 9.0, 9.5}, 10.0, true));
-  EXPECT_FALSE(is_agreed({20.0}, 10.0, false));
-  EXPECT_TRUE(is_agreed({10.0, 9.0}, 10.0, false)) << "ten percent of the larger";
+  ProtocolStep step = step_of({"a"}, 3, Order::ordered);
+  step.agreement = Agreement{10.0, "maximum_force", 4};
+  const std::vector<double> attempts{20.0, 20.5, 9.0, 9.0};  // the best two agree at once
+  const auto values = [&](const Agenda::Item& item) {
+    return attempts[static_cast<std::size_t>(item.attempt - 1)];
+  };
+  EXPECT_EQ(play(protocol_of({step}), 1, values).order, "aaa");
+  step.practice = true;
+  EXPECT_EQ(play(protocol_of({step}), 1, values).order, "aaaa");
 }
 
 TEST(Agenda, ARefusedTaskIsNotAskedAgain) {

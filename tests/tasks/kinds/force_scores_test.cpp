@@ -139,6 +139,7 @@ TEST(ForceScores, OpeningIsPositiveAndThePressOfOtherDigitsBesideItIsCoflexion) 
   EXPECT_NEAR(value_of(measures, "maximum_force", "opening"), 8.9, kRounding);
   EXPECT_NEAR(value_of(measures, "coflexion", "opening"), 100.0 * 1.1 / 22.0, kRounding)
       << "the tone of the middle finger is none";
+  EXPECT_EQ(find(measures, "coflexion")->version, 2);
 }
 
 TEST(ForceScores, ReactionsOfStepsAreTheDelayAndAnticipationsAreCountedApart) {
@@ -257,6 +258,106 @@ TEST(ForceScores, ASteadyHandHasTheSpreadThatItWasGiven) {
   EXPECT_NEAR(value_of(measures, "force_sd", "force_25_percent"), kAmplitude_N / std::sqrt(2.0),
               kShortRecord * kAmplitude_N);
   EXPECT_GT(value_of(measures, "power_2_8_Hz", "force_25_percent"), 99.0);
+}
+
+TEST(ForceScores, TheDigitsShareTheGripAsTheyPress) {
+  // Thumb 5, index 3, middle 2 of ten parts, in every task about a grip that lasts.
+  const auto pressed = [](double grip_N) { return pressing(grip_N, 0.6 * grip_N, 0.4 * grip_N); };
+  for (const TaskSpec& spec :
+       {spec_of(ForceTrackingSpec{}), spec_of(SteadinessSpec{}), spec_of(MaximumSpec{})}) {
+    const auto measures = score(spec, played(spec, [&](const TaskView& view, double) {
+                                  return pressed(view.cue == Cue::squeeze ? 30.0
+                                                 : view.has_force_target  ? view.target_force_N
+                                                                          : 0.0);
+                                }));
+    EXPECT_NEAR(value_of(measures, "sharing", "thumb"), 50.0, kRounding);
+    EXPECT_NEAR(value_of(measures, "sharing", "index"), 30.0, kRounding);
+    EXPECT_NEAR(value_of(measures, "sharing", "middle"), 20.0, kRounding);
+    EXPECT_NEAR(value_of(measures, "thumb_opposition"), 1.0, kRounding);
+  }
+  ForceTrackingSpec one;
+  one.aim.channel = channel_of(Finger::index);
+  const auto alone = score(spec_of(one), played(spec_of(one), [](const TaskView& view, double) {
+                             return pressing(0, view.target_force_N, 0);
+                           }));
+  EXPECT_EQ(find(alone, "sharing"), nullptr) << "one digit shares nothing";
+}
+
+TEST(ForceScores, RisingAndFallingHalvesOfASineAreScoredApart) {
+  const TaskSpec spec = spec_of(ForceTrackingSpec{});  // 0.2 Hz, begins at the least
+  constexpr double kCycle_s = 5.0;
+  const auto measures = score(spec, played(spec, [](const TaskView& view, double t_s) {
+                                const double phase = std::fmod(t_s - 2.0 + kCycle_s, kCycle_s);
+                                const bool rises = phase < 0.5 * kCycle_s - 0.5 * kPeriod_s;
+                                return grip_of(view.target_force_N + (rises ? 0.0 : 1.5));
+                              }));
+  EXPECT_NEAR(value_of(measures, "rmse", "force_rise"), 0.0, kRounding);
+  EXPECT_EQ(value_of(measures, "time_in_range", "force_rise"), 100.0);
+  EXPECT_NEAR(value_of(measures, "rmse", "force_fall"), 1.5, kRounding);
+  EXPECT_EQ(value_of(measures, "time_in_range", "force_fall"), 0.0);
+  EXPECT_NEAR(value_of(measures, "rmse", "force"), 1.5 / std::sqrt(2.0), 1e-3);
+  EXPECT_NEAR(static_cast<double>(find(measures, "rmse", "force_rise")->samples), 1500.0, 6.0)
+      << "one row at each turn of each of six cycles belongs to no half";
+}
+
+TEST(ForceScores, EachPartOfATrapezoidHasItsOwnErrorAndTimeInRange) {
+  ForceTrackingSpec trapezoid;
+  trapezoid.waveform.shape = Waveform::Shape::trapezoid;
+  const auto measures = score(
+      spec_of(trapezoid), played(spec_of(trapezoid), [](const TaskView& view, double t_s) {
+        const double since_s = t_s - 2.0;
+        return grip_of(view.target_force_N + (since_s < 5.0 ? 1.0 : since_s < 20.0 ? 0.0 : -2.0));
+      }));
+  EXPECT_NEAR(value_of(measures, "rmse", "force_rise"), 1.0, 1e-2);
+  EXPECT_NEAR(value_of(measures, "rmse", "force_hold"), 0.0, kRounding);
+  EXPECT_EQ(value_of(measures, "time_in_range", "force_hold"), 100.0);
+  EXPECT_NEAR(value_of(measures, "rmse", "force_fall"), 2.0, 1e-2);
+}
+
+TEST(ForceScores, AForceBeyondTheMaximumOfTheSessionShowsThatItWasNone) {
+  FatigueSpec spec;
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [](const TaskView& view, double t_s) {
+              const bool burst = t_s > 10.0 && t_s < 10.6;
+              return grip_of(burst ? 48.0 : view.target_force_N);
+            }));
+  EXPECT_NEAR(value_of(measures, "force_of_maximum"), 120.0, kRounding) << "of 40 N, above rest";
+}
+
+TEST(ForceScores, LetGoTimesWithoutTheDeviceAreEarlierByItsDelay) {
+  GripReleaseSpec spec;
+  spec.repetitions = 3;
+  Late late(0.3);
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
+              return grip_of(late(view.cue == Cue::let_go ? 0.0 : 10.0));
+            }));
+  for (const std::string name : {"release_initiation", "release_time"})
+    EXPECT_NEAR(value_of(measures, name + "_corrected"), value_of(measures, name) - 0.03, kRounding)
+        << name;
+}
+
+TEST(ForceScores, DigitsThatCorrectEachOtherOverTheCyclesAreASynergy) {
+  ForceTrackingSpec spec;
+  spec.aim.channel.digits = Digits::sum;
+  spec.waveform.frequency_Hz = 0.8;
+  spec.duration_s = 20.0;  // sixteen cycles, of which the first is left out
+  const auto with = [&](double between_N, double together_N) {
+    return score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double t_s) {
+                   const double cycle = std::floor((t_s - 2.0 + 0.5 * kPeriod_s) * 0.8);
+                   const double other = std::sin(2.4 * cycle);
+                   const double each_N = view.target_force_N / 3.0 + together_N * other;
+                   return pressing(each_N + between_N * other, each_N - between_N * other, each_N);
+                 }));
+  };
+  constexpr double kAtTheSeams = 0.05;  // between two cycles forces are interpolated
+  EXPECT_NEAR(value_of(with(1.0, 0.0), "synergy_index"), 1.5, kAtTheSeams);
+  EXPECT_NEAR(value_of(with(0.0, 1.0), "synergy_index"), -3.0, kAtTheSeams);
+  spec.duration_s = 18.0;
+  EXPECT_EQ(find(with(1.0, 0.0), "synergy_index"), nullptr) << "fifteen cycles, one left out";
+  spec.duration_s = 20.0;
+  spec.aim.channel.digits = Digits::grip;
+  EXPECT_EQ(find(with(1.0, 0.0), "synergy_index"), nullptr) << "a minimum has no gradient";
 }
 
 TEST(ForceScores, EveryTaskSaysWhyItHasNoValuesOfAnEmptyRecord) {

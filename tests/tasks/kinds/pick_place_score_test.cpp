@@ -123,5 +123,24 @@ TEST(ScorePickPlace, WithoutItsColumnsAMeasureSaysWhichIsMissing) {
   }
 }
 
+TEST(ScorePickPlace, AnObjectThatLeansHasThatErrorOfItsAxisAndOneThatTurnsOnTheScreenHasNone) {
+  const TaskSpec spec = placing(1);
+  constexpr double kLean_rad = 0.1;
+  for (const Vec3& about : {Vec3(1.0, 0.0, 0.0), Vec3(0.0, 0.0, 1.0)}) {
+    Hand hand;
+    const auto measures =
+        score(spec, play_object(spec, [&](const TaskView& view, const Pose& object) {
+                Handled now = hand(view, object);
+                now.pose.q_WO = Quat(Eigen::AngleAxisd(kLean_rad, about));
+                return now;
+              }));
+    EXPECT_NEAR(value_of(measures, "hold_error_angle"), kLean_rad, 1e-9);
+    if (about.x() > 0.0)
+      EXPECT_NEAR(value_of(measures, "hold_error_axis"), kLean_rad, 1e-9);
+    else
+      EXPECT_EQ(find(measures, "hold_error_axis"), nullptr);
+  }
+}
+
 }  // namespace
 }  // namespace isograsp

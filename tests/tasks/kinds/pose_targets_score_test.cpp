@@ -131,6 +131,7 @@ TEST(ScorePoseTargets, AShakyTransportIsLessSmooth) {
                            }));
   EXPECT_LT(value_of(shaky, "sparc"), value_of(smooth, "sparc"));
   EXPECT_LT(value_of(smooth, "sparc"), -1.0) << "the arc is longer than its range";
+  EXPECT_LT(value_of(shaky, "ldlj", "transport"), value_of(smooth, "ldlj", "transport"));
 }
 
 TEST(ScorePoseTargets, HoldErrorsAreTheConstantOffsetsOfTheHold) {

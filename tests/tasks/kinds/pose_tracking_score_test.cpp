@@ -146,6 +146,24 @@ TEST(ScorePoseTracking, ATargetThatJumpsHasNoGainAndAStillObjectNoLag) {
   EXPECT_FALSE(find(measures, "sparc", "force_rate")->value) << "the grip did not change";
 }
 
+TEST(ScorePoseTracking, TheLagWithoutTheDeviceIsSmallerByItsDelay) {
+  const Signals plain = play_object(kPlanar, late);
+  EXPECT_FALSE(find(score(kPlanar, plain), "lag_corrected", "x")->value);
+  std::vector<std::string> names = plain.names();
+  names.push_back("device_delay_s");
+  Signals delayed(names);
+  for (std::size_t k = 0; k < plain.rows(); ++k) {
+    std::vector<double> row;
+    for (std::size_t c = 0; c < plain.names().size(); ++c) row.push_back(plain.column(c)[k]);
+    row.push_back(0.032);
+    delayed.append_row(row);
+  }
+  const auto measures = score(kPlanar, delayed);
+  for (const char* channel : {"x", "rz"})
+    EXPECT_NEAR(value_of(measures, "lag_corrected", channel),
+                value_of(measures, "lag", channel) - 0.032, 1e-12);
+}
+
 TEST(ScorePoseTracking, WithoutItsColumnsAMeasureSaysWhichIsMissing) {
   Signals signals({"t_s", "phase"});
   for (int k = 0; k < 100; ++k) {

@@ -79,34 +79,18 @@ TEST(Coupling, GripIsTheMeanOfBothSides) {
             (std::vector<double>{5.0, 1.0}));
 }
 
-TEST(Coupling, SafetyMarginIsZeroAtTheLimitAndBlindToTheSignOfLoad) {
+TEST(Coupling, SafetyMarginIsZeroWhereTheGripIsTheOneThatIsNeeded) {
   const std::vector<double> weight{1.0, 3.0};
   const std::vector<double> grip{10.0, 20.0};
-  EXPECT_NEAR(safety_margin(grip, std::vector<double>{5.0, -10.0}, weight, 0.5).value.value(), 0.0,
-              kRounding);
-  // Margins 1 - 2.5 / 5 and 1 - 0.
-  EXPECT_NEAR(safety_margin(grip, std::vector<double>{2.5, 0.0}, weight, 0.5).value.value(),
+  EXPECT_NEAR(safety_margin(grip, grip, weight).value.value(), 0.0, kRounding);
+  // Margins 1 - 5 / 10 and 1 - 0.
+  EXPECT_NEAR(safety_margin(grip, std::vector<double>{5.0, 0.0}, weight).value.value(),
               100.0 * (0.5 + 3.0) / 4.0, kRounding);
-  EXPECT_LT(safety_margin(grip, std::vector<double>{9.0, 9.0}, weight, 0.4).value.value(), 0.0);
-  EXPECT_EQ(safety_margin(std::vector<double>{0.0}, std::vector<double>{1.0},
-                          std::vector<double>{1.0}, 0.5)
-                .reason,
-            "there was no grip");
-}
-
-TEST(Coupling, UtilisationIsTheQuantileOverContactOnly) {
-  std::vector<double> tangential;
-  for (int k = 1; k <= 100; ++k) tangential.push_back(0.05 * k);
-  std::vector<double> normal(100, 10.0);
-  const std::vector<double> weight(100, 0.01);
-  EXPECT_NEAR(friction_utilisation(tangential, normal, weight, 0.5, 0.2).value.value(), 0.95,
-              kRounding);
-  normal[99] = 0.1;  // barely touching: its ratio would be 100
-  EXPECT_NEAR(friction_utilisation(tangential, normal, weight, 0.5, 0.2, 1.0).value.value(), 0.99,
-              kRounding);
+  EXPECT_LT(safety_margin(grip, std::vector<double>{22.0, 22.0}, weight).value.value(), 0.0);
   EXPECT_EQ(
-      friction_utilisation(tangential, std::vector<double>(100, 0.0), weight, 0.5, 0.0).reason,
-      "there was no contact");
+      safety_margin(std::vector<double>{0.0}, std::vector<double>{1.0}, std::vector<double>{1.0})
+          .reason,
+      "there was no grip");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "tasks/measures/digits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -105,15 +106,42 @@ TEST(Digits, IndividuationIsBlindToTheUnitAndRefusesTooFewHolds) {
   EXPECT_EQ(individuation_index(holds).reason, "the other digits did not move");
 }
 
-TEST(Digits, CoflexionIsThePressOfAnyDigitInShareOfTheOpening) {
-  const std::vector<double> thumb{-1.0, -4.0, -3.0};
-  const std::vector<double> index{0.0, -6.0, -2.0};
-  const std::vector<double> middle{0.5, 1.5, 2.5};
-  const std::vector<double> still{0.0, 0.0, 0.0};
-  const std::vector<double> weight{0.1, 0.1, 0.1};
-  EXPECT_DOUBLE_EQ(coflexion({{thumb, index, middle}, weight}).value.value(), 25.0);
-  EXPECT_DOUBLE_EQ(coflexion({{thumb, index, still}, weight}).value.value(), 0.0);
-  EXPECT_EQ(coflexion({{still, still, middle}, weight}).reason, "there was no opening force");
+TEST(Digits, CoflexionIsTheBestWindowOfAnyDigitsPressInShareOfThatOfTheOpening) {
+  const std::vector<double> thumb{-1.0, -4.0, -3.0, 0.0};
+  const std::vector<double> index{0.0, -6.0, -2.0, 0.0};
+  const std::vector<double> middle{0.5, 0.5, 1.5, 2.5};
+  const std::vector<double> still(4, 0.0);
+  const std::vector<double> weight(4, 0.25);
+  const std::vector<bool> all(4, true);
+  constexpr double kWindow_s = 0.5;
+  const auto share = [&](const auto& a, const auto& b, const auto& c, const auto& valid) {
+    return coflexion({{a, b, c}, weight}, valid, kWindow_s);
+  };
+  EXPECT_NEAR(share(thumb, index, middle, all).value.value(), 100.0 * 2.0 / 7.5, kRounding);
+  EXPECT_NEAR(share(thumb, index, still, all).value.value(), 0.0, kRounding);
+  EXPECT_EQ(share(still, still, middle, all).reason, "there was no opening force");
+  // No window reaches over a sample that does not count.
+  EXPECT_NEAR(share(thumb, index, middle, std::vector{true, true, false, true}).value.value(),
+              100.0 * 0.5 / 5.5, kRounding);
+  EXPECT_FALSE(share(thumb, index, middle, std::vector{true, false, true, false}).value);
+}
+
+TEST(Digits, NoiseAddsLessToCoflexionThanItsPeaks) {
+  Random random(4);
+  std::array<std::vector<double>, kFingerCount> force_N;
+  double highest_N = 0.0;
+  constexpr double kNoise_N = 0.1;
+  for (int k = 0; k < 300; ++k) {
+    force_N[0].push_back(-10.0 + kNoise_N * random.gaussian());
+    force_N[1].push_back(kNoise_N * random.gaussian());
+    force_N[2].push_back(0.0);
+    highest_N = std::max(highest_N, force_N[1].back());
+  }
+  const std::vector<double> weight(300, 0.01);
+  const double share =
+      coflexion({{force_N[0], force_N[1], force_N[2]}, weight}, std::vector<bool>(300, true), 0.5)
+          .value.value();
+  EXPECT_LT(share, 0.25 * 100.0 * highest_N / 10.0);
 }
 
 TEST(Digits, SharesAddUpToAllAndABalancedThumbHasHalf) {

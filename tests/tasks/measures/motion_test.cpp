@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/measures/motion.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -56,13 +57,28 @@ TEST(Motion, ASymmetricObjectUpsideDownLiesAsItShould) {
   EXPECT_NEAR(mean_axis_angle(over, level, z, weight, true).value.value(), 0.1, kRounding);
 }
 
+TEST(Motion, TiltWeighsLargeAnglesMoreAndIsTheAngleIfThatIsConstant) {
+  const std::vector<Quat> tilted{turn(0.1, Vec3(1, 1, 0)), turn(0.7, Vec3(0, 1, 2))};
+  const std::vector<Quat> level(2, Quat::Identity());
+  const std::vector<double> weight{3.0, 1.0};
+  EXPECT_NEAR(rms_angle(tilted, level, weight).value.value(),
+              std::sqrt((3.0 * 0.1 * 0.1 + 0.7 * 0.7) / 4.0), kRounding);
+  const std::vector<Quat> constant(2, turn(0.3, Vec3::UnitX()));
+  EXPECT_NEAR(rms_angle(constant, level, weight).value.value(), 0.3, kRounding);
+  EXPECT_EQ(rms_angle({}, {}, {}).reason, "no samples");
+}
+
 TEST(Motion, AStraightPathIsEfficientADetourCostsItsLength) {
   const std::vector<Vec3> straight{Vec3(0, 0, 0), Vec3(0.1, 0, 0), Vec3(0.4, 0, 0)};
   const std::vector<Vec3> corner{Vec3(1, 1, 1), Vec3(1.3, 1, 1), Vec3(1.3, 1, 1.4)};
-  EXPECT_NEAR(path_efficiency(straight).value.value(), 100.0, 100.0 * kRounding);
+  using Ways = std::vector<std::vector<Vec3>>;
+  EXPECT_NEAR(path_efficiency(Ways{straight}).value.value(), 100.0, 100.0 * kRounding);
   EXPECT_NEAR(path_length(corner), 0.7, kRounding);
-  EXPECT_NEAR(path_efficiency(corner).value.value(), 100.0 * 0.5 / 0.7, 100.0 * kRounding);
-  EXPECT_EQ(path_efficiency(std::vector<Vec3>(3, Vec3::Zero())).reason, "nothing moved");
+  EXPECT_NEAR(path_efficiency(Ways{corner}).value.value(), 100.0 * 0.5 / 0.7, 100.0 * kRounding);
+  // A long way counts more than a short one; the jump from one to the next does not count.
+  EXPECT_NEAR(path_efficiency(Ways{straight, {}, corner}).value.value(),
+              100.0 * (0.4 + 0.5) / (0.4 + 0.7), 100.0 * kRounding);
+  EXPECT_EQ(path_efficiency(Ways{std::vector<Vec3>(3, Vec3::Zero())}).reason, "nothing moved");
   EXPECT_EQ(path_efficiency({}).reason, "nothing moved");
   EXPECT_EQ(path_length({}), 0.0);
 }

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grip and load of the virtual object, from the forces of the fingers and the share of the friction
+// limit that each of them used: no measure needs to know the scene.
+#include <algorithm>
+#include <cmath>
+
+#include "tasks/kinds/object_score.hpp"
+#include "tasks/measures/coupling.hpp"
+#include "tasks/measures/quantile.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// One finger's part in the grasp; spans are empty where the record lacks it.
+struct Touch {
+  std::span<const double> fx_N, fy_N, fz_N, contact, utilisation;
+  [[nodiscard]] bool known() const {
+    return !fx_N.empty() && !fy_N.empty() && !fz_N.empty() && !contact.empty() &&
+           !utilisation.empty();
+  }
+  [[nodiscard]] bool touches(std::size_t row) const { return known() && contact[row] > 0.5; }
+};
+
+/// The touching fingers together, row by row of a section.
+struct Grasp {
+  std::vector<bool> opposed;               ///< thumb and another finger touch
+  std::vector<double> thumb_N, fingers_N;  ///< normal forces
+  std::vector<double> load_N;              ///< half the sum of the tangential forces' sizes
+  std::vector<double> needed_N;            ///< half the sum of normal forces that friction needs
+  std::vector<double> used;                ///< largest share of a finger's friction limit
+  std::vector<double> touch_s, opposed_s;  ///< hold lengths, 0 without touch, without opposition
+};
+
+Grasp grasp_of(const Section& section, const std::array<Touch, kFingerCount>& fingers) {
+  const std::size_t rows = section.rows.size();
+  Grasp grasp;
+  grasp.opposed.resize(rows);
+  for (auto* column : {&grasp.thumb_N, &grasp.fingers_N, &grasp.load_N, &grasp.needed_N,
+                       &grasp.used, &grasp.touch_s, &grasp.opposed_s})
+    column->resize(rows);
+  for (std::size_t k = 0; k < rows; ++k) {
+    const std::size_t row = section.rows[k];
+    bool thumb = false;
+    bool others = false;
+    for (const Finger finger : kFingers) {
+      const Touch& touch = fingers[index_of(finger)];
+      if (!touch.touches(row)) continue;
+      const bool is_thumb = finger == Finger::thumb;
+      (is_thumb ? thumb : others) = true;
+      const double normal_N = std::max(0.0, touch.fz_N[row]);
+      (is_thumb ? grasp.thumb_N : grasp.fingers_N)[k] += normal_N;
+      grasp.load_N[k] += 0.5 * std::hypot(touch.fx_N[row], touch.fy_N[row]);
+      grasp.needed_N[k] += 0.5 * touch.utilisation[row] * normal_N;
+      grasp.used[k] = std::max(grasp.used[k], touch.utilisation[row]);
+    }
+    grasp.opposed[k] = thumb && others;
+    if (thumb || others) grasp.touch_s[k] = section.weight_s[k];
+    if (grasp.opposed[k]) grasp.opposed_s[k] = section.weight_s[k];
+  }
+  return grasp;
+}
+
+Coupling coupling_of(const Section& section, const Grasp& grasp) {
+  const auto runs = stretches(section.t_s, grasp.opposed, 0.0);
+  const auto longest =
+      std::max_element(runs.begin(), runs.end(),
+                       [](const Stretch& a, const Stretch& b) { return a.length_s < b.length_s; });
+  const char* const none = "thumb and fingers did not hold the object together";
+  if (longest == runs.end() || longest->end - longest->first < 2) return {none, none, none};
+  const auto piece = [&](const std::vector<double>& x) {
+    return std::span(x).subspan(longest->first, longest->end - longest->first);
+  };
+  const auto t_s = piece(section.t_s);
+  return grip_load_coupling(
+      on_uniform_grid(t_s, opposing_mean(piece(grasp.thumb_N), piece(grasp.fingers_N))),
+      on_uniform_grid(t_s, piece(grasp.load_N)));
+}
+
+}  // namespace
+
+void add_grasp(std::vector<Measure>& measures, const Record& record,
+               std::initializer_list<Phase> phases) {
+  std::array<Touch, kFingerCount> fingers;
+  bool known = false;
+  for (const Finger finger : kFingers) {
+    const std::string name(name_of(finger));
+    const auto column = [&](const std::string& of) { return record.signals().column(of); };
+    Touch& touch = fingers[index_of(finger)];
+    touch = {column(name + "_fx_N"), column(name + "_fy_N"), column(name + "_fz_N"),
+             column("contact_" + name), column("utilisation_" + name)};
+    known = known || touch.known();
+  }
+  Section section = record.select(phases, {});
+  if (!known) section.reason = "forces, contacts or utilisation of the fingers are missing";
+  const Grasp grasp = grasp_of(section, fingers);
+  const Coupling coupling = coupling_of(section, grasp);
+  const auto add = [&](const char* name, const char* channel, const char* unit,
+                       const Computed& computed) {
+    measures.push_back(make_measure(name, channel, unit, section, computed));
+  };
+  add("grip_load_correlation", "grip", "", coupling.correlation);
+  add("grip_load_lag", "grip", "s", coupling.lag_s);
+  add("grip_load_slope", "grip", "", coupling.slope);
+  // Without friction there is no load to be carried, and so no margin.
+  const bool rubs =
+      std::any_of(grasp.used.begin(), grasp.used.end(), [](double share) { return share > 0.0; });
+  const char* const smooth = "no finger touched with friction";
+  std::vector<double> grip_N = opposing_mean(grasp.thumb_N, grasp.fingers_N);
+  add("safety_margin", "grip", "%",
+      rubs ? safety_margin(grip_N, grasp.needed_N, grasp.opposed_s) : Computed(smooth));
+  constexpr double kShare = 0.95;
+  Computed used = rubs ? quantile(grasp.used, grasp.touch_s, kShare) : Computed(smooth);
+  if (used.value) used.value = 100.0 * *used.value;
+  add("friction_utilisation", "contact", "%", used);
+}
+
+}  // namespace isograsp

@@ -22,8 +22,9 @@ constexpr Placed kMaximum[] = {{"maximum_force", "", Prominence::key},
 constexpr Placed kDirectionalMaxima[] = {{"maximum_force", "", Prominence::trend},
                                          {"direction_error", "", Prominence::trend},
                                          {"coflexion", "", Prominence::trend}};
+// Rising and falling parts stand in the table of a trial, not in the report.
 constexpr Placed kTracking[] = {{"relative_rmse", "", Prominence::key},
-                                {"time_in_range", "", Prominence::trend},
+                                {"time_in_range", "force", Prominence::trend},
                                 {"lag", "", Prominence::trend}};
 constexpr Placed kSteadiness[] = {{"cv", "", Prominence::key},
                                   {"time_in_range", "", Prominence::trend}};
@@ -64,7 +65,6 @@ constexpr Placed kRecorded[] = {{"corridor_rms", "", Prominence::key},
                                 {"maximum_window_mean", "", Prominence::key},
                                 {"relative_rmse", "", Prominence::key},
                                 {"time_in_range", "", Prominence::trend},
-                                {"synergy_index", "", Prominence::key},
                                 {"rhythm", "", Prominence::trend},
                                 {"sharing", "", Prominence::trend}};
 

@@ -191,8 +191,9 @@ void add_cycles(const ForceTrackingSpec& spec, const Record& record, MeasureList
     for (std::size_t c = kLeftOut; c <= cycles; ++c)
       starts_s.push_back(record.task_time_s(begin) + static_cast<double>(c) / f_Hz);
     // A trial that ended early has no later cycles.
-    while (!starts_s.empty() && starts_s.back() > forces.section.t_s.back() + record.hold_s(begin))
-      starts_s.pop_back();
+    constexpr double kReach_rows = 1.5;  // the last row of a whole trial lies one before its end
+    const double end_s = forces.section.t_s.back() + kReach_rows * record.hold_s(begin);
+    while (!starts_s.empty() && starts_s.back() > end_s) starts_s.pop_back();
     found = synergy_over_cycles(forces.section.t_s, forces.force_N, starts_s);
   }
   add_synergy(found, forces.section, list);

@@ -297,7 +297,7 @@ TEST(ForceScores, RisingAndFallingHalvesOfASineAreScoredApart) {
   EXPECT_EQ(value_of(measures, "time_in_range", "force_fall"), 0.0);
   EXPECT_NEAR(value_of(measures, "rmse", "force"), 1.5 / std::sqrt(2.0), 1e-3);
   EXPECT_NEAR(static_cast<double>(find(measures, "rmse", "force_rise")->samples), 1500.0, 6.0)
-      << "one row at each turn of each of six cycles belongs to no half";
+      << "half of the rows, but for the turns";
 }
 
 TEST(ForceScores, EachPartOfATrapezoidHasItsOwnErrorAndTimeInRange) {

@@ -113,11 +113,13 @@ class TrackingScore {
                                                 ? std::vector{axis.waveform.frequency_Hz}
                                                 : axis.waveform.frequencies;
     for (const SineAnswer& answer : sine_answers(section.t_s, target, actual, frequencies)) {
-      add("gain",
-          frequencies.size() == 1 ? channel
-                                  : channel + "_" + format_number(answer.frequency_Hz) + "_Hz",
-          "", answer.gain);
+      const std::string of = frequencies.size() == 1
+                                 ? channel
+                                 : channel + "_" + format_number(answer.frequency_Hz) + "_Hz";
+      add("gain", of, "", answer.gain);
       all.back().version = kGainVersion;
+      add("phase", of, "rad", answer.phase_rad);
+      add("phase_lag", of, "s", answer.lag_s);
     }
   }
 

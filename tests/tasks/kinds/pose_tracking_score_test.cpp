@@ -63,6 +63,9 @@ TEST(ScorePoseTracking, ALateAndSmallSineHasTheErrorsGainAndLagOfItsClosedForm) 
     EXPECT_NEAR(value_of(measures, "constant_error", channel), 0.0, kRounding);
     EXPECT_NEAR(value_of(measures, "gain", channel), kGain, kRounding);
     EXPECT_NEAR(value_of(measures, "lag", channel), kLag_s, kParabola_s);
+    EXPECT_NEAR(value_of(measures, "phase_lag", channel), kLag_s, kRounding);
+    EXPECT_NEAR(value_of(measures, "phase", channel), -kTurn_rad * kFrequency_Hz * kLag_s,
+                kRounding);
     EXPECT_LT(value_of(measures, "mae", channel), value_of(measures, "rmse", channel));
   }
   EXPECT_EQ(find(measures, "rmse", "x")->unit, "m");

@@ -43,7 +43,6 @@ struct PoseTrackingSpec {
   };
   std::string scene;
   std::vector<Axis> axes;
-  double preview_s = 0.0;
   double lead_in_s = 2.0;
   double duration_s = 30.0;
 };

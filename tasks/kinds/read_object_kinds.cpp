@@ -65,7 +65,6 @@ ObserveSpec read_observe(TomlReader& reader) {
 PoseTrackingSpec read_pose_tracking(TomlReader& reader) {
   PoseTrackingSpec spec;
   spec.scene = read_scene(reader);
-  spec.preview_s = read_wait(reader, "preview_s", spec.preview_s);
   spec.lead_in_s = read_wait(reader, "lead_in_s", spec.lead_in_s);
   spec.duration_s = read_duration(reader, "duration_s", spec.duration_s);
   std::array<bool, 6> used{};

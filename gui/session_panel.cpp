@@ -79,7 +79,7 @@ TaskPanel::TaskPanel(SessionPresenter& presenter, QWidget* parent)
 
 void TaskPanel::fill_list() {
   constexpr int kRow_px = 24;
-  constexpr int kMostRows = 9;
+  constexpr int kMostRows = 7;
   std::optional<TaskGroup> group;
   const auto& tasks = presenter_.tasks();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -124,7 +124,7 @@ void TaskPanel::refresh() {
       task < 0
           ? tr("Choose a task.")
           : QString::fromStdString(presenter_.tasks()[static_cast<std::size_t>(task)].instruction));
-  show_how_->setText(presenter_.showing_how() ? tr("End the sho&w") : tr("Show the patient ho&w"));
+  show_how_->setText(presenter_.showing_how() ? tr("Stop sho&wing") : tr("Show the patient ho&w"));
   describe(*show_how_, show_how_->text().remove(QLatin1Char('&')),
            tr("The patient's screen shows how a healthy hand does this task (F7, Alt+W)"));
   show_how_->setEnabled(view.may_show_how || presenter_.showing_how());

@@ -73,6 +73,9 @@ Section Record::select(std::size_t first, std::size_t last, std::initializer_lis
     needed.push_back(signals_.column(name));
   }
   const auto t_s = signals_.column("t_s");
+  section.rows.reserve(last - first);
+  section.t_s.reserve(last - first);
+  section.weight_s.reserve(last - first);
   for (std::size_t row = first; row < last; ++row) {
     const bool in_scope = phases.size() == 0 || paused(row) ||
                           std::find(phases.begin(), phases.end(), phase_[row]) != phases.end();

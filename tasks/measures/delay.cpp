@@ -2,10 +2,10 @@
 #include "tasks/measures/delay.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
-
-#include <Eigen/Core>
+#include <utility>
 
 namespace isograsp {
 
@@ -55,23 +55,44 @@ double mean_of(std::span<const double> x) {
   return sum / static_cast<double>(x.size());
 }
 
+/// Four numbers at a time, wherever they lie.
+using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+constexpr std::size_t kLanes = 24;  ///< shifts at a time: twelve vector registers hold them
+
+/// sums[i] = sum(x[k] y[k + i]), i < kLanes. A loop over i would keep the sums in memory.
+template <std::size_t... i>
+[[gnu::always_inline]] inline void products_in(std::span<const double> x, const double* y,
+                                               double* sums, std::index_sequence<i...>) {
+  Four sum[sizeof...(i)]{};
+  for (std::size_t k = 0; k < x.size(); ++k)
+    ((sum[i] += x[k] * *reinterpret_cast<const Four*>(y + k + 4 * i)), ...);
+  ((*reinterpret_cast<Four*>(sums + 4 * i) = sum[i]), ...);
+}
+using Quarters = std::make_index_sequence<kLanes / 4>;
+
+void products_anywhere(std::span<const double> x, const double* y, double* sums) {
+  products_in(x, y, sums, Quarters());
+}
+
+/// The same, rounded the same, for a processor that has registers of four numbers.
+[[gnu::target("avx")]] void products_with_avx(std::span<const double> x, const double* y,
+                                              double* sums) {
+  products_in(x, y, sums, Quarters());
+}
+
 /// sum((x[k] - x_mean) (y[k + shift] - y_mean)) over the overlap, shifts from -most to most.
 std::vector<double> cross_sums(std::span<const double> x, double x_mean, std::span<const double> y,
                                double y_mean, std::ptrdiff_t most) {
-  constexpr std::size_t kLanes = 24;  // shifts at a time: twelve vector registers hold them
-  using Lanes = Eigen::Array<double, kLanes, 1>;
+  const auto products = __builtin_cpu_supports("avx") != 0 ? products_with_avx : products_anywhere;
   const auto shifts = static_cast<std::size_t>(2 * most + 1);
+  std::vector<double> centred(x.size());
+  std::transform(x.begin(), x.end(), centred.begin(), [&](double value) { return value - x_mean; });
   std::vector<double> padded(y.size() + shifts + kLanes, 0.0);
   std::transform(y.begin(), y.end(), padded.begin() + most,
                  [&](double value) { return value - y_mean; });
-  std::vector<double> sums;
-  sums.reserve(shifts + kLanes);
-  for (std::size_t shift = 0; shift < shifts; shift += kLanes) {
-    Lanes sum = Lanes::Zero();
-    for (std::size_t k = 0; k < x.size(); ++k)
-      sum += (x[k] - x_mean) * Eigen::Map<const Lanes>(&padded[k + shift]);
-    sums.insert(sums.end(), sum.begin(), sum.end());
-  }
+  std::vector<double> sums(shifts + kLanes);
+  for (std::size_t shift = 0; shift < shifts; shift += kLanes)
+    products(centred, padded.data() + shift, sums.data() + shift);
   sums.resize(shifts);
   return sums;
 }

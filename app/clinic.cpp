@@ -54,19 +54,24 @@ std::string code_of(std::size_t patient) {
   return "CLINIC-" + std::string(number.size() < 2 ? "0" : "") + number;
 }
 
-/// Removes the parts of a clinic however its making ends.
+/// Removes the files that a clinic is made with however its making ends.
 class Parts {
  public:
   explicit Parts(const std::string& database) : database_(database) {}
   ~Parts() {
-    for (std::size_t patient = 0; patient < kEnrolled.size(); ++patient)
-      for (const char* suffix : {"", "-wal", "-shm", "-lock"}) {
-        std::error_code ignored;
-        fs::remove(path(patient) + suffix, ignored);
-      }
+    for (std::size_t patient = 0; patient < kEnrolled.size(); ++patient) remove(path(patient));
+    remove(whole());
   }
   [[nodiscard]] std::string path(std::size_t patient) const {
     return database_ + "." + code_of(patient) + ".part";
+  }
+  /// The clinic itself: it gets its name when it is complete.
+  [[nodiscard]] std::string whole() const { return database_ + ".part"; }
+  static void remove(const std::string& part) {
+    for (const char* suffix : {"", "-wal", "-shm", "-lock"}) {
+      std::error_code ignored;
+      fs::remove(part + suffix, ignored);
+    }
   }
 
  private:
@@ -79,6 +84,7 @@ Result<void> make_patient(std::size_t patient, const std::string& database,
   RunOptions options;
   options.protocol_file = library_folder() + "/protocols/training.toml";
   options.database = database;
+  options.scratch = true;
   options.patient = code_of(patient);
   options.fast = true;
   options.quiet = true;
@@ -96,48 +102,87 @@ Result<void> make_patient(std::size_t patient, const std::string& database,
   return {};
 }
 
+/// Makes the patients on several threads.
+class Workers {
+ public:
+  Workers(const Parts& parts, int threads) {
+    for (int worker = std::clamp(threads, 1, static_cast<int>(kEnrolled.size())); worker > 0;
+         --worker)
+      threads_.emplace_back([this, &parts] {
+        for (std::size_t patient = next_++; patient < kEnrolled.size() && !stop_; patient = next_++)
+          if (auto done = make_patient(patient, parts.path(patient), sessions_made_); done)
+            made_[patient] = true;
+          else
+            fail(done.error());
+      });
+  }
+  ~Workers() {
+    stop_ = true;
+    for (auto& thread : threads_) thread.join();
+  }
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// Waits until this patient is made.
+  [[nodiscard]] Result<void> wait_for(std::size_t patient, ProgressBar& bar) {
+    constexpr double kAll = static_cast<double>(kSessions) * kEnrolled.size();
+    while (!made_[patient]) {
+      bar.show(sessions_made_ / kAll, std::to_string(sessions_made_) + " sessions");
+      constexpr auto kLook = std::chrono::milliseconds(50);
+      std::this_thread::sleep_for(kLook);
+      const std::lock_guard lock(mutex_);
+      if (problem_) return *problem_;
+    }
+    return {};
+  }
+
+ private:
+  void fail(const Error& problem) {
+    stop_ = true;
+    const std::lock_guard lock(mutex_);
+    if (!problem_) problem_ = problem;
+  }
+
+  std::atomic<std::size_t> next_{0};
+  std::atomic<int> sessions_made_{0};
+  std::atomic<bool> stop_{false};
+  std::array<std::atomic<bool>, kEnrolled.size()> made_{};
+  std::mutex mutex_;
+  std::optional<Error> problem_;
+  std::vector<std::thread> threads_;
+};
+
+/// One patient after the other, so that the file does not depend on who was made first.
+Result<void> put_together(const Parts& parts, Workers& workers) {
+  const auto clinic = SessionStore::open(parts.whole(), SessionStore::Open::create);
+  if (!clinic) return clinic.error();
+  ProgressBar bar("Making the clinic");
+  for (std::size_t patient = 0; patient < kEnrolled.size(); ++patient) {
+    if (auto made = workers.wait_for(patient, bar); !made) return made;
+    if (auto done = (*clinic)->absorb(parts.path(patient)); !done) return done;
+    Parts::remove(parts.path(patient));
+  }
+  bar.end();
+  return {};
+}
+
 }  // namespace
 
 Result<void> make_clinic(const std::string& database, int threads) {
-  std::error_code ignored;
-  if (fs::exists(database, ignored))
+  std::error_code failure;
+  if (fs::exists(database, failure))
     return Error{Error::Code::bad_input, "exists already", "name a new file", database, 0, ""};
   const Parts parts(database);
-  std::atomic<std::size_t> next{0};
-  std::atomic<int> sessions_made{0};
-  std::atomic<bool> failed{false};
-  std::mutex problem_mutex;
-  std::optional<Error> problem;
-  std::vector<std::thread> workers;
-  std::atomic<int> at_work{std::clamp(threads, 1, static_cast<int>(kEnrolled.size()))};
-  for (int worker = at_work; worker > 0; --worker)
-    workers.emplace_back([&] {
-      for (std::size_t patient = next++; patient < kEnrolled.size() && !failed; patient = next++) {
-        const auto done = make_patient(patient, parts.path(patient), sessions_made);
-        if (done) continue;
-        failed = true;
-        const std::lock_guard lock(problem_mutex);
-        if (!problem) problem = done.error();
-      }
-      --at_work;
-    });
-  ProgressBar bar("Making the clinic");
-  constexpr double kAll = static_cast<double>(kSessions) * kEnrolled.size();
-  while (at_work > 0) {
-    bar.show(sessions_made / kAll, std::to_string(sessions_made) + " sessions");
-    constexpr auto kLook = std::chrono::milliseconds(50);
-    std::this_thread::sleep_for(kLook);
-  }
-  for (auto& worker : workers) worker.join();
-  if (problem) return *problem;
-  // One after the other, so that the file does not depend on who was first.
-  const auto clinic = SessionStore::open(database, SessionStore::Open::create);
-  if (!clinic) return clinic.error();
-  for (std::size_t patient = 0; patient < kEnrolled.size(); ++patient) {
-    bar.show(1.0, "putting together " + code_of(patient));
-    if (auto done = (*clinic)->absorb(parts.path(patient)); !done) return done;
-  }
-  bar.end();
+  Workers workers(parts, threads);
+  if (auto done = put_together(parts, workers); !done) return done;
+  fs::rename(parts.whole(), database, failure);
+  if (failure)
+    return Error{Error::Code::failed,
+                 "could not be made: " + failure.message(),
+                 "choose another folder",
+                 database,
+                 0,
+                 ""};
   return {};
 }
 

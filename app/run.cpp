@@ -60,6 +60,7 @@ Result<void> run_session(const RunOptions& options) {
   SessionConfig config;
   config.database = options.database;
   config.create_database = true;
+  config.scratch_database = options.scratch;
   config.patient_code = options.patient;
   config.hand = *hand;
   config.device_uri = options.device;

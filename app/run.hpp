@@ -14,6 +14,7 @@ struct RunOptions {
   std::string protocol_file;
   std::string device;
   std::string database;
+  bool scratch = false;  ///< the database is removed again by the caller: nothing is synced
   std::string patient;
   std::string hand = "right";
   bool fast = false;

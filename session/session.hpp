@@ -48,6 +48,9 @@ struct SessionConfig {
   /// Refused if there is none, or if it began more than kLongestBreak_s ago.
   bool resume = false;
   bool virtual_time = false;  ///< simulated and replayed devices only
+  /// The database is made for a moment and removed again (SessionStore::Open::scratch); in virtual
+  /// time only: nobody's data are recorded so.
+  bool scratch_database = false;
 };
 
 /// An instrument zero is asked for.

@@ -56,6 +56,9 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   const std::string said = uri->text_or("hand", std::string(name_of(config.hand)));
   if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same.error();
   if (auto good = check_patient_code(config.patient_code); !good) return good.error();
+  if (config.scratch_database && !config.virtual_time)
+    return uri->error("", "a session in real time is not recorded into a scratch file",
+                      "give a database that is kept");
   auto viewer = simulated_person(*uri, config.library);
   if (!viewer) return viewer.error();
   parts->viewer = std::move(*viewer);
@@ -83,9 +86,10 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   parts->streaming = true;
   const Timestamp start = parts->device->now(*parts->clock);
 
-  auto store =
-      SessionStore::open(config.database, config.create_database ? SessionStore::Open::create
-                                                                 : SessionStore::Open::existing);
+  using Open = SessionStore::Open;
+  auto store = SessionStore::open(config.database, config.scratch_database  ? Open::scratch
+                                                   : config.create_database ? Open::create
+                                                                            : Open::existing);
   if (!store) return store.error();
   auto patient = (*store)->find_patient(config.patient_code);
   if (!patient) return patient.error();

@@ -256,7 +256,7 @@ Result<Database> Database::open(const std::string& path, SessionStore::Open how,
   if (fs::exists(status) && !fs::is_regular_file(status))
     return bad_file(path, "is not a plain file", "give a file made by isograsp db init");
   if (!fs::exists(status)) {
-    if (how != Open::create)
+    if (how != Open::create && how != Open::scratch)
       return bad_file(path, "does not exist", "make it with isograsp db init, or check the path");
     if (const auto made = create_file(path, real_path); !made) return made.error();
   }
@@ -276,10 +276,14 @@ Result<Database> Database::open(const std::string& path, SessionStore::Open how,
     soci::session& sql = *database.session_;
     sql << "PRAGMA foreign_keys=ON";
     sql << "PRAGMA trusted_schema=OFF";
-    sql << "PRAGMA synchronous=FULL";
+    constexpr int kOff = 0;
+    constexpr int kFull = 2;
+    const int synchronous = how == Open::scratch ? kOff : kFull;
+    sql << "PRAGMA synchronous=" + std::to_string(synchronous);
     if (read_only) sql << "PRAGMA query_only=ON";
     const bool wal = read_only || pragma<std::string>(sql, "journal_mode=WAL") == "wal";
-    if (!wal || pragma<int>(sql, "synchronous") != 2 || pragma<int>(sql, "foreign_keys") != 1)
+    if (!wal || pragma<int>(sql, "synchronous") != synchronous ||
+        pragma<int>(sql, "foreign_keys") != 1)
       throw Refusal{
           failed(path, "the database cannot be set to durable writing", "keep it on a local disk")};
     database.format_ = pragma<int>(sql, "user_version");

@@ -180,10 +180,12 @@ struct MeasurePoint {
 
 class SessionStore {
  public:
-  enum class Open { create, existing, read_only };
+  enum class Open { create, scratch, existing, read_only };
   /// create: makes the file if absent. A file that is not ours, newer than this program (unless
   /// read_only) or not writable is refused with the reason. Trials left running by a program that
   /// ended are marked interrupted, unless read_only or another program has the file open.
+  /// scratch: like create, but nothing waits for the disk. For files that are removed by who made
+  /// them; after a power cut they may be damaged.
   [[nodiscard]] static Result<std::unique_ptr<SessionStore>> open(const std::string& path,
                                                                   Open how);
   struct Migration {
@@ -200,7 +202,7 @@ class SessionStore {
 
   [[nodiscard]] virtual const std::string& path() const noexcept = 0;
 
-  // Writing. Each call is one transaction, durable when it returns.
+  // Writing. Each call is one transaction, durable when it returns (not in a scratch file).
   /// `created_utc`, `ended_utc`: ISO 8601; empty: now.
   [[nodiscard]] virtual Result<PatientRecord> add_patient(const std::string& code,
                                                           const std::string& created_utc = "") = 0;

@@ -176,6 +176,17 @@ TEST(Session, RefusesAnUnknownPatientModelAWrongHandAndAnUnknownScheme) {
   }
 }
 
+TEST(Session, RealTimeIsNeverRecordedIntoAScratchFile) {
+  Clinic clinic;
+  SessionConfig config = clinic.config("sim://healthy");
+  config.scratch_database = true;
+  EXPECT_TRUE(Session::open(config));
+  config.virtual_time = false;
+  const auto session = Session::open(config);
+  ASSERT_FALSE(session);
+  EXPECT_NE(session.error().message().find("scratch"), std::string::npos);
+}
+
 TEST(Session, AProtocolWhoseStepsLackWhatTheyNeedIsRefusedBeforeASessionBegins) {
   const test::TemporaryFolder folder;
   const auto read = [&](const std::string& steps) {

@@ -6,6 +6,7 @@
 #include <soci/sqlite3/soci-sqlite3.h>
 #include <sys/wait.h>
 
+#include "storage/database.hpp"
 #include "tests/storage/examples.hpp"
 
 namespace isograsp {
@@ -69,6 +70,21 @@ TEST(OpenStore, CreateKeepsWhatIsThere) {
   TemporaryFolder folder;
   must(open_store(folder.file("clinic.db"))->add_patient("P-1"));
   EXPECT_EQ(must(open_store(folder.file("clinic.db"))->patients()).size(), 1u);
+}
+
+TEST(OpenStore, OnlyAScratchFileIsNotSyncedToTheDisk) {
+  TemporaryFolder folder;
+  for (const auto& [how, expected] : {std::pair{Open::create, 2},
+                                      {Open::existing, 2},
+                                      {Open::read_only, 2},
+                                      {Open::scratch, 0}}) {
+    auto database = must(Database::open(folder.file("clinic.db"), how));
+    int synchronous = -1;
+    database.sql() << "PRAGMA synchronous", soci::into(synchronous);
+    EXPECT_EQ(synchronous, expected);
+  }
+  must(open_store(folder.file("scratch.db"), Open::scratch)->add_patient("P-1"));
+  EXPECT_EQ(must(open_store(folder.file("scratch.db"))->patients()).size(), 1u);
 }
 
 TEST(OpenStore, AbsentFileIsRefusedAndNotMade) {

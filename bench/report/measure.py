@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs every engine on every case and writes results.csv, scenes.csv, kernels.csv, machine.json.
+"""Runs every engine on every case and writes results.csv, scenes.csv, kernels.csv, machine.json,
+then scoring.csv and scoring.json (--scoring: only these).
 
 Each engine is a program of its own (bench/harness.hpp): one that aborts, hangs or diverges gets
 that as its status and takes nobody with it. Errors are measured once, times in rounds that go
@@ -153,7 +154,7 @@ def machine(source, build, core, peers, counter):
         found = re.search(rf"^\s*{re.escape(name)}:\s*(.*)$", lscpu, re.MULTILINE)
         return found[1] if found else ""
 
-    measured = ["core", "grasp_model", "bench", "CMakeLists.txt", "cmake"]
+    measured = ["core", "grasp_model", "tasks", "bench", "CMakeLists.txt", "cmake"]
     git = ["git", "-C", str(source)]
     return {
         "processor": cpu("Model name"), "family_model_stepping":
@@ -181,12 +182,31 @@ def digits(value):
     return "" if value is None else f"{value:.4g}"
 
 
+def google_benchmark(program, pin, least_s):
+    """Median processor time of each benchmark, in its own unit."""
+    done = json.loads(subprocess.run(
+        [*pin, program, "--benchmark_format=json", f"--benchmark_min_time={least_s}",
+         f"--benchmark_repetitions={ROUNDS}", "--benchmark_report_aggregates_only=true",
+         "--benchmark_enable_random_interleaving=true"], stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL, text=True, check=True).stdout)["benchmarks"]
+    return [(b["run_name"], digits(b["cpu_time"])) for b in done
+            if b.get("aggregate_name") == "median"]
+
+
+def measure_scoring(build, out, pin, described):
+    note("scoring")
+    times = google_benchmark(build / "bench/bench_scoring", pin, 0.2)
+    write_csv(out / "scoring.csv", ["scoring", "ms"], [dict(scoring=n, ms=t) for n, t in times])
+    (out / "scoring.json").write_text(json.dumps(described, indent=2) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--source", type=pathlib.Path, required=True)
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--peers", action="store_true")
+    parser.add_argument("--scoring", action="store_true")
     options = parser.parse_args()
     build, out = options.build.resolve(), options.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -194,6 +214,9 @@ def main():
     cases.mkdir(exist_ok=True)
     core = max(os.sched_getaffinity(0))
     pin = ["taskset", "-c", str(core)] if shutil.which("taskset") else []
+    if options.scoring:
+        measure_scoring(build, out, pin, machine(options.source, build, core, False, ""))
+        return
 
     note("wrenches and reference trajectories")
     scenes = [line.split("\t") for line in subprocess.run(
@@ -246,17 +269,11 @@ def main():
                for s in scenes])
 
     note("kernels")
-    kernels = json.loads(subprocess.run(
-        [*pin, build / "bench/bench_kernels", "--benchmark_format=json",
-         "--benchmark_min_time=0.05", f"--benchmark_repetitions={ROUNDS}",
-         "--benchmark_report_aggregates_only=true",
-         "--benchmark_enable_random_interleaving=true"], stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL, text=True, check=True).stdout)["benchmarks"]
-    write_csv(out / "kernels.csv", ["kernel", "ns"],
-              [dict(kernel=k["run_name"], ns=digits(k["cpu_time"])) for k in kernels
-               if k.get("aggregate_name") == "median"])
-    (out / "machine.json").write_text(json.dumps(
-        machine(options.source, build, core, options.peers, counter), indent=2) + "\n")
+    kernels = google_benchmark(build / "bench/bench_kernels", pin, 0.05)
+    write_csv(out / "kernels.csv", ["kernel", "ns"], [dict(kernel=n, ns=t) for n, t in kernels])
+    described = machine(options.source, build, core, options.peers, counter)
+    (out / "machine.json").write_text(json.dumps(described, indent=2) + "\n")
+    measure_scoring(build, out, pin, described)
 
 
 if __name__ == "__main__":

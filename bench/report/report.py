@@ -234,11 +234,22 @@ def kernels(results):
                   for k in sorted(results.kernels, key=lambda k: k["kernel"])])
 
 
+def scoring(results):
+    m = results.scoring_machine
+    tree = " with uncommitted changes" if m["changed"] else ""
+    lines = table(["", "processor time"],
+                  [[s["scoring"].replace("/", ", ").replace("_", " "), time(float(s["ms"]) * 1e6)]
+                   for s in sorted(results.scoring, key=lambda s: s["scoring"])])
+    return (f"{m['processor']}, {m['processors']} cores, one used; {m['date']}, "
+            f"{m['commit']}{tree}; median of {m['rounds']} rounds.\n\n{lines}")
+
+
 def main(folder, page):
     results = Results(folder)
     text = (pathlib.Path(__file__).parent / "performance.md.in").read_text()
     fields = dict(machine=machine(results), noise=noise(results), ours=ours(results),
-                  scenes=scenes(results), kernels=kernels(results), by_hand=by_hand(results),
+                  scenes=scenes(results), kernels=kernels(results),
+                  scoring=scoring(results), by_hand=by_hand(results),
                   hand_wins=hand_wins(results))
     if results.machine["peers"]:
         fields.update(closest=closest(results), levels=levels(results, False),

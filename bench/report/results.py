@@ -63,6 +63,9 @@ class Results:
             self.scenes = list(csv.DictReader(file))
         with open(folder / "kernels.csv", newline="") as file:
             self.kernels = list(csv.DictReader(file))
+        with open(folder / "scoring.csv", newline="") as file:
+            self.scoring = list(csv.DictReader(file))
+        self.scoring_machine = json.loads((folder / "scoring.json").read_text())
         self.machine = json.loads((folder / "machine.json").read_text())
 
     def of(self, scene):

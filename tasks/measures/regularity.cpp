@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <boost/sort/pdqsort/pdqsort.hpp>
+
 namespace isograsp {
 
 namespace {
@@ -85,13 +87,15 @@ struct Range {
 struct Ranking {
   Ranking(std::span<const double> x, double r) : sample(x.size()), rank(x.size()), near(x.size()) {
     std::iota(sample.begin(), sample.end(), Number{0});
-    std::sort(sample.begin(), sample.end(), [&](Number a, Number b) { return x[a] < x[b]; });
+    boost::sort::pdqsort_branchless(sample.begin(), sample.end(),
+                                    [&](Number a, Number b) { return x[a] < x[b]; });
+    std::vector<double> sorted(x.size());
+    for (Number k = 0; k < x.size(); ++k) sorted[k] = x[sample[k]];
     Range range;
     for (Number k = 0; k < x.size(); ++k) {
-      const double here = x[sample[k]];
       rank[sample[k]] = k;
-      while (here - x[sample[range.low]] > r) ++range.low;
-      while (range.high < x.size() && x[sample[range.high]] - here <= r) ++range.high;
+      while (sorted[k] - sorted[range.low] > r) ++range.low;
+      while (range.high < x.size() && sorted[range.high] - sorted[k] <= r) ++range.high;
       near[sample[k]] = range;
     }
   }

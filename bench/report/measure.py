@@ -195,9 +195,10 @@ def google_benchmark(program, pin, least_s):
 
 def measure_scoring(build, out, pin, described):
     note("scoring")
+    load = f"{os.getloadavg()[0]:.1f}"
     times = google_benchmark(build / "bench/bench_scoring", pin, 0.2)
     write_csv(out / "scoring.csv", ["scoring", "ms"], [dict(scoring=n, ms=t) for n, t in times])
-    (out / "scoring.json").write_text(json.dumps(described, indent=2) + "\n")
+    (out / "scoring.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
 
 
 def main():

@@ -240,8 +240,8 @@ def scoring(results):
     lines = table(["", "processor time"],
                   [[s["scoring"].replace("/", ", ").replace("_", " "), time(float(s["ms"]) * 1e6)]
                    for s in sorted(results.scoring, key=lambda s: s["scoring"])])
-    return (f"{m['processor']}, {m['processors']} cores, one used; {m['date']}, "
-            f"{m['commit']}{tree}; median of {m['rounds']} rounds.\n\n{lines}")
+    return (f"{m['processor']}, {m['processors']} cores, one used; {m['date']}, {m['commit']}{tree}; "
+            f"load {m['load']} before; median of {m['rounds']} rounds.\n\n{lines}")
 
 
 def main(folder, page):

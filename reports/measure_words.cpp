@@ -142,6 +142,9 @@ constexpr std::array kEntries{
     // Neither too little nor too much: the safety margin, and what of the friction was used.
     Entry{"safety_margin", "Safety margin (virtual)", Better::unknown},
     Entry{"friction_utilisation", "Friction used (virtual)", Better::unknown},
+    Entry{"grip_variation", "Variation of the grip", Better::lower},
+    Entry{"impulse", "Impulse of the grip", Better::unknown},
+    Entry{"lateral_correlation", "Sideways together", Better::unknown, Use::research},
     Entry{"grip_load_correlation", "Coupling of grip and load (virtual)", Better::higher},
     Entry{"grip_load_lag", "Lag of the grip behind the load", Better::near_zero},
     Entry{"grip_load_slope", "Grip per load (virtual)", Better::unknown},

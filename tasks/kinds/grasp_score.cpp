@@ -3,6 +3,7 @@
 // limit that each of them used: no measure needs to know the scene.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "tasks/kinds/object_score.hpp"
 #include "tasks/measures/coupling.hpp"
@@ -77,6 +78,20 @@ Coupling coupling_of(const Section& section, const Grasp& grasp) {
       on_uniform_grid(t_s, piece(grasp.load_N)));
 }
 
+/// Size of a finger's tangential force, row by row, and the time in which both fingers touch.
+Computed lateral_correlation(const Section& section, const Touch& thumb, const Touch& other) {
+  std::vector<double> of_thumb_N, of_other_N, both_s;
+  for (std::size_t k = 0; k < section.rows.size(); ++k) {
+    const std::size_t row = section.rows[k];
+    if (!thumb.touches(row) || !other.touches(row)) continue;
+    of_thumb_N.push_back(std::hypot(thumb.fx_N[row], thumb.fy_N[row]));
+    of_other_N.push_back(std::hypot(other.fx_N[row], other.fy_N[row]));
+    both_s.push_back(section.weight_s[k]);
+  }
+  if (both_s.empty()) return "the two digits did not touch together";
+  return correlation(of_thumb_N, of_other_N, both_s);
+}
+
 }  // namespace
 
 void add_grasp(std::vector<Measure>& measures, const Record& record,
@@ -102,11 +117,22 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
   add("grip_load_correlation", "grip", "", coupling.correlation);
   add("grip_load_lag", "grip", "s", coupling.lag_s);
   add("grip_load_slope", "grip", "", coupling.slope);
+  const std::vector<double> grip_N = opposing_mean(grasp.thumb_N, grasp.fingers_N);
+  const Computed none = "thumb and fingers did not hold the object together";
+  const bool held = std::any_of(grasp.opposed.begin(), grasp.opposed.end(), std::identity());
+  add("grip_variation", "grip", "%", held ? variation(grip_N, grasp.opposed_s) : none);
+  double impulse_Ns = 0.0;
+  for (std::size_t k = 0; k < grip_N.size(); ++k) impulse_Ns += grasp.touch_s[k] * grip_N[k];
+  add("impulse", "grip", "N s", impulse_Ns);
+  const Touch& thumb = fingers[index_of(Finger::thumb)];
+  add("lateral_correlation", "thumb_index", "",
+      lateral_correlation(section, thumb, fingers[index_of(Finger::index)]));
+  add("lateral_correlation", "thumb_middle", "",
+      lateral_correlation(section, thumb, fingers[index_of(Finger::middle)]));
   // Without friction there is no load to be carried, and so no margin.
   const bool rubs =
       std::any_of(grasp.used.begin(), grasp.used.end(), [](double share) { return share > 0.0; });
   const char* const smooth = "no finger touched with friction";
-  std::vector<double> grip_N = opposing_mean(grasp.thumb_N, grasp.fingers_N);
   add("safety_margin", "grip", "%",
       rubs ? safety_margin(grip_N, grasp.needed_N, grasp.opposed_s) : Computed(smooth));
   constexpr double kShare = 0.95;

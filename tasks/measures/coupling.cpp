@@ -5,6 +5,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <optional>
+
+#include "tasks/measures/weighted.hpp"
 
 namespace isograsp {
 
@@ -116,6 +119,43 @@ Computed safety_margin(std::span<const double> grip_N, std::span<const double> n
   }
   if (!(total > 0.0)) return "there was no grip";
   return 100.0 * sum / total;
+}
+
+namespace {
+
+/// Weighted mean and variance of the population; nothing without weight.
+struct Moments {
+  double mean = 0.0;
+  double variance = 0.0;
+  /// Rounding alone makes about eps mean^2.
+  [[nodiscard]] bool vary() const { return variance > 1e-24 * mean * mean && variance > 0.0; }
+};
+std::optional<Moments> moments_of(std::span<const double> x, std::span<const double> weight) {
+  const Computed mean = weighted_mean_of(weight, [&](std::size_t k) { return x[k]; });
+  if (!mean.value) return std::nullopt;
+  const Computed variance =
+      weighted_mean_of(weight, [&](std::size_t k) { return std::pow(x[k] - *mean.value, 2); });
+  return Moments{*mean.value, *variance.value};
+}
+
+}  // namespace
+
+Computed correlation(std::span<const double> x, std::span<const double> y,
+                     std::span<const double> weight) {
+  const auto a = moments_of(x, weight);
+  const auto b = moments_of(y, weight);
+  if (!a || !b) return "no samples";
+  if (!a->vary() || !b->vary()) return "a signal does not vary";
+  const Computed together =
+      weighted_mean_of(weight, [&](std::size_t k) { return (x[k] - a->mean) * (y[k] - b->mean); });
+  return std::clamp(*together.value / std::sqrt(a->variance * b->variance), -1.0, 1.0);
+}
+
+Computed variation(std::span<const double> x, std::span<const double> weight) {
+  const auto of = moments_of(x, weight);
+  if (!of) return "no samples";
+  if (!(of->mean > 0.0)) return "the mean is not positive";
+  return 100.0 * std::sqrt(of->variance) / of->mean;
 }
 
 }  // namespace isograsp

@@ -31,4 +31,11 @@ struct Coupling {
                                      std::span<const double> needed_N,
                                      std::span<const double> weight);
 
+/// Pearson correlation, version 1, weighted. No value where one of the two does not vary.
+[[nodiscard]] Computed correlation(std::span<const double> x, std::span<const double> y,
+                                   std::span<const double> weight);
+
+/// Variation, version 1, in %: 100 SD / mean, both weighted, SD of the population.
+[[nodiscard]] Computed variation(std::span<const double> x, std::span<const double> weight);
+
 }  // namespace isograsp

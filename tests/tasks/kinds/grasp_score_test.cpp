@@ -84,11 +84,31 @@ TEST(ScoreGrasp, TheMarginIsWhatTheGripHasBeyondLoadOverFriction) {
   EXPECT_GT(value_of(measures, "friction_utilisation"), 90.0 * most);
 }
 
+TEST(ScoreGrasp, SidewaysForcesThatShareALoadCorrelateWhollyAndTheGripHasItsImpulse) {
+  const Signals signals = carried(0.0);
+  const auto measures = score(tracking(), signals);
+  EXPECT_NEAR(value_of(measures, "lateral_correlation"), 1.0, kRounding);
+  double impulse_Ns = 0.0;
+  double squares = 0.0;
+  double touched_s = 0.0;
+  for (const double grip_N : signals.column("actual_force_N")) {
+    if (grip_N == 0.0) continue;
+    impulse_Ns += 0.01 * grip_N;
+    squares += 0.01 * grip_N * grip_N;
+    touched_s += 0.01;
+  }
+  const double mean_N = impulse_Ns / touched_s;
+  EXPECT_NEAR(value_of(measures, "impulse"), impulse_Ns, 1e-6);
+  EXPECT_NEAR(value_of(measures, "grip_variation"),
+              100.0 * std::sqrt(squares / touched_s - mean_N * mean_N) / mean_N, 1e-6);
+}
+
 TEST(ScoreGrasp, NothingDependsOnTheUnitOfForce) {
   const auto newton = score(tracking(), carried(0.08));
   const auto other = score(tracking(), carried(0.08, 100.0, 4.0));
-  for (const char* name : {"grip_load_correlation", "grip_load_lag", "grip_load_slope",
-                           "safety_margin", "friction_utilisation"})
+  for (const char* name :
+       {"grip_load_correlation", "grip_load_lag", "grip_load_slope", "safety_margin",
+        "friction_utilisation", "grip_variation", "lateral_correlation"})
     EXPECT_NEAR(value_of(newton, name), value_of(other, name), kRounding) << name;
 }
 

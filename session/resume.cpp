@@ -73,6 +73,8 @@ Result<EarlierWork> read_earlier_work(SessionStore& store, const SessionRecord& 
   EarlierWork work;
   work.first_id = chain->back().id;
   work.last_id = last.id;
+  work.allowed = last.allowed;
+  work.ceiling_N = last.ceiling_N;
   for (auto earlier = chain->rbegin(); earlier != chain->rend(); ++earlier)
     if (auto added = add_trials_of(store, *earlier, session, work); !added) return added.error();
   const auto protocol = parse_protocol(session.protocol_text, session.protocol_name);

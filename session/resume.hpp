@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/measure.hpp"
@@ -26,6 +28,8 @@ struct EarlierTrial {
 struct EarlierWork {
   RowId first_id = 0;                ///< the session that began the protocol; 0: none
   RowId last_id = 0;                 ///< the newest one
+  std::string allowed;               ///< outcome of its screening, as stored; empty: not asked
+  std::optional<double> ceiling_N;   ///< of its screening
   std::vector<EarlierTrial> trials;  ///< in the order in which they were made
   std::size_t trials_made = 0;       ///< broken ones included: no seed is used twice
 };

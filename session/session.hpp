@@ -45,7 +45,8 @@ struct SessionConfig {
   std::optional<Effort> allowed;    ///< outcome of the screening for this hand; nothing: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
   /// Goes on with the protocol that the patient's newest session with this hand has not finished.
-  /// Refused if there is none, or if it began more than kLongestBreak_s ago.
+  /// Refused if there is none, or if it began more than kLongestBreak_s ago. What its screening
+  /// said holds on where `allowed` or `ceiling_N` say nothing.
   bool resume = false;
   bool virtual_time = false;  ///< simulated and replayed devices only
   /// The database is made for a moment and removed again (SessionStore::Open::scratch); in virtual

@@ -131,12 +131,15 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
     if (!earlier) return earlier.error();
     parts->earlier = *std::move(earlier);
     record.resumes_id = parts->earlier.last_id;
+    // What the screening forbade this hand today stays forbidden, unless it was asked again.
+    if (record.allowed.empty()) record.allowed = parts->earlier.allowed;
+    if (!record.ceiling_N) record.ceiling_N = parts->earlier.ceiling_N;
   }
   parts->lesson.training = *std::move(training);
   ForceReferences& references = parts->lesson.references;
   references.baseline_N = parts->lesson.training.baseline_N();
-  references.allowed = config.allowed.value_or(Effort::maximum);
-  references.ceiling_N = config.ceiling_N;
+  references.allowed = effort_from_name(record.allowed).value_or(Effort::maximum);
+  references.ceiling_N = record.ceiling_N;
   references.resolution_N = resolution_N(info);
   for (const EarlierTrial& trial : parts->earlier.trials)
     if (!trial.record.helped) learn_maxima(trial.measures, references);

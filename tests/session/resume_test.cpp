@@ -216,6 +216,24 @@ TEST(Resume, AResumedSessionThatBreaksOffIsResumedToo) {
   EXPECT_EQ(result->trials.size(), 2u) << "rest and the last task";
 }
 
+TEST(Resume, WhatTheScreeningForbadeStaysForbiddenUnlessItIsAskedAgain) {
+  const Clinic clinic;
+  auto first = clinic.config(false);
+  first.allowed = Effort::comfortable;
+  first.ceiling_N = 7.5;
+  Session::open(first).value()->close();
+  const auto held = Session::open(clinic.config(true)).value();
+  EXPECT_EQ(held->references().allowed, Effort::comfortable);
+  EXPECT_EQ(held->references().ceiling_N, 7.5);
+  EXPECT_EQ(held->record().allowed, "comfortable");
+  held->close();
+  auto asked = clinic.config(true);
+  asked.allowed = Effort::none;
+  const auto again = Session::open(asked).value();
+  EXPECT_EQ(again->references().allowed, Effort::none);
+  EXPECT_EQ(again->references().ceiling_N, 7.5);
+}
+
 TEST(Resume, IsRefusedForAnotherProtocolHandOrDay) {
   Clinic clinic;
   EXPECT_FALSE(Session::open(clinic.config(true)).ok()) << "there is no session yet";

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/protocol_run.hpp"
 
-#include <algorithm>
-
-#include "tasks/agenda.hpp"
+#include "session/protocol_walk.hpp"
 
 namespace isograsp {
 
@@ -24,34 +22,31 @@ class Run {
       : session_(session), progress_(progress), serviced_(serviced) {}
 
   Result<ProtocolResult> all(const ReadyProtocol& protocol) {
-    Agenda agenda(protocol.spec, session_.order_seed());
-    tell(agenda, protocol.spec, session_.earlier());
-    if (auto ready = set_up_again(protocol, agenda); !ready) return ready.error();
-    while (const auto item = agenda.next()) {
-      const ProtocolStep& step = protocol.spec.steps[item->step];
-      position_.step = agenda.done();
-      position_.steps = agenda.done() + agenda.expected();
-      wait_until(item->not_before_s);
-      Agenda::Outcome outcome;
-      switch (step.kind) {
-        case ProtocolStep::Kind::instrument_zero:
-          if (auto done = zero_step(); !done) return done.error();
+    ProtocolWalk walk(protocol, session_.earlier(), session_.order_seed());
+    while (const auto act = walk.next()) {
+      position_.step = walk.acts_done();
+      position_.steps = walk.acts();
+      wait_until(act->not_before_s);
+      report(act->words());
+      switch (act->kind) {
+        case ProtocolWalk::Act::Kind::instrument_zero:
+          if (auto done = zero(); !done) return done.error();
+          walk.done(now_s());
           break;
-        case ProtocolStep::Kind::pause:
-          report("Pause");
-          session_.let_pass(step.duration_s);
+        case ProtocolWalk::Act::Kind::pause:
+          session_.let_pass(act->duration_s);
+          walk.done(now_s());
           break;
-        case ProtocolStep::Kind::task: {
-          const TaskSpec& spec = protocol.tasks[item->step][item->task];
-          if (auto done = task_step(step, spec, *item); !done) return done.error();
-          outcome.completed = trial_was_made_;
-          if (trial_was_made_ && !result_.trials.back().trial.helped)
-            outcome.agreeing = agreeing(step, result_.trials.back().measures);
+        case ProtocolWalk::Act::Kind::trial: {
+          const auto made = trial(*act);
+          if (!made) return made.error();
+          if (*made)
+            walk.made(result_.trials.back(), now_s());
+          else
+            walk.left_out(now_s());
           break;
         }
       }
-      outcome.ended_s = session_.snapshot().session_time_s;
-      agenda.record(outcome);
     }
     position_.step = position_.steps;
     report("");
@@ -64,27 +59,7 @@ class Run {
     if (progress_) progress_(position_);
   }
 
-  /// A protocol that is taken up again: the device was switched off and the hand taken out, so zero
-  /// and resting force are measured anew.
-  Result<void> set_up_again(const ReadyProtocol& protocol, const Agenda& agenda) {
-    const auto next = agenda.next();
-    if (agenda.done() == 0 || !next) return {};
-    bool zeroed = false;
-    for (std::size_t i = 0; i < next->step; ++i) {
-      const bool zero = protocol.spec.steps[i].kind == ProtocolStep::Kind::instrument_zero;
-      if (zero && !std::exchange(zeroed, true))
-        if (auto done = zero_step(); !done) return done;
-      for (const TaskSpec& spec : protocol.tasks[i]) {
-        if (!std::holds_alternative<RestSpec>(spec.kind)) continue;
-        report(spec.name);
-        if (auto done = trial(spec, false, std::nullopt); !done) return done;
-      }
-    }
-    return {};
-  }
-
-  Result<void> zero_step() {
-    report("Instrument zero");
+  Result<void> zero() {
     std::string reason;
     std::string remedy;
     for (int attempt = 0; attempt < kZeroAttempts; ++attempt) {
@@ -108,47 +83,36 @@ class Run {
     return failure("the instrument zero was refused: " + reason, remedy);
   }
 
-  Result<void> task_step(const ProtocolStep& step, const TaskSpec& spec, const Agenda::Item& item) {
-    std::string doing = spec.name;
-    if (step.practice) doing += ", practice";
-    const int planned = std::max(step.repetitions, item.attempt);
-    if (planned > 1)
-      doing += " (" + std::to_string(item.attempt) + " of " + std::to_string(planned) + ")";
-    report(doing);
-    const TrialPlace place{static_cast<int>(item.step), static_cast<int>(item.task)};
-    if (!step.adaptive) return trial(spec, step.practice, place);
-    const auto leveled = at_level(spec, session_.training().level(spec));
-    return leveled ? trial(*leveled, step.practice, place) : leveled.error();
-  }
+  double now_s() { return session_.snapshot().session_time_s; }
 
   /// Rests go on in the session's own time.
   void wait_until(double session_time_s) {
-    const double now_s = session_.snapshot().session_time_s;
-    if (session_time_s > now_s) session_.let_pass(session_time_s - now_s);
+    if (session_time_s > now_s()) session_.let_pass(session_time_s - now_s());
   }
 
-  Result<void> trial(const TaskSpec& spec, bool practice, std::optional<TrialPlace> place) {
+  /// False: the task was left out.
+  Result<bool> trial(const ProtocolWalk::Act& act) {
+    const auto spec = task_of(act, session_.training());
+    if (!spec) return spec.error();
     std::string reason;
-    trial_was_made_ = true;
     for (int attempt = 0; attempt < kTrialAttempts; ++attempt) {
-      if (auto started = session_.start_trial(spec, practice, place); !started) {
-        if (started.error().code != Error::Code::bad_input) return started;
-        leave_out(spec, started.error());
-        return {};
+      if (auto started = session_.start_trial(*spec, act.practice, act.place); !started) {
+        if (started.error().code != Error::Code::bad_input) return started.error();
+        leave_out(*spec, started.error());
+        return false;
       }
       const auto outcome = wait_for_trial();
       if (!outcome) return outcome.error();
       result_.trials.push_back(*outcome);
-      if (outcome->trial.status == TrialStatus::completed) return {};
+      if (outcome->trial.status == TrialStatus::completed) return true;
       reason = outcome->reason;
       if (session_.snapshot().stage == Stage::finished) break;
     }
-    return failure("'" + spec.name + "' could not be completed: " + reason,
+    return failure("'" + spec->name + "' could not be completed: " + reason,
                    "mend the device and run the protocol again");
   }
 
   void leave_out(const TaskSpec& spec, const Error& why) {
-    trial_was_made_ = false;
     result_.left_out.push_back(spec.name + ": " + why.what + "; " + why.remedy);
     session_.note("Left out: " + result_.left_out.back());
   }
@@ -170,7 +134,6 @@ class Run {
   Session& session_;
   const std::function<void(const ProtocolProgress&)>& progress_;
   bool serviced_;
-  bool trial_was_made_ = true;
   ProtocolProgress position_;
   ProtocolResult result_;
 };

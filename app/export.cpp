@@ -142,6 +142,9 @@ Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64
   json["trial"]["seed"] = trial.seed;
   json["trial"]["zero_drift_N"] = or_null(trial.zero_drift_N);
   json["trial"]["zero_drifted"] = trial.zero_drifted;
+  json["trial"]["display_age_s"] = or_null(trial.display_age_s);
+  json["trial"]["visual_gain_deg_per_N"] = or_null(trial.visual_gain_deg_per_N);
+  json["trial"]["viewing_distance_m"] = or_null(trial.viewing_distance_m);
   json["health"] = Json::parse(trial.health_json, nullptr, false);
   if (json["health"].is_discarded()) json["health"] = nullptr;
   json["timing"] = Json::parse(trial.timing_json, nullptr, false);

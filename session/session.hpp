@@ -44,6 +44,7 @@ struct SessionConfig {
   Realtime realtime = Realtime::prefer;  ///< of the acquisition thread; not in virtual time
   std::optional<Effort> allowed;    ///< outcome of the screening for this hand; nothing: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
+  std::vector<SessionAnswer> answers;  ///< what was asked before: screening, posture
   /// Goes on with the protocol that the patient's newest session with this hand has not finished.
   /// Refused if there is none, or if it began more than kLongestBreak_s ago. What its screening
   /// said holds on where `allowed` or `ceiling_N` say nothing.

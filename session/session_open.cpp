@@ -56,6 +56,8 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   const std::string said = uri->text_or("hand", std::string(name_of(config.hand)));
   if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same.error();
   if (auto good = check_patient_code(config.patient_code); !good) return good.error();
+  for (const SessionAnswer& answer : config.answers)
+    if (auto good = check_answer(answer); !good) return good.error();
   if (config.scratch_database && !config.virtual_time)
     return uri->error("", "a session in real time is not recorded into a scratch file",
                       "give a database that is kept");
@@ -143,7 +145,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   references.resolution_N = resolution_N(info);
   for (const EarlierTrial& trial : parts->earlier.trials)
     if (!trial.record.helped) learn_maxima(trial.measures, references);
-  const auto session_id = (*store)->begin_session(record);
+  const auto session_id = (*store)->begin_session(record, config.answers);
   if (!session_id) return session_id.error();
   record.id = *session_id;
 

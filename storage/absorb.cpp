@@ -21,9 +21,13 @@ struct Table {
   std::array<Numbered, 3> numbers;  ///< unused ones are empty
 };
 /// In an order in which nothing refers to what is not there yet.
-constexpr std::array<Table, 10> kTables{{
+constexpr std::array<Table, 14> kTables{{
     {"patients", {{{"id", "patients"}, {}, {}}}},
+    {"patient_profiles", {{{"patient_id", "patients"}, {}, {}}}},
+    {"treatment_marks", {{{"id", "treatment_marks"}, {"patient_id", "patients"}, {}}}},
+    {"clinical_scores", {{{"id", "clinical_scores"}, {"patient_id", "patients"}, {}}}},
     {"sessions", {{{"id", "sessions"}, {"patient_id", "patients"}, {"resumes_id", "sessions"}}}},
+    {"session_answers", {{{"id", "session_answers"}, {"session_id", "sessions"}, {}}}},
     {"instrument_zeros", {{{"id", "instrument_zeros"}, {"session_id", "sessions"}, {}}}},
     {"trials", {{{"id", "trials"}, {"session_id", "sessions"}, {"zero_id", "instrument_zeros"}}}},
     {"signal_groups", {{{"trial_id", "trials"}, {}, {}}}},

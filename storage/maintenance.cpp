@@ -52,6 +52,7 @@ Result<std::vector<std::string>> SqliteStore::check() {
     while (select.fetch()) sessions_present.push_back(session);
   });
   if (!done) return done.error();
+  if (const auto read = check_told(problems); !read) return read.error();
   for (const RowId session : sessions_present) {
     const auto all = trials(session);
     if (!all) return all.error();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading everything but signals. Rows come in the order in which they were made.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
@@ -93,45 +94,60 @@ Result<std::optional<PatientRecord>> SqliteStore::find_patient(const std::string
   return found;
 }
 
+std::vector<SessionRecord> SqliteStore::read_sessions(const std::string& where) {
+  std::vector<SessionRecord> all;
+  SessionRecord one;
+  std::string hand;
+  std::string seed;
+  std::string serials;
+  Nullable ceiling;
+  int simulated = 0;
+  int recorded = 0;
+  soci::statement select =
+      (database_.sql().prepare
+           << "SELECT id, patient_id, started_utc, ended_utc, hand, device_uri, "
+              "device_description, simulated, recorded, provenance, protocol_name, "
+              "protocol_text, rate_Hz, device_delay_s, software_version, cpu_features, seed, " +
+                  since(2, "device_serials, operator_name, realtime", "'', '', ''") + ", " +
+                  since(3, "coalesce(resumes_id, 0), allowed, ceiling_N", "0, '', NULL") +
+                  " FROM sessions " + where,
+       soci::into(one.id), soci::into(one.patient_id), soci::into(one.started_utc),
+       soci::into(one.ended_utc), soci::into(hand), soci::into(one.device_uri),
+       soci::into(one.device_description), soci::into(simulated), soci::into(recorded),
+       soci::into(one.provenance), soci::into(one.protocol_name), soci::into(one.protocol_text),
+       soci::into(one.rate_Hz), soci::into(one.device_delay_s), soci::into(one.software_version),
+       soci::into(one.cpu_features), soci::into(seed), soci::into(serials),
+       soci::into(one.operator_name), soci::into(one.realtime), soci::into(one.resumes_id),
+       soci::into(one.allowed), soci::into(ceiling.value, ceiling.present));
+  select.execute();
+  while (select.fetch()) {
+    one.ceiling_N = ceiling.get();
+    one.hand = read_hand(hand);
+    one.simulated = simulated != 0;
+    one.recorded = recorded != 0;
+    one.seed = read_seed(seed);
+    one.serial_numbers = {};
+    const auto lines = split_lines(serials);
+    std::copy_n(lines.begin(), std::min(lines.size(), kFingerCount), one.serial_numbers.begin());
+    all.push_back(one);
+  }
+  return all;
+}
+
 Result<std::vector<SessionRecord>> SqliteStore::sessions(RowId patient) {
   std::vector<SessionRecord> all;
   const auto done = database_.guard("reading sessions", [&] {
-    SessionRecord one;
-    std::string hand;
-    std::string seed;
-    std::string serials;
-    Nullable ceiling;
-    int simulated = 0;
-    int recorded = 0;
-    soci::statement select =
-        (database_.sql().prepare
-             << "SELECT id, patient_id, started_utc, ended_utc, hand, device_uri, "
-                "device_description, simulated, recorded, provenance, protocol_name, "
-                "protocol_text, rate_Hz, device_delay_s, software_version, cpu_features, seed, " +
-                    since(2, "device_serials, operator_name, realtime", "'', '', ''") + ", " +
-                    since(3, "coalesce(resumes_id, 0), allowed, ceiling_N", "0, '', NULL") +
-                    " FROM sessions WHERE patient_id = :patient ORDER BY id",
-         soci::use(patient), soci::into(one.id), soci::into(one.patient_id),
-         soci::into(one.started_utc), soci::into(one.ended_utc), soci::into(hand),
-         soci::into(one.device_uri), soci::into(one.device_description), soci::into(simulated),
-         soci::into(recorded), soci::into(one.provenance), soci::into(one.protocol_name),
-         soci::into(one.protocol_text), soci::into(one.rate_Hz), soci::into(one.device_delay_s),
-         soci::into(one.software_version), soci::into(one.cpu_features), soci::into(seed),
-         soci::into(serials), soci::into(one.operator_name), soci::into(one.realtime),
-         soci::into(one.resumes_id), soci::into(one.allowed),
-         soci::into(ceiling.value, ceiling.present));
-    select.execute();
-    while (select.fetch()) {
-      one.ceiling_N = ceiling.get();
-      one.hand = read_hand(hand);
-      one.simulated = simulated != 0;
-      one.recorded = recorded != 0;
-      one.seed = read_seed(seed);
-      one.serial_numbers = {};
-      const auto lines = split_lines(serials);
-      std::copy_n(lines.begin(), std::min(lines.size(), kFingerCount), one.serial_numbers.begin());
-      all.push_back(one);
-    }
+    all = read_sessions("WHERE patient_id = " + std::to_string(patient) + " ORDER BY id");
+  });
+  if (!done) return done.error();
+  return all;
+}
+
+Result<std::vector<SessionRecord>> SqliteStore::recent_sessions(int most) {
+  std::vector<SessionRecord> all;
+  const auto done = database_.guard("reading the newest sessions", [&] {
+    all = read_sessions("ORDER BY started_utc DESC, id DESC LIMIT " +
+                        std::to_string(std::max(most, 0)));
   });
   if (!done) return done.error();
   return all;
@@ -163,6 +179,9 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
     std::string seed;
     TrialPlace place;
     int helped = 0;
+    Nullable age;
+    Nullable gain;
+    Nullable distance;
     soci::statement select =
         (database_.sql().prepare
              << "SELECT id, session_id, number, task_name, task_version, task_text, scene_text, "
@@ -177,6 +196,9 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
                     ", " +
                     since(3, "seed, coalesce(step, -1), coalesce(step_task, -1), helped",
                           "'', -1, -1, 0") +
+                    ", " +
+                    since(4, "display_age_s, visual_gain_deg_per_N, viewing_distance_m",
+                          "NULL, NULL, NULL") +
                     " FROM trials WHERE session_id = :session ORDER BY number",
          soci::use(session), soci::into(one.id), soci::into(one.session_id), soci::into(one.number),
          soci::into(one.task_name), soci::into(one.task_version), soci::into(one.task_text),
@@ -189,9 +211,14 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
          soci::into(threshold[1].value, threshold[1].present),
          soci::into(threshold[2].value, threshold[2].present),
          soci::into(drift.value, drift.present), soci::into(drifted), soci::into(seed),
-         soci::into(place.step), soci::into(place.task), soci::into(helped));
+         soci::into(place.step), soci::into(place.task), soci::into(helped),
+         soci::into(age.value, age.present), soci::into(gain.value, gain.present),
+         soci::into(distance.value, distance.present));
     select.execute();
     while (select.fetch()) {
+      one.display_age_s = age.get();
+      one.visual_gain_deg_per_N = gain.get();
+      one.viewing_distance_m = distance.get();
       one.seed = read_seed(seed);
       one.place = place.step >= 0 ? std::optional(place) : std::nullopt;
       one.helped = helped != 0;

@@ -132,6 +132,11 @@ struct TrialRecord {
   /// Place in the protocol; nothing: chosen by hand.
   std::optional<TrialPlace> place = std::nullopt;
   bool helped = false;  ///< the therapist helped: no assessment, and no level follows from it
+  /// Median age of what the patient's screen showed [s]; nothing: no screen, or not measured.
+  std::optional<double> display_age_s = std::nullopt;
+  /// Visual gain that the screen had: degrees of visual angle per newton; nothing: no force shown.
+  std::optional<double> visual_gain_deg_per_N = std::nullopt;
+  std::optional<double> viewing_distance_m = std::nullopt;  ///< for that angle
   std::vector<SignalGroup> groups;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // STRICT refuses a value of the wrong kind. `ANY … typeof 'real'` is a float64 that may be
-// negative: a REAL column would turn -0.0 into 0.0.
+// negative: a REAL column would turn -0.0 into 0.0. `date(…, '+0 days')` reckons the date: 30
+// February becomes another day, so it is not what was given.
 #include "storage/schema.hpp"
 
 #include <array>
@@ -187,8 +188,55 @@ const std::array<const char*, 10> kToFormat3{
     "CREATE INDEX sessions_that_resume ON sessions (resumes_id) WHERE resumes_id IS NOT NULL",
 };
 
+const std::array<const char*, 11> kToFormat4{
+    R"(CREATE TABLE patient_profiles (
+  patient_id INTEGER PRIMARY KEY REFERENCES patients (id),
+  affected TEXT NOT NULL CHECK (affected IN ('', 'right', 'left', 'both', 'none')),
+  dominant TEXT NOT NULL CHECK (dominant IN ('', 'right', 'left')),
+  onset_date TEXT NOT NULL CHECK (onset_date = '' OR date(onset_date, '+0 days') IS onset_date),
+  notes TEXT NOT NULL,
+  goals TEXT NOT NULL
+) STRICT)",
+
+    R"(CREATE TABLE treatment_marks (
+  id INTEGER PRIMARY KEY,
+  patient_id INTEGER NOT NULL REFERENCES patients (id),
+  on_date TEXT NOT NULL CHECK (date(on_date, '+0 days') IS on_date),
+  kind TEXT NOT NULL CHECK (kind <> ''),
+  text TEXT NOT NULL
+) STRICT)",
+
+    "CREATE INDEX treatment_marks_of_patient ON treatment_marks (patient_id)",
+
+    R"(CREATE TABLE clinical_scores (
+  id INTEGER PRIMARY KEY,
+  patient_id INTEGER NOT NULL REFERENCES patients (id),
+  on_date TEXT NOT NULL CHECK (date(on_date, '+0 days') IS on_date),
+  scale TEXT NOT NULL CHECK (scale <> ''),
+  value REAL NOT NULL,
+  text TEXT NOT NULL
+) STRICT)",
+
+    "CREATE INDEX clinical_scores_of_patient ON clinical_scores (patient_id)",
+
+    R"(CREATE TABLE session_answers (
+  id INTEGER PRIMARY KEY,
+  session_id INTEGER NOT NULL REFERENCES sessions (id),
+  topic TEXT NOT NULL CHECK (topic <> ''),
+  item TEXT NOT NULL CHECK (item <> ''),
+  value TEXT NOT NULL
+) STRICT)",
+
+    "CREATE INDEX answers_of_session ON session_answers (session_id)",
+    "CREATE INDEX sessions_by_start ON sessions (started_utc, id)",
+
+    "ALTER TABLE trials ADD COLUMN display_age_s REAL CHECK (display_age_s >= 0)",
+    "ALTER TABLE trials ADD COLUMN visual_gain_deg_per_N REAL CHECK (visual_gain_deg_per_N > 0)",
+    "ALTER TABLE trials ADD COLUMN viewing_distance_m REAL CHECK (viewing_distance_m > 0)",
+};
+
 const std::array<std::span<const char* const>, kDatabaseFormat> kFormats{kToFormat1, kToFormat2,
-                                                                         kToFormat3};
+                                                                         kToFormat3, kToFormat4};
 
 }  // namespace
 

@@ -16,14 +16,14 @@
 
 namespace isograsp {
 
-namespace {
-
 RowId last_id(soci::session& sql, const char* table) {
   long long id = 0;
   if (!sql.get_last_insert_id(table, id))
     throw Refusal{{Error::Code::failed, "no row id", "", "", 0, ""}};
   return id;
 }
+
+namespace {
 
 /// 18 float64, little-endian: thumb, index, middle; Fx Fy Fz Tx Ty Tz.
 std::string pack(const std::array<Vec6, kFingerCount>& wrenches) {
@@ -132,7 +132,8 @@ Result<PatientRecord> SqliteStore::add_patient(const std::string& code,
   return patient;
 }
 
-Result<RowId> SqliteStore::begin_session(const SessionRecord& session) {
+Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
+                                         std::span<const SessionAnswer> answers) {
   RowId id = 0;
   const std::string started =
       session.started_utc.empty() ? utc_text(std::time(nullptr)) : session.started_utc;
@@ -162,6 +163,7 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session) {
         soci::use(session.resumes_id, resumes_present), soci::use(session.allowed),
         soci::use(ceiling.value, ceiling.present);
     id = last_id(sql, "sessions");
+    insert_answers(id, answers);
   });
   if (!done) return done.error();
   return id;
@@ -365,16 +367,21 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
       return refuse("measure " + measure.name + " is not a finite number",
                     "leave the value out and give the reason");
   const std::string status(name_of(end.status));
+  Optional age(end.display_age_s);
+  Optional gain(end.visual_gain_deg_per_N);
+  Optional distance(end.viewing_distance_m);
   const auto done = database_.transact("closing a trial", [&] {
     soci::session& sql = database_.sql();
     sql << "UPDATE trials SET status = :status, dropped_count = :dropped, "
            "worst_lateness_s = :lateness, worst_compute_s = :compute, health_json = :health, "
-           "timing_json = :timing, "
+           "timing_json = :timing, display_age_s = :age, visual_gain_deg_per_N = :gain, "
+           "viewing_distance_m = :distance, "
            "sample_count = (SELECT coalesce(sum(row_count), 0) FROM signal_blocks "
            "WHERE trial_id = trials.id AND position = 0) WHERE id = :id",
         soci::use(status), soci::use(end.dropped), soci::use(end.worst_lateness_s),
         soci::use(end.worst_compute_s), soci::use(end.health_json), soci::use(end.timing_json),
-        soci::use(end.id);
+        soci::use(age.value, age.present), soci::use(gain.value, gain.present),
+        soci::use(distance.value, distance.present), soci::use(end.id);
     for (const Measure& measure : measures) {
       const double value = measure.value.value_or(0.0);
       auto value_present = measure.value ? soci::i_ok : soci::i_null;

@@ -12,12 +12,13 @@
 
 #include "core/result.hpp"
 #include "core/signals.hpp"
+#include "storage/profile.hpp"
 #include "storage/records.hpp"
 
 namespace isograsp {
 
 /// Format of the files that this program writes (PRAGMA user_version).
-inline constexpr int kDatabaseFormat = 3;
+inline constexpr int kDatabaseFormat = 4;
 
 /// Patients are codes: letters, digits and '-', 2 to 32 characters, with at least one digit (a code
 /// is generated; names, initials and dates are refused).
@@ -51,19 +52,26 @@ class SessionStore {
   /// `created_utc`, `ended_utc`: ISO 8601; empty: now.
   [[nodiscard]] virtual Result<PatientRecord> add_patient(const std::string& code,
                                                           const std::string& created_utc = "") = 0;
-  [[nodiscard]] virtual Result<RowId> begin_session(const SessionRecord& session) = 0;
+  /// The session with its first answers, both or neither.
+  [[nodiscard]] virtual Result<RowId> begin_session(
+      const SessionRecord& session, std::span<const SessionAnswer> answers = {}) = 0;
+  /// More of them; an item that is answered again counts as answered last.
+  [[nodiscard]] virtual Result<void> add_answers(RowId session,
+                                                 std::span<const SessionAnswer> answers) = 0;
   [[nodiscard]] virtual Result<void> end_session(RowId session,
                                                  const std::string& ended_utc = "") = 0;
   /// Its drift, if it has one, goes to all trials of the session since the zero before it.
   [[nodiscard]] virtual Result<RowId> add_zero(const InstrumentZeroRecord& zero) = 0;
   [[nodiscard]] virtual Result<RowId> add_resting_force(const RestingForceRecord& rest) = 0;
-  /// Uses all fields but id, status, samples, dropped, worst_*, zero_drift* and *_json.
+  /// Uses all fields but id, status, samples, dropped, worst_*, zero_drift*, *_json and those of
+  /// the screen.
   [[nodiscard]] virtual Result<RowId> begin_trial(const TrialRecord& trial) = 0;
   /// Second number `second` of all groups at once; rows[g] is row-major, columns of group g. Blocks
   /// come in order; all but the last hold rate * 1 s rows.
   [[nodiscard]] virtual Result<void> append_blocks(RowId trial, int second,
                                                    std::span<const std::vector<double>> rows) = 0;
-  /// Closes a trial: status, counters, health and timing of `end`, and its measures.
+  /// Closes a trial: status, counters, health, timing and screen (display_age_s, visual_gain_*,
+  /// viewing_distance_m) of `end`, and its measures.
   [[nodiscard]] virtual Result<void> end_trial(const TrialRecord& end,
                                                std::span<const Measure> measures) = 0;
   [[nodiscard]] virtual Result<void> add_event(RowId session, const EventRecord& event) = 0;
@@ -71,11 +79,33 @@ class SessionStore {
   /// Of a trial that has ended.
   [[nodiscard]] virtual Result<void> mark_helped(RowId trial, bool helped) = 0;
 
+  // What is known of a person. Refused with the field that makes no sense (storage/profile.hpp).
+  /// Replaces the profile; what it was is not kept.
+  [[nodiscard]] virtual Result<void> set_profile(RowId patient, const PatientProfile& profile) = 0;
+  /// Uses all fields but id.
+  [[nodiscard]] virtual Result<RowId> add_treatment_mark(RowId patient,
+                                                         const TreatmentMark& mark) = 0;
+  [[nodiscard]] virtual Result<void> remove_treatment_mark(RowId id) = 0;
+  /// Uses all fields but id.
+  [[nodiscard]] virtual Result<RowId> add_clinical_score(RowId patient,
+                                                         const ClinicalScore& score) = 0;
+  [[nodiscard]] virtual Result<void> remove_clinical_score(RowId id) = 0;
+
   // Reading.
   [[nodiscard]] virtual Result<std::vector<PatientRecord>> patients() = 0;
   [[nodiscard]] virtual Result<std::optional<PatientRecord>> find_patient(
       const std::string& code) = 0;
+  /// Nothing in it: nothing is known.
+  [[nodiscard]] virtual Result<PatientProfile> profile(RowId patient) = 0;
+  /// By date.
+  [[nodiscard]] virtual Result<std::vector<TreatmentMark>> treatment_marks(RowId patient) = 0;
+  /// By date.
+  [[nodiscard]] virtual Result<std::vector<ClinicalScore>> clinical_scores(RowId patient) = 0;
   [[nodiscard]] virtual Result<std::vector<SessionRecord>> sessions(RowId patient) = 0;
+  /// Of all patients, newest first.
+  [[nodiscard]] virtual Result<std::vector<SessionRecord>> recent_sessions(int most) = 0;
+  /// In the order in which they were given.
+  [[nodiscard]] virtual Result<std::vector<SessionAnswer>> answers(RowId session) = 0;
   [[nodiscard]] virtual Result<std::vector<TrialRecord>> trials(RowId session) = 0;
   [[nodiscard]] virtual Result<std::vector<Measure>> measures(RowId trial) = 0;
   [[nodiscard]] virtual Result<std::vector<EventRecord>> events(RowId session) = 0;
@@ -98,7 +128,8 @@ class SessionStore {
   [[nodiscard]] virtual Result<void> absorb(const std::string& other) = 0;
 
   // Care.
-  /// integrity_check, foreign keys, every block readable. The list of problems; empty: sound.
+  /// integrity_check, foreign keys, every block readable, dates and scores possible. The list of
+  /// problems; empty: sound.
   [[nodiscard]] virtual Result<std::vector<std::string>> check() = 0;
   /// Online copy into a new file, then checked.
   [[nodiscard]] virtual Result<void> backup(const std::string& to) = 0;

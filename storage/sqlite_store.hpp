@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The session store on SQLite. Internal to this folder; open one with SessionStore::open().
 // Writing is in session_store.cpp and absorb.cpp, reading in read_records.cpp and read_signals.cpp,
-// care in maintenance.cpp and migration.cpp.
+// both for what is known of a person in profile_records.cpp, care in maintenance.cpp and
+// migration.cpp.
 #pragma once
 
 #include <functional>
@@ -24,7 +25,10 @@ class SqliteStore final : public SessionStore {
 
   [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code,
                                                   const std::string& created_utc) override;
-  [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session) override;
+  [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session,
+                                            std::span<const SessionAnswer> answers) override;
+  [[nodiscard]] Result<void> add_answers(RowId session,
+                                         std::span<const SessionAnswer> answers) override;
   [[nodiscard]] Result<void> end_session(RowId session, const std::string& ended_utc) override;
   [[nodiscard]] Result<RowId> add_zero(const InstrumentZeroRecord& zero) override;
   [[nodiscard]] Result<RowId> add_resting_force(const RestingForceRecord& rest) override;
@@ -36,10 +40,21 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<void> add_event(RowId session, const EventRecord& event) override;
   [[nodiscard]] Result<RowId> add_rating(const RatingRecord& rating) override;
   [[nodiscard]] Result<void> mark_helped(RowId trial, bool helped) override;
+  [[nodiscard]] Result<void> set_profile(RowId patient, const PatientProfile& profile) override;
+  [[nodiscard]] Result<RowId> add_treatment_mark(RowId patient, const TreatmentMark& mark) override;
+  [[nodiscard]] Result<void> remove_treatment_mark(RowId id) override;
+  [[nodiscard]] Result<RowId> add_clinical_score(RowId patient,
+                                                 const ClinicalScore& score) override;
+  [[nodiscard]] Result<void> remove_clinical_score(RowId id) override;
 
   [[nodiscard]] Result<std::vector<PatientRecord>> patients() override;
   [[nodiscard]] Result<std::optional<PatientRecord>> find_patient(const std::string& code) override;
+  [[nodiscard]] Result<PatientProfile> profile(RowId patient) override;
+  [[nodiscard]] Result<std::vector<TreatmentMark>> treatment_marks(RowId patient) override;
+  [[nodiscard]] Result<std::vector<ClinicalScore>> clinical_scores(RowId patient) override;
   [[nodiscard]] Result<std::vector<SessionRecord>> sessions(RowId patient) override;
+  [[nodiscard]] Result<std::vector<SessionRecord>> recent_sessions(int most) override;
+  [[nodiscard]] Result<std::vector<SessionAnswer>> answers(RowId session) override;
   [[nodiscard]] Result<std::vector<TrialRecord>> trials(RowId session) override;
   [[nodiscard]] Result<std::vector<Measure>> measures(RowId trial) override;
   [[nodiscard]] Result<std::vector<EventRecord>> events(RowId session) override;
@@ -74,6 +89,13 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<void> check_blocks(int second,
                                           std::span<const std::vector<double>> rows) const;
   void read_groups(TrialRecord& trial);
+  /// Throws a refusal if the table has no such row; `one`: what a row is called.
+  void require(const char* table, const char* one, RowId id);
+  void insert_answers(RowId session, std::span<const SessionAnswer> answers);
+  /// Adds what makes no sense in what is known of persons.
+  [[nodiscard]] Result<void> check_told(std::vector<std::string>& problems);
+  /// `where` stands behind FROM sessions.
+  [[nodiscard]] std::vector<SessionRecord> read_sessions(const std::string& where);
   /// `expression` where the file has the columns of that format, else `instead`.
   [[nodiscard]] std::string since(int format, const char* expression, const char* instead) const;
   /// `where` stands behind FROM instrument_zeros z JOIN sessions s.
@@ -83,6 +105,9 @@ class SqliteStore final : public SessionStore {
   std::optional<Recording> recording_;
   std::unique_ptr<BlockInsert> block_insert_;
 };
+
+/// Of the row that was inserted last.
+[[nodiscard]] RowId last_id(soci::session& sql, const char* table);
 
 /// One a line: thumb, index, middle. Empty if no sensor told its own.
 [[nodiscard]] std::string serials_text(const std::array<std::string, kFingerCount>& serials);

@@ -176,6 +176,25 @@ TEST(Session, RefusesAnUnknownPatientModelAWrongHandAndAnUnknownScheme) {
   }
 }
 
+TEST(Session, WhatWasAskedBeforeStandsWithItFromTheStart) {
+  const Clinic clinic;
+  SessionConfig config = clinic.config("sim://healthy?seed=7");
+  config.answers = {{"screening", "pain", "2"}, {"posture", "seat", "chair"}};
+  const auto session = Session::open(config);
+  ASSERT_TRUE(session) << session.error().message();
+  EXPECT_EQ(clinic.store()->answers((*session)->record().id).value(), config.answers);
+}
+
+TEST(Session, AnswersThatMakeNoSenseAreRefusedBeforeAnythingIsWritten) {
+  const Clinic clinic;
+  SessionConfig config = clinic.config("sim://healthy?seed=7");
+  config.answers = {{"screening", "", "2"}};
+  const auto refused = Session::open(config);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "item");
+  EXPECT_TRUE(clinic.store()->patients().value().empty());
+}
+
 TEST(Session, RealTimeIsNeverRecordedIntoAScratchFile) {
   Clinic clinic;
   SessionConfig config = clinic.config("sim://healthy");

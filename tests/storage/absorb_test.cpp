@@ -11,8 +11,13 @@ namespace {
 void make_clinic(const std::string& path, const std::string& code, unsigned seed) {
   const auto store = open_store(path);
   const RowId patient = must(store->add_patient(code, "2026-01-01T00:00:00Z")).id;
+  must(store->set_profile(
+      patient, {Side::left, Hand::right, "2025-11-01", "notes of " + code, "goals of " + code}));
+  must(store->add_treatment_mark(patient, {0, "2026-02-01", "drug", code}));
+  must(store->add_clinical_score(patient, {0, "2026-02-02", "ARAT", seed + 0.5, code}));
   for (int s = 0; s < 2; ++s) {
-    const RowId session = must(store->begin_session(example_session(patient)));
+    const RowId session = must(store->begin_session(
+        example_session(patient), std::vector<SessionAnswer>{{"screening", "who", code}}));
     InstrumentZeroRecord zero;
     zero.session_id = session;
     zero.mean.fill(Vec6::Constant(seed));
@@ -39,8 +44,16 @@ void make_clinic(const std::string& path, const std::string& code, unsigned seed
 std::string told_of(SessionStore& store, const std::string& code) {
   std::string text;
   const auto patient = must(store.find_patient(code));
+  const auto profile = must(store.profile(patient->id));
+  text += profile.onset_date + profile.notes + profile.goals;
+  for (const auto& mark : must(store.treatment_marks(patient->id)))
+    text += mark.on_date + mark.kind + mark.text;
+  for (const auto& score : must(store.clinical_scores(patient->id)))
+    text += score.on_date + score.scale + std::to_string(score.value) + score.text;
   for (const auto& session : must(store.sessions(patient->id))) {
     text += session.started_utc + session.ended_utc + session.device_uri;
+    for (const auto& answer : must(store.answers(session.id)))
+      text += answer.topic + answer.item + answer.value;
     for (const auto& zero : must(store.zeros(session.id)))
       text += " zero " + std::to_string(zero.mean[0][0]);
     for (const auto& event : must(store.events(session.id)))

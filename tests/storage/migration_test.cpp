@@ -114,10 +114,18 @@ TEST_P(Migration, AnOldFileIsReadAsItIs) {
   EXPECT_FALSE(all.trials[1].threshold_N[0].has_value());
   EXPECT_EQ(must(store->resting_forces(all.session.id)).empty(), GetParam() < 2);
   EXPECT_EQ(all.session.resumes_id, 0);
-  EXPECT_EQ(all.session.allowed, "");
-  EXPECT_FALSE(all.trials[1].place.has_value());
-  EXPECT_FALSE(all.trials[1].helped);
-  EXPECT_TRUE(must(store->ratings(all.session.id)).empty());
+  const bool three = GetParam() >= 3;
+  EXPECT_EQ(all.session.allowed, three ? "maximum" : "");
+  EXPECT_EQ(all.session.ceiling_N, three ? std::optional(25.0) : std::nullopt);
+  EXPECT_EQ(all.trials[1].place, three ? std::optional(TrialPlace{2, 0}) : std::nullopt);
+  EXPECT_EQ(all.trials[1].helped, three);
+  EXPECT_EQ(must(store->ratings(all.session.id)).size(), three ? 1u : 0u);
+  EXPECT_EQ(must(store->profile(all.session.patient_id)), PatientProfile{});
+  EXPECT_TRUE(must(store->treatment_marks(all.session.patient_id)).empty());
+  EXPECT_TRUE(must(store->clinical_scores(all.session.patient_id)).empty());
+  EXPECT_TRUE(must(store->answers(all.session.id)).empty());
+  EXPECT_FALSE(all.trials[1].display_age_s.has_value());
+  EXPECT_EQ(must(store->recent_sessions(5)).size(), 1u);
   EXPECT_FALSE(must(store->progress(all.session.patient_id)).empty());
   EXPECT_TRUE(must(store->check()).empty());
 }
@@ -132,6 +140,9 @@ TEST_P(Migration, KeepsEverythingAndLeavesACheckedCopy) {
   expect_same(before, contents_of(*store));
   EXPECT_TRUE(must(store->check()).empty());
   must(store->add_patient("P-2"));
+  must(store->set_profile(before.session.patient_id, {Side::right, Hand::right, "", "", ""}));
+  must(store->add_answers(before.session.id,
+                          std::vector<SessionAnswer>{{"posture", "seat", "chair"}}));
 }
 
 TEST_P(Migration, GivesTheSameTablesAsANewFile) {

@@ -129,10 +129,11 @@ TEST(OpenStore, NewerFormatIsReadButNotWritten) {
   must(open_store(path)->add_patient("P-1"));
   {
     soci::session sql(soci::sqlite3, path);
-    sql << "PRAGMA user_version=4";
+    sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat + 1);
   }
   expect_refused(folder, path, {Open::create, Open::existing},
-                 "was made by a newer isograsp (format 4, this program knows 3)");
+                 "was made by a newer isograsp (format " + std::to_string(kDatabaseFormat + 1) +
+                     ", this program knows " + std::to_string(kDatabaseFormat) + ")");
   EXPECT_EQ(must(open_store(path, Open::read_only)->patients()).size(), 1u);
 }
 

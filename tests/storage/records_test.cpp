@@ -206,6 +206,9 @@ TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
   end.worst_compute_s = 4e-5;
   end.health_json = R"({"frames": 137})";
   end.timing_json = R"({"period": {}})";
+  end.display_age_s = 0.0417;
+  end.visual_gain_deg_per_N = 0.25;
+  end.viewing_distance_m = 0.65;
   const std::vector<Measure> measures{{"rmse", "force", 0.1 + 0.2, "N", 2, 100, 37, ""},
                                       {"lag", "force", -0.0, "s", 1, 137, 0, ""},
                                       {"least", "force", 5e-324, "", 1, 1, 0, ""},
@@ -234,6 +237,9 @@ TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
   EXPECT_EQ(read.worst_compute_s, end.worst_compute_s);
   EXPECT_EQ(read.health_json, end.health_json);
   EXPECT_EQ(read.timing_json, end.timing_json);
+  EXPECT_EQ(read.display_age_s, end.display_age_s);
+  EXPECT_EQ(read.visual_gain_deg_per_N, end.visual_gain_deg_per_N);
+  EXPECT_EQ(read.viewing_distance_m, end.viewing_distance_m);
   EXPECT_EQ(read.threshold_N, written.threshold_N);
   EXPECT_EQ(read.seed, written.seed);
   EXPECT_EQ(read.place, written.place);
@@ -331,6 +337,58 @@ TEST_F(Records, ProgressGivesEveryMeasureOldestSessionFirst) {
   EXPECT_TRUE(points[0].simulated);
   EXPECT_EQ(points[0].task_name, "Grip force, sine");
   EXPECT_EQ(points[0].task_version, 3);
+}
+
+TEST_F(Records, RecentSessionsAreThoseOfAllPatientsNewestFirst) {
+  const RowId one = patient();
+  const RowId other = must(store->add_patient("P-0999")).id;
+  std::vector<RowId> ids;
+  for (const auto& [who, day] : {std::pair{one, "2026-03-02"}, std::pair{other, "2026-03-04"},
+                                 std::pair{one, "2026-03-01"}, std::pair{one, "2026-03-04"}}) {
+    SessionRecord session = example_session(who);
+    session.started_utc = std::string(day) + "T09:00:00Z";
+    ids.push_back(must(store->begin_session(session)));
+  }
+  const auto found = [&](int most) {
+    std::vector<RowId> list;
+    for (const auto& session : must(store->recent_sessions(most))) list.push_back(session.id);
+    return list;
+  };
+  EXPECT_EQ(found(3), (std::vector<RowId>{ids[3], ids[1], ids[0]}));
+  EXPECT_EQ(found(9), (std::vector<RowId>{ids[3], ids[1], ids[0], ids[2]}));
+  EXPECT_TRUE(found(0).empty());
+  EXPECT_TRUE(found(-1).empty()) << "not all of them";
+  EXPECT_EQ(must(store->recent_sessions(1)).at(0).patient_id, one);
+}
+
+TEST_F(Records, AnswersComeBackInTheirOrder) {
+  const std::vector<SessionAnswer> first{{"screening", "clearance", "yes"},
+                                         {"screening", "pain", "2"}};
+  const RowId id = must(store->begin_session(example_session(patient()), first));
+  must(store->add_answers(
+      id, std::vector<SessionAnswer>{{"posture", "elbow_deg", "90"}, {"screening", "pain", "3"}}));
+  reopen();
+  const auto all = must(store->answers(id));
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0], first[0]);
+  EXPECT_EQ(all[1], first[1]);
+  EXPECT_EQ(all[2], (SessionAnswer{"posture", "elbow_deg", "90"}));
+  EXPECT_EQ(all[3].value, "3") << "what was answered before is kept";
+}
+
+TEST_F(Records, ASessionWhoseAnswersAreRefusedIsNotBegun) {
+  const RowId who = patient();
+  const auto refused = store->begin_session(
+      example_session(who), std::vector<SessionAnswer>{{"screening", "pain", "2"}, {"", "x", "1"}});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().field, "topic");
+  EXPECT_TRUE(must(store->sessions(who)).empty());
+  const RowId id = must(store->begin_session(example_session(who)));
+  EXPECT_FALSE(
+      store->add_answers(id, std::vector<SessionAnswer>{{"posture", "seat", ""}, {"x", "", ""}})
+          .ok());
+  EXPECT_TRUE(must(store->answers(id)).empty()) << "all or none";
+  EXPECT_FALSE(store->add_answers(id + 1, std::vector<SessionAnswer>{{"x", "y", ""}}).ok());
 }
 
 TEST_F(Records, PatientsAreFoundByTheirCodeInAnyCapitalsAndNeverTwice) {

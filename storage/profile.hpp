@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the clinic knows of a person beside the code: side, onset, treatment, scores of the usual
+// clinical scales, answers of a session; and what of it makes sense.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/finger.hpp"
+#include "core/result.hpp"
+#include "storage/records.hpp"
+
+namespace isograsp {
+
+/// Affected side; none: a healthy person.
+enum class Side : std::uint8_t { right, left, both, none };
+[[nodiscard]] std::string_view name_of(Side side) noexcept;
+[[nodiscard]] std::optional<Side> side_from_name(std::string_view name) noexcept;
+
+/// Absent: not told.
+struct PatientProfile {
+  std::optional<Side> affected = std::nullopt;
+  std::optional<Hand> dominant = std::nullopt;
+  std::string onset_date;  ///< ISO 8601 (2026-03-05); empty: not known
+  std::string notes;       ///< identifying: never in a research export
+  std::string goals;       ///< identifying: never in a research export
+  bool operator==(const PatientProfile&) const = default;
+};
+
+/// A change of treatment: a mark on every trend.
+struct TreatmentMark {
+  RowId id = 0;
+  std::string on_date;  ///< ISO 8601
+  std::string kind;     ///< one of kTreatmentKinds
+  std::string text;     ///< in the therapist's words; may be empty; never in a research export
+  bool operator==(const TreatmentMark&) const = default;
+};
+inline constexpr std::array<std::string_view, 5> kTreatmentKinds{"botulinum_toxin", "drug",
+                                                                 "orthosis", "therapy", "other"};
+
+/// One score of a clinical scale.
+struct ClinicalScore {
+  RowId id = 0;
+  std::string on_date;  ///< ISO 8601
+  std::string scale;    ///< name of one of kClinicalScales
+  double value = 0.0;
+  std::string text;  ///< such as the muscle or the side; may be empty; never in a research export
+  bool operator==(const ClinicalScore&) const = default;
+};
+
+struct ClinicalScale {
+  std::string_view name;
+  double least;
+  double most;
+  bool above_least = false;  ///< least itself is no score
+  std::string_view unit;     ///< empty: points
+};
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+/// Ranges: Lyle 1981 (ARAT), Fugl-Meyer 1975 (upper extremity), Mathiowetz 1985 (box and block,
+/// nine-hole peg), Taub 1993 (MAL), Bohannon and Smith 1987 (MAS; 1+ is 1.5). Sensation: as the
+/// clinic counts it.
+inline constexpr std::array<ClinicalScale, 7> kClinicalScales{{
+    {"ARAT", 0.0, 57.0, false, ""},
+    {"FMA-UE", 0.0, 66.0, false, ""},
+    {"BBT", 0.0, kNoLimit, false, "blocks"},
+    {"NHPT", 0.0, kNoLimit, true, "s"},
+    {"MAL", 0.0, 5.0, false, ""},
+    {"MAS", 0.0, 4.0, false, ""},
+    {"sensation", -kNoLimit, kNoLimit, false, ""},
+}};
+
+/// Nothing: there is no such scale.
+[[nodiscard]] const ClinicalScale* clinical_scale(std::string_view name) noexcept;
+
+/// Posture and screening: one answer of a session.
+struct SessionAnswer {
+  std::string topic;  ///< "screening", "posture"
+  std::string item;
+  std::string value;
+  bool operator==(const SessionAnswer&) const = default;
+};
+
+/// Other years are slips of the pen.
+inline constexpr int kFirstYear = 1900;
+inline constexpr int kLastYear = 2099;
+
+// Errors name the field (`onset_date`, `on_date`, `kind`, `scale`, `value`, `topic`, `item`).
+/// A day of the calendar, ISO 8601, in these years.
+[[nodiscard]] Result<void> check_date(const std::string& iso_date, std::string_view field);
+[[nodiscard]] Result<void> check_profile(const PatientProfile& profile);
+[[nodiscard]] Result<void> check_treatment_mark(const TreatmentMark& mark);
+[[nodiscard]] Result<void> check_clinical_score(const ClinicalScore& score);
+[[nodiscard]] Result<void> check_answer(const SessionAnswer& answer);
+
+}  // namespace isograsp

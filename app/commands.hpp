@@ -36,6 +36,10 @@ void add_score(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_target(CLI::App& app, Action& action);
 
+/// A few simulated patients with a few sessions each, in a file of its own that replaces an older
+/// one; its path (app/demo.cpp).
+[[nodiscard]] Result<std::string> make_small_clinic();
+
 /// Opens the therapist application; empty: the default database, no device chosen (app/gui.cpp).
 [[nodiscard]] Result<void> run_gui(const std::string& database, const std::string& device);
 

@@ -49,6 +49,8 @@ std::string device_of(int patient, int session) {
          "&recovery=" + std::to_string(std::min(recovery, 1.0));
 }
 
+}  // namespace
+
 Result<std::string> make_small_clinic() {
   RunOptions options;
   options.protocol_file = library_folder() + "/protocols/short.toml";
@@ -68,6 +70,8 @@ Result<std::string> make_small_clinic() {
   }
   return options.database;
 }
+
+namespace {
 
 Result<void> headless() {
   RunOptions options;

@@ -23,7 +23,7 @@ struct GuiOptions {
 Result<void> run(const GuiOptions& options) {
   return run_application({options.database.empty() ? default_database() : options.database,
                           options.device, library_folder(), "isograsp " ISOGRASP_VERSION,
-                          options.operator_name, options.realtime.wish()});
+                          options.operator_name, options.realtime.wish(), make_small_clinic});
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <QApplication>
 #include <cstdlib>
+#include <utility>
 
 #include <xcb/xcb.h>
 
+#include "gui/background.hpp"
 #include "gui/look.hpp"
 #include "gui/windows.hpp"
 
@@ -51,10 +53,27 @@ Result<void> run_application(const ApplicationConfig& config) {
   QApplication::setApplicationName(QStringLiteral("IsoGrasp"));
   QApplication::setApplicationVersion(QString::fromStdString(config.software_version));
   dress(application);
-  Windows windows({config.database, config.device_uri, config.library, config.software_version,
-                   config.operator_name, config.realtime});
-  windows.show();
-  QApplication::exec();
+  std::string database = config.database;
+  std::string device = config.device_uri;
+  bool again = true;
+  while (std::exchange(again, false)) {
+    Windows windows({database, device, config.library, config.software_version,
+                     config.operator_name, config.realtime});
+    Background maker;
+    windows.therapist().open_demonstration = [&] {
+      if (!config.make_demonstration) return;
+      maker.run([make = config.make_demonstration] { return make(); },
+                [&](const Result<std::string>& made) {
+                  if (!made)
+                    return windows.therapist().say(QString::fromStdString(made.error().message()));
+                  database = *made;
+                  again = true;
+                  windows.therapist().close();
+                });
+    };
+    windows.show();
+    QApplication::exec();
+  }
   return {};
 }
 

@@ -2,6 +2,7 @@
 // The therapist application: both windows until the therapist closes them.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "core/result.hpp"
@@ -16,6 +17,8 @@ struct ApplicationConfig {
   std::string software_version;
   std::string operator_name = {};
   Realtime realtime = Realtime::prefer;
+  /// Makes a clinic of simulated patients and returns its file; called on another thread.
+  std::function<Result<std::string>()> make_demonstration = {};
 };
 
 /// Returns when the therapist window is closed. Errors: failed, if there is no display or

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/flow.hpp"
 
-#include <cstdio>
+#include <QCoreApplication>
+#include <QString>
 
 namespace isograsp {
 
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Flow)
+};
+
+/// Text of the program below in the language that is set: every such text is listed for translators
+/// in gui/texts.cpp.
+QString text(std::string_view english) {
+  return QCoreApplication::translate("Texts", std::string(english).c_str());
+}
+
+std::string plain(const QString& words) {
+  return words.toStdString();
+}
 
 bool in_trial(const FlowFacts& facts) {
   return facts.stage == Stage::trial || facts.stage == Stage::paused;
@@ -16,11 +31,13 @@ bool is_done(Step step, const FlowFacts& facts) {
   switch (step) {
     case Step::patient: return facts.patient_chosen;
     case Step::hand: return facts.hand_chosen;
+    case Step::screening: return facts.screened;
     case Step::device: return open;
     case Step::zero: return open && (facts.zeroed || facts.recorded);
     case Step::rest: return open && (facts.rest_done || facts.recorded);
-    case Step::maximum: return open && (facts.maximum_force_N > 0.0 || facts.recorded);
-    case Step::task: return open && facts.task_done;
+    case Step::work:
+      return open && (facts.protocol.active ? facts.protocol.act == ProtocolFacts::Act::none
+                                            : facts.task_done);
   }
   return false;
 }
@@ -38,135 +55,205 @@ void decide_steps(const FlowFacts& facts, FlowView& view) {
 }
 
 void decide_device(const FlowFacts& facts, FlowView& view) {
-  const auto say = [&](Mood mood, std::string words) {
+  const auto say = [&](Mood mood, const QString& words) {
     view.device_mood = mood;
-    view.device_words = std::move(words);
+    view.device_words = plain(words);
   };
   switch (facts.connection) {
     case Connection::none:
-      if (!facts.connection_error.empty()) return say(Mood::fault, facts.connection_error);
-      return say(Mood::off, "Not connected");
-    case Connection::opening: return say(Mood::busy, "Connecting …");
-    case Connection::closing: return say(Mood::busy, "Saving and disconnecting …");
+      if (!facts.connection_error.empty())
+        return say(Mood::fault, QString::fromStdString(facts.connection_error));
+      return say(Mood::off, Words::tr("Not connected"));
+    case Connection::opening: return say(Mood::busy, Words::tr("Connecting …"));
+    case Connection::closing: return say(Mood::busy, Words::tr("Saving and disconnecting …"));
     case Connection::open: break;
   }
   if (facts.stage == Stage::finished)
     return say(facts.recorded ? Mood::ready : Mood::fault,
-               facts.recorded ? "The recording is over" : "The device sends no more forces");
+               facts.recorded ? Words::tr("The recording is over")
+                              : Words::tr("The device sends no more forces"));
   if (facts.anything_arrived && facts.health.state == DeviceState::faulted)
-    return say(Mood::fault, std::string(describe(facts.health.fault, facts.health.finger)));
+    return say(Mood::fault, text(describe(facts.health.fault, facts.health.finger)));
   if (facts.frozen)
-    return say(Mood::fault, "No forces arrive: check the cable and power of the device");
-  if (!facts.anything_arrived) return say(Mood::busy, "Waiting for the first forces …");
+    return say(Mood::fault, Words::tr("No forces arrive: check the cable and power of the device"));
+  if (!facts.anything_arrived) return say(Mood::busy, Words::tr("Waiting for the first forces …"));
   if (facts.health.fault != DeviceFault::none)
-    return say(Mood::attention, std::string(describe(facts.health.fault, facts.health.finger)));
+    return say(Mood::attention, text(describe(facts.health.fault, facts.health.finger)));
   if (facts.stage == Stage::paused && facts.pause_cause == PauseCause::missing_samples)
-    return say(Mood::attention, "Connected, but samples were missing");
-  if (facts.stage == Stage::zeroing) return say(Mood::busy, "Measuring the empty device …");
-  if (!facts.zeroed && !facts.recorded) return say(Mood::attention, "Connected, needs its zero");
-  say(Mood::ready, "Ready");
+    return say(Mood::attention, Words::tr("Connected, but samples were missing"));
+  if (facts.stage == Stage::zeroing)
+    return say(Mood::busy, Words::tr("Measuring the empty device …"));
+  if (!facts.zeroed && !facts.recorded)
+    return say(Mood::attention, Words::tr("Connected, needs its zero"));
+  say(Mood::ready, Words::tr("Ready"));
 }
 
-std::string maximum_words(const FlowFacts& facts) {
-  char words[96];
-  std::snprintf(words, sizeof words, "Maximum %.0f N.", facts.maximum_force_N);
-  return words;
+QString maximum_words(const FlowFacts& facts) {
+  return Words::tr("Maximum %1 N.").arg(facts.maximum_force_N, 0, 'f', 0);
 }
 
 /// The second act, with the hand in; the first one was the zero of the empty device.
-std::string rest_sentence(const FlowFacts& facts) {
+QString rest_sentence(const FlowFacts& facts) {
   if (facts.settling_s > 0)
-    return "Hand strapped. It settles: " + std::to_string(facts.settling_s) +
-           " s until the resting force.";
-  if (facts.strapped) return "The hand has settled. It relaxes: start the resting force.";
-  return (facts.zero_remark.empty() ? "Zero is set." : facts.zero_remark) +
-         " Strap the hand in and say so; after a minute start the resting force.";
+    return Words::tr("Hand strapped. It settles: %1 s until the resting force.")
+        .arg(facts.settling_s);
+  if (facts.strapped)
+    return Words::tr("The hand has settled. It relaxes: start the resting force.");
+  return Words::tr("%1 Strap the hand in and say so; after a minute start the resting force.")
+      .arg(facts.zero_remark.empty() ? Words::tr("Zero is set.")
+                                     : QString::fromStdString(facts.zero_remark));
+}
+
+QString protocol_sentence(const FlowFacts& facts) {
+  const auto& protocol = facts.protocol;
+  const auto act = QString::fromStdString(protocol.act_words);
+  switch (protocol.act) {
+    case ProtocolFacts::Act::none:
+      return Words::tr("The protocol is finished. Write the report, or disconnect to end.");
+    case ProtocolFacts::Act::zero:
+      return Words::tr("Take the hand out, then set the zero of the empty device once more.");
+    case ProtocolFacts::Act::pause: return Words::tr("Pause: %1 s to rest.").arg(protocol.wait_s);
+    case ProtocolFacts::Act::trial: break;
+  }
+  if (facts.task_kind == TaskKind::rest && !facts.rest_done) return rest_sentence(facts);
+  if (protocol.goes_on && protocol.start_in_s > 0)
+    return Words::tr("Next, in %1 s: %2.").arg(protocol.start_in_s).arg(act);
+  if (protocol.wait_s > 0)
+    return Words::tr("Next: %1, after a rest of %2 s.").arg(act).arg(protocol.wait_s);
+  return Words::tr("Next: %1. Press Start.").arg(act);
 }
 
 /// Sentence and mood while a session is open and the device is sound.
 void decide_session_sentence(const FlowFacts& facts, FlowView& view) {
-  const auto say = [&](Mood mood, std::string words) {
+  const auto say = [&](Mood mood, const QString& words) {
     view.mood = mood;
-    view.sentence = std::move(words);
+    view.sentence = plain(words);
   };
   switch (facts.stage) {
-    case Stage::zeroing: return say(Mood::busy, "Setting the zero. Nobody touches the device.");
-    case Stage::trial: return say(Mood::busy, "Recording: " + facts.task_name + ".");
+    case Stage::zeroing:
+      return say(Mood::busy, Words::tr("Setting the zero. Nobody touches the device."));
+    case Stage::trial:
+      return say(Mood::busy, Words::tr("Recording: %1.").arg(text(facts.task_name)));
     case Stage::paused:
       if (facts.pause_cause == PauseCause::therapist)
-        return say(Mood::attention, "Paused. Resume when the patient is ready.");
-      return say(Mood::fault, std::string(describe(facts.pause_cause)));
+        return say(Mood::attention, Words::tr("Paused. Resume when the patient is ready."));
+      return say(Mood::fault, text(describe(facts.pause_cause)));
     case Stage::finished:
-      return say(Mood::ready, "The recording is over. Disconnect to end the session.");
+      return say(Mood::ready, Words::tr("The recording is over. Disconnect to end the session."));
     case Stage::idle: break;
   }
   if (!facts.zero_refusal.empty())
-    return say(Mood::attention, "Zero refused: " + facts.zero_refusal);
+    return say(Mood::attention,
+               Words::tr("Zero refused: %1").arg(QString::fromStdString(facts.zero_refusal)));
+  if (!facts.stop_reason.empty())
+    return say(Mood::attention, QString::fromStdString(facts.stop_reason));
   const auto next = view.next();
   if (next == Step::zero)
-    return say(Mood::attention, "Device connected. Set the zero with the device empty.");
+    return say(Mood::attention, Words::tr("Device connected. Set the zero with the device empty."));
+  if (facts.protocol.active) {
+    const bool to_do = facts.protocol.act == ProtocolFacts::Act::zero;
+    return say(to_do ? Mood::attention : Mood::ready, protocol_sentence(facts));
+  }
   if (next == Step::rest) return say(Mood::ready, rest_sentence(facts));
-  if (next == Step::maximum)
+  if (facts.recorded)
+    return say(Mood::ready, Words::tr("Recording ready. Choose a task and press Start."));
+  if (next == Step::work && facts.maximum_force_N <= 0.0)
     return say(Mood::ready,
-               (facts.rest_words.empty() ? "Resting force is known." : facts.rest_words) +
-                   " Next: the maximum grip force.");
-  if (facts.recorded) return say(Mood::ready, "Recording ready. Choose a task and press Start.");
-  if (next == Step::task && facts.maximum_attempts < 2)
-    return say(Mood::ready, maximum_words(facts) +
-                                " Repeat it after one minute, or choose a task and press Start.");
-  if (next == Step::task)
-    return say(Mood::ready, maximum_words(facts) + " Choose a task and press Start.");
-  say(Mood::ready, "Trial stored. Repeat it, choose another task, or disconnect to end.");
+               Words::tr("%1 Next: the maximum grip force.")
+                   .arg(facts.rest_words.empty() ? Words::tr("Resting force is known.")
+                                                 : QString::fromStdString(facts.rest_words)));
+  if (next == Step::work && facts.maximum_attempts < 2)
+    return say(Mood::ready,
+               Words::tr("%1 Repeat it after one minute, or choose a task and press Start.")
+                   .arg(maximum_words(facts)));
+  if (next == Step::work)
+    return say(Mood::ready,
+               Words::tr("%1 Choose a task and press Start.").arg(maximum_words(facts)));
+  say(Mood::ready,
+      Words::tr("Trial stored. Repeat it, choose another task, or disconnect to end."));
 }
 
 void decide_sentence(const FlowFacts& facts, FlowView& view) {
-  const auto say = [&](Mood mood, std::string words) {
+  const auto say = [&](Mood mood, const QString& words) {
     view.mood = mood;
-    view.sentence = std::move(words);
+    view.sentence = plain(words);
   };
-  if (!facts.database_error.empty()) return say(Mood::fault, facts.database_error);
-  if (!facts.database_open) return say(Mood::busy, "Opening the database …");
+  if (!facts.database_error.empty())
+    return say(Mood::fault, QString::fromStdString(facts.database_error));
+  if (!facts.database_open) return say(Mood::busy, Words::tr("Opening the database …"));
   switch (facts.connection) {
-    case Connection::opening: return say(Mood::busy, "Connecting to the device …");
-    case Connection::closing: return say(Mood::busy, "Saving the session …");
+    case Connection::opening: return say(Mood::busy, Words::tr("Connecting to the device …"));
+    case Connection::closing: return say(Mood::busy, Words::tr("Saving the session …"));
     case Connection::none:
-      if (!facts.connection_error.empty()) return say(Mood::fault, facts.connection_error);
-      if (!facts.patient_chosen) return say(Mood::attention, "Choose a patient, or add a new one.");
+      if (!facts.connection_error.empty())
+        return say(Mood::fault, QString::fromStdString(facts.connection_error));
+      if (!facts.patient_chosen)
+        return say(Mood::attention, Words::tr("Choose a patient, or add a new one."));
       if (!facts.hand_chosen)
-        return say(Mood::attention, "Which hand is in the device today? Choose right or left.");
-      if (!facts.device_chosen) return say(Mood::attention, "Choose the device.");
-      return say(Mood::attention, "Connect the device to begin the session.");
+        return say(Mood::attention,
+                   Words::tr("Which hand is in the device today? Choose right or left."));
+      if (!facts.screened)
+        return say(Mood::attention, Words::tr("Ask the screening questions before any force."));
+      if (facts.earlier_undecided)
+        return say(Mood::attention,
+                   Words::tr("This protocol was interrupted today: go on, or begin anew?"));
+      if (!facts.device_chosen) return say(Mood::attention, Words::tr("Choose the device."));
+      return say(Mood::attention, Words::tr("Connect the device to begin the session."));
     case Connection::open: break;
   }
   if (view.device_mood == Mood::fault && facts.stage != Stage::finished) {
-    const bool waits = in_trial(facts);
-    return say(Mood::fault,
-               view.device_words + (waits ? " The trial waits; nothing is lost." : ""));
+    const auto words = QString::fromStdString(view.device_words);
+    return say(Mood::fault, in_trial(facts)
+                                ? Words::tr("%1 The trial waits; nothing is lost.").arg(words)
+                                : words);
   }
   decide_session_sentence(facts, view);
 }
 
-std::string start_hint(const FlowFacts& facts) {
-  if (facts.connection != Connection::open) return "Connect the device first.";
-  if (facts.stage == Stage::finished) return "The recording is over.";
-  if (!facts.zeroed && !facts.recorded) return "Set the zero first, with the device empty.";
-  if (facts.stage == Stage::zeroing) return "Wait until the zero is set.";
-  if (in_trial(facts)) return "A trial is running.";
-  if (!facts.task_chosen) return "Choose a task.";
+/// Why no trial can begin at this moment; empty: it can.
+QString obstacle(const FlowFacts& facts) {
+  if (facts.connection != Connection::open) return Words::tr("Connect the device first.");
+  if (facts.stage == Stage::finished) return Words::tr("The recording is over.");
+  if (!facts.zeroed && !facts.recorded)
+    return Words::tr("Set the zero first, with the device empty.");
+  if (facts.stage == Stage::zeroing) return Words::tr("Wait until the zero is set.");
+  if (in_trial(facts)) return Words::tr("A trial is running.");
+  if (facts.protocol.active) {
+    switch (facts.protocol.act) {
+      case ProtocolFacts::Act::none: return Words::tr("The protocol is finished.");
+      case ProtocolFacts::Act::zero:
+        return Words::tr("Set the zero of the empty device once more.");
+      case ProtocolFacts::Act::pause:
+      case ProtocolFacts::Act::trial: break;
+    }
+  }
   if (facts.task_kind == TaskKind::rest && facts.settling_s > 0)
-    return "The strapped hand settles: " + std::to_string(facts.settling_s) + " s.";
-  return facts.task_lacks;
+    return Words::tr("The strapped hand settles: %1 s.").arg(facts.settling_s);
+  if (facts.protocol.active && facts.protocol.wait_s > 0)
+    return Words::tr("Rest: %1 s.").arg(facts.protocol.wait_s);
+  if (facts.protocol.active && facts.protocol.act == ProtocolFacts::Act::pause)
+    return Words::tr("The pause is over in a moment.");
+  if (!facts.task_chosen) return Words::tr("Choose a task.");
+  return QString::fromStdString(facts.task_lacks);
+}
+
+/// Pressing Start in a protocol that waits makes it go on by itself.
+bool may_arm(const FlowFacts& facts) {
+  const auto& protocol = facts.protocol;
+  return protocol.active && !protocol.goes_on && (facts.zeroed || facts.recorded) &&
+         (protocol.act == ProtocolFacts::Act::pause ||
+          (protocol.act == ProtocolFacts::Act::trial && protocol.wait_s > 0));
 }
 
 }  // namespace
 
 std::string word_for(Mood mood) {
   switch (mood) {
-    case Mood::off: return "Off";
-    case Mood::busy: return "Busy";
-    case Mood::ready: return "Ready";
-    case Mood::attention: return "To do";
-    case Mood::fault: return "Fault";
+    case Mood::off: return plain(Words::tr("Off"));
+    case Mood::busy: return plain(Words::tr("Busy"));
+    case Mood::ready: return plain(Words::tr("Ready"));
+    case Mood::attention: return plain(Words::tr("To do"));
+    case Mood::fault: return plain(Words::tr("Fault"));
   }
   return "";
 }
@@ -191,7 +278,7 @@ FlowView decide(const FlowFacts& facts) {
   view.may_change_hand = closed;
   view.may_change_device = closed;
   view.may_connect = facts.database_open && closed && facts.patient_chosen && facts.hand_chosen &&
-                     facts.device_chosen;
+                     facts.screened && !facts.earlier_undecided && facts.device_chosen;
   view.may_cancel_connecting = facts.connection == Connection::opening;
   view.may_disconnect = open && !in_trial(facts) && facts.stage != Stage::zeroing;
   view.may_zero = quiet && sound && !facts.recorded;
@@ -202,8 +289,11 @@ FlowView decide(const FlowFacts& facts) {
                       facts.connection != Connection::opening &&
                       facts.connection != Connection::closing && facts.stage != Stage::zeroing &&
                       facts.stage != Stage::finished;
-  view.start_hint = start_hint(facts);
-  view.may_start = quiet && sound && view.start_hint.empty();
+  view.start_hint = plain(obstacle(facts));
+  view.may_begin = quiet && sound && view.start_hint.empty();
+  view.may_start = view.may_begin || (quiet && sound && may_arm(facts));
+  view.may_skip = quiet && facts.protocol.active && facts.protocol.act != ProtocolFacts::Act::none;
+  view.may_stand_by = quiet && facts.protocol.active && facts.protocol.goes_on;
   view.may_pause = open && facts.stage == Stage::trial;
   view.may_resume = open && facts.stage == Stage::paused && sound;
   view.may_stop = open && in_trial(facts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The logic of a session as a therapist lives it: which step comes next, what may be pressed now,
-// and the one sentence that says so. Pure: same facts, same view. No Qt, no clock, no thread.
+// and the one sentence that says so. Pure: same facts, same view (in the language that is set). No
+// widget, no clock, no thread.
 #pragma once
 
 #include <array>
@@ -12,7 +13,7 @@
 namespace isograsp {
 
 /// The way from an empty chair to a result, in order.
-enum class Step : std::uint8_t { patient, hand, device, zero, rest, maximum, task };
+enum class Step : std::uint8_t { patient, hand, screening, device, zero, rest, work };
 inline constexpr std::size_t kStepCount = 7;
 
 enum class StepState : std::uint8_t {
@@ -31,12 +32,26 @@ enum class Connection : std::uint8_t { none, opening, open, closing };
 /// kinds of tasks are simply others.
 enum class TaskKind : std::uint8_t { rest, maximum, force_tracking, pose_targets, observe, other };
 
+/// The protocol of the session as far as the flow depends on it; `active` false: tasks are chosen
+/// by hand.
+struct ProtocolFacts {
+  enum class Act : std::uint8_t { none, zero, pause, trial };
+  bool active = false;
+  Act act = Act::none;    ///< next; none: the protocol is over
+  std::string act_words;  ///< "Grip force, sine (1 of 2)"
+  int wait_s = 0;         ///< until it may begin; 0: now
+  int start_in_s = 0;     ///< until it begins by itself
+  bool goes_on = false;   ///< acts begin by themselves
+};
+
 /// All that the flow depends on.
 struct FlowFacts {
   bool database_open = false;
   std::string database_error;  ///< why the database could not be opened
   bool patient_chosen = false;
   bool hand_chosen = false;
+  bool screened = false;           ///< questions answered, decision made
+  bool earlier_undecided = false;  ///< an interrupted protocol may go on: nobody has said yet
   bool device_chosen = false;
   Connection connection = Connection::none;
   std::string connection_error;  ///< why the last attempt failed, or why the session ended
@@ -57,7 +72,10 @@ struct FlowFacts {
   int maximum_attempts = 0;
   double maximum_force_N = 0.0;
   bool task_done = false;  ///< a task after the maximum was completed
-  bool starting = false;   ///< a start was asked for, no frame of it has come
+  ProtocolFacts protocol;
+  bool rating_due = false;  ///< effort and pain are to be asked
+  std::string stop_reason;  ///< why work should end for today; empty: it may go on
+  bool starting = false;    ///< a start was asked for, no frame of it has come
   bool task_chosen = false;
   TaskKind task_kind = TaskKind::rest;
   std::string task_name;
@@ -87,8 +105,11 @@ struct FlowView {
   bool may_strap = false;
   bool may_choose_task = false;
   bool may_show_how = false;  ///< the patient may watch how the chosen task is done
-  bool may_start = false;
-  bool may_pause = false;
+  bool may_start = false;     ///< the trial, or in a pause the going on by itself
+  bool may_begin = false;     ///< a trial could begin at this moment
+  bool may_skip = false;      ///< the next act of the protocol
+  bool may_pause = false;     ///< the running trial
+  bool may_stand_by = false;  ///< between trials: nothing begins by itself
   bool may_resume = false;
   bool may_stop = false;
   std::string start_hint;  ///< why Start is not possible, or what it starts

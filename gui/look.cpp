@@ -24,12 +24,32 @@ QLabel#wordmark { font-weight: bold; font-size: 15pt; color: #0B5CAD; }
 QLabel#sentence { font-size: 13pt; }
 QLabel#simulated { background: #1B2733; color: #FFFFFF; font-weight: bold; border-radius: 4px;
   padding: 5px 10px; }
-QLabel[step="open"] { color: #52606D; padding: 5px 12px; border-radius: 13px;
-  border: 1px solid #D5DBE3; background: #FFFFFF; }
-QLabel[step="done"] { color: #1B7F4B; padding: 5px 12px; border-radius: 13px;
-  border: 1px solid #A9D3BC; background: #EDF7F1; }
-QLabel[step="next"] { color: #FFFFFF; padding: 5px 12px; border-radius: 13px; font-weight: bold;
-  border: 1px solid #0B5CAD; background: #0B5CAD; }
+QFrame#navigation { background: #FFFFFF; border: none; border-right: 1px solid #D5DBE3; }
+QPushButton[tab="true"] { background: transparent; border: none; border-radius: 6px;
+  text-align: left; padding: 6px 10px; color: #1B2733; }
+QPushButton[tab="true"]:hover { background: #F4F9FE; }
+QPushButton[tab="true"]:checked { background: #E1EEFA; border: none; color: #0A2E52;
+  font-weight: bold; }
+QPushButton[tab="true"]:focus { border: 2px solid #0B5CAD; }
+QLabel#message { background: #FFF6E0; border: 1px solid #E0B252; border-radius: 6px;
+  padding: 5px 10px; }
+QFrame[section] { background: #FFFFFF; border: 1px solid #D5DBE3; border-radius: 8px; }
+QFrame[section="next"] { border: 2px solid #0B5CAD; }
+QPushButton[flat_head="true"] { background: transparent; border: none; border-radius: 7px;
+  text-align: left; padding: 4px; }
+QPushButton[flat_head="true"]:hover { background: #F4F9FE; }
+QPushButton[flat_head="true"]:focus { border: 2px solid #0B5CAD; }
+QLabel[section] { border: none; }
+QLabel[section="done"] { color: #1B7F4B; font-weight: bold; }
+QLabel[section="next"] { color: #0B5CAD; font-weight: bold; }
+QLabel[section="open"] { color: #52606D; }
+QListWidget[plain="true"] { border: none; }
+QToolButton[score="true"] { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
+  border-radius: 4px; padding: 3px 0; min-height: 18px; }
+QToolButton[score="true"]:hover { border-color: #0B5CAD; background: #F4F9FE; }
+QToolButton[score="true"]:checked { background: #0B5CAD; color: #FFFFFF; font-weight: bold; }
+QToolButton[score="true"]:focus { border: 2px solid #0B5CAD; }
+QFrame[due="true"] { border: 2px solid #0B5CAD; }
 QPushButton { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0; border-radius: 6px;
   padding: 6px 12px; min-height: 18px; }
 QPushButton:hover { border-color: #0B5CAD; background: #F4F9FE; }
@@ -43,9 +63,9 @@ QPushButton[next="true"]:enabled:hover { background: #094C90; }
 QPushButton[next="true"]:enabled:focus { border: 2px solid #062F59; }
 QPushButton#stop:enabled { color: #B3261E; border-color: #B3261E; font-weight: bold; }
 QPushButton#stop:enabled:hover { background: #FCEEED; }
-QLineEdit, QComboBox { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
+QLineEdit, QComboBox, QSpinBox { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
   border-radius: 6px; padding: 5px 8px; min-height: 18px; selection-background-color: #0B5CAD; }
-QLineEdit:focus, QComboBox:focus { border: 2px solid #0B5CAD; padding: 4px 7px; }
+QLineEdit:focus, QComboBox:focus, QSpinBox:focus { border: 2px solid #0B5CAD; padding: 4px 7px; }
 QComboBox:disabled, QLineEdit:disabled { color: #7B8794; background: #F3F5F8;
   border-color: #DDE3EA; }
 QComboBox::drop-down { border: none; width: 22px; }

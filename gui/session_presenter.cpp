@@ -9,7 +9,6 @@
 
 #include "core/files.hpp"
 #include "gui/task_groups.hpp"
-#include "reports/progress.hpp"
 #include "session/trial_setup.hpp"
 
 namespace isograsp {
@@ -43,6 +42,7 @@ std::string lack_of(const TaskSpec& spec, const ForceReferences& references) {
 SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic, QObject* parent)
     : QObject(parent), config_(config), clinic_(clinic), device_uri_(config.device_uri) {
   load_tasks();
+  load_protocols();
   connect(&clinic_, &Clinic::opened, this, &SessionPresenter::update);
   connect(&clinic_, &Clinic::open_failed, this, [this](const QString& why) {
     database_error_ = why.toStdString();
@@ -95,8 +95,16 @@ void SessionPresenter::select_task_after_maximum() {
 /// Once per choice and measurement: the flow is decided sixty times a second.
 void SessionPresenter::look_at_task() {
   task_lacks_.clear();
-  if (task_ < 0 || session_ == nullptr) return;
-  task_lacks_ = lack_of(tasks_[static_cast<std::size_t>(task_)], session_->references());
+  const auto* spec = next_task();
+  // What a protocol asks is not refused beforehand: it is left out, with the reason.
+  if (spec == nullptr || session_ == nullptr || follows()) return;
+  task_lacks_ = lack_of(*spec, session_->references());
+}
+
+const TaskSpec* SessionPresenter::next_task() const noexcept {
+  if (follows()) return act_task_ ? &*act_task_ : nullptr;
+  if (session_ == nullptr && protocol_ != kByHand) return nullptr;  // the protocol will say
+  return task_ < 0 ? nullptr : &tasks_[static_cast<std::size_t>(task_)];
 }
 
 FlowFacts SessionPresenter::facts() const {
@@ -105,6 +113,8 @@ FlowFacts SessionPresenter::facts() const {
   facts.database_error = database_error_;
   facts.patient_chosen = !patient_.empty();
   facts.hand_chosen = hand_.has_value();
+  facts.screened = screening_.complete();
+  facts.earlier_undecided = earlier_.has_value() && !resume_;
   facts.device_chosen = !device_uri_.empty();
   facts.connection = connection_;
   facts.connection_error = connection_error_;
@@ -127,17 +137,20 @@ FlowFacts SessionPresenter::facts() const {
   facts.zero_remark = zero_remark_;
   facts.strapped = strapped_;
   facts.rest_words = rest_words_;
-  facts.rest_done = rest_done_;
+  facts.rest_done = rest_done_ || (follows() && !guide_.asks_rest());
   facts.maximum_attempts = maximum_attempts_;
   facts.task_done = task_done_;
   // From the press of Zero until its outcome, and from the press of Start until the trial's outcome
   // is stored, with the trial itself in between.
   facts.starting = zero_asked_ || starting_ || (running_ != nullptr && facts.stage == Stage::idle);
-  facts.task_chosen = task_ >= 0;
-  if (task_ >= 0) {
-    const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
-    facts.task_kind = kind_of(spec);
-    facts.task_name = running_ != nullptr ? running_->name : spec.name;
+  facts.rating_due = guide_.rating_due();
+  facts.stop_reason = stop_reason_;
+  if (follows()) facts.protocol = protocol_facts();
+  const auto* spec = next_task();
+  facts.task_chosen = spec != nullptr;
+  if (spec != nullptr) {
+    facts.task_kind = kind_of(*spec);
+    facts.task_name = running_ != nullptr ? running_->name : spec->name;
     facts.task_lacks = task_lacks_;
   }
   return facts;
@@ -155,7 +168,7 @@ void SessionPresenter::refuse(const Error& error) {
 void SessionPresenter::choose_patient(const std::string& code) {
   if (connection_ != Connection::none || code == patient_) return;
   patient_ = code;
-  hand_.reset();  // asked for every session anew
+  ask_anew();
   connection_error_.clear();
   last_trial_.reset();
   live_score_.clear();
@@ -165,20 +178,33 @@ void SessionPresenter::choose_patient(const std::string& code) {
 
 void SessionPresenter::choose_hand(Hand hand) {
   if (!view_.may_change_hand) return;
+  if (hand_ != hand) screening_ = {};  // its outcome is that of one hand
   hand_ = hand;
+  look_for_earlier();
   update();
+}
+
+/// Before every session: hand and screening.
+void SessionPresenter::ask_anew() {
+  hand_.reset();
+  screening_ = {};
+  earlier_.reset();
+  resume_.reset();
 }
 
 void SessionPresenter::choose_device(const std::string& uri) {
   if (!view_.may_change_device) return;
   device_uri_ = uri;
   connection_error_.clear();
+  look_for_earlier();
   update();
 }
 
 void SessionPresenter::choose_task(int index) {
-  if (!view_.may_choose_task || index == task_) return;
-  stop_showing();
+  if (!view_.may_choose_task || index == task()) return;
+  example_.stop();
+  guide_.go_on(false);
+  by_hand_ = true;
   task_ = index;
   look_at_task();
   update();
@@ -190,7 +216,7 @@ void SessionPresenter::set_practice(bool practice) {
 
 void SessionPresenter::connect_device() {
   if (!view_.may_connect) return;
-  stop_showing();
+  example_.stop();
   SessionConfig config;
   config.database = config_.database;
   config.patient_code = patient_;
@@ -200,6 +226,15 @@ void SessionPresenter::connect_device() {
   config.software_version = config_.software_version;
   config.operator_name = config_.operator_name;
   config.realtime = config_.realtime;
+  config.allowed = screening_.allowed;
+  config.ceiling_N = screening_.ceiling_N;
+  config.answers = stored(screening_);
+  config.resume = resume_.value_or(false);
+  if (protocol_ != kByHand) {
+    const auto& protocol = protocols_[static_cast<std::size_t>(protocol_)].spec;
+    config.protocol_name = protocol.name;
+    config.protocol_text = protocol.text;
+  }
   connection_ = Connection::opening;
   connection_error_.clear();
   opening_ = {};
@@ -254,8 +289,14 @@ void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
   maximum_attempts_ = 0;
   running_.reset();
   last_trial_.reset();
+  last_task_.reset();
   live_score_.clear();
+  helped_ = false;
+  effort_.reset();
+  pain_.reset();
+  stop_reason_.clear();
   select_first(recorded() ? TaskKind::observe : TaskKind::rest);
+  begin_protocol();
 }
 
 void SessionPresenter::disconnect_device() {
@@ -278,15 +319,17 @@ void SessionPresenter::close_on_worker(std::unique_ptr<Session> session, Closed 
 }
 
 void SessionPresenter::close_session(const std::string& why) {
-  stop_showing();
+  example_.stop();
   connection_ = Connection::closing;
   snapshot_ = {};
   running_.reset();
   starting_ = false;
+  guide_.end();
+  act_task_.reset();
   close_on_worker(std::move(session_), [this, why] {
     connection_ = Connection::none;
     connection_error_ = why;
-    hand_.reset();  // asked for every session anew
+    ask_anew();
     clinic_.load_history(patient_);
     update();
     Q_EMIT settled();
@@ -296,7 +339,7 @@ void SessionPresenter::close_session(const std::string& why) {
 
 void SessionPresenter::set_zero(bool accept_changed) {
   if (!(accept_changed ? view_.may_accept_changed : view_.may_zero)) return;
-  stop_showing();
+  example_.stop();
   zero_refusal_.clear();
   zero_remark_.clear();
   zero_only_changed_ = false;
@@ -314,7 +357,7 @@ void SessionPresenter::set_zero(bool accept_changed) {
 
 void SessionPresenter::mark_strapped() {
   if (!view_.may_strap) return;
-  stop_showing();
+  example_.stop();
   session_->strapped();
   strapped_ = true;
   update();
@@ -326,21 +369,46 @@ std::string SessionPresenter::realtime() const {
 
 void SessionPresenter::start() {
   if (!view_.may_start) return;
-  stop_showing();
-  zero_refusal_.clear();
-  zero_only_changed_ = false;
-  const TaskSpec& spec = tasks_[static_cast<std::size_t>(task_)];
-  const TaskContext context = session_->next_context();
-  if (auto started = session_->start_trial(spec, practice_); !started) {
-    refuse(started.error());
+  if (follows()) guide_.go_on(by_itself_);
+  if (!view_.may_begin) return update();  // it waits for its time
+  begin_next();
+}
+
+void SessionPresenter::begin_next() {
+  if (!follows()) {
+    auto spec = at_chosen_level(*next_task());
+    auto begun = spec ? begin_trial(*spec, practice_, std::nullopt) : Result<void>(spec.error());
+    if (!begun) refuse(begun.error());
     return;
   }
+  const auto act = guide_.act();
+  if (!act_task_) return;
+  if (auto begun = begin_trial(*act_task_, act->practice, act->place); !begun) {
+    if (begun.error().code != Error::Code::bad_input) {
+      guide_.go_on(false);
+      return refuse(begun.error());
+    }
+    leave_out(begun.error());
+  }
+}
+
+Result<void> SessionPresenter::begin_trial(const TaskSpec& spec, bool practice,
+                                           std::optional<TrialPlace> place) {
+  example_.stop();
+  zero_refusal_.clear();
+  zero_only_changed_ = false;
+  const TaskContext context = session_->next_context();
+  if (auto started = session_->start_trial(spec, practice, place); !started) return started;
   starting_ = true;
   just_completed_ = false;
+  helped_ = false;
+  last_task_ = spec;
+  last_practice_ = practice;
   live_score_.clear();
   prepare_picture(spec, context);
   Q_EMIT score_changed();
   update();
+  return {};
 }
 
 void SessionPresenter::prepare_picture(const TaskSpec& spec, const TaskContext& context) {
@@ -355,42 +423,18 @@ void SessionPresenter::prepare_picture(const TaskSpec& spec, const TaskContext& 
 }
 
 void SessionPresenter::show_how() {
-  if (showing_how_) {
-    stop_showing();
+  if (example_.showing()) {
+    example_.stop();
     return update();
   }
   if (!view_.may_show_how) return;
-  showing_how_ = true;
-  using Shown = Result<Demonstration>;
-  worker_.run(
-      [spec = tasks_[static_cast<std::size_t>(task_)],
-       references = session_ == nullptr ? ForceReferences{} : session_->references(),
-       hand = hand_.value_or(Hand::right), library = config_.library]() -> Shown {
-        return demonstrate(spec, references, hand, library);
-      },
-      [this, task = task_](Shown shown) {
-        if (!showing_how_ || task != task_) return;  // stopped meanwhile
-        if (!shown) {
-          stop_showing();
-          refuse(shown.error());
-        } else if (shown->frames.empty()) {
-          stop_showing();
-        } else {
-          example_preview_ =
-              std::make_shared<TargetPreview>(preview_target(*shown->task, shown->context));
-          example_ = std::make_shared<Demonstration>(*std::move(shown));
-          example_frame_ = 0;
-          example_began_ = clock_.now();
-        }
-        update();
-      });
+  guide_.go_on(false);
+  example_.show(*next_task(), session_ == nullptr ? ForceReferences{} : session_->references(),
+                hand_.value_or(Hand::right), config_.library, [this](const Result<void>& shown) {
+                  if (!shown) refuse(shown.error());
+                  update();
+                });
   update();
-}
-
-void SessionPresenter::stop_showing() {
-  showing_how_ = false;
-  example_.reset();
-  example_preview_.reset();
 }
 
 void SessionPresenter::pause() {
@@ -408,6 +452,7 @@ void SessionPresenter::stop() {
 void SessionPresenter::start_pause_resume() {
   if (view_.may_start) return start();
   if (view_.may_pause) return pause();
+  if (view_.may_stand_by) return stand_by();
   resume();
 }
 
@@ -416,13 +461,11 @@ void SessionPresenter::note(const std::string& text) {
 }
 
 void SessionPresenter::poll() {
-  if (example_ != nullptr) {
-    const double shown_s = to_seconds(clock_.now() - example_began_);
-    example_frame_ = static_cast<std::size_t>(shown_s / example_->period_s);
-    if (example_frame_ >= example_->frames.size() || !view_.may_show_how) {
-      stop_showing();
-      Q_EMIT changed();
-    }
+  const FlowView before = view_;
+  if (example_.playing()) {
+    example_.tick();
+    if (!view_.may_show_how) example_.stop();
+    if (!example_.showing()) Q_EMIT changed();
   }
   if (session_ != nullptr) {
     snapshot_ = session_->snapshot();
@@ -440,7 +483,7 @@ void SessionPresenter::poll() {
       Q_EMIT score_changed();
     }
   }
-  const FlowView before = view_;
+  follow_time();
   view_ = decide(facts());
   if (!(before == view_)) Q_EMIT changed();
   Q_EMIT frame();
@@ -452,7 +495,11 @@ void SessionPresenter::take(const SessionNews& news) {
     zero_refusal_ = news.zero->accepted ? "" : news.zero->reason;
     zero_only_changed_ = news.zero->only_changed;
     zero_remark_ = news.zero->remark;
-    if (news.zero->accepted && !rest_done_) select_first(TaskKind::rest);
+    if (news.zero->accepted) {
+      if (!rest_done_) select_first(TaskKind::rest);
+      guide_.zeroed(session_time_s());
+      look_at_act();
+    }
     Q_EMIT changed();
   }
   if (news.trial) take_trial(*news.trial);
@@ -478,7 +525,8 @@ void SessionPresenter::take_trial(const TrialOutcome& outcome) {
       default: task_done_ = task_done_ || group_of(*running_) != TaskGroup::rest_and_maximum;
     }
   }
-  look_at_task();
+  if (follows()) guide_.trial_ended(outcome, session_time_s());
+  look_at_act();
   running_.reset();
   clinic_.load_history(patient_);
   Q_EMIT score_changed();
@@ -499,21 +547,8 @@ std::string SessionPresenter::device_description() const {
   return session_ == nullptr ? "" : session_->device().description;
 }
 
-PatientFacts SessionPresenter::facts_of_example() const {
-  PatientFacts facts;
-  facts.session_open = true;
-  facts.example = true;
-  facts.hand = hand_.value_or(Hand::right);
-  facts.snapshot = example_->frames[example_frame_];
-  facts.task = example_->task;
-  facts.scene = example_->scene;
-  facts.preview = example_preview_;
-  facts.maximum_force_N = example_->context.references.maximum({});
-  return facts;
-}
-
 PatientPicture SessionPresenter::picture() const {
-  if (example_ != nullptr) return picture_for(facts_of_example());
+  if (example_.playing()) return picture_for(example_.facts());
   PatientFacts facts;
   facts.session_open = session_ != nullptr;
   facts.simulated = simulated();

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -14,10 +15,12 @@
 
 #include "gui/background.hpp"
 #include "gui/clinic.hpp"
+#include "gui/example_player.hpp"
 #include "gui/flow.hpp"
 #include "gui/force_history.hpp"
 #include "gui/patient_picture.hpp"
-#include "session/demonstration.hpp"
+#include "gui/protocol_guide.hpp"
+#include "gui/screening.hpp"
 #include "session/session.hpp"
 
 namespace isograsp {
@@ -25,7 +28,7 @@ namespace isograsp {
 struct GuiConfig {
   std::string database;
   std::string device_uri;  ///< chosen at start; empty: the therapist chooses
-  std::string library;     ///< folder with tasks/ and scenes/
+  std::string library;     ///< folder with tasks/, protocols/ and scenes/
   std::string software_version;
   std::string operator_name = {};        ///< stored with zero and resting force
   Realtime realtime = Realtime::prefer;  ///< of the acquisition thread
@@ -42,7 +45,17 @@ class SessionPresenter final : public QObject {
   void choose_patient(const std::string& code);
   void choose_hand(Hand hand);
   void choose_device(const std::string& uri);
+  void answer_screening(const Screening& answers);
+  /// A number in protocols(); kByHand: none, tasks are chosen one by one.
+  void choose_protocol(int index);
+  /// An interrupted protocol may be taken up: go on with it, or begin anew.
+  void decide_earlier(bool go_on);
+  /// By hand; in a protocol it stands by until follow_protocol().
   void choose_task(int index);
+  /// In a protocol: a task is chosen now, the protocol stands by.
+  void choose_by_hand();
+  /// The next act of the protocol again, after tasks that were chosen by hand.
+  void follow_protocol();
   void set_practice(bool practice);
 
   // Acts. Each is ignored while the flow does not allow it.
@@ -60,7 +73,20 @@ class SessionPresenter final : public QObject {
   void pause();
   void resume();
   void stop();
+  /// Nothing begins by itself any more until the next start.
+  void stand_by();
+  void skip();                ///< the next act of the protocol
+  void repeat();              ///< the last trial once more, beside the protocol
   void start_pause_resume();  ///< the one big key
+  /// Acts of the protocol begin by themselves after a start (as it is at first), or wait for a key.
+  void set_by_itself(bool by_itself);
+  /// Of the chosen task, if it has a difficulty that may be chosen: -1 easier, +1 harder.
+  void adjust_difficulty(int direction);
+  /// The therapist helps, or did in the last trial; again: takes it back.
+  void toggle_helped();
+  /// What the patient says of the work, 0 to 10 each; nothing is stored before both are known.
+  void rate_effort(int effort);
+  void rate_pain(int pain);
   /// The patient's screen shows how the chosen task is done; again: it stops. So does any act.
   void show_how();
   void note(const std::string& text);
@@ -77,8 +103,38 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] const std::vector<std::string>& library_problems() const noexcept {
     return library_problems_;
   }
-  [[nodiscard]] int task() const noexcept { return task_; }
+  /// Chosen by hand; -1: the protocol says what comes.
+  [[nodiscard]] int task() const noexcept { return follows() ? -1 : task_; }
+  /// The task that Start begins, at its level; null: none.
+  [[nodiscard]] const TaskSpec* next_task() const noexcept;
+  /// "Grip force, sine (1 of 2)" of the protocol, or the name of the chosen task.
+  [[nodiscard]] std::string next_words() const;
+  static constexpr int kByHand = -1;
+  [[nodiscard]] const std::vector<ReadyProtocol>& protocols() const noexcept { return protocols_; }
+  [[nodiscard]] int protocol() const noexcept { return protocol_; }
+  [[nodiscard]] const ProtocolGuide& guide() const noexcept { return guide_; }
+  /// The protocol, not the therapist, says what comes.
+  [[nodiscard]] bool follows() const noexcept { return guide_.active() && !by_hand_; }
+  [[nodiscard]] bool by_itself() const noexcept { return by_itself_; }
+  [[nodiscard]] const Screening& screening() const noexcept { return screening_; }
+  /// Acts that an interrupted session did of the chosen protocol today; nothing: there is none.
+  [[nodiscard]] std::optional<int> earlier() const noexcept { return earlier_; }
+  [[nodiscard]] std::optional<bool> goes_on_earlier() const noexcept { return resume_; }
+  /// Level of the chosen task, 0 (easiest) … 1; nothing: it has none that may be chosen now.
+  [[nodiscard]] std::optional<double> difficulty() const;
+  /// Of the running or the last trial.
+  [[nodiscard]] bool helped() const noexcept { return helped_; }
+  [[nodiscard]] bool may_help() const noexcept;
+  [[nodiscard]] bool may_repeat() const noexcept;
+  [[nodiscard]] std::optional<int> effort() const noexcept { return effort_; }
+  [[nodiscard]] std::optional<int> pain() const noexcept { return pain_; }
   [[nodiscard]] bool practice() const noexcept { return practice_; }
+  /// The protocol asks for a zero of the empty device.
+  [[nodiscard]] bool zero_is_next() const noexcept {
+    return guide_.act() && guide_.act()->kind == ProtocolWalk::Act::Kind::instrument_zero;
+  }
+  /// What the resting force suggests; empty: not measured yet.
+  [[nodiscard]] const std::string& rest_words() const noexcept { return rest_words_; }
   [[nodiscard]] bool simulated() const noexcept;
   [[nodiscard]] bool recorded() const noexcept;
   [[nodiscard]] bool session_open() const noexcept { return session_ != nullptr; }
@@ -93,7 +149,7 @@ class SessionPresenter final : public QObject {
   /// What the acquisition thread was given; empty: not asked for.
   [[nodiscard]] std::string realtime() const;
   /// A demonstration is being made or is on the patient's screen.
-  [[nodiscard]] bool showing_how() const noexcept { return showing_how_; }
+  [[nodiscard]] bool showing_how() const noexcept { return example_.showing(); }
   /// What the patient's screen shows now.
   [[nodiscard]] PatientPicture picture() const;
 
@@ -112,6 +168,19 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] FlowFacts facts() const;
   void update();
   void load_tasks();
+  void load_protocols();
+  void ask_anew();
+  void look_for_earlier();
+  [[nodiscard]] ProtocolFacts protocol_facts() const;
+  void follow_time();
+  void begin_next();
+  [[nodiscard]] Result<TaskSpec> at_chosen_level(const TaskSpec& spec) const;
+  void begin_protocol();
+  void look_at_act();
+  Result<void> begin_trial(const TaskSpec& spec, bool practice, std::optional<TrialPlace> place);
+  void leave_out(const Error& why);
+  void store_rating();
+  [[nodiscard]] double session_time_s() const noexcept { return snapshot_.session_time_s; }
   void select_first(TaskKind kind);
   void select_task_after_maximum();
   void look_at_task();
@@ -122,8 +191,6 @@ class SessionPresenter final : public QObject {
   template <class Closed>
   void close_on_worker(std::unique_ptr<Session> session, Closed closed);
   void prepare_picture(const TaskSpec& spec, const TaskContext& context);
-  void stop_showing();
-  [[nodiscard]] PatientFacts facts_of_example() const;
   void refuse(const Error& error);
 
   GuiConfig config_;
@@ -134,6 +201,23 @@ class SessionPresenter final : public QObject {
   std::string patient_;
   std::optional<Hand> hand_;
   std::string device_uri_;
+  Screening screening_;
+  std::vector<ReadyProtocol> protocols_;
+  int protocol_ = kByHand;
+  int lookups_ = 0;  ///< for an interrupted session: the newest one counts
+  std::optional<int> earlier_;
+  std::optional<bool> resume_;
+  ProtocolGuide guide_;
+  bool by_hand_ = false;  ///< beside the protocol
+  bool by_itself_ = true;
+  std::optional<TaskSpec> act_task_;      ///< of the next act, at its level
+  std::map<std::string, double> levels_;  ///< that the therapist chose, by task file
+  std::optional<TaskSpec> last_task_;
+  bool last_practice_ = false;
+  bool helped_ = false;
+  std::optional<int> effort_;
+  std::optional<int> pain_;
+  std::string stop_reason_;
   std::vector<TaskSpec> tasks_;
   std::vector<std::string> library_problems_;
   int task_ = -1;
@@ -163,16 +247,12 @@ class SessionPresenter final : public QObject {
   std::shared_ptr<const TaskSpec> running_;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const TargetPreview> preview_;
-  bool showing_how_ = false;
-  std::shared_ptr<const Demonstration> example_;  ///< null: none, or it is being made
-  std::shared_ptr<const TargetPreview> example_preview_;
-  std::size_t example_frame_ = 0;
-  Timestamp example_began_{0};
   std::vector<Measure> live_score_;
   Timestamp scored_{0};
   std::optional<TrialOutcome> last_trial_;
   FlowView view_;
-  Background worker_;  ///< last: its jobs end before anything else goes away
+  Background worker_;  ///< its jobs end before anything above goes away
+  ExamplePlayer example_{worker_, clock_};
 };
 
 }  // namespace isograsp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/therapist_window.hpp"
 
+#include <QButtonGroup>
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -8,12 +9,10 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "gui/device_panel.hpp"
 #include "gui/history_panel.hpp"
-#include "gui/live_panel.hpp"
 #include "gui/look.hpp"
-#include "gui/patient_panel.hpp"
-#include "gui/session_panel.hpp"
+#include "gui/session_page.hpp"
+#include "gui/start_page.hpp"
 
 namespace isograsp {
 
@@ -26,7 +25,14 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QW
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(make_header());
-  column->addWidget(make_body(), 1);
+  auto* body = new QHBoxLayout;
+  body->setSpacing(0);
+  body->addWidget(make_navigation());
+  pages_ = new QStackedWidget;
+  pages_->setObjectName("pages");
+  body->addWidget(pages_, 1);
+  column->addLayout(body, 1);
+  make_pages();
   setCentralWidget(page);
   resize(1280, 720);
   setMinimumSize(1100, 660);
@@ -42,6 +48,7 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QW
   connect(&clinic_.report(), &ReportWork::cancelled, this, close_at_last);
   // Whoever waits for a report wants to know that there is none.
   connect(&clinic_.report(), &ReportWork::failed, this, [this] { closing_ = false; });
+  show_page(Page::start);
   refresh();
   for (const auto& problem : presenter_.library_problems()) say(QString::fromStdString(problem));
 }
@@ -68,11 +75,15 @@ QWidget* TherapistWindow::make_header() {
   connect(patient_screen_, &QPushButton::clicked, this, [this] {
     if (show_patient_screen) show_patient_screen();
   });
-  steps_ = new StepStrip;
+  device_light_ = new StateLight(20);
+  device_words_ = new QLabel;
+  device_words_->setObjectName("device_words");
+  device_words_->setProperty("role", "quiet");
+  device_words_->setMaximumWidth(260);
   message_ = new QLabel;
   message_->setObjectName("message");
-  message_->setProperty("role", "quiet");
-  message_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  message_->setWordWrap(true);
+  message_->hide();
 
   auto* top = new QHBoxLayout;
   top->setSpacing(12);
@@ -80,46 +91,71 @@ QWidget* TherapistWindow::make_header() {
   top->addSpacing(10);
   top->addWidget(light_);
   top->addWidget(sentence_, 1);
+  top->addWidget(device_light_);
+  top->addWidget(device_words_);
   top->addWidget(simulated_);
   top->addWidget(patient_screen_);
-  auto* below = new QHBoxLayout;
-  below->addWidget(steps_);
-  below->addWidget(message_, 1);
   auto* column = new QVBoxLayout(header);
   column->setContentsMargins(16, 10, 16, 10);
-  column->setSpacing(9);
+  column->setSpacing(6);
   column->addLayout(top);
-  column->addLayout(below);
+  column->addWidget(message_);
   return header;
 }
 
-QWidget* TherapistWindow::make_body() {
-  auto* body = new QWidget;
-  auto* columns = new QHBoxLayout(body);
-  columns->setContentsMargins(12, 12, 12, 12);
-  columns->setSpacing(12);
-  const auto add_column = [&](int stretch, int least_px, int most_px) {
-    auto* holder = new QWidget;
-    holder->setMinimumWidth(least_px);
-    if (most_px > 0) holder->setMaximumWidth(most_px);
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(12);
-    columns->addWidget(holder, stretch);
-    return column;
-  };
-  // Left to right is the way of a session: prepare, watch, run.
-  auto* prepare = add_column(2, 250, 340);
-  prepare->addWidget(new PatientPanel(clinic_, presenter_), 1);
-  prepare->addWidget(new HandPanel(presenter_));
-  prepare->addWidget(new DevicePanel(presenter_));
-  auto* watch = add_column(5, 420, 0);
-  watch->addWidget(new LivePanel(presenter_), 4);
-  watch->addWidget(new HistoryPanel(clinic_, presenter_), 3);
-  auto* run = add_column(2, 290, 420);
-  run->addWidget(new TaskPanel(presenter_));
-  run->addWidget(new ScorePanel(presenter_), 1);
-  return body;
+QWidget* TherapistWindow::make_navigation() {
+  navigation_ = new QFrame;
+  navigation_->setObjectName("navigation");
+  navigation_->setFixedWidth(104);
+  auto* column = new QVBoxLayout(navigation_);
+  column->setContentsMargins(8, 12, 8, 12);
+  column->setSpacing(4);
+  column->addStretch(1);
+  return navigation_;
+}
+
+void TherapistWindow::add_page(Page page, const QString& title, QWidget* content) {
+  auto* tab = new QPushButton(title);
+  const int number = static_cast<int>(page) + 1;
+  tab->setObjectName(QStringLiteral("page_%1").arg(number));
+  tab->setProperty("tab", true);
+  tab->setCheckable(true);
+  tab->setMinimumHeight(40);
+  tab->setShortcut(QKeySequence(Qt::CTRL | (Qt::Key_0 + number)));
+  describe(*tab, title, tr("%1 (Ctrl+%2)").arg(title).arg(number));
+  auto* column = static_cast<QVBoxLayout*>(navigation_->layout());
+  column->insertWidget(column->count() - 1, tab);
+  tabs_.push_back(tab);
+  pages_->addWidget(content);
+  connect(tab, &QPushButton::clicked, this, [this, page] { show_page(page); });
+}
+
+void TherapistWindow::make_pages() {
+  auto* start = new StartPage(clinic_, presenter_);
+  add_page(Page::start, tr("Start"), start);
+  auto* session = new SessionPage(presenter_);
+  add_page(Page::session, tr("Session"), session);
+  auto* reports = new QWidget;
+  auto* column = new QVBoxLayout(reports);
+  column->setContentsMargins(12, 12, 12, 12);
+  column->addWidget(new HistoryPanel(clinic_, presenter_));
+  add_page(Page::reports, tr("Reports"), reports);
+  connect(start, &StartPage::begin_session, this, [this] { show_page(Page::session); });
+  connect(start, &StartPage::open_patient, this, [this] { show_page(Page::reports); });
+  connect(start, &StartPage::demonstration_wanted, this, [this] {
+    if (open_demonstration) open_demonstration();
+  });
+  connect(session, &SessionPage::other_patient, this, [this] { show_page(Page::start); });
+}
+
+void TherapistWindow::show_page(Page page) {
+  pages_->setCurrentIndex(static_cast<int>(page));
+  for (std::size_t i = 0; i < tabs_.size(); ++i)
+    tabs_[i]->setChecked(i == static_cast<std::size_t>(page));
+}
+
+TherapistWindow::Page TherapistWindow::page() const {
+  return static_cast<Page>(pages_->currentIndex());
 }
 
 void TherapistWindow::add_shortcuts() {
@@ -130,9 +166,26 @@ void TherapistWindow::add_shortcuts() {
   add(Qt::Key_F8, [this] { presenter_.start(); });
   add(Qt::Key_F9, [this] { presenter_.start_pause_resume(); });
   add(Qt::Key_F10, [this] { presenter_.stop(); });
-  add(QKeySequence::Find, [this] { findChild<QLineEdit*>("patient_search")->setFocus(); });
-  add(QKeySequence("Ctrl+R"), [this] { findChild<QPushButton*>("report")->click(); });
-  add(QKeySequence("Alt+V"), [this] { findChild<QWidget*>("history")->setFocus(); });
+  add(QKeySequence::Find, [this] {
+    show_page(Page::start);
+    findChild<QLineEdit*>("patient_search")->setFocus();
+  });
+  add(QKeySequence("Ctrl+-"), [this] { presenter_.adjust_difficulty(-1); });
+  add(QKeySequence("Ctrl++"), [this] { presenter_.adjust_difficulty(+1); });
+  add(QKeySequence("Ctrl+K"), [this] { presenter_.skip(); });
+  add(QKeySequence("Ctrl+Shift+R"), [this] { presenter_.repeat(); });
+  add(QKeySequence("Ctrl+M"), [this] {
+    presenter_.note("Mark");
+    say(tr("Marked."));
+  });
+  add(QKeySequence("Ctrl+N"), [this] {
+    show_page(Page::session);
+    findChild<QLineEdit*>("note")->setFocus();
+  });
+  add(QKeySequence("Ctrl+R"), [this] {
+    show_page(Page::reports);
+    findChild<QPushButton*>("report")->click();
+  });
   add(QKeySequence::Quit, [this] { close(); });
 }
 
@@ -142,15 +195,22 @@ void TherapistWindow::refresh() {
   sentence_->setText(QString::fromStdString(view.sentence));
   simulated_->setVisible(presenter_.simulated() || presenter_.recorded());
   simulated_->setText(presenter_.recorded() ? tr("RECORDED") : tr("SIMULATED"));
-  steps_->show_steps(view.steps);
+  device_light_->show_mood(view.device_mood);
+  const auto words = QString::fromStdString(view.device_words);
+  device_words_->setText(device_words_->fontMetrics().elidedText(words, Qt::ElideRight,
+                                                                 device_words_->maximumWidth()));
+  device_words_->setToolTip(words);
+  device_words_->setAccessibleName(tr("Device: %1").arg(words));
 }
 
 void TherapistWindow::say(const QString& words) {
   constexpr int kShown_ms = 12000;
   message_->setText(words);
-  message_->setToolTip(words);
+  message_->show();
   QTimer::singleShot(kShown_ms, message_, [this, words] {
-    if (message_->text() == words) message_->clear();
+    if (message_->text() != words) return;
+    message_->clear();
+    message_->hide();
   });
 }
 

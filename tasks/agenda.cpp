@@ -111,10 +111,6 @@ namespace {
 
 /// Hand out, one second of quiet, hand in again.
 constexpr double kZero_s = 15.0;
-/// An instruction in plain words, before the first trial of every task: 70 s for the twelve tasks
-/// of the battery.
-constexpr double kInstruction_s = 6.0;
-
 double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskSpec>>& tasks,
                bool worst) {
   Agenda agenda(protocol, 0);

@@ -63,6 +63,10 @@ class Agenda {
 [[nodiscard]] std::optional<double> agreeing(const ProtocolStep& step,
                                              const std::vector<Measure>& measures);
 
+/// For an instruction in plain words before the first trial of every task [s]: 70 s for the twelve
+/// tasks of the battery.
+inline constexpr double kInstruction_s = 6.0;
+
 /// Nominal and worst duration of a protocol [s], rests, zeros and instructions included: nominal if
 /// attempts agree at once. `tasks[i]`: the tasks of step i.
 [[nodiscard]] Duration duration_of(const ProtocolSpec& protocol,

@@ -18,7 +18,7 @@ FlowFacts fresh() {
 
 FlowFacts connected() {
   FlowFacts facts = fresh();
-  facts.patient_chosen = facts.hand_chosen = facts.device_chosen = true;
+  facts.patient_chosen = facts.hand_chosen = facts.screened = facts.device_chosen = true;
   facts.connection = Connection::open;
   facts.anything_arrived = true;
   facts.health.state = DeviceState::streaming;
@@ -37,15 +37,18 @@ TEST(Flow, LeadsFromPatientToTaskInOrder) {
   facts.patient_chosen = true;
   EXPECT_EQ(decide(facts).next(), Step::hand);
   facts.hand_chosen = true;
+  EXPECT_EQ(decide(facts).next(), Step::screening);
+  facts.screened = true;
   EXPECT_EQ(decide(facts).next(), Step::device);
   facts = connected();
   EXPECT_EQ(decide(facts).next(), Step::zero);
   facts.zeroed = true;
   EXPECT_EQ(decide(facts).next(), Step::rest);
   facts.rest_done = true;
-  EXPECT_EQ(decide(facts).next(), Step::maximum);
+  EXPECT_EQ(decide(facts).next(), Step::work);
+  EXPECT_NE(decide(facts).sentence.find("maximum grip force"), std::string::npos);
   facts.maximum_force_N = 40.0;
-  EXPECT_EQ(decide(facts).next(), Step::task);
+  EXPECT_EQ(decide(facts).next(), Step::work);
   facts.task_done = true;
   EXPECT_FALSE(decide(facts).next().has_value());
 }
@@ -83,11 +86,13 @@ TEST(Flow, ConnectingAndNothingElseCanBeCancelledWhileItLasts) {
   }
 }
 
-TEST(Flow, ConnectsOnlyWithPatientHandAndDevice) {
+TEST(Flow, ConnectsOnlyWithPatientHandScreeningAndDevice) {
   FlowFacts facts = fresh();
   facts.patient_chosen = facts.device_chosen = true;
   EXPECT_FALSE(decide(facts).may_connect);
   facts.hand_chosen = true;
+  EXPECT_FALSE(decide(facts).may_connect) << "the screening comes before any force";
+  facts.screened = true;
   EXPECT_TRUE(decide(facts).may_connect);
   facts.patient_chosen = false;
   EXPECT_FALSE(decide(facts).may_connect);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QAbstractButton>
-#include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
 
@@ -40,11 +39,24 @@ class Operator {
   }
 
   void choose_device(const QString& uri) const {
-    auto& devices = find<QComboBox>("devices");
-    const int index = devices.findData(uri);
-    ASSERT_GE(index, 0) << uri.toStdString() << " is not offered";
-    devices.setCurrentIndex(index);
-    Q_EMIT devices.activated(index);
+    auto& devices = find<QListWidget>("devices");
+    for (int row = 0; row < devices.count(); ++row)
+      if (devices.item(row)->data(Qt::UserRole).toString() == uri)
+        return devices.setCurrentRow(row);
+    FAIL() << uri.toStdString() << " is not offered";
+  }
+
+  /// Opens a step of the session that is not the next one.
+  void open_section(Step step) const {
+    const auto number = static_cast<int>(step) + 1;
+    auto& head = find<QAbstractButton>(qPrintable(QStringLiteral("section_%1").arg(number)));
+    QTest::mouseClick(&head, Qt::LeftButton);
+  }
+
+  void disconnect() const {
+    open_section(Step::device);
+    press("connect");
+    ASSERT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
   }
 
   void choose_task(TaskKind kind) const {
@@ -60,11 +72,24 @@ class Operator {
     FAIL() << "the library has no such task";
   }
 
-  /// From an empty window to a device that has its zero.
-  void prepare(const QString& uri, const char* hand = "hand_right") const {
+  void add_patient() const {
+    const auto before = windows_.presenter().patient();
+    windows_.therapist().show_page(TherapistWindow::Page::start);
     press("add_patient");
-    ASSERT_TRUE(wait_until([&] { return !windows_.presenter().patient().empty(); }));
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().patient() != before; }));
+  }
+
+  /// From an empty window to a hand that may be asked for its maximum.
+  void prepare_person(const char* hand = "hand_right") const {
+    add_patient();
     press(hand);
+    press("screening_clear");
+  }
+
+  /// From an empty window to a device that has its zero; tasks are chosen one by one.
+  void prepare(const QString& uri, const char* hand = "hand_right") const {
+    prepare_person(hand);
+    windows_.presenter().choose_protocol(SessionPresenter::kByHand);
     if (windows_.presenter().device_uri() != uri.toStdString()) choose_device(uri);
     press("connect");
     set_zero();

@@ -198,6 +198,14 @@ class LongWorkInTheWindow : public LongWork {
     EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
     windows_.presenter().choose_patient(kCode);
     EXPECT_TRUE(wait_until([&] { return !windows_.clinic().history_loading(); }));
+    windows_.presenter().choose_protocol(SessionPresenter::kByHand);
+  }
+  /// Up to the press of Connect.
+  void begin_connecting() {
+    windows_.therapist().show_page(TherapistWindow::Page::session);
+    operator_.press("hand_right");
+    operator_.press("screening_clear");
+    operator_.press("connect");
   }
   ~LongWorkInTheWindow() override {
     windows_.presenter().end_session();
@@ -210,6 +218,7 @@ class LongWorkInTheWindow : public LongWork {
 };
 
 TEST_F(LongWorkInTheWindow, TheReportShowsItsProgressAndACancelButtonThatWorks) {
+  windows_.therapist().show_page(TherapistWindow::Page::reports);
   auto& writing = operator_.find<QWidget>("report_writing");
   auto& button = operator_.find<QPushButton>("report");
   EXPECT_FALSE(writing.isVisible());
@@ -245,16 +254,14 @@ TEST_F(LongWorkInTheWindow, ClosingStaysOpenIfThereIsNoReportInTheEnd) {
 
 TEST_F(LongWorkInTheWindow, ASessionCanBeginWhileAReportIsWritten) {
   report().start(kCode, pdf_);
-  operator_.press("hand_right");
-  operator_.press("connect");
+  begin_connecting();
   ASSERT_TRUE(wait_until([&] { return windows_.presenter().session_open(); }));
   ASSERT_TRUE(wait_until([&] { return !report().running(); }));
   EXPECT_TRUE(fs::exists(pdf_));
 }
 
 TEST_F(LongWorkInTheWindow, ThePagesWaitForTheEndOfATrial) {
-  operator_.press("hand_right");
-  operator_.press("connect");
+  begin_connecting();
   operator_.set_zero();
   operator_.start_task();
   report().start(kCode, pdf_);
@@ -268,12 +275,11 @@ TEST_F(LongWorkInTheWindow, ThePagesWaitForTheEndOfATrial) {
 
 TEST_F(LongWorkInTheWindow, ConnectingCanBeCancelledAndTriedAgain) {
   auto& presenter = windows_.presenter();
-  operator_.press("hand_right");
-  operator_.press("connect");
+  begin_connecting();
   ASSERT_TRUE(presenter.view().may_cancel_connecting);
   EXPECT_EQ(operator_.find<QPushButton>("connect").text(), "&Cancel");
   presenter.poll();
-  EXPECT_TRUE(operator_.find<QProgressBar>("device_progress").isVisible());
+  EXPECT_TRUE(operator_.find<QProgressBar>("connect_progress").isVisible());
   operator_.press("connect");  // now Cancel
   EXPECT_FALSE(presenter.busy());
   EXPECT_TRUE(presenter.view().may_connect);
@@ -285,8 +291,7 @@ TEST_F(LongWorkInTheWindow, ConnectingCanBeCancelledAndTriedAgain) {
 }
 
 TEST_F(LongWorkInTheWindow, ClosingWhileConnectingDoesNotWaitForTheDevice) {
-  operator_.press("hand_right");
-  operator_.press("connect");
+  begin_connecting();
   ASSERT_TRUE(windows_.presenter().busy());
   windows_.therapist().close();
   EXPECT_FALSE(windows_.therapist().isVisible());

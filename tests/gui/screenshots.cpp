@@ -62,6 +62,7 @@ class Photographer {
 void photograph(const QString& output) {
   TemporaryFolder folder;
   const auto library = make_short_library(folder, "30");
+  shorten_rests(library, "demonstration.toml");
   const auto database = folder.path("clinic.db");
   {
     auto store = SessionStore::open(database, SessionStore::Open::create);
@@ -81,55 +82,59 @@ void photograph(const QString& output) {
   QTest::qWait(300);
   photographer.take_both("start");
 
+  auto& presenter = windows.presenter();
   therapist.find<QListWidget>("patient_list").setCurrentRow(0);
   ASSERT_TRUE(wait_until([&] { return !windows.clinic().history_loading(); }));
-  auto& report = windows.clinic().report();
-  bool taken = false;
-  QObject::connect(&report, &ReportWork::progress, [&](double, const QString& words) {
-    if (taken || !words.startsWith("page 2")) return;
-    taken = true;
-    photographer.take_therapist("therapist_report");
-  });
-  report.start("P-7M2H5", folder.path("report.pdf"));
-  ASSERT_TRUE(wait_until([&] { return !report.running(); }));
-  photographer.take_therapist("therapist_reported");
+  therapist.press("begin_session");
+  photographer.take_therapist("therapist_hand");
   therapist.press("hand_right");
+  photographer.take_therapist("therapist_screening");
+  therapist.press("screening_clear");
+  for (std::size_t i = 0; i < presenter.protocols().size(); ++i)
+    if (presenter.protocols()[i].spec.file.find("demonstration") != std::string::npos)
+      presenter.choose_protocol(static_cast<int>(i));
   QTest::qWait(300);
-  photographer.take_therapist("therapist_chosen");
+  photographer.take_therapist("therapist_device");
   therapist.press("connect");
-  windows.presenter().poll();
-  photographer.take_therapist("therapist_connecting");
-  ASSERT_TRUE(wait_until([&] { return windows.presenter().view().may_zero; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.view().may_zero; }));
   QTest::qWait(1200);
   photographer.take_both("connected");
-  therapist.set_zero();
-  therapist.start_task();
+  therapist.press("zero");
+  photographer.take_therapist("therapist_confirm");
+  therapist.press("zero_confirmed");
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().zeroed; }));
+  QTest::qWait(200);
+  photographer.take_both("zeroed");
+  therapist.press("start");
+  ASSERT_TRUE(wait_until([&] { return presenter.view().may_stop; }));
   QTest::qWait(800);
   photographer.take_both("rest");
-  therapist.finish_task();
-  therapist.start_task();
-  QTest::qWait(2600);
-  photographer.take_both("maximum");
-  therapist.finish_task();
-  QTest::qWait(100);
-  photographer.take_both("done");
 
-  therapist.start_task();
-  ASSERT_TRUE(wait_until([&] { return windows.presenter().snapshot().task.task_time_s > 11.2; }));
+  const auto wait_for = [&](const char* name, double task_time_s) {
+    return wait_until(
+        [&] {
+          const auto& now = presenter.snapshot();
+          return now.stage == Stage::trial && now.task.task_time_s > task_time_s &&
+                 presenter.view().sentence.find(name) != std::string::npos;
+        },
+        180);
+  };
+  ASSERT_TRUE(wait_until([&] { return presenter.view().may_stand_by; }, 60));
+  QTest::qWait(1500);
+  photographer.take_both("next");
+  ASSERT_TRUE(wait_for("Maximum grip", 2.6));
+  photographer.take_both("maximum");
+  ASSERT_TRUE(wait_for("Grip force, sine", 11.2));
   photographer.take_therapist("therapist");
   photographer.take_patient("patient_force");
   therapist.press("pause");
   QTest::qWait(300);
   photographer.take_both("paused");
-  therapist.press("stop");
-  therapist.finish_task();
-
-  therapist.choose_task(TaskKind::pose_targets);
-  therapist.start_task();
-  QTest::qWait(1200);
+  therapist.press("pause");  // now Resume
+  ASSERT_TRUE(wait_for("Two targets", 1.2));
   photographer.take_patient("patient_transport");
   ASSERT_TRUE(wait_until([&] {
-    const auto& task = windows.presenter().snapshot().task;
+    const auto& task = presenter.snapshot().task;
     return task.target_index == 1 && task.hold_fraction > 0.4;
   }));
   photographer.take_patient("patient_object");
@@ -141,24 +146,36 @@ void photograph(const QString& output) {
   QTest::qWait(100);
   const auto rate = windows.patient()->rate();
   std::printf("patient screen: %lld pictures, %.1f ms each\n", rate.pictures, rate.mean_s * 1e3);
-  therapist.press("stop");
-  therapist.finish_task();
-  therapist.press("zero");
+  ASSERT_TRUE(wait_until([&] { return presenter.zero_is_next(); }, 120));
   QTest::qWait(200);
-  photographer.take_therapist("therapist_confirm");
-  therapist.press("connect");
-  ASSERT_TRUE(wait_until([&] { return !windows.presenter().busy(); }));
+  photographer.take_both("hand_out");
+  therapist.set_zero();
+  ASSERT_TRUE(wait_until([&] { return presenter.guide().over(); }));
+  QTest::qWait(200);
+  photographer.take_both("over");
+  therapist.press("by_hand");
+  QTest::qWait(200);
+  photographer.take_therapist("therapist_by_hand");
+
+  windows.therapist().show_page(TherapistWindow::Page::reports);
+  auto& report = windows.clinic().report();
+  report.start("P-7M2H5", folder.path("report.pdf"));
+  ASSERT_TRUE(wait_until([&] { return !report.running(); }));
+  photographer.take_therapist("therapist_reports");
+  windows.therapist().show_page(TherapistWindow::Page::session);
+  therapist.disconnect();
 
   // A silent sensor: the trial waits and both screens say why.
   therapist.press("hand_right");
-  windows.presenter().choose_device("replay://" + write_recording_with_gap(folder));
+  therapist.press("screening_clear");
+  presenter.choose_device("replay://" + write_recording_with_gap(folder));
   therapist.press("connect");
   therapist.start_task();
-  ASSERT_TRUE(wait_until([&] { return windows.presenter().snapshot().stage == Stage::paused; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == Stage::paused; }));
   QTest::qWait(300);
   photographer.take_both("fault");
-  windows.presenter().end_session();
-  ASSERT_TRUE(wait_until([&] { return !windows.presenter().busy(); }));
+  presenter.end_session();
+  ASSERT_TRUE(wait_until([&] { return !presenter.busy(); }));
 }
 
 }  // namespace

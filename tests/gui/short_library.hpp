@@ -29,6 +29,15 @@ inline std::string make_short_library(const TemporaryFolder& folder, const char*
   return library;
 }
 
+/// Makes every rest in a protocol of that library one second long.
+inline void shorten_rests(const std::string& library, const char* protocol) {
+  const auto path = std::filesystem::path(library) / "protocols" / protocol;
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  std::ofstream(path) << std::regex_replace(text.str(), std::regex("rest_s = [0-9.]+"),
+                                            "rest_s = 1");
+}
+
 /// Writes 14 s of steady pressing at 100 Hz in which the thumb is silent from 5 s to 9 s.
 inline std::string write_recording_with_gap(const TemporaryFolder& folder) {
   std::ostringstream text;

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QLabel>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "operator.hpp"
 #include "short_library.hpp"
@@ -60,9 +61,9 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
 
   EXPECT_EQ(presenter.view().next(), Step::rest);
   operator_.run_task();
-  EXPECT_EQ(presenter.view().next(), Step::maximum);
+  EXPECT_EQ(presenter.view().next(), Step::work);
   operator_.run_task();
-  EXPECT_EQ(presenter.view().next(), Step::task);
+  EXPECT_EQ(presenter.view().next(), Step::work);
   operator_.start_task();
   QTest::qWait(2000);
   EXPECT_FALSE(presenter.live_score().empty()) << "the score is live";
@@ -76,7 +77,7 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   operator_.finish_task();
   EXPECT_FALSE(presenter.view().next().has_value()) << "every step is done";
   EXPECT_GT(operator_.find<QTableWidget>("score").rowCount(), 0);
-  ASSERT_TRUE(wait_until([&] { return operator_.find<QTableWidget>("history").rowCount() > 0; }));
+  ASSERT_TRUE(wait_until([&] { return windows_.clinic().history().size() > 0; }));
 
   operator_.choose_task(TaskKind::pose_targets);
   operator_.start_task();
@@ -104,9 +105,59 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   EXPECT_EQ(trials[3].status, TrialStatus::aborted);
   for (const auto& trial : trials) EXPECT_EQ(trial.dropped, 0);
 
-  operator_.press("connect");  // now Disconnect
-  ASSERT_TRUE(wait_until([&] { return !presenter.busy(); }));
+  operator_.disconnect();
   EXPECT_FALSE(presenter.hand().has_value()) << "asked anew in the next session";
+}
+
+TEST_F(WholeSession, AProtocolGoesOnByItselfUntilSomebodyHoldsIt) {
+  auto& presenter = windows_.presenter();
+  operator_.prepare_person();
+  const auto& protocols = presenter.protocols();
+  const auto found = std::find_if(protocols.begin(), protocols.end(), [](const auto& protocol) {
+    return protocol.spec.name == "Short demonstration";
+  });
+  ASSERT_NE(found, protocols.end());
+  presenter.choose_protocol(static_cast<int>(found - protocols.begin()));
+  operator_.press("connect");
+  operator_.set_zero();
+  EXPECT_EQ(presenter.guide().acts_done(), 1) << "the zero is the first act";
+  operator_.press("start");  // the resting force
+  ASSERT_TRUE(wait_until([&] { return presenter.view().may_stand_by; }));
+  EXPECT_NE(presenter.view().sentence.find("Next, in"), std::string::npos)
+      << presenter.view().sentence;
+  // Nobody presses: the maximum begins when its instruction has been read.
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().trial_number == 2; }));
+  operator_.press("helped");
+  ASSERT_TRUE(wait_until([&] { return presenter.view().may_stand_by; }));
+  operator_.press("pause");  // Hold
+  EXPECT_FALSE(presenter.guide().goes_on());
+  operator_.press("skip");
+  EXPECT_EQ(presenter.next_words(), "Two targets");
+  operator_.press("repeat");  // the maximum, beside the protocol
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().trial_number == 3; }));
+  ASSERT_TRUE(wait_until([&] { return !presenter.view().may_stop; }));
+  EXPECT_EQ(presenter.next_words(), "Two targets") << "where the protocol stood";
+  operator_.press("skip");
+  EXPECT_TRUE(presenter.guide().over());
+  EXPECT_TRUE(presenter.guide().rating_due());
+  operator_.press("effort_4");
+  operator_.press("pain_5");
+  EXPECT_NE(presenter.view().sentence.find("stop the work"), std::string::npos)
+      << presenter.view().sentence;
+  operator_.disconnect();
+
+  const auto trials = stored_trials();
+  ASSERT_EQ(trials.size(), 3U);
+  EXPECT_EQ(trials[1].place, (TrialPlace{2, 0}));
+  EXPECT_TRUE(trials[1].helped);
+  EXPECT_FALSE(trials[2].place.has_value());
+  EXPECT_FALSE(trials[2].helped);
+  auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::read_only);
+  const auto session = (*store)->recent_sessions(1)->front();
+  EXPECT_EQ(session.protocol_name, "Short demonstration");
+  EXPECT_EQ(session.allowed, "maximum");
+  EXPECT_EQ((*store)->answers(session.id)->size(), kCautionCount + 1);
+  EXPECT_EQ((*store)->ratings(session.id)->size(), 1U);
 }
 
 TEST_F(WholeSession, ZeroAndRestAreTwoActs) {
@@ -115,7 +166,8 @@ TEST_F(WholeSession, ZeroAndRestAreTwoActs) {
   EXPECT_TRUE(operator_.find<QAbstractButton>("zero_changed").isHidden());
   EXPECT_NE(presenter.view().sentence.find("Strap the hand in"), std::string::npos);
   operator_.press("strapped");
-  ASSERT_TRUE(wait_until([&] { return !presenter.view().may_start; }));
+  ASSERT_TRUE(wait_until([&] { return !presenter.view().may_start; }, 5))
+      << presenter.view().sentence << " / " << presenter.next_words();
   EXPECT_NE(presenter.view().sentence.find("settles"), std::string::npos)
       << presenter.view().sentence;
   operator_.set_zero();  // the hand is out again
@@ -128,13 +180,11 @@ TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
   if (QGuiApplication::platformName() != "xcb") GTEST_SKIP() << "needs a display";
   windows_.show_patient_screen();
   auto& presenter = windows_.presenter();
-  operator_.press("add_patient");
-  ASSERT_TRUE(wait_until([&] { return !presenter.patient().empty(); }));
-  operator_.press("hand_right");
+  operator_.prepare_person();
   presenter.choose_device("replay://" + write_recording_with_gap(folder_));
   operator_.press("connect");
   ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
-  EXPECT_EQ(presenter.view().next(), Step::task) << "a recording needs no zero, rest or maximum";
+  EXPECT_EQ(presenter.view().next(), Step::work) << "a recording needs no zero, rest or maximum";
   operator_.start_task();
   ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == Stage::paused; }));
   QTest::qWait(100);
@@ -146,9 +196,7 @@ TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
 
 TEST_F(WholeSession, AZeroWithLostSamplesIsRefusedInWords) {
   auto& presenter = windows_.presenter();
-  operator_.press("add_patient");
-  ASSERT_TRUE(wait_until([&] { return !presenter.patient().empty(); }));
-  operator_.press("hand_right");
+  operator_.prepare_person();
   presenter.choose_device("sim://healthy?seed=7&drop=0.25");
   operator_.press("connect");
   operator_.press("zero");

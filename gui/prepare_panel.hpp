@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The left column of a session: its steps in order, the next one open.
+#pragma once
+
+#include <QPushButton>
+#include <QWidget>
+#include <array>
+#include <functional>
+
+#include "gui/section.hpp"
+#include "gui/session_presenter.hpp"
+
+namespace isograsp {
+
+class PreparePanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PreparePanel(SessionPresenter& presenter, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void other_patient();  ///< the therapist wants to choose one
+
+ private:
+  [[nodiscard]] QWidget* make_patient();
+  [[nodiscard]] QWidget* make_hand();
+  [[nodiscard]] QString summary_of(Step step) const;
+  void refresh();
+
+  SessionPresenter& presenter_;
+  QPushButton* patients_;
+  QPushButton* left_;
+  QPushButton* right_;
+  std::array<Section*, kStepCount> sections_{};
+  bool zero_again_ = false;     ///< the protocol asks for another zero
+  bool earlier_asked_ = false;  ///< an interrupted protocol waits for a decision
+};
+
+}  // namespace isograsp

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/run_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <algorithm>
+#include <optional>
+
+#include "gui/look.hpp"
+#include "gui/task_groups.hpp"
+
+namespace isograsp {
+
+RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
+    : Card({}, parent), presenter_(presenter) {
+  title_->setText(tr("Now"));
+  follow_ = new QPushButton(tr("Prot&ocol"));
+  follow_->setObjectName("follow_protocol");
+  follow_->setCheckable(true);
+  describe(*follow_, tr("Follow the protocol"), tr("The protocol says what comes (Alt+O)"));
+  by_hand_ = new QPushButton(tr("One &task"));
+  by_hand_->setObjectName("by_hand");
+  by_hand_->setCheckable(true);
+  describe(*by_hand_, tr("Choose one task"),
+           tr("Choose a task yourself; the protocol waits meanwhile (Alt+T)"));
+  auto* mode = new QHBoxLayout;
+  mode->setSpacing(6);
+  mode->addWidget(follow_);
+  mode->addWidget(by_hand_);
+  list_ = new QListWidget;
+  list_->setObjectName("tasks");
+  describe(*list_, tr("Tasks"), tr("Choose what the patient will do (Alt+T, then arrow keys)"));
+  fill_list();
+  next_ = new QLabel;
+  next_->setObjectName("next_task");
+  next_->setProperty("role", "title");
+  next_->setWordWrap(true);
+  instruction_ = new QLabel;
+  instruction_->setObjectName("instruction");
+  instruction_->setProperty("role", "quiet");
+  instruction_->setWordWrap(true);
+  instruction_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  practice_ = new QCheckBox(tr("Practice, not an assess&ment"));
+  practice_->setObjectName("practice");
+  describe(*practice_, tr("Practice trial"),
+           tr("A practice trial is recorded but counts for no assessment (Alt+M)"));
+  by_itself_ = new QCheckBox(tr("Goes on by itsel&f"));
+  by_itself_->setObjectName("by_itself");
+  describe(*by_itself_, tr("The protocol goes on by itself"),
+           tr("After a rest the next trial begins without a press; F9 holds it (Alt+F)"));
+  show_how_ = new QPushButton;
+  show_how_->setObjectName("show_how");
+  start_ = new QPushButton(tr("&Start"));
+  start_->setObjectName("start");
+  start_->setMinimumHeight(38);
+  pause_ = new QPushButton;
+  pause_->setObjectName("pause");
+  pause_->setMinimumHeight(32);
+  stop_ = new QPushButton(tr("Stop"));
+  stop_->setObjectName("stop");
+  stop_->setMinimumHeight(44);
+  describe(*stop_, tr("Stop the trial"), tr("End the trial now; it is kept and marked (F10)"));
+  progress_ = new QProgressBar;
+  progress_->setRange(0, 1000);
+  describe(*progress_, tr("Progress of the trial"), tr("How much of the trial is over"));
+  hint_ = new QLabel;
+  hint_->setObjectName("start_hint");
+  hint_->setProperty("role", "quiet");
+  hint_->setWordWrap(true);
+
+  column_->addLayout(mode);
+  column_->addWidget(list_, 1);
+  column_->addWidget(next_);
+  column_->addWidget(instruction_);
+  column_->addWidget(practice_);
+  column_->addWidget(by_itself_);
+  column_->addWidget(show_how_);
+  column_->addWidget(start_);
+  column_->addWidget(pause_);
+  column_->addWidget(stop_);
+  column_->addWidget(progress_);
+  column_->addWidget(hint_);
+  make_between();
+
+  connect(follow_, &QPushButton::clicked, &presenter_, [this] {
+    presenter_.follow_protocol();
+    refresh();
+  });
+  connect(by_hand_, &QPushButton::clicked, &presenter_, [this] {
+    presenter_.choose_by_hand();
+    refresh();
+    list_->setFocus();
+  });
+  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (item != nullptr && item->data(Qt::UserRole).isValid())
+      presenter_.choose_task(item->data(Qt::UserRole).toInt());
+  });
+  connect(practice_, &QCheckBox::toggled, &presenter_, &SessionPresenter::set_practice);
+  connect(by_itself_, &QCheckBox::toggled, &presenter_, &SessionPresenter::set_by_itself);
+  connect(show_how_, &QPushButton::clicked, &presenter_, &SessionPresenter::show_how);
+  connect(start_, &QPushButton::clicked, &presenter_, &SessionPresenter::start);
+  connect(pause_, &QPushButton::clicked, &presenter_, [this] {
+    const auto& view = presenter_.view();
+    if (view.may_pause)
+      presenter_.pause();
+    else if (view.may_resume)
+      presenter_.resume();
+    else
+      presenter_.stand_by();
+  });
+  connect(stop_, &QPushButton::clicked, &presenter_, &SessionPresenter::stop);
+  connect(&presenter_, &SessionPresenter::changed, this, &RunPanel::refresh);
+  connect(&presenter_, &SessionPresenter::frame, this, &RunPanel::refresh_progress);
+  refresh();
+  refresh_progress();
+}
+
+/// What a therapist does between two trials: difficulty, repeat, skip, helped, a note.
+void RunPanel::make_between() {
+  const auto make = [](const QString& text, const char* name, const QString& full,
+                       const QString& tip) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QLatin1String(name));
+    describe(*button, full, tip);
+    return button;
+  };
+  easier_ = make(tr("Easier"), "easier", tr("Make the task easier"),
+                 tr("The next trial is one step easier (Ctrl+Minus)"));
+  harder_ = make(tr("Harder"), "harder", tr("Make the task harder"),
+                 tr("The next trial is one step harder (Ctrl+Plus)"));
+  level_ = new QLabel;
+  level_->setObjectName("level");
+  level_->setAlignment(Qt::AlignCenter);
+  repeat_ = make(tr("Repeat"), "repeat", tr("Repeat the last trial"),
+                 tr("The last trial once more, beside the protocol (Ctrl+Shift+R)"));
+  skip_ = make(tr("Skip"), "skip", tr("Skip the next step of the protocol"),
+               tr("The next task is not asked for; this is noted (Ctrl+K)"));
+  helped_ = make(tr("&Helped"), "helped", tr("The therapist helps or helped in this trial"),
+                 tr("Such a trial is kept but counts for no assessment (Alt+H)"));
+  helped_->setCheckable(true);
+  note_ = new QLineEdit;
+  note_->setObjectName("note");
+  note_->setPlaceholderText(tr("Note, then Enter"));
+  note_->setMaxLength(500);
+  describe(*note_, tr("Note at this moment"),
+           tr("A remark at this moment, kept with the session (Ctrl+N); Ctrl+M: a mark only"));
+  auto* levels = new QHBoxLayout;
+  levels->setSpacing(6);
+  levels->addWidget(easier_);
+  levels->addWidget(level_, 1);
+  levels->addWidget(harder_);
+  auto* trials = new QHBoxLayout;
+  trials->setSpacing(6);
+  trials->addWidget(repeat_);
+  trials->addWidget(skip_);
+  trials->addWidget(helped_);
+  column_->addLayout(levels);
+  column_->addLayout(trials);
+  column_->addWidget(note_);
+  column_->addStretch(0);
+  connect(easier_, &QPushButton::clicked, this, [this] { presenter_.adjust_difficulty(-1); });
+  connect(harder_, &QPushButton::clicked, this, [this] { presenter_.adjust_difficulty(+1); });
+  connect(repeat_, &QPushButton::clicked, &presenter_, &SessionPresenter::repeat);
+  connect(skip_, &QPushButton::clicked, &presenter_, &SessionPresenter::skip);
+  connect(helped_, &QPushButton::clicked, &presenter_, [this] {
+    presenter_.toggle_helped();
+    refresh();
+  });
+  connect(note_, &QLineEdit::returnPressed, this, [this] {
+    presenter_.note(note_->text().trimmed().toStdString());
+    note_->clear();
+  });
+}
+
+void RunPanel::fill_list() {
+  constexpr int kRow_px = 24;
+  constexpr int kMostRows = 7;
+  std::optional<TaskGroup> group;
+  const auto& tasks = presenter_.tasks();
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (group != group_of(tasks[i])) {
+      group = group_of(tasks[i]);
+      const auto title = title_of(*group);
+      auto* heading = new QListWidgetItem(
+          QString::fromUtf8(title.data(), static_cast<int>(title.size())), list_);
+      QFont font = list_->font();
+      font.setBold(true);
+      heading->setFont(font);
+      heading->setForeground(look::kQuietText);
+      heading->setFlags(Qt::NoItemFlags);  // keys and clicks pass over it
+      heading->setSizeHint({0, kRow_px});
+    }
+    auto* item =
+        new QListWidgetItem(QStringLiteral("   ") + QString::fromStdString(tasks[i].name), list_);
+    item->setData(Qt::UserRole, static_cast<int>(i));
+    item->setData(Qt::AccessibleTextRole, QString::fromStdString(tasks[i].name));
+    item->setSizeHint({0, kRow_px});
+  }
+  list_->setFixedHeight(kRow_px * std::clamp(list_->count(), 3, kMostRows) + 6);
+}
+
+void RunPanel::refresh() {
+  const auto& view = presenter_.view();
+  refresh_choice();
+  const auto* spec = presenter_.next_task();
+  next_->setText(QString::fromStdString(presenter_.next_words()));
+  next_->setVisible(!next_->text().isEmpty());
+  instruction_->setText(spec == nullptr ? QString() : QString::fromStdString(spec->instruction));
+  instruction_->setVisible(!instruction_->text().isEmpty());
+  show_how_->setText(presenter_.showing_how() ? tr("Stop sho&wing") : tr("Show the patient ho&w"));
+  describe(*show_how_, show_how_->text().remove(QLatin1Char('&')),
+           tr("The patient's screen shows how a healthy hand does this task (F7, Alt+W)"));
+  show_how_->setEnabled(view.may_show_how || presenter_.showing_how());
+  describe(*start_, tr("Start: %1").arg(next_->text()), tr("Begin (F8, Alt+S)"));
+  start_->setEnabled(view.may_start);
+  mark_next(*start_, view.may_start && (!presenter_.follows() || !presenter_.guide().goes_on()));
+  const bool between = view.may_stand_by;
+  pause_->setText(view.may_resume ? tr("R&esume")
+                  : between       ? tr("Hold: do not start")
+                                  : tr("Paus&e"));
+  describe(*pause_,
+           view.may_resume ? tr("Resume the trial")
+           : between       ? tr("Hold: nothing begins by itself")
+                           : tr("Pause the trial"),
+           tr("The trial stands still until it is resumed; between trials nothing begins (F9)"));
+  pause_->setEnabled(view.may_pause || view.may_resume || between);
+  mark_next(*pause_, view.may_resume);
+  stop_->setEnabled(view.may_stop);
+  hint_->setText(QString::fromStdString(view.may_stop ? "" : view.start_hint));
+  hint_->setVisible(!hint_->text().isEmpty());
+  refresh_between();
+}
+
+void RunPanel::refresh_choice() {
+  const auto& view = presenter_.view();
+  const bool protocol = presenter_.guide().active();
+  const bool follows = presenter_.follows();
+  follow_->setVisible(protocol);
+  by_hand_->setVisible(protocol);
+  follow_->setChecked(follows);
+  by_hand_->setChecked(!follows);
+  follow_->setEnabled(view.may_choose_task);
+  by_hand_->setEnabled(view.may_choose_task);
+  // Before a session the protocol is what will come; tasks are listed only where one is chosen.
+  const bool listed = !follows && (protocol || presenter_.session_open() ||
+                                   presenter_.protocol() == SessionPresenter::kByHand);
+  list_->setVisible(listed);
+  practice_->setVisible(listed);
+  by_itself_->setVisible(!listed);
+  {
+    const QSignalBlocker quiet(by_itself_);
+    by_itself_->setChecked(presenter_.by_itself());
+  }
+  const int task = presenter_.task();
+  const QSignalBlocker quiet(list_);
+  for (int row = 0; row < list_->count(); ++row) {
+    const auto number = list_->item(row)->data(Qt::UserRole);
+    if (number.isValid() && number.toInt() == task && list_->currentRow() != row)
+      list_->setCurrentRow(row);
+  }
+  list_->setEnabled(view.may_choose_task);
+  practice_->setEnabled(view.may_choose_task);
+}
+
+void RunPanel::refresh_between() {
+  const auto& view = presenter_.view();
+  const auto level = presenter_.difficulty();
+  const bool idle = view.may_choose_task && presenter_.session_open();
+  easier_->setVisible(level.has_value());
+  harder_->setVisible(level.has_value());
+  level_->setVisible(level.has_value());
+  if (level) {
+    easier_->setEnabled(idle && *level > 0.0);
+    harder_->setEnabled(idle && *level < 1.0);
+    level_->setText(tr("Difficulty %1 %").arg(100.0 * *level, 0, 'f', 0));
+  }
+  repeat_->setEnabled(presenter_.may_repeat());
+  skip_->setVisible(presenter_.follows());
+  skip_->setEnabled(view.may_skip);
+  helped_->setEnabled(presenter_.may_help());
+  helped_->setChecked(presenter_.helped());
+  note_->setEnabled(presenter_.session_open());
+}
+
+void RunPanel::refresh_progress() {
+  const auto picture = presenter_.picture();
+  progress_->setValue(picture.progress_shown ? static_cast<int>(1000.0 * picture.progress) : 0);
+}
+
+RatingPanel::RatingPanel(SessionPresenter& presenter, QWidget* parent)
+    : Card(tr("The patient says"), parent), presenter_(presenter) {
+  effort_ = new ScoreRow("effort", tr("Effort"));
+  pain_ = new ScoreRow("pain", tr("Pain"));
+  remark_ = new QLabel;
+  remark_->setObjectName("rating_remark");
+  remark_->setProperty("role", "quiet");
+  remark_->setWordWrap(true);
+  const auto add = [&](const QString& words, ScoreRow* row) {
+    auto* line = new QHBoxLayout;
+    auto* label = new QLabel(words);
+    label->setFixedWidth(46);
+    line->addWidget(label);
+    line->addWidget(row, 1);
+    column_->addLayout(line);
+  };
+  add(tr("Effort"), effort_);
+  add(tr("Pain"), pain_);
+  column_->addWidget(remark_);
+  connect(effort_, &ScoreRow::chosen, &presenter_, &SessionPresenter::rate_effort);
+  connect(pain_, &ScoreRow::chosen, &presenter_, &SessionPresenter::rate_pain);
+  connect(&presenter_, &SessionPresenter::changed, this, &RatingPanel::refresh);
+  refresh();
+}
+
+void RatingPanel::refresh() {
+  const bool due = presenter_.guide().rating_due();
+  const bool possible = presenter_.session_open() && presenter_.last_trial().has_value();
+  setVisible(possible);
+  effort_->show_value(presenter_.effort());
+  pain_->show_value(presenter_.pain());
+  remark_->setText(due ? tr("0: none, 10: the most. Asked after every block.") : QString());
+  remark_->setVisible(due);
+  if (property("due").toBool() != due) {
+    setProperty("due", due);
+    style()->unpolish(this);
+    style()->polish(this);
+  }
+}
+
+}  // namespace isograsp

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The presenter's part that follows a protocol, and what a therapist does between its trials.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "gui/session_presenter.hpp"
+
+namespace isograsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Act = ProtocolWalk::Act;
+
+/// The protocol that is proposed; any other is one choice away.
+constexpr const char* kUsualProtocol = "battery";
+/// One press on "easier" or "harder", of the whole range of levels.
+constexpr double kLevelStep = 0.1;
+
+bool starts_with(const std::string& text, const char* beginning) {
+  return text.rfind(beginning, 0) == 0;
+}
+
+/// As far as the work of an earlier session is looked for by it.
+SessionRecord session_to_come(RowId patient, Hand hand, const std::string& device_uri,
+                              const ProtocolSpec& protocol) {
+  SessionRecord session;
+  session.patient_id = patient;
+  session.hand = hand;
+  session.simulated = starts_with(device_uri, "sim://");
+  session.started_utc = utc_text(std::time(nullptr));
+  session.protocol_name = protocol.name;
+  session.protocol_text = protocol.text;
+  return session;
+}
+
+}  // namespace
+
+void SessionPresenter::load_protocols() {
+  std::vector<std::string> files;
+  std::error_code unreadable;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(config_.library) / "protocols", unreadable))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) {
+    auto protocol = read_protocol(file, config_.library);
+    if (!protocol) {
+      library_problems_.push_back(protocol.error().message());
+      continue;
+    }
+    if (fs::path(file).stem() == kUsualProtocol) protocol_ = static_cast<int>(protocols_.size());
+    protocols_.push_back(*std::move(protocol));
+  }
+}
+
+void SessionPresenter::choose_protocol(int index) {
+  if (connection_ != Connection::none || index == protocol_) return;
+  protocol_ = index;
+  look_for_earlier();
+  update();
+}
+
+void SessionPresenter::answer_screening(const Screening& answers) {
+  if (connection_ != Connection::none || answers == screening_) return;
+  screening_ = answers;
+  update();
+}
+
+/// Asks the database whether the chosen protocol was interrupted today.
+void SessionPresenter::look_for_earlier() {
+  const int lookup = ++lookups_;
+  earlier_.reset();
+  resume_.reset();
+  if (!clinic_.is_open() || patient_.empty() || !hand_ || device_uri_.empty()) return;
+  if (protocol_ == kByHand || starts_with(device_uri_, "replay://")) return;
+  clinic_.ask(
+      [code = patient_, hand = *hand_, uri = device_uri_,
+       protocol = protocols_[static_cast<std::size_t>(protocol_)]](
+          SessionStore& store) -> std::optional<int> {
+        const auto patient = store.find_patient(code);
+        if (!patient || !*patient) return std::nullopt;
+        const auto session = session_to_come((*patient)->id, hand, uri, protocol.spec);
+        const auto work = read_earlier_work(store, session);
+        if (!work) return std::nullopt;  // nothing to resume
+        const ProtocolWalk walk(protocol, *work, order_seed(session, *work));
+        return walk.acts_done() > 0 ? std::optional(walk.acts_done()) : std::nullopt;
+      },
+      [this, lookup](std::optional<int> acts) {
+        if (lookup != lookups_) return;  // something else was chosen meanwhile
+        earlier_ = acts;
+        update();
+      });
+}
+
+void SessionPresenter::decide_earlier(bool go_on) {
+  if (!earlier_ || connection_ != Connection::none) return;
+  resume_ = go_on;
+  update();
+}
+
+void SessionPresenter::begin_protocol() {
+  by_hand_ = false;
+  if (protocol_ != kByHand && !recorded())
+    guide_.begin(protocols_[static_cast<std::size_t>(protocol_)], session_->earlier(),
+                 session_->order_seed());
+  look_at_act();
+}
+
+/// The task of the act at its level, once per act.
+void SessionPresenter::look_at_act() {
+  act_task_.reset();
+  if (const auto& act = guide_.act(); act && act->kind == Act::Kind::trial) {
+    auto spec = task_of(*act, session_->training());
+    if (spec && act->adaptive) spec = at_chosen_level(*spec);
+    if (spec)
+      act_task_ = *std::move(spec);
+    else
+      refuse(spec.error());
+  }
+  look_at_task();
+}
+
+ProtocolFacts SessionPresenter::protocol_facts() const {
+  ProtocolFacts facts;
+  facts.active = true;
+  facts.goes_on = guide_.goes_on();
+  const auto& act = guide_.act();
+  if (!act) return facts;
+  switch (act->kind) {
+    case Act::Kind::instrument_zero: facts.act = ProtocolFacts::Act::zero; break;
+    case Act::Kind::pause: facts.act = ProtocolFacts::Act::pause; break;
+    case Act::Kind::trial: facts.act = ProtocolFacts::Act::trial; break;
+  }
+  facts.act_words = act->words();
+  facts.wait_s = static_cast<int>(std::ceil(guide_.wait_s(session_time_s())));
+  facts.start_in_s = static_cast<int>(std::ceil(guide_.start_in_s(session_time_s())));
+  return facts;
+}
+
+/// Pauses end, and what begins by itself begins.
+void SessionPresenter::follow_time() {
+  if (session_ == nullptr || !follows()) return;
+  const auto before = guide_.act();
+  guide_.tick(session_time_s());
+  if (before.has_value() != guide_.act().has_value() ||
+      (before && before->step != guide_.act()->step))
+    look_at_act();
+  if (!guide_.goes_on() || !act_task_) return;
+  view_ = decide(facts());
+  // Without the word that the hand is in, nothing is measured as its rest.
+  const bool hand_is_in = !guide_.rest_is_next() || strapped_;
+  if (view_.may_begin && hand_is_in && guide_.start_in_s(session_time_s()) <= 0.0) begin_next();
+}
+
+void SessionPresenter::leave_out(const Error& why) {
+  const auto words = guide_.act()->task->name + ": " + why.what + "; " + why.remedy;
+  session_->note("Left out: " + words);
+  Q_EMIT failed(tr("Left out: %1").arg(QString::fromStdString(words)));
+  guide_.skip(session_time_s());
+  look_at_act();
+  update();
+}
+
+void SessionPresenter::choose_by_hand() {
+  if (!guide_.active() || by_hand_ || !view_.may_choose_task) return;
+  example_.stop();
+  guide_.go_on(false);
+  by_hand_ = true;
+  look_at_task();
+  update();
+}
+
+std::string SessionPresenter::next_words() const {
+  if (follows()) return guide_.act() ? guide_.act()->words() : std::string();
+  const auto* spec = next_task();
+  return spec == nullptr ? std::string() : spec->name;
+}
+
+void SessionPresenter::follow_protocol() {
+  if (!guide_.active() || !by_hand_ || !view_.may_choose_task) return;
+  example_.stop();
+  by_hand_ = false;
+  look_at_act();
+  update();
+}
+
+void SessionPresenter::stand_by() {
+  if (!view_.may_stand_by) return;
+  guide_.go_on(false);
+  update();
+}
+
+void SessionPresenter::set_by_itself(bool by_itself) {
+  by_itself_ = by_itself;
+  if (!by_itself) guide_.go_on(false);
+  update();
+}
+
+void SessionPresenter::skip() {
+  if (!view_.may_skip) return;
+  example_.stop();
+  session_->note("Left out: " + guide_.act()->words() + ": skipped by the therapist");
+  guide_.skip(session_time_s());
+  look_at_act();
+  update();
+}
+
+bool SessionPresenter::may_repeat() const noexcept {
+  return last_task_ && view_.may_choose_task && session_ != nullptr &&
+         view_.device_mood != Mood::fault && snapshot_.stage == Stage::idle;
+}
+
+void SessionPresenter::repeat() {
+  if (!may_repeat()) return;
+  guide_.go_on(false);
+  const auto spec = *last_task_;
+  if (auto begun = begin_trial(spec, last_practice_, std::nullopt); !begun) refuse(begun.error());
+}
+
+std::optional<double> SessionPresenter::difficulty() const {
+  const auto* spec = next_task();
+  if (spec == nullptr || !spec->difficulty) return std::nullopt;
+  // An assessment is the same every time; only training becomes easier or harder.
+  if (follows() && !guide_.act()->adaptive) return std::nullopt;
+  if (const auto chosen = levels_.find(spec->file); chosen != levels_.end()) return chosen->second;
+  if (follows()) return spec->difficulty->chosen;
+  return session_ == nullptr ? spec->difficulty->start : session_->training().level(*spec);
+}
+
+Result<TaskSpec> SessionPresenter::at_chosen_level(const TaskSpec& spec) const {
+  const auto chosen = levels_.find(spec.file);
+  if (chosen == levels_.end() || !spec.difficulty) return spec;
+  return at_level(spec, chosen->second);
+}
+
+void SessionPresenter::adjust_difficulty(int direction) {
+  const auto now = difficulty();
+  if (!now || !view_.may_choose_task) return;
+  const double steps = std::round(*now / kLevelStep) + direction;
+  levels_[next_task()->file] = std::clamp(kLevelStep * steps, 0.0, 1.0);
+  if (follows()) look_at_act();
+  update();
+}
+
+bool SessionPresenter::may_help() const noexcept {
+  return session_ != nullptr && (view_.may_stop || (last_trial_ && !starting_));
+}
+
+void SessionPresenter::toggle_helped() {
+  if (!may_help()) return;
+  helped_ = !helped_;
+  session_->mark_helped(helped_);
+  clinic_.load_history(patient_);
+  update();
+}
+
+void SessionPresenter::rate_effort(int effort) {
+  effort_ = effort;
+  store_rating();
+}
+
+void SessionPresenter::rate_pain(int pain) {
+  pain_ = pain;
+  store_rating();
+}
+
+void SessionPresenter::store_rating() {
+  if (session_ != nullptr && effort_ && pain_) {
+    stop_reason_ = session_->rate(*effort_, *pain_).value_or("");
+    if (!stop_reason_.empty()) guide_.go_on(false);
+    guide_.rated();
+    effort_.reset();
+    pain_.reset();
+  }
+  update();
+}
+
+}  // namespace isograsp

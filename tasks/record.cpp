@@ -10,9 +10,8 @@
 namespace isograsp {
 
 std::vector<double> Section::values(std::span<const double> column) const {
-  std::vector<double> chosen;
-  chosen.reserve(rows.size());
-  for (const std::size_t row : rows) chosen.push_back(column[row]);
+  std::vector<double> chosen(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) chosen[k] = column[rows[k]];
   return chosen;
 }
 
@@ -64,33 +63,29 @@ Section Record::select(std::initializer_list<Phase> phases,
 Section Record::select(std::size_t first, std::size_t last, std::initializer_list<Phase> phases,
                        std::initializer_list<std::string_view> columns, TimeAxis axis) const {
   Section section;
-  std::vector<std::span<const double>> needed;
+  std::vector<char> usable(last - first);
+  for (std::size_t row = first; row < last; ++row) usable[row - first] = counts(row);
   for (const auto name : columns) {
     if (!signals_.has(name)) {
       section.reason = "the column " + std::string(name) + " is missing";
       return section;
     }
-    needed.push_back(signals_.column(name));
+    const auto column = signals_.column(name);
+    for (std::size_t row = first; row < last; ++row)
+      usable[row - first] &= static_cast<char>(!std::isnan(column[row]));
   }
-  const auto t_s = signals_.column("t_s");
   section.rows.reserve(last - first);
-  section.t_s.reserve(last - first);
-  section.weight_s.reserve(last - first);
   for (std::size_t row = first; row < last; ++row) {
     const bool in_scope = phases.size() == 0 || paused(row) ||
                           std::find(phases.begin(), phases.end(), phase_[row]) != phases.end();
     if (!in_scope) continue;
-    const bool complete =
-        std::none_of(needed.begin(), needed.end(),
-                     [row](std::span<const double> column) { return std::isnan(column[row]); });
-    if (!counts(row) || !complete) {
+    if (usable[row - first])
+      section.rows.push_back(row);
+    else
       ++section.excluded;
-      continue;
-    }
-    section.rows.push_back(row);
-    section.t_s.push_back(axis == TimeAxis::task ? task_time_s_[row] : t_s[row]);
-    section.weight_s.push_back(hold_s_[row]);
   }
+  section.t_s = section.values(axis == TimeAxis::task ? task_time_s_ : signals_.column("t_s"));
+  section.weight_s = section.values(hold_s_);
   return section;
 }
 

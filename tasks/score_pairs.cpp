@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Default measures without a task: every target_X with its actual_X, whole record
 // (docs/measures.md).
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "tasks/measures/delay.hpp"
@@ -44,7 +46,11 @@ void score_pair(const Record& record, const std::string& quantity_column,
     measures.push_back(make_measure(name, quantity.channel, unit, both, computed));
   };
   // Two measures know no target: a row counts wherever the actual value does.
-  const Section alone = record.select({}, {actual_column}, Record::TimeAxis::record);
+  const auto target_values = record.signals().column(target_column);
+  const bool target_has_gaps = std::any_of(target_values.begin(), target_values.end(),
+                                           [](double value) { return std::isnan(value); });
+  const Section alone =
+      target_has_gaps ? record.select({}, {actual_column}, Record::TimeAxis::record) : both;
   const auto all_actual = alone.values(record.signals().column(actual_column));
   const auto add_alone = [&](const char* name, const std::string& unit, const Computed& computed) {
     measures.push_back(make_measure(name, quantity.channel, unit, alone, computed));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 #include <boost/sort/pdqsort/pdqsort.hpp>
 
@@ -86,17 +85,23 @@ struct Range {
 /// order of differences, so the range is exactly what comparing with every sample would give.
 struct Ranking {
   Ranking(std::span<const double> x, double r) : sample(x.size()), rank(x.size()), near(x.size()) {
-    std::iota(sample.begin(), sample.end(), Number{0});
-    boost::sort::pdqsort_branchless(sample.begin(), sample.end(),
-                                    [&](Number a, Number b) { return x[a] < x[b]; });
-    std::vector<double> sorted(x.size());
-    for (Number k = 0; k < x.size(); ++k) sorted[k] = x[sample[k]];
+    struct Numbered {
+      double value;
+      Number sample;
+    };
+    std::vector<Numbered> sorted(x.size());
+    for (Number j = 0; j < x.size(); ++j) sorted[j] = {x[j], j};
+    boost::sort::pdqsort_branchless(
+        sorted.begin(), sorted.end(),
+        [](const Numbered& a, const Numbered& b) { return a.value < b.value; });
     Range range;
     for (Number k = 0; k < x.size(); ++k) {
-      rank[sample[k]] = k;
-      while (sorted[k] - sorted[range.low] > r) ++range.low;
-      while (range.high < x.size() && sorted[range.high] - sorted[k] <= r) ++range.high;
-      near[sample[k]] = range;
+      const auto [value, j] = sorted[k];
+      sample[k] = j;
+      rank[j] = k;
+      while (value - sorted[range.low].value > r) ++range.low;
+      while (range.high < x.size() && sorted[range.high].value - value <= r) ++range.high;
+      near[j] = range;
     }
   }
   std::vector<Number> sample;  ///< by rank

@@ -5,7 +5,9 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -16,6 +18,13 @@
 #include "storage/session_store.hpp"
 
 namespace isograsp {
+
+/// What is known of a person beside the sessions.
+struct PatientFile {
+  PatientProfile profile;
+  std::vector<TreatmentMark> marks;   ///< by date
+  std::vector<ClinicalScore> scores;  ///< by date
+};
 
 class Clinic final : public QObject {
   Q_OBJECT
@@ -35,6 +44,16 @@ class Clinic final : public QObject {
     worker_.run([store = store_, question = std::move(question)] { return question(**store); },
                 std::move(answer));
   }
+  // What is known of a person. The answer is profile_changed(), or profile_failed() and failed():
+  // then nothing of it is stored. `then` hears before the signals whether it is.
+  using Stored = std::function<void(bool)>;
+  /// Until the answer comes, the file of another patient is absent. No code: of nobody.
+  void load_profile(const std::string& code);
+  void save_profile(const std::string& code, const PatientProfile& profile, Stored then = {});
+  void add_treatment_mark(const std::string& code, const TreatmentMark& mark, Stored then = {});
+  void remove_treatment_mark(const std::string& code, RowId id, Stored then = {});
+  void add_clinical_score(const std::string& code, const ClinicalScore& score, Stored then = {});
+  void remove_clinical_score(const std::string& code, RowId id, Stored then = {});
   [[nodiscard]] ReportWork& report() noexcept { return report_; }
 
   [[nodiscard]] bool is_open() const noexcept { return open_; }
@@ -42,6 +61,9 @@ class Clinic final : public QObject {
   [[nodiscard]] const std::vector<PatientRecord>& patients() const noexcept { return patients_; }
   /// Of the patient whose history was asked for last.
   [[nodiscard]] const std::vector<HistorySeries>& history() const noexcept { return history_; }
+  /// Of the patient whose profile was loaded last; nothing: not read yet.
+  [[nodiscard]] const std::optional<PatientFile>& file() const noexcept { return file_; }
+  [[nodiscard]] const std::string& file_of() const noexcept { return file_of_; }
   [[nodiscard]] bool history_loading() const noexcept { return loads_under_way_ > 0; }
 
  Q_SIGNALS:
@@ -50,15 +72,23 @@ class Clinic final : public QObject {
   void patients_changed();
   void patient_added(const QString& code);
   void history_changed();
+  void profile_changed();
+  /// Of the patient of that code: not read or not stored.
+  void profile_failed(const QString& code, const QString& why);
   void failed(const QString& why);
 
  private:
+  template <class Change>
+  void change_file(const std::string& code, Change change, Stored then);
+
   std::string database_;
   bool open_ = false;
   std::vector<PatientRecord> patients_;
   std::string history_of_;  ///< code
   std::vector<HistorySeries> history_;
   int loads_under_way_ = 0;
+  std::string file_of_;  ///< code
+  std::optional<PatientFile> file_;
   std::mt19937_64 entropy_;
   std::shared_ptr<std::unique_ptr<SessionStore>> store_;  ///< used by the worker only
   ReportWork report_;

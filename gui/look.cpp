@@ -20,6 +20,7 @@ QFrame#header { background: #FFFFFF; border: none; border-bottom: 1px solid #D5D
 QLabel { background: transparent; color: #1B2733; }
 QLabel[role="title"] { font-weight: bold; color: #1B2733; }
 QLabel[role="quiet"] { color: #52606D; }
+QLabel[role="problem"] { color: #B3261E; }
 QLabel#wordmark { font-weight: bold; font-size: 15pt; color: #0B5CAD; }
 QLabel#sentence { font-size: 13pt; }
 QLabel#simulated { background: #1B2733; color: #FFFFFF; font-weight: bold; border-radius: 4px;
@@ -63,10 +64,12 @@ QPushButton[next="true"]:enabled:hover { background: #094C90; }
 QPushButton[next="true"]:enabled:focus { border: 2px solid #062F59; }
 QPushButton#stop:enabled { color: #B3261E; border-color: #B3261E; font-weight: bold; }
 QPushButton#stop:enabled:hover { background: #FCEEED; }
-QLineEdit, QComboBox, QSpinBox { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
+QLineEdit, QComboBox, QSpinBox, QPlainTextEdit { background: #FFFFFF; border: 1px solid #A9B4C0;
   border-radius: 6px; padding: 5px 8px; min-height: 18px; selection-background-color: #0B5CAD; }
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus { border: 2px solid #0B5CAD; padding: 4px 7px; }
-QComboBox:disabled, QLineEdit:disabled { color: #7B8794; background: #F3F5F8;
+QPlainTextEdit { padding: 3px 4px; }
+QPlainTextEdit:focus { border: 2px solid #0B5CAD; padding: 2px 3px; }
+QComboBox:disabled, QLineEdit:disabled, QPlainTextEdit:disabled { color: #7B8794; background: #F3F5F8;
   border-color: #DDE3EA; }
 QComboBox::drop-down { border: none; width: 22px; }
 QComboBox QAbstractItemView { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
@@ -80,7 +83,7 @@ QListWidget::item:hover { background: #F4F9FE; }
 QListWidget::item:selected { background: #E1EEFA; color: #0A2E52; font-weight: bold; }
 QListWidget:disabled { color: #7B8794; }
 QListWidget::item:selected:disabled { background: #EBEFF3; color: #3E4C59; }
-QTableWidget::item { padding: 3px 6px; }
+QTableWidget::item { padding: 3px 6px; border: none; }
 QTableWidget::item:selected { background: #E1EEFA; color: #1B2733; }
 QHeaderView::section { background: #FFFFFF; color: #52606D; border: none;
   border-bottom: 1px solid #D5DBE3; padding: 4px 6px; font-weight: normal; }

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/profile_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QPointer>
+#include <QResizeEvent>
+#include <QStyle>
+#include <utility>
+
+#include "gui/look.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr int kAfterLastKey_ms = 1000;
+constexpr int kTwoColumns_px = 720;
+
+}  // namespace
+
+ProfilePanel::ProfilePanel(Clinic& clinic, QWidget* parent) : QWidget(parent), clinic_(clinic) {
+  title_ = new QLabel;
+  title_->setObjectName("profile_title");
+  title_->setProperty("role", "title");
+  state_ = new QLabel;
+  state_->setObjectName("profile_state");
+  state_->setWordWrap(true);
+  state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  again_ = new QPushButton(tr("Try again"));
+  again_->setObjectName("profile_again");
+  describe(*again_, tr("Try to store or read it again"),
+           tr("Try to store or read it again (Ctrl+Shift+R)"));
+  auto* header = new QHBoxLayout;
+  header->setContentsMargins(12, 8, 12, 4);
+  header->addWidget(title_);
+  header->addWidget(state_, 1);
+  header->addWidget(again_);
+
+  person_ = new PersonCard;
+  treatment_ = new TreatmentCard;
+  scores_ = new ScoreCard;
+  auto* page = new QWidget;
+  page->setObjectName("page");
+  columns_ = new QBoxLayout(QBoxLayout::TopToBottom, page);
+  columns_->setContentsMargins(8, 4, 8, 8);
+  columns_->setSpacing(8);
+  columns_->addWidget(person_, 1);
+  auto* dated = new QVBoxLayout;
+  dated->setSpacing(8);
+  dated->addWidget(treatment_);
+  dated->addWidget(scores_);
+  dated->addStretch();
+  columns_->addLayout(dated, 1);
+  scroll_ = new QScrollArea;
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setWidgetResizable(true);
+  scroll_->setWidget(page);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(header);
+  column->addWidget(scroll_, 1);
+
+  delay_.setSingleShot(true);
+  delay_.setInterval(kAfterLastKey_ms);
+  connect(&delay_, &QTimer::timeout, this, &ProfilePanel::store);
+  connect(person_, &PersonCard::typed, this, [this] {
+    delay_.start();
+    show_state();
+  });
+  connect(person_, &PersonCard::left, this, &ProfilePanel::store);
+  connect(treatment_, &TreatmentCard::added, this, [this](const TreatmentMark& mark) {
+    change([code = code_, mark](Clinic& to, Clinic::Stored then) {
+      to.add_treatment_mark(code, mark, std::move(then));
+    });
+  });
+  connect(treatment_, &TreatmentCard::removed, this, [this](RowId id) {
+    change([code = code_, id](Clinic& to, Clinic::Stored then) {
+      to.remove_treatment_mark(code, id, std::move(then));
+    });
+  });
+  connect(scores_, &ScoreCard::added, this, [this](const ClinicalScore& score) {
+    change([code = code_, score](Clinic& to, Clinic::Stored then) {
+      to.add_clinical_score(code, score, std::move(then));
+    });
+  });
+  connect(scores_, &ScoreCard::removed, this, [this](RowId id) {
+    change([code = code_, id](Clinic& to, Clinic::Stored then) {
+      to.remove_clinical_score(code, id, std::move(then));
+    });
+  });
+  connect(again_, &QPushButton::clicked, this, &ProfilePanel::try_again);
+  add_key(this, "Ctrl+Shift+R", [this] {
+    if (!again_->isHidden()) try_again();
+  });
+  connect(&clinic_, &Clinic::opened, this, &ProfilePanel::load);
+  connect(&clinic_, &Clinic::profile_changed, this, &ProfilePanel::take_answer);
+  connect(&clinic_, &Clinic::profile_failed, this, &ProfilePanel::refuse);
+  show_state();
+}
+
+ProfilePanel::~ProfilePanel() {
+  store_now();
+}
+
+void ProfilePanel::show_patient(const std::string& code) {
+  if (code == code_) return;
+  try_again();
+  code_ = code;
+  filled_ = false;
+  changed_ = false;
+  refused_.clear();
+  problem_.clear();
+  person_->show_profile({});
+  treatment_->clear();
+  scores_->clear();
+  load();
+  show_state();
+}
+
+void ProfilePanel::load() {
+  clinic_.load_profile(code_);
+}
+
+void ProfilePanel::store_now() {
+  person_->finish();
+  store();
+}
+
+void ProfilePanel::store() {
+  delay_.stop();
+  if (!filled_) return;
+  const PatientProfile now = person_->profile();
+  if (now != sent_) {
+    sent_ = now;
+    changed_ = true;
+    ++under_way_;
+    clinic_.save_profile(code_, now, [panel = QPointer(this), code = code_, now](bool stored) {
+      if (!panel) return;
+      --panel->under_way_;
+      if (panel->code_ != code) return;
+      if (stored) panel->stored_ = now;
+      if (!stored && panel->sent_ == now) panel->sent_ = panel->stored_;  // to be sent again
+    });
+  }
+  show_state();
+}
+
+void ProfilePanel::change(const Change& change) {
+  changed_ = true;
+  ++under_way_;
+  change(clinic_, [panel = QPointer(this), code = code_, change](bool stored) {
+    if (!panel) return;
+    --panel->under_way_;
+    if (!stored && panel->code_ == code) panel->refused_.push_back(change);
+  });
+  show_state();
+}
+
+void ProfilePanel::try_again() {
+  if (filled_) {
+    store_now();
+    for (const Change& refused : std::exchange(refused_, {})) change(refused);
+  } else {
+    load();
+  }
+}
+
+void ProfilePanel::take_answer() {
+  if (code_.empty() || clinic_.file_of() != code_ || !clinic_.file()) return;
+  const PatientFile& file = *clinic_.file();
+  // Only the first answer goes into the fields: a later one may be older than what is typed.
+  if (!filled_) {
+    sent_ = stored_ = file.profile;
+    person_->show_profile(file.profile);
+    filled_ = true;
+  }
+  treatment_->show_marks(file.marks);
+  scores_->show_scores(file.scores);
+  if (refused_.empty() && sent_ == stored_ && person_->profile() == stored_) problem_.clear();
+  show_state();
+}
+
+void ProfilePanel::refuse(const QString& code, const QString& why) {
+  if (code.toStdString() != code_) return;
+  problem_ = why;
+  show_state();
+}
+
+void ProfilePanel::show_state() {
+  title_->setText(code_.empty() ? tr("Profile") : QString::fromStdString(code_));
+  for (QWidget* card : {static_cast<QWidget*>(person_), static_cast<QWidget*>(treatment_),
+                        static_cast<QWidget*>(scores_)})
+    card->setEnabled(filled_);
+  again_->setVisible(!problem_.isEmpty());
+  QString words;
+  if (code_.empty())
+    words = tr("Choose a patient first.");
+  else if (!problem_.isEmpty())
+    words = filled_ ? tr("⚠ Not saved: %1").arg(problem_) : tr("⚠ Not read: %1").arg(problem_);
+  else if (!filled_)
+    words = tr("Reading …");
+  else if (delay_.isActive() || under_way_ > 0)
+    words = tr("Saving …");
+  else if (person_->onset_refused())
+    words = tr("Saved, but for the onset");
+  else if (changed_)
+    words = tr("Saved");
+  state_->setText(words);
+  const QString role = problem_.isEmpty() ? "quiet" : "problem";
+  if (state_->property("role") == role) return;
+  state_->setProperty("role", role);
+  state_->style()->unpolish(state_);
+  state_->style()->polish(state_);
+}
+
+void ProfilePanel::resizeEvent(QResizeEvent* event) {
+  columns_->setDirection(event->size().width() >= kTwoColumns_px ? QBoxLayout::LeftToRight
+                                                                 : QBoxLayout::TopToBottom);
+  QWidget::resizeEvent(event);
+}
+
+}  // namespace isograsp

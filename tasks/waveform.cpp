@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 constexpr std::uint64_t kPhaseStream = 200;
+constexpr std::uint64_t kFormStream = 202;
 
 double breath(double cycles) {
   return 0.5 * (1.0 - std::cos(kTurn_rad * cycles));
@@ -34,8 +35,9 @@ double between_points(const Waveform& w, double t_s) {
   return std::lerp(w.values[k - 1], w.values[k], share);
 }
 
-double value_at(const Waveform& w, double duration_s, double t_s) {
-  const double cycles = w.frequency_Hz * t_s;
+/// @param start_cycles  what a parallel form is ahead of form 0
+double value_at(const Waveform& w, double duration_s, double t_s, double start_cycles) {
+  const double cycles = w.frequency_Hz * t_s + start_cycles;
   switch (w.shape) {
     case Waveform::Shape::constant: return 1.0;
     case Waveform::Shape::ramp: return std::min(1.0, t_s / w.rise_s);
@@ -78,6 +80,11 @@ std::string_view name_of(Waveform::Shape shape) noexcept {
   return kNames[static_cast<std::size_t>(shape)];
 }
 
+int form_of(const Waveform& waveform, std::uint64_t trial_seed) {
+  if (waveform.forms <= 1) return 0;
+  return static_cast<int>(Random(trial_seed, kFormStream).uniform() * waveform.forms);
+}
+
 std::vector<double> frequencies_of(const Waveform& waveform, double duration_s) {
   if (waveform.shape == Waveform::Shape::sine) return {waveform.frequency_Hz};
   if (waveform.shape == Waveform::Shape::multi_sine) return waveform.frequencies;
@@ -95,9 +102,10 @@ std::vector<double> samples_of(const Waveform& waveform, double duration_s, doub
   const auto count = static_cast<std::size_t>(frames_in(duration_s, period_s));
   if (waveform.shape == Waveform::Shape::multi_sine || waveform.shape == Waveform::Shape::random)
     return sum_of_sines(waveform, duration_s, count, period_s, trial_seed);
+  const double start_cycles = static_cast<double>(form_of(waveform, trial_seed)) / waveform.forms;
   std::vector<double> values(count);
   for (std::size_t k = 0; k < count; ++k)
-    values[k] = value_at(waveform, duration_s, static_cast<double>(k) * period_s);
+    values[k] = value_at(waveform, duration_s, static_cast<double>(k) * period_s, start_cycles);
   return values;
 }
 

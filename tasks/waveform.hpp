@@ -18,8 +18,13 @@ namespace isograsp {
 ///   multi-sine   sum of sines of equal amplitude with random phases, scaled into 0 … 1
 ///   random       the same with all multiples of 1 / duration up to the bandwidth (flat, then zero)
 ///   csv          linear between its points, the last one from its end on
+/// Sine and triangle begin form_of() / forms of a cycle further on than said here.
 [[nodiscard]] std::vector<double> samples_of(const Waveform& waveform, double duration_s,
                                              double period_s, std::uint64_t trial_seed);
+
+/// The parallel form of a trial, 0 … forms - 1: each as likely. Over whole cycles all forms take
+/// the same values at the same speeds, in another order.
+[[nodiscard]] int form_of(const Waveform& waveform, std::uint64_t trial_seed);
 
 /// The frequencies in the target; empty: not a sum of sines.
 [[nodiscard]] std::vector<double> frequencies_of(const Waveform& waveform, double duration_s);

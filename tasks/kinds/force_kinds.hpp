@@ -75,6 +75,7 @@ struct Waveform {
   double frequency_Hz = 0.2;        ///< sine, triangle, rectangle; swept sine: at the start
   double last_frequency_Hz = 1.0;   ///< swept sine: at the end
   std::vector<double> frequencies;  ///< multi-sine [Hz]
+  int forms = 1;                    ///< sine, triangle: parallel forms; the trial's seed chooses
   double rise_s = 5.0;              ///< ramp, trapezoid
   double hold_s = 15.0;             ///< trapezoid
   double fall_s = 5.0;              ///< trapezoid

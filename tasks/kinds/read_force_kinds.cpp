@@ -41,6 +41,7 @@ namespace {
 constexpr double kLeast_Hz = 0.001;
 constexpr double kMost_Hz = 5.0;  ///< beyond what a hand can follow
 constexpr int kMostRepetitions = 100;
+constexpr int kMostForms = 100;
 constexpr std::size_t kMostLevels = 50;
 constexpr double kMostLevel_N = 300.0;  ///< range of the largest sensors
 
@@ -238,6 +239,10 @@ ForceTrackingSpec read_force_tracking(TomlReader& reader) {
   spec.lead_in_s = read_wait(reader, "lead_in_s", spec.lead_in_s);
   spec.duration_s = read_duration(reader, "duration_s", spec.duration_s);
   spec.waveform = read_waveform(reader, spec.duration_s);
+  // Axes of a pose would meet in another path: those are no parallel forms.
+  using Shape = Waveform::Shape;
+  if (spec.waveform.shape == Shape::sine || spec.waveform.shape == Shape::triangle)
+    spec.waveform.forms = read_count(reader, "forms", spec.waveform.forms, kMostForms);
   return spec;
 }
 

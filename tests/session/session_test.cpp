@@ -9,6 +9,7 @@
 #include "core/csv.hpp"
 #include "session/protocol_run.hpp"
 #include "tasks/score.hpp"
+#include "tasks/waveform.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp {
@@ -225,6 +226,35 @@ TEST(Session, AProtocolWhoseStepsLackWhatTheyNeedIsRefusedBeforeASessionBegins) 
     EXPECT_NE(refused.error().message().find(message), std::string::npos)
         << refused.error().message();
   }
+}
+
+TEST(Session, TheStoredSeedOfATrialTellsItsParallelFormAndGivesItsTargetAgain) {
+  Clinic clinic;
+  const auto result = clinic.run("sim://healthy?seed=7", "demonstration");
+  const auto store = clinic.store();
+  int sines = 0;
+  for (const auto& outcome : result.trials) {
+    const TaskSpec spec = parse_task(outcome.trial.task_text, "stored").value();
+    const auto* tracking = std::get_if<ForceTrackingSpec>(&spec.kind);
+    if (tracking == nullptr) continue;
+    ASSERT_EQ(tracking->waveform.forms, 2);
+    ASSERT_NE(outcome.trial.seed, 0u);
+    const auto signals = store->signals(outcome.trial).value();
+    const auto target_N = signals.column("target_force_N");
+    const double maximum_N = outcome.trial.maximum_force_N;
+    const double start =
+        form_of(tracking->waveform, outcome.trial.seed) == 0 ? tracking->least : tracking->most;
+    constexpr double kRounding_N = 1e-12;
+    EXPECT_NEAR(target_N.front(), start * maximum_N, kRounding_N);
+    const auto wave =
+        samples_of(tracking->waveform, tracking->duration_s, 0.01, outcome.trial.seed);
+    const auto lead_in = static_cast<std::size_t>(std::lround(tracking->lead_in_s / 0.01));
+    for (std::size_t k = 0; k < wave.size(); ++k)
+      ASSERT_NEAR(target_N[lead_in + k],
+                  std::lerp(tracking->least, tracking->most, wave[k]) * maximum_N, kRounding_N);
+    ++sines;
+  }
+  EXPECT_GT(sines, 0);
 }
 
 TEST(Session, ALeftHandedSimulatedSessionNamesNoOtherHand) {

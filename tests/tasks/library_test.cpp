@@ -216,6 +216,7 @@ TEST(Library, CoversEveryKeyOfTheTaskAndProtocolFormats) {
                           "waveform",
                           "frequencies_Hz",
                           "seed",
+                          "forms",
                           "drop_distance_m",
                           "from_m",
                           "to_m",

@@ -2,7 +2,10 @@
 // Force tasks as timelines: what is shown when, and what is refused before the trial.
 #include "tasks/timeline.hpp"
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -224,6 +227,104 @@ TEST(Waveform, ASeededSequenceRepeatsAndAFreshOneDoesNot) {
   EXPECT_EQ(samples_of(repeated, 20.0, 0.01, 1), samples_of(repeated, 20.0, 0.01, 2));
   EXPECT_NE(samples_of(fresh, 20.0, 0.01, 1), samples_of(fresh, 20.0, 0.01, 2));
   EXPECT_EQ(samples_of(fresh, 20.0, 0.01, 1), samples_of(fresh, 20.0, 0.01, 1));
+}
+
+/// Mean, and root mean square of the change from one sample to the next, around the cycle.
+std::pair<double, double> mean_and_speed(const std::vector<double>& x) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double change = x[(k + 1) % x.size()] - x[k];
+    sum += x[k];
+    squares += change * change;
+  }
+  const auto n = static_cast<double>(x.size());
+  return {sum / n, std::sqrt(squares / n)};
+}
+
+/// One trial of each parallel form, by form.
+std::map<int, std::vector<double>> every_form(const Waveform& wave, double duration_s) {
+  std::map<int, std::vector<double>> forms;
+  for (std::uint64_t seed = 0; seed < 100; ++seed)
+    forms.try_emplace(form_of(wave, seed), samples_of(wave, duration_s, 0.01, seed));
+  return forms;
+}
+
+TEST(Waveform, ParallelFormsTakeTheSameValuesAtTheSameSpeedsInAnotherOrder) {
+  for (const auto shape : {Waveform::Shape::sine, Waveform::Shape::triangle})
+    for (const int count : {2, 3, 4}) {
+      Waveform wave;
+      wave.shape = shape;
+      wave.forms = count;
+      const auto forms = every_form(wave, 30.0);
+      ASSERT_EQ(forms.size(), static_cast<std::size_t>(count)) << "every form is reached";
+      const auto [mean, speed] = mean_and_speed(forms.at(0));
+      for (const auto& [form, x] : forms) {
+        const auto [its_mean, its_speed] = mean_and_speed(x);
+        constexpr double kRounding = 1e-12;
+        EXPECT_NEAR(its_mean, mean, kRounding) << name_of(shape) << ' ' << form;
+        // A corner of the triangle may lie between two samples: 12 corners, one change of 4e-3
+        // each.
+        constexpr double kCorners = 1e-5;
+        EXPECT_NEAR(its_speed, speed, kCorners) << name_of(shape) << ' ' << form;
+        const double start = static_cast<double>(form) / count;
+        EXPECT_NEAR(x.front(),
+                    shape == Waveform::Shape::sine
+                        ? 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * start))
+                        : 1.0 - std::abs(2.0 * start - 1.0),
+                    kRounding);
+        EXPECT_EQ(x == forms.at(0), form == 0);
+      }
+    }
+}
+
+TEST(Waveform, TwoFormsMirrorEachOtherAndBothBeginAtRest) {
+  Waveform wave;
+  wave.forms = 2;
+  const auto forms = every_form(wave, 30.0);
+  for (std::size_t k = 0; k < forms.at(0).size(); ++k)
+    ASSERT_NEAR(forms.at(1)[k], 1.0 - forms.at(0)[k], 1e-12);
+  constexpr double kAtRest = 1e-4;  // of a change of up to 6e-3 a sample: the curve's top is flat
+  EXPECT_NEAR(forms.at(1)[1], forms.at(1)[0], kAtRest);
+}
+
+TEST(Waveform, FormZeroAndASingleFormAreTheCurveThatBeginsAtTheLeastBitForBit) {
+  Waveform wave;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto single = samples_of(wave, 30.0, 0.01, seed);
+    for (std::size_t k = 0; k < single.size(); ++k) {
+      const double t_s = static_cast<double>(k) * 0.01;
+      ASSERT_EQ(single[k], 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * (0.2 * t_s))));
+    }
+    Waveform several = wave;
+    several.forms = 4;
+    EXPECT_EQ(form_of(several, seed) == 0, samples_of(several, 30.0, 0.01, seed) == single);
+    EXPECT_EQ(samples_of(several, 30.0, 0.01, seed), samples_of(several, 30.0, 0.01, seed));
+  }
+}
+
+TEST(Waveform, EveryFormIsAsLikely) {
+  Waveform wave;
+  wave.forms = 4;
+  std::array<int, 4> count{};
+  for (std::uint64_t seed = 0; seed < 4000; ++seed)
+    ++count.at(static_cast<std::size_t>(form_of(wave, seed)));
+  for (const int each : count) EXPECT_NEAR(each, 1000, 110) << "four standard deviations";
+}
+
+TEST(Timeline, TheLeadInHoldsTheFirstValueOfEveryForm) {
+  ForceTrackingSpec spec;
+  spec.waveform.forms = 4;
+  std::set<int> seen;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    TaskContext context = context_of();
+    context.seed = seed;
+    const auto timeline = timeline_of(spec_of(spec), context).value();
+    for (const double held_N : timeline.segments[0].target_N)
+      ASSERT_EQ(held_N, timeline.segments[1].target_N.front());
+    seen.insert(form_of(spec.waveform, seed));
+  }
+  EXPECT_EQ(seen.size(), 4u);
 }
 
 }  // namespace

@@ -43,9 +43,16 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
   column->setSpacing(5);
   for (std::size_t i = 0; i < kStepCount; ++i) {
     sections_[i] = new Section(static_cast<int>(i) + 1, title_of(static_cast<Step>(i)), bodies[i]);
-    column->addWidget(sections_[i], static_cast<Step>(i) == Step::work ? 1 : 0);
+    column->addWidget(sections_[i]);
   }
-  column->addStretch(0);
+  column->addStretch(1);
+  // The steps of the protocol take what is left, while they are shown.
+  const auto share = [this, column] {
+    const bool shown = sections_[static_cast<std::size_t>(Step::work)]->is_open();
+    column->setStretch(static_cast<int>(Step::work), shown ? 1 : 0);
+    column->setStretch(column->count() - 1, shown ? 0 : 1);
+  };
+  connect(sections_[static_cast<std::size_t>(Step::work)], &Section::opened, this, share);
   connect(&presenter_, &SessionPresenter::changed, this, &PreparePanel::refresh);
   refresh();
 }
@@ -99,6 +106,7 @@ QString PreparePanel::summary_of(Step step) const {
                                                                                  : QString();
     case Step::work: {
       const auto& guide = presenter_.guide();
+      if (guide.over()) return tr("finished");
       if (guide.active()) return tr("%1 of %2").arg(guide.acts_done()).arg(guide.acts());
       const int chosen = presenter_.protocol();
       if (chosen == SessionPresenter::kByHand) return tr("one by one");

@@ -175,7 +175,6 @@ void RunPanel::make_between() {
 
 void RunPanel::fill_list() {
   constexpr int kRow_px = 24;
-  constexpr int kMostRows = 7;
   std::optional<TaskGroup> group;
   const auto& tasks = presenter_.tasks();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -197,7 +196,7 @@ void RunPanel::fill_list() {
     item->setData(Qt::AccessibleTextRole, QString::fromStdString(tasks[i].name));
     item->setSizeHint({0, kRow_px});
   }
-  list_->setFixedHeight(kRow_px * std::clamp(list_->count(), 3, kMostRows) + 6);
+  take_rest(*list_, 3 * kRow_px);
 }
 
 void RunPanel::refresh() {

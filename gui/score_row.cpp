@@ -18,6 +18,8 @@ ScoreRow::ScoreRow(const QString& name, const QString& question, QWidget* parent
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(1);
+  constexpr int kLeast_px = 28;
+  setMinimumHeight(kLeast_px);
   for (int value = 0; value <= kMost; ++value) {
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("%1_%2").arg(name).arg(value));

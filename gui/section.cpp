@@ -73,6 +73,7 @@ void Section::show_state(StepState state, const QString& summary) {
 
 void Section::open(bool open) {
   body_->setVisible(open);
+  Q_EMIT opened();
 }
 
 }  // namespace isograsp

@@ -23,6 +23,9 @@ class Section final : public QFrame {
   void open(bool open);
   [[nodiscard]] bool is_open() const { return body_->isVisibleTo(this); }
 
+ Q_SIGNALS:
+  void opened();  ///< or closed
+
  private:
   int number_;
   QString title_;

@@ -96,6 +96,9 @@ class Operator {
   }
 
   void set_zero() const {
+    // After the hand was in, this step is done and closed.
+    if (!find<QAbstractButton>("zero").isVisible() && windows_.presenter().snapshot().zeroed)
+      open_section(Step::zero);
     press("zero");
     press("zero_confirmed");
     ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().zeroed; }))

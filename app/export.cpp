@@ -17,6 +17,7 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "core/anatomical_axes.hpp"
 #include "core/csv.hpp"
 #include "storage/session_store.hpp"
 
@@ -99,8 +100,9 @@ Json or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// The sidecar of one trial.
-Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64_t infinite) {
+/// The sidecar of one trial. `written`: the columns of its signals file.
+Result<Json> describe(SessionStore& store, const TrialSource& source,
+                      const std::vector<std::string>& written, std::int64_t infinite) {
   const SessionRecord& session = *source.session;
   const TrialRecord& trial = *source.trial;
   Json json;
@@ -151,10 +153,16 @@ Result<Json> describe(SessionStore& store, const TrialSource& source, std::int64
   if (json["timing"].is_discarded()) json["timing"] = nullptr;
 
   json["columns"] = Json::array();
+  std::size_t stored = 0;
+  const auto add_column = [&json](const std::string& column, const std::string& group) {
+    json["columns"].push_back({{"name", column}, {"unit", unit_of(column)}, {"group", group}});
+  };
   for (const auto& group : trial.groups)
-    for (const auto& column : group.columns)
-      json["columns"].push_back(
-          {{"name", column}, {"unit", unit_of(column)}, {"group", group.name}});
+    for (const auto& column : group.columns) {
+      add_column(column, group.name);
+      ++stored;
+    }
+  for (; stored < written.size(); ++stored) add_column(written[stored], "anatomical");
   json["infinite_values_left_empty"] = infinite;
 
   const auto zeros = store.zeros(session.id);
@@ -235,9 +243,12 @@ Result<void> write_trial(SessionStore& store, const TrialSource& source, const f
                  ""};
   const auto stored = store.signals(*source.trial);
   if (!stored) return stored.error();
-  const auto [signals, infinite] = without_infinity(*stored);
+  auto [signals, infinite] = without_infinity(*stored);
+  // How others' devices stood, and often which hand it was, is not known.
+  if (!source.session->device_uri.starts_with("recording:"))
+    add_anatomical_forces(signals, source.session->hand);
   if (const auto done = write_signals(signals, stem + "_signals.csv"); !done) return done.error();
-  const auto json = describe(store, source, infinite);
+  const auto json = describe(store, source, signals.names(), infinite);
   if (!json) return json.error();
   if (const auto done = write_file(stem + ".json", json->dump(2) + "\n"); !done)
     return done.error();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/anatomical_axes.hpp"
+
 namespace isograsp {
 
 namespace {
@@ -41,7 +43,9 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
     }
   }
   // Other columns may stand beside; one that looks like a finger's but is not must be a slip.
-  const auto standard = finger_forces_columns();
+  auto standard = finger_forces_columns();
+  for (const Finger finger : kFingers)
+    for (const HandAxis axis : kHandAxes) standard.push_back(anatomical_column(finger, axis));
   for (const auto& name : reader.csv_.columns())
     for (const auto finger : kFingerNames)
       if (name.starts_with(std::string(finger) + "_") &&

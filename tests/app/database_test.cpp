@@ -4,6 +4,7 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "core/anatomical_axes.hpp"
 #include "core/csv.hpp"
 #include "tests/support/command.hpp"
 
@@ -105,6 +106,37 @@ TEST_F(DatabaseCommands, ExportScoresAsTheSessionDid) {
       ++compared;
     }
     EXPECT_GT(compared, 0u);
+  }
+}
+
+TEST_F(DatabaseCommands, ExportHoldsForcesInTheAxesOfTheHandBesideWhatIsStored) {
+  const std::string run = "run --protocol-file " ISOGRASP_SOURCE_DIR
+                          "/library/protocols/short.toml --fast --db " +
+                          db + " --patient T-01 --device 'sim://healthy?seed=4' --hand ";
+  for (const Hand hand : {Hand::right, Hand::left})
+    ASSERT_EQ(isograsp(run + std::string(name_of(hand))).status, 0);
+  const std::string out = folder.path("study");
+  ASSERT_EQ(isograsp("export --db " + db + " --out " + out).status, 0);
+  for (const Hand hand : {Hand::right, Hand::left}) {
+    const std::string stem =
+        out + "/patient_1/session_" + (hand == Hand::right ? "1" : "2") + "/trial_2";
+    const Signals signals = read_signals(stem + "_signals.csv").value();
+    ASSERT_GT(signals.rows(), 100u);
+    for (const Finger finger : kFingers) {
+      const std::string name(name_of(finger));
+      double largest_N = 0.0;
+      for (std::size_t row = 0; row < signals.rows(); ++row) {
+        const Vec3 force_C(signals.column(name + "_fx_N")[row], signals.column(name + "_fy_N")[row],
+                           signals.column(name + "_fz_N")[row]);
+        const Vec3 force = anatomical(force_C, finger, hand);
+        for (const HandAxis axis : kHandAxes)
+          ASSERT_EQ(signals.column(anatomical_column(finger, axis))[row],
+                    force[static_cast<Eigen::Index>(axis)]);
+        largest_N = std::max(largest_N, std::abs(force[2]));
+      }
+      EXPECT_GT(largest_N, 0.0) << "else the sign of the hand is not seen";
+    }
+    EXPECT_NE(read_text(stem + ".json")->find("\"name\": \"middle_distal_N\""), std::string::npos);
   }
 }
 

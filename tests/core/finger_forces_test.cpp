@@ -48,6 +48,17 @@ TEST(FingerForces, RefusesHalfEmptySamplesAbsentFingersAndMisspeltColumns) {
   EXPECT_NE(misspelt.error().message().find("thumb_tz_Nmm: unknown column"), std::string::npos);
 }
 
+TEST(FingerForces, ForcesInTheAxesOfTheHandMayStandBesideAndAreNotRead) {
+  const TemporaryFolder folder;
+  auto reader = FingerForcesReader::open(folder.write(
+      "a.csv",
+      "t_s,thumb_flexion_N,thumb_fx_N,thumb_distal_N,thumb_fy_N,thumb_fz_N\n0,9,1,9,2,3\n"));
+  ASSERT_TRUE(reader) << reader.error().message();
+  FingerForcesRow row;
+  ASSERT_TRUE(*reader->next(row));
+  EXPECT_EQ(row.wrench_C[0].force, Vec3(1, 2, 3));
+}
+
 TEST(FingerForces, AGridWithinFourUlpIsRegularAndAJitteredOneIsNot) {
   const TemporaryFolder folder;
   std::string regular = "t_s\n";

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/anatomical_axes.hpp"
 #include "core/csv.hpp"
 #include "grasp_model/plan.hpp"
 #include "tasks/measures/fitts.hpp"
@@ -166,6 +167,19 @@ TEST(Library, EveryProtocolNamesShippedTasksAndMeasuresTheMaximumBeforeItIsNeede
       }
     }
   }
+}
+
+TEST(Library, InEverySceneTheAxesOfTheHandAreUpAndTowardsTheScreenForBothHands) {
+  for (const auto& path : files_in("scenes"))
+    for (const Hand hand : {Hand::right, Hand::left})
+      for (const Contact& contact : for_hand(scene(path), hand).contacts) {
+        const auto of = [&](const Vec3& force_W) {
+          return anatomical(contact.R_OC.transpose() * force_W, contact.finger, hand);
+        };
+        EXPECT_EQ(of(contact.R_OC.col(2)), Vec3(1.0, 0.0, 0.0)) << path;
+        EXPECT_EQ(of(Vec3::UnitY()), Vec3(0.0, 1.0, 0.0)) << path;
+        EXPECT_EQ(of(-Vec3::UnitZ()), Vec3(0.0, 0.0, 1.0)) << path;
+      }
 }
 
 TEST(Library, TheMirroredTwoTargetTestIsTheMirrorImage) {

@@ -28,7 +28,8 @@ class WholeSession : public QtTest {
 
   /// Both windows as test output.
   void keep_picture(const QString& name) {
-    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES", ".");
+    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
+    if (folder.isEmpty()) return;
     QDir().mkpath(folder);
     windows_.therapist().grab().save(folder + "/" + name + "_therapist.png");
     windows_.patient()->grabFramebuffer().save(folder + "/" + name + "_patient.png");

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gui/background.hpp"
@@ -55,6 +57,17 @@ class Clinic final : public QObject {
   void add_clinical_score(const std::string& code, const ClinicalScore& score, Stored then = {});
   void remove_clinical_score(const std::string& code, RowId id, Stored then = {});
   [[nodiscard]] ReportWork& report() noexcept { return report_; }
+  /// Any other reading: `read(SessionStore&)` on the worker, in order with all the rest, then
+  /// `done(result)` here, unless `reader` is gone by then. False: the database is not open.
+  template <class Read, class Done>
+  bool read(QObject* reader, Read read, Done done) {
+    if (!open_) return false;
+    worker_.run([store = store_, read = std::move(read)]() mutable { return read(**store); },
+                [reader = QPointer<QObject>(reader), done = std::move(done)](auto outcome) mutable {
+                  if (reader) done(std::move(outcome));
+                });
+    return true;
+  }
 
   [[nodiscard]] bool is_open() const noexcept { return open_; }
   [[nodiscard]] const std::string& database() const noexcept { return database_; }

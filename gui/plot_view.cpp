@@ -10,10 +10,9 @@
 #include <qcustomplot.h>
 
 #include "gui/look.hpp"
+#include "gui/plot_style.hpp"
 
 namespace isograsp {
-
-namespace {
 
 QCustomPlot* make_plot(QWidget& parent) {
   auto* plot = new QCustomPlot(&parent);
@@ -35,8 +34,6 @@ QCustomPlot* make_plot(QWidget& parent) {
   }
   return plot;
 }
-
-}  // namespace
 
 LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(make_plot(*this)) {
   constexpr double kRoomForLabels_s = 1.6;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/trend_tile.hpp"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include "gui/look.hpp"
+
+namespace isograsp {
+
+namespace {
+constexpr int kEdge_px = 10;
+constexpr int kPlot_px = 96;
+constexpr int kText_px = 60;  // title, task and remark: three lines
+}  // namespace
+
+TrendTile::TrendTile(const MeasureTrend& trend, QWidget* parent)
+    : QWidget(parent), title_(trend.title), task_(trend.task), last_(trend.last) {
+  setFocusPolicy(Qt::ClickFocus);
+  setCursor(Qt::PointingHandCursor);
+  setMinimumSize(210, kText_px + kPlot_px + 10);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(5, kText_px, 6, 4);
+  auto* plot = new SessionTrendPlot(SessionTrendPlot::Size::small);
+  plot->setMinimumHeight(kPlot_px);
+  plot->setAttribute(Qt::WA_TransparentForMouseEvents);
+  plot->show_trend(trend);
+  column->addWidget(plot);
+  describe(*this, tr("%1, %2: %3").arg(title_, task_, last_),
+           tr("%1\n%2\nNewest value %3. Arrow keys go to the next picture, Enter or a click shows "
+              "this one large (F4)")
+               .arg(title_, task_, last_));
+}
+
+void TrendTile::set_remark(const QString& remark) {
+  remark_ = remark;
+  update();
+}
+
+void TrendTile::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(hasFocus() ? look::kAccent : look::kLine, hasFocus() ? 2.0 : 1.0));
+  painter.setBrush(look::kCard);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 8, 8);
+  QFont bold = font();
+  bold.setBold(true);
+  QFont small = font();
+  small.setPointSizeF(small.pointSizeF() - 1.0);
+  QRect line(kEdge_px, 8, width() - 2 * kEdge_px, QFontMetrics(bold).height());
+  painter.setFont(bold);
+  painter.setPen(look::kText);
+  painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, last_);
+  const int value_px = QFontMetrics(bold).horizontalAdvance(last_) + 10;
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                   QFontMetrics(bold).elidedText(title_, Qt::ElideRight, line.width() - value_px));
+  painter.setFont(small);
+  const QFontMetrics metrics(small);
+  for (const auto& [text, colour] :
+       {std::pair{task_, look::kQuietText}, std::pair{remark_, look::kText}}) {
+    line.moveTop(line.bottom() + 2);
+    line.setHeight(metrics.height());
+    painter.setPen(colour);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(text, Qt::ElideRight, line.width()));
+  }
+}
+
+void TrendTile::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && rect().contains(event->pos())) Q_EMIT opened();
+}
+
+void TrendTile::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter ||
+      event->key() == Qt::Key_Space)
+    Q_EMIT opened();
+  else
+    event->ignore();
+}
+
+void TrendTile::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  update();
+}
+
+void TrendTile::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  update();
+}
+
+}  // namespace isograsp

@@ -14,6 +14,8 @@ namespace isograsp {
 
 namespace {
 
+constexpr int kDate = 10;  // characters of "2026-11-21"
+
 QString words_for_session(const CourseSession& session) {
   const auto mark = source_mark(session.record);
   const auto what = mark.isEmpty()
@@ -21,7 +23,7 @@ QString words_for_session(const CourseSession& session) {
                         : QObject::tr("%1, %2").arg(hand_words(session.record.hand), mark);
   return QObject::tr("%1: %2, %3")
       .arg(session.number)
-      .arg(local_time(session.record.started_utc), what);
+      .arg(local_time(session.record.started_utc).left(kDate), what);
 }
 
 QString with_unit(double value, const std::string& unit, bool signed_value) {
@@ -37,11 +39,10 @@ QString words_for_mean(const SessionMean& mean, const std::string& unit) {
 }
 
 QString words_for_trials(const SessionMean& mean) {
-  const auto used = QObject::tr("Mean of %n trial(s).", nullptr, mean.trials);
   if (!mean.value) return mean.reason;
-  if (mean.without == 0) return used;
-  return QObject::tr("%1 %2").arg(used,
-                                  QObject::tr("%n trial(s) have no value.", nullptr, mean.without));
+  if (mean.without == 0) return QObject::tr("Mean of %1.").arg(trials_words(mean.trials));
+  return QObject::tr("Mean of %1; without a value: %2.")
+      .arg(trials_words(mean.trials), trials_words(mean.without));
 }
 
 QComboBox* make_choice(const char* name, const QString& title, const QString& key) {

@@ -20,7 +20,7 @@ class ComparisonPanel final : public Card {
 
   /// Begins with the newest session and the oldest one that it may be compared with.
   void show_course(std::shared_ptr<const PatientCourse> course);
-  void take_focus() { first_->setFocus(Qt::ShortcutFocusReason); }
+  void take_focus() { first_->setFocus(); }
 
  private:
   void compare();

@@ -24,8 +24,7 @@ TwoLines lines_of(const CourseSession& session) {
                         ? QObject::tr("single tasks")
                         : QString::fromStdString(session.record.protocol_name);
   QStringList words{QObject::tr("No. %1").arg(session.number), hand_words(session.record.hand),
-                    QObject::tr("%n trial(s)", nullptr, static_cast<int>(session.trials.size())),
-                    what};
+                    trials_words(static_cast<int>(session.trials.size())), what};
   if (unfinished > 0)
     words.insert(0, QObject::tr("%1 not completed").arg(static_cast<int>(unfinished)));
   if (session.record.ended_utc.empty()) words.insert(0, QObject::tr("not closed"));
@@ -74,8 +73,7 @@ CoursePanel::CoursePanel(QWidget* parent) : Card(tr("Sessions"), parent) {
   column_->addWidget(trials_, 6);
 
   const auto reach = [this](int key, QListWidget* list) {
-    connect(new QShortcut(key, this), &QShortcut::activated, list,
-            [list] { list->setFocus(Qt::ShortcutFocusReason); });
+    connect(new QShortcut(key, this), &QShortcut::activated, list, [list] { list->setFocus(); });
   };
   reach(Qt::Key_F2, sessions_);
   reach(Qt::Key_F3, trials_);
@@ -107,6 +105,11 @@ void CoursePanel::show_course(std::shared_ptr<const PatientCourse> course) {
     sessions_->setCurrentRow(sessions_->count() > 0 ? again : -1);
   }
   fill_trials(sessions_->currentRow());
+}
+
+void CoursePanel::choose(int session_index, int trial_index) {
+  sessions_->setCurrentRow(session_of_row(session_index));  // it is its own inverse
+  trials_->setCurrentRow(trial_index);
 }
 
 void CoursePanel::fill_trials(int row) {

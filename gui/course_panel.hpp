@@ -19,6 +19,9 @@ class CoursePanel final : public Card {
   /// The session that was chosen stays so if it is still there; otherwise the newest one is.
   void show_course(std::shared_ptr<const PatientCourse> course);
 
+  /// Indices as in trial_opened(); opens nothing.
+  void choose(int session_index, int trial_index);
+
  Q_SIGNALS:
   /// Indices into PatientCourse::sessions and CourseSession::trials.
   void trial_opened(int session, int trial);

@@ -19,10 +19,27 @@ MeasureTrend::Kind kind_of(const MeasurePoint& point) {
   return point.practice ? MeasureTrend::Kind::practised : MeasureTrend::Kind::assessed;
 }
 
-QString task_words(const MeasurePoint& point, bool several_versions) {
-  QStringList words{QString::fromStdString(point.task_name), hand_words(point.hand)};
-  if (several_versions) words << QObject::tr("version %1").arg(point.task_version);
+/// Did the trials of the series ask for different things under one name?
+bool is_mixed(const HistorySeries& series, const std::map<RowId, const TrialRecord*>& trials) {
+  const TrialRecord* first = nullptr;
+  for (const auto& point : series.points) {
+    const auto trial = trials.find(point.trial_id);
+    if (trial == trials.end()) continue;
+    if (first == nullptr) first = trial->second;
+    if (trial->second->task_text != first->task_text ||
+        trial->second->scene_text != first->scene_text)
+      return true;
+  }
+  return false;
+}
+
+QString task_words(const MeasurePoint& point, bool several_versions, bool mixed) {
+  QStringList words;  // what must not be cut off comes first
   if (point.simulated) words << QObject::tr("SIMULATED");
+  if (mixed) words << QObject::tr("levels differ");
+  words << QString::fromStdString(point.task_name) << hand_words(point.hand);
+  if (several_versions)
+    words.insert(words.size() - 1, QObject::tr("version %1").arg(point.task_version));
   return words.join(QStringLiteral(" · "));
 }
 
@@ -89,7 +106,8 @@ std::vector<MeasureTrend> choose_trends(const PatientCourse& course) {
     auto trend = draw(series, numbers);
     if (trend.points.empty()) continue;
     trend.key = place.prominence == Prominence::key;
-    trend.task = task_words(newest, versions[newest.task_name].size() > 1);
+    trend.mixed = is_mixed(series, trials);
+    trend.task = task_words(newest, versions[newest.task_name].size() > 1, trend.mixed);
     chosen.push_back({place, newest.trial_id, std::move(trend)});
   }
   std::stable_sort(chosen.begin(), chosen.end(), [](const Placed& a, const Placed& b) {

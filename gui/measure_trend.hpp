@@ -24,11 +24,14 @@ struct MeasureTrend {
     int trials = 0;
   };
   QString title;  ///< "Tracking error, relative"
-  QString task;   ///< "Grip force, sine · right hand"; ends in "SIMULATED" where it was
+  QString task;   ///< "Grip force, sine · right hand"; begins with "SIMULATED" where it was
   QString unit;   ///< as printed
   QString last;   ///< newest value with its unit; a dash if there is none
   bool key = false;
   bool simulated = false;
+  /// The trials differ in parameters, level or object: `task` says so. What changes then is not
+  /// the patient alone.
+  bool mixed = false;
   std::vector<Point> points;     ///< trials with a value, oldest first
   std::vector<Mean> means;       ///< sessions with an assessment, oldest first
   int without = 0;               ///< trials that have no value

@@ -75,6 +75,8 @@ std::vector<TrialMark> marks_of(const std::vector<EventRecord>& events, const Tr
     if (event.trial_id == trial.id || (event.trial_id == 0 && inside))
       marks.push_back({t_s, event.kind, event.text});
   }
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const TrialMark& a, const TrialMark& b) { return a.t_s < b.t_s; });
   return marks;
 }
 
@@ -173,9 +175,10 @@ std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
   const auto mark = source_mark(opened.session);
   if (!mark.isEmpty()) add(QObject::tr("Source"), mark);
   add(QObject::tr("Ended"), status_words(trial.status), trial.status != TrialStatus::completed);
-  add(QObject::tr("Counts as"), trial.helped     ? QObject::tr("helped: no assessment")
-                                : trial.practice ? QObject::tr("practice: no assessment")
-                                                 : QObject::tr("assessment"));
+  add(QObject::tr("Counts as"), trial.helped           ? QObject::tr("helped: no assessment")
+                                : trial.practice       ? QObject::tr("practice: no assessment")
+                                : is_assessment(trial) ? QObject::tr("assessment")
+                                                       : QObject::tr("no assessment"));
   add(QObject::tr("Task version"), QString::number(trial.task_version));
   add(QObject::tr("Seed"),
       trial.seed == 0 ? QObject::tr("not known") : QString::number(trial.seed));
@@ -192,7 +195,8 @@ std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
   else if (trial.zero_id != 0)
     add(QObject::tr("Zero drift"), QObject::tr("not known: no zero followed"));
   add_sample_facts(opened, facts);
-  if (trial.worst_lateness_s > 0.0)
+  constexpr double kWorthSaying_s = 1e-5;  // in virtual time nothing is late
+  if (trial.worst_lateness_s >= kWorthSaying_s)
     add(QObject::tr("Latest frame"),
         QObject::tr("%1 ms late").arg(short_number(trial.worst_lateness_s * 1e3)));
   add_health_facts(trial.health_json, facts);

@@ -2,7 +2,6 @@
 #include "gui/path_view.hpp"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -37,6 +36,7 @@ PathView::PathView(QWidget* parent) : QWidget(parent) {
 void PathView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
   trial_ = std::move(trial);
   state_ = {};
+  backdrop_ = {};
   least_m_.setConstant(std::numeric_limits<double>::infinity());
   most_m_ = -least_m_;
   const auto take = [this](const Vec3& p) {
@@ -64,92 +64,112 @@ void PathView::show_state(const ReplayState& state) {
   update();
 }
 
-void PathView::paint_view(QPainter& painter, const QRectF& area, int across_axis,
-                          double scale) const {
-  painter.save();
-  painter.setClipRect(area);
-  const Vec3 centre = 0.5 * (least_m_ + most_m_);
-  // Seen from the right, what is nearer to the patient is at the left.
-  const double sign = across_axis == 0 ? 1.0 : -1.0;
-  const auto place = [&](const Vec3& p) {
-    return QPointF(area.center().x() + sign * scale * (p[across_axis] - centre[across_axis]),
-                   area.center().y() - scale * (p.y() - centre.y()));
-  };
-  QPainterPath path;
-  bool begins = true;
-  for (const auto& p : trial_->path) {
-    if (!p.allFinite())
-      begins = true;
-    else if (std::exchange(begins, false))
-      path.moveTo(place(p));
-    else
-      path.lineTo(place(p));
-  }
-  painter.setPen(QPen(kPathColour, 1.3));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawPath(path);
-  const auto outline = [&](const Pose& pose, const QPen& pen, const QColor& fill) {
-    painter.setPen(pen);
-    painter.setBrush(fill);
-    if (!trial_->scene) {
-      painter.drawEllipse(place(pose.p_WO), 6.0, 6.0);
-      return;
-    }
-    if (trial_->scene->shape == Shape::sphere) {
-      const double radius_px = 0.5 * scale * trial_->scene->size_m[0];
-      painter.drawEllipse(place(pose.p_WO), radius_px, radius_px);
-      return;
-    }
-    const auto corners = corners_of(*trial_->scene);
-    // A face is an axis that stays and the four corners around it.
-    for (const std::size_t axis : {0U, 1U, 2U})
-      for (const std::size_t end : {0U, 1U}) {
-        const std::size_t u = 1U << ((axis + 1) % 3);
-        const std::size_t v = 1U << ((axis + 2) % 3);
-        const std::size_t base = end << axis;
-        QPolygonF face;
-        for (const std::size_t corner : {base, base + u, base + u + v, base + v})
-          face << place(pose.p_WO + pose.q_WO * corners[corner]);
-        painter.drawPolygon(face);
-      }
-  };
-  if (state_.target)
-    outline(*state_.target, QPen(kTargetColour, 1.5, Qt::DashLine), Qt::transparent);
-  if (state_.object) outline(*state_.object, QPen(look::kText, 1.2), QColor(0x33, 0x6B, 0xA8, 40));
-  if (state_.object && trial_->scene)
-    for (const auto& contact : trial_->scene->contacts) {
-      const auto f = index_of(contact.finger);
-      painter.setPen(QPen(look::kFingers[f], 1.5));
-      painter.setBrush(state_.fingers[f].touching ? look::kFingers[f] : QColor(Qt::white));
-      painter.drawEllipse(place(state_.object->p_WO + state_.object->q_WO * contact.p_OC), 4.0,
-                          4.0);
-    }
-  painter.restore();
-}
-
-void PathView::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(look::kLine, 1));
-  painter.setBrush(QColor(0xFA, 0xFB, 0xFC));
-  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
-  if (trial_ == nullptr || trial_->path.empty()) return;
+std::array<PathView::View, 2> PathView::views() const {
   const Vec3 size = most_m_ - least_m_;
   const double height_px = height() - 2 * kEdge_px - kTitle_px;
   const double width_px = width() - 3 * kEdge_px;
-  // One scale for both views: a millimetre is as long in each.
+  // One scale for both: a millimetre is as long in each.
   const double scale = std::min(height_px / size.y(), width_px / (size.x() + size.z()));
   const double front_px = width_px * size.x() / (size.x() + size.z());
   const QRectF front(kEdge_px, kEdge_px + kTitle_px, front_px, height_px);
   const QRectF side(front.right() + kEdge_px, front.top(), width_px - front_px, height_px);
-  painter.setPen(look::kQuietText);
-  const auto title = [&](const QRectF& view, const QString& text) {
-    painter.drawText(QRectF(view.left(), 4, view.width(), kTitle_px), Qt::AlignCenter, text);
-  };
-  title(front, tr("From the front"));
-  title(side, tr("From the right"));
-  paint_view(painter, front, 0, scale);
-  paint_view(painter, side, 2, scale);
+  return {View{front, 0, scale}, View{side, 2, scale}};
+}
+
+QPointF PathView::place(const View& view, const Vec3& p_W) const {
+  const Vec3 from_centre = p_W - 0.5 * (least_m_ + most_m_);
+  // Seen from the right, what is nearer to the patient is at the left.
+  const double sign = view.across == 0 ? 1.0 : -1.0;
+  return view.area.center() +
+         view.px_per_m * QPointF(sign * from_centre[view.across], -from_centre.y());
+}
+
+void PathView::paint_backdrop() {
+  backdrop_ = QPixmap(size() * devicePixelRatio());
+  backdrop_.setDevicePixelRatio(devicePixelRatio());
+  backdrop_.fill(look::kCard);
+  QPainter painter(&backdrop_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(font());
+  painter.setPen(QPen(look::kLine, 1));
+  painter.setBrush(QColor(0xFA, 0xFB, 0xFC));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+  if (trial_ == nullptr || trial_->path.empty()) return;
+  painter.setBrush(Qt::NoBrush);
+  for (const View& view : views()) {
+    painter.setPen(look::kQuietText);
+    painter.drawText(QRectF(view.area.left(), 4, view.area.width(), kTitle_px), Qt::AlignCenter,
+                     view.across == 0 ? tr("From the front") : tr("From the right"));
+    QPolygonF stretch;
+    painter.setPen(QPen(kPathColour, 1.3));
+    for (const auto& p : trial_->path) {
+      if (p.allFinite()) {
+        stretch << place(view, p);
+        continue;
+      }
+      painter.drawPolyline(stretch);
+      stretch.clear();
+    }
+    painter.drawPolyline(stretch);
+  }
+}
+
+void PathView::paint_outline(QPainter& painter, const View& view, const Pose& pose) const {
+  if (!trial_->scene) {
+    painter.drawEllipse(place(view, pose.p_WO), 6.0, 6.0);
+    return;
+  }
+  if (trial_->scene->shape == Shape::sphere) {
+    const double radius_px = 0.5 * view.px_per_m * trial_->scene->size_m[0];
+    painter.drawEllipse(place(view, pose.p_WO), radius_px, radius_px);
+    return;
+  }
+  const auto corners = corners_of(*trial_->scene);
+  // A face is an axis that stays and the four corners around it.
+  for (const std::size_t axis : {0U, 1U, 2U})
+    for (const std::size_t end : {0U, 1U}) {
+      const std::size_t u = std::size_t{1} << ((axis + 1) % 3);
+      const std::size_t v = std::size_t{1} << ((axis + 2) % 3);
+      const std::size_t base = end << axis;
+      QPolygonF face;
+      for (const std::size_t corner : {base, base + u, base + u + v, base + v})
+        face << place(view, pose.p_WO + pose.q_WO * corners[corner]);
+      painter.drawPolygon(face);
+    }
+}
+
+void PathView::paint_object(QPainter& painter, const View& view) const {
+  if (state_.target) {
+    painter.setPen(QPen(kTargetColour, 1.5, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    paint_outline(painter, view, *state_.target);
+  }
+  if (!state_.object) return;
+  painter.setPen(QPen(look::kText, 1.2));
+  painter.setBrush(QColor(0x33, 0x6B, 0xA8, 40));
+  paint_outline(painter, view, *state_.object);
+  if (!trial_->scene) return;
+  for (const auto& contact : trial_->scene->contacts) {
+    const auto f = index_of(contact.finger);
+    if (state_.fingers[f].quality == SampleQuality::missing && trial_->replay.has_fingers())
+      continue;
+    painter.setPen(QPen(look::kFingers[f], 1.5));
+    painter.setBrush(state_.fingers[f].touching ? look::kFingers[f] : QColor(Qt::white));
+    painter.drawEllipse(place(view, state_.object->p_WO + state_.object->q_WO * contact.p_OC), 4.0,
+                        4.0);
+  }
+}
+
+void PathView::paintEvent(QPaintEvent*) {
+  if (backdrop_.size() != size() * devicePixelRatio()) paint_backdrop();
+  QPainter painter(this);
+  painter.drawPixmap(0, 0, backdrop_);
+  if (trial_ == nullptr || trial_->path.empty()) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const View& view : views()) {
+    painter.setClipRect(view.area);
+    paint_object(painter, view);
+  }
 }
 
 }  // namespace isograsp

@@ -63,6 +63,10 @@ QString source_mark(const SessionRecord& session) {
   return session.recorded ? QObject::tr("RECORDED") : QString();
 }
 
+QString trials_words(int count) {
+  return count == 1 ? QObject::tr("1 trial") : QObject::tr("%1 trials").arg(count);
+}
+
 QString hand_words(Hand hand) {
   return hand == Hand::right ? QObject::tr("right hand") : QObject::tr("left hand");
 }

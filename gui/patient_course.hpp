@@ -39,6 +39,8 @@ struct PatientCourse {
 
 /// "SIMULATED", "RECORDED"; empty: measured by a device.
 [[nodiscard]] QString source_mark(const SessionRecord& session);
+/// "1 trial", "7 trials".
+[[nodiscard]] QString trials_words(int count);
 /// "right hand".
 [[nodiscard]] QString hand_words(Hand hand);
 /// "interrupted, kept, practice, helped": how it ended and what it does not count as.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/patient_page.hpp"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QShortcut>
@@ -15,11 +16,16 @@ namespace isograsp {
 namespace {
 
 constexpr int kSessions_px = 316;
+constexpr int kButtonEdges_px = 32;
 
 struct LoadedCourse {
   std::shared_ptr<const PatientCourse> course;
   std::vector<MeasureTrend> trends;
 };
+
+QString sessions_words(int count) {
+  return count == 1 ? QObject::tr("1 session") : QObject::tr("%1 sessions").arg(count);
+}
 
 QString date_of(const CourseSession& session) {
   constexpr int kDate = 10;  // characters of "2026-11-21"
@@ -52,7 +58,7 @@ PatientPage::PatientPage(Clinic& clinic, QWidget* parent) : QWidget(parent), cli
   connect(&clinic_, &Clinic::opened, this, [this] {
     if (!code_.empty()) load();
   });
-  show_view(View::trends);
+  switch_to(View::trends);
   tell();
 }
 
@@ -78,6 +84,9 @@ QWidget* PatientPage::make_head() {
     auto* button = new QPushButton(text);
     button->setObjectName(name);
     button->setCheckable(true);
+    QFont bold = font();  // of the chosen one
+    bold.setBold(true);
+    button->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(text) + kButtonEdges_px);
     describe(*button, text, tip);
     choice_->addButton(button, static_cast<int>(view));
     row->addWidget(button);
@@ -95,9 +104,13 @@ QWidget* PatientPage::make_head() {
   return head;
 }
 
-void PatientPage::show_view(View view) {
+void PatientPage::switch_to(View view) {
   views_->setCurrentIndex(static_cast<int>(view));
   choice_->button(static_cast<int>(view))->setChecked(true);
+}
+
+void PatientPage::show_view(View view) {
+  switch_to(view);
   switch (view) {
     case View::trends: trends_->take_focus(); break;
     case View::comparison: comparison_->take_focus(); break;
@@ -114,7 +127,7 @@ void PatientPage::show_patient(const std::string& code) {
     ++*wanted_trial_;
     loading_trial_ = false;
     trial_->show_problem(tr("Choose a trial at the left and open it with Enter."));
-    show_view(View::trends);
+    switch_to(View::trends);
   }
   code_ = code;
   problem_.clear();
@@ -158,6 +171,7 @@ void PatientPage::open_trial(int session_index, int trial_index) {
   if (course_ == nullptr) return;
   const auto& chosen = course_->sessions.at(static_cast<std::size_t>(session_index));
   const auto& record = chosen.trials.at(static_cast<std::size_t>(trial_index)).record;
+  sessions_->choose(session_index, trial_index);
   show_view(View::trial);
   trial_->show_loading(
       tr("trial %1, %2").arg(record.number).arg(QString::fromStdString(record.task_name)));
@@ -175,7 +189,9 @@ void PatientPage::open_trial(int session_index, int trial_index) {
         loading_trial_ = false;
         if (*outcome) {
           trial_->show_trial(std::make_shared<const LoadedTrial>(**std::move(outcome)));
-          if (views_->currentWidget() == trial_) trial_->take_focus();
+          // Whoever has gone elsewhere meanwhile stays there.
+          if (views_->currentWidget() == trial_ && isAncestorOf(QApplication::focusWidget()))
+            trial_->take_focus();
         } else {
           trial_->show_problem(tr("This trial cannot be read: %1")
                                    .arg(QString::fromStdString(outcome->error().message())));
@@ -199,11 +215,10 @@ void PatientPage::tell() {
   } else {
     int trials = 0;
     for (const auto& session : course_->sessions) trials += static_cast<int>(session.trials.size());
-    summary_->setText(
-        tr("%1, %2, from %3 to %4")
-            .arg(tr("%n session(s)", nullptr, static_cast<int>(course_->sessions.size())),
-                 tr("%n trial(s)", nullptr, trials), date_of(course_->sessions.front()),
-                 date_of(course_->sessions.back())));
+    summary_->setText(tr("%1, %2, from %3 to %4")
+                          .arg(sessions_words(static_cast<int>(course_->sessions.size())),
+                               trials_words(trials), date_of(course_->sessions.front()),
+                               date_of(course_->sessions.back())));
   }
 }
 

@@ -29,7 +29,7 @@ class PatientPage final : public QWidget {
 
   /// Reads what is stored, also if the patient is the one that is shown; an empty code: nobody.
   void show_patient(const std::string& code);
-  void show_view(View view);
+  void show_view(View view);  ///< and give it the focus
   /// Indices into PatientCourse::sessions and CourseSession::trials.
   void open_trial(int session_index, int trial_index);
 
@@ -43,6 +43,7 @@ class PatientPage final : public QWidget {
 
  private:
   QWidget* make_head();
+  void switch_to(View view);
   void load();
   void tell();
 

@@ -3,8 +3,6 @@
 
 #include <QKeyEvent>
 #include <QPainter>
-#include <QPainterPath>
-#include <utility>
 
 #include <GL/gl.h>
 
@@ -21,6 +19,7 @@ ReplayWindow::~ReplayWindow() {
 void ReplayWindow::show_trial(std::shared_ptr<const LoadedTrial> trial) {
   trial_ = std::move(trial);
   state_ = {};
+  path_ = {};
   update();
 }
 
@@ -33,6 +32,24 @@ void ReplayWindow::initializeGL() {
   scene_ = std::make_unique<ObjectScene>();
 }
 
+void ReplayWindow::draw_path(QSize size_px) {
+  path_ = QImage(size_px, QImage::Format_ARGB32_Premultiplied);
+  path_.fill(Qt::transparent);
+  QPainter painter(&path_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(look::kAccent, 1.5));
+  QPolygonF stretch;
+  for (const auto& p : trial_->path) {
+    if (p.allFinite()) {
+      stretch << scene_->project(p, size_px);
+      continue;
+    }
+    painter.drawPolyline(stretch);
+    stretch.clear();
+  }
+  painter.drawPolyline(stretch);
+}
+
 void ReplayWindow::paintGL() {
   const QSize size_px = size() * devicePixelRatio();
   if (trial_ == nullptr || !state_.object) {
@@ -42,25 +59,14 @@ void ReplayWindow::paintGL() {
   }
   scene_->show(picture_at(*trial_, state_));
   scene_->draw(size_px);
-  QPainterPath path;
-  bool begins = true;
-  for (const auto& p : trial_->path) {
-    if (!p.allFinite())
-      begins = true;
-    else if (std::exchange(begins, false))
-      path.moveTo(scene_->project(p, size_px));
-    else
-      path.lineTo(scene_->project(p, size_px));
-  }
+  if (path_.size() != size_px) draw_path(size_px);
   // QPainter changes OpenGL's state, and the next 3D picture would be lit wrongly.
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
   {
     QPainter painter(this);
     painter.scale(1.0 / devicePixelRatio(), 1.0 / devicePixelRatio());
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(look::kAccent, 1.5));
-    painter.drawPath(path);
+    painter.drawImage(0, 0, path_);
   }
   glPopClientAttrib();
   glPopAttrib();

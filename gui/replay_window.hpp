@@ -2,6 +2,7 @@
 // The object of a stored trial in three dimensions, with its path: the patient's picture again.
 #pragma once
 
+#include <QImage>
 #include <QOpenGLWindow>
 #include <memory>
 
@@ -31,7 +32,10 @@ class ReplayWindow final : public QOpenGLWindow {
  private:
   std::shared_ptr<const LoadedTrial> trial_;
   ReplayState state_;
+  void draw_path(QSize size_px);
+
   std::unique_ptr<ObjectScene> scene_;
+  QImage path_;  ///< the camera never moves: the path is projected once
 };
 
 }  // namespace isograsp

@@ -115,8 +115,15 @@ void TrendGrid::open_large(std::size_t index) {
   const MeasureTrend& trend = trends_.at(index);
   choose(static_cast<int>(index));
   large_title_->setText(tr("%1: %2").arg(trend.title, trend.last));
-  const auto lost = tr("%n trial(s) have no value of it.", nullptr, trend.without);
-  large_remark_->setText(trend.without > 0 ? tr("%1. %2").arg(trend.task, lost) : trend.task);
+  large_remark_->setText(
+      trend.without > 0
+          ? tr("%1. Without a value: %2.").arg(trend.task, trials_words(trend.without))
+          : trend.task);
+  if (trend.mixed)
+    large_remark_->setText(
+        tr("%1\nThe trials differ in their parameters, level or object, so that not only the "
+           "patient changes from one to the next.")
+            .arg(large_remark_->text()));
   describe(*large_plot_, trend.title,
            tr("Disc: assessment, ring: practice, triangle: helped; the line joins the means of the "
               "sessions (Escape goes back)"));
@@ -134,7 +141,7 @@ void TrendGrid::take_focus() {
   if (currentWidget() == large_)
     back_->setFocus();
   else if (!tiles_.empty())
-    tiles_[static_cast<std::size_t>(current_)]->setFocus(Qt::ShortcutFocusReason);
+    tiles_[static_cast<std::size_t>(current_)]->setFocus();
 }
 
 bool TrendGrid::eventFilter(QObject* watched, QEvent* event) {

@@ -103,6 +103,12 @@ void SessionTrendPlot::show_trend(const MeasureTrend& trend) {
     mean_y.append(mean.value);
   }
   means_->setData(mean_x, mean_y, true);
+  if (size_ == Size::large) {
+    plot_->legend->clearItems();
+    if (!mean_x.isEmpty()) means_->addToLegend();
+    for (auto* marks : {assessed_, practised_, helped_})
+      if (marks->dataCount() > 0) marks->addToLegend();
+  }
   if (trend.points.empty()) return;
   const int first = trend.points.front().session;
   const int last = trend.points.back().session;
@@ -115,7 +121,7 @@ void SessionTrendPlot::show_trend(const MeasureTrend& trend) {
   const bool large = size_ == Size::large;
   if (large) plot_->yAxis->setLabel(trend.unit);
   auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-  const std::size_t most_labels = large ? 10 : 6;
+  const std::size_t most_labels = large ? 7 : 6;  // of dates and of numbers
   const auto every = static_cast<int>((trend.dates.size() + most_labels - 1) / most_labels);
   int number = 0;
   for (const auto& [session, date] : trend.dates)

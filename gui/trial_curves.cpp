@@ -93,7 +93,7 @@ std::vector<TrialCurve> curves_of(const TrialReplay& replay, CurveSet set,
       for (const Finger finger : kFingers)
         add(std::string(name_of(finger)) + "_fz_N", finger_title(finger),
             look::kFingers[index_of(finger)]);
-      add("actual_force_N", QObject::tr("Force of the task"), look::kText);
+      add("actual_force_N", QObject::tr("Task’s force"), look::kText);
       add("target_force_N", QObject::tr("Target"), look::kText);
       break;
     case CurveSet::position:

@@ -7,6 +7,7 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <cmath>
+#include <utility>
 
 #include "gui/choice_box.hpp"
 #include "gui/look.hpp"
@@ -20,7 +21,7 @@ namespace isograsp {
 namespace {
 constexpr int kFrame_ms = 33;       // of the replay on the screen
 constexpr double kSlider_Hz = 1e3;  // steps of the slider
-constexpr int kAbout_px = 264;
+constexpr int kAbout_px = 284;
 constexpr int kMarkTime = Qt::UserRole;
 
 QString seconds(double t_s) {
@@ -107,8 +108,8 @@ QWidget* TrialView::make_about() {
   about_ = new QTableWidget(0, 2);
   about_->setObjectName("trial_about");
   about_->horizontalHeader()->hide();
-  about_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  about_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  about_->horizontalHeader()->setStretchLastSection(true);
+  about_->setColumnWidth(0, kAbout_px * 3 / 5);
   about_->verticalHeader()->hide();
   about_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   about_->setShowGrid(false);
@@ -162,8 +163,9 @@ QWidget* TrialView::make_controls() {
 void TrialView::connect_all() {
   connect(&timer_, &QTimer::timeout, this, &TrialView::advance);
   connect(play_, &QPushButton::clicked, this, &TrialView::toggle);
-  connect(slider_, &QSlider::valueChanged, this,
-          [this](int value) { seek(trial_->replay.begin_s() + value / kSlider_Hz); });
+  connect(slider_, &QSlider::valueChanged, this, [this](int value) {
+    if (trial_ != nullptr) seek(trial_->replay.begin_s() + value / kSlider_Hz);
+  });
   connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &TrialView::choose_speed);
   connect(plot_, &TrialPlot::sought, this, &TrialView::seek);
@@ -180,7 +182,7 @@ void TrialView::connect_all() {
   connect(about_, &QTableWidget::itemActivated, this, go);
   connect(about_, &QTableWidget::itemClicked, this, go);
   connect(new QShortcut(Qt::Key_F7, this), &QShortcut::activated, set_,
-          [this] { set_->setFocus(Qt::ShortcutFocusReason); });
+          [this] { set_->setFocus(); });
 }
 
 CurveSet TrialView::set() const {
@@ -254,7 +256,7 @@ void TrialView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
 }
 
 void TrialView::take_focus() {
-  if (play_->isVisible() && play_->isEnabled()) play_->setFocus(Qt::ShortcutFocusReason);
+  if (play_->isVisible() && play_->isEnabled()) play_->setFocus();
 }
 
 void TrialView::fill_about() {
@@ -284,13 +286,18 @@ void TrialView::fill_about() {
     about_->item(row, 0)->setForeground(look::kAccent);
     about_->item(row, 0)->setFlags(Qt::NoItemFlags | Qt::ItemIsEnabled);
   };
-  if (!trial_->opened.measures.empty()) heading(tr("Measures"));
   const auto spec = trial_->task ? std::optional(*trial_->task) : std::nullopt;
-  for (const auto& measure : trial_->opened.measures) {
-    const auto place = place_of(spec, measure.name, measure.channel);
-    add(measure_title(measure), measure_value(measure), place.prominence == Prominence::key,
-        measure_remark(measure));
-  }
+  const auto add_measures = [&](const QString& title, bool drawn) {
+    bool first = true;
+    for (const auto& measure : trial_->opened.measures) {
+      const auto prominence = place_of(spec, measure.name, measure.channel).prominence;
+      if ((prominence != Prominence::none) != drawn) continue;
+      if (std::exchange(first, false)) heading(title);
+      add(measure_title(measure), measure_value(measure), prominence == Prominence::key,
+          measure_remark(measure));
+    }
+  };
+  add_measures(tr("Measures"), true);
   if (!trial_->opened.marks.empty()) heading(tr("Events"));
   for (const auto& mark : trial_->opened.marks) {
     const auto text = mark.text.empty()
@@ -304,6 +311,7 @@ void TrialView::fill_about() {
   heading(tr("About"));
   for (const auto& fact : trial_->facts)
     add(fact.doubtful ? tr("⚠ %1").arg(fact.what) : fact.what, fact.value, fact.doubtful, {});
+  add_measures(tr("Other measures"), false);
 }
 
 void TrialView::fill_channels() {

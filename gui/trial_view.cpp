@@ -2,19 +2,16 @@
 #include "gui/trial_view.hpp"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <cmath>
-#include <utility>
 
 #include "gui/choice_box.hpp"
 #include "gui/look.hpp"
 #include "gui/patient_course.hpp"
 #include "gui/patient_window.hpp"
 #include "gui/words.hpp"
-#include "reports/measure_words.hpp"
 
 namespace isograsp {
 
@@ -22,11 +19,6 @@ namespace {
 constexpr int kFrame_ms = 33;       // of the replay on the screen
 constexpr double kSlider_Hz = 1e3;  // steps of the slider
 constexpr int kAbout_px = 284;
-constexpr int kMarkTime = Qt::UserRole;
-
-QString seconds(double t_s) {
-  return QString::number(t_s, 'f', 2);
-}
 
 QString phase_words(Phase phase) {
   switch (phase) {
@@ -105,21 +97,7 @@ QWidget* TrialView::make_pictures() {
 QWidget* TrialView::make_about() {
   side_ = new QStackedWidget;
   side_->setFixedWidth(kAbout_px);
-  about_ = new QTableWidget(0, 2);
-  about_->setObjectName("trial_about");
-  about_->horizontalHeader()->hide();
-  about_->horizontalHeader()->setStretchLastSection(true);
-  about_->setColumnWidth(0, kAbout_px * 3 / 5);
-  about_->verticalHeader()->hide();
-  about_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  about_->setShowGrid(false);
-  about_->setWordWrap(true);
-  about_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  about_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  about_->setTabKeyNavigation(false);
-  about_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  describe(*about_, tr("About this trial"),
-           tr("Measures, events and what is known: arrow keys; Enter on an event goes there"));
+  about_ = new TrialAbout;
   channels_ = new QListWidget;
   channels_->setObjectName("trial_channels");
   describe(*channels_, tr("Recorded channels"),
@@ -175,12 +153,7 @@ void TrialView::connect_all() {
   });
   connect(set_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &TrialView::draw_curves);
   connect(channels_, &QListWidget::itemChanged, this, &TrialView::draw_curves);
-  const auto go = [this](QTableWidgetItem* item) {
-    const auto at = about_->item(item->row(), 0)->data(kMarkTime);
-    if (at.isValid()) seek(at.toDouble());
-  };
-  connect(about_, &QTableWidget::itemActivated, this, go);
-  connect(about_, &QTableWidget::itemClicked, this, go);
+  connect(about_, &TrialAbout::sought, this, &TrialView::seek);
   connect(new QShortcut(Qt::Key_F7, this), &QShortcut::activated, set_,
           [this] { set_->setFocus(); });
 }
@@ -247,7 +220,7 @@ void TrialView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
     for (const CurveSet set : sets_of(replay)) set_->addItem(title_of(set), static_cast<int>(set));
     set_->setCurrentIndex(std::max(0, set_->findData(before)));
   }
-  fill_about();
+  about_->show_trial(*trial_);
   fill_channels();
   show_object();
   draw_curves();
@@ -257,61 +230,6 @@ void TrialView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
 
 void TrialView::take_focus() {
   if (play_->isVisible() && play_->isEnabled()) play_->setFocus();
-}
-
-void TrialView::fill_about() {
-  about_->setRowCount(0);
-  about_->clearSpans();
-  const auto add = [this](const QString& what, const QString& value, bool bold,
-                          const QString& tip) {
-    const int row = about_->rowCount();
-    about_->insertRow(row);
-    int column = 0;
-    for (const auto& text : {what, value}) {
-      auto* item = new QTableWidgetItem(text);
-      item->setToolTip(tip.isEmpty() ? tr("%1: %2").arg(what, value) : tip);
-      item->setTextAlignment((column == 1 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
-      if (bold) {
-        QFont font = about_->font();
-        font.setBold(true);
-        item->setFont(font);
-      }
-      about_->setItem(row, column++, item);
-    }
-    return row;
-  };
-  const auto heading = [&](const QString& text) {
-    const int row = add(text, {}, true, text);
-    about_->setSpan(row, 0, 1, 2);
-    about_->item(row, 0)->setForeground(look::kAccent);
-    about_->item(row, 0)->setFlags(Qt::NoItemFlags | Qt::ItemIsEnabled);
-  };
-  const auto spec = trial_->task ? std::optional(*trial_->task) : std::nullopt;
-  const auto add_measures = [&](const QString& title, bool drawn) {
-    bool first = true;
-    for (const auto& measure : trial_->opened.measures) {
-      const auto prominence = place_of(spec, measure.name, measure.channel).prominence;
-      if ((prominence != Prominence::none) != drawn) continue;
-      if (std::exchange(first, false)) heading(title);
-      add(measure_title(measure), measure_value(measure), prominence == Prominence::key,
-          measure_remark(measure));
-    }
-  };
-  add_measures(tr("Measures"), true);
-  if (!trial_->opened.marks.empty()) heading(tr("Events"));
-  for (const auto& mark : trial_->opened.marks) {
-    const auto text = mark.text.empty()
-                          ? tr("%1 %2").arg(mark_letter(mark.kind), mark_words(mark.kind))
-                          : tr("%1 %2: %3")
-                                .arg(mark_letter(mark.kind), mark_words(mark.kind),
-                                     QString::fromStdString(mark.text));
-    const int row = add(text, tr("%1 s").arg(seconds(mark.t_s)), false, {});
-    about_->item(row, 0)->setData(kMarkTime, mark.t_s);
-  }
-  heading(tr("About"));
-  for (const auto& fact : trial_->facts)
-    add(fact.doubtful ? tr("⚠ %1").arg(fact.what) : fact.what, fact.value, fact.doubtful, {});
-  add_measures(tr("Other measures"), false);
 }
 
 void TrialView::fill_channels() {
@@ -395,7 +313,7 @@ void TrialView::show_time() {
     const QSignalBlocker quiet(slider_);
     slider_->setValue(static_cast<int>(std::lround(kSlider_Hz * (t_s - replay.begin_s()))));
   }
-  time_->setText(tr("%1 of %2 s").arg(seconds(t_s), seconds(replay.end_s())));
+  time_->setText(tr("%1 of %2 s").arg(seconds_text(t_s), seconds_text(replay.end_s())));
   plot_->set_cursor(t_s);
   const auto state = replay.at(t_s);
   if (object_->isVisible() && object_->currentIndex() == 0) flat_->show_state(state);

@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QStackedWidget>
-#include <QTableWidget>
 #include <QTimer>
 #include <memory>
 
@@ -17,6 +16,7 @@
 #include "gui/loaded_trial.hpp"
 #include "gui/path_view.hpp"
 #include "gui/replay_window.hpp"
+#include "gui/trial_about.hpp"
 #include "gui/trial_plot.hpp"
 
 namespace isograsp {
@@ -42,7 +42,6 @@ class TrialView final : public Card {
   QWidget* make_about();
   QWidget* make_controls();
   void connect_all();
-  void fill_about();
   void fill_channels();
   void show_object();
   void draw_curves();
@@ -71,7 +70,7 @@ class TrialView final : public Card {
   TrialPlot* plot_;
   QLabel* reading_;
   QStackedWidget* side_;
-  QTableWidget* about_;
+  TrialAbout* about_;
   QListWidget* channels_;
   QPushButton* play_;
   QSlider* slider_;

@@ -36,7 +36,7 @@ QString phase_words(Phase phase) {
 TrialView::TrialView(QWidget* parent) : Card(tr("Trial"), parent) {
   set_ = new ChoiceBox;
   set_->setObjectName("trial_curves");
-  describe(*set_, tr("What is drawn"), tr("What is drawn over time: arrow keys choose (F7)"));
+  describe(*set_, tr("What is drawn"), tr("What is drawn over time: arrow keys choose (Ctrl+G)"));
   auto* head = new QHBoxLayout;
   head->setSpacing(10);
   column_->removeWidget(title_);
@@ -154,7 +154,7 @@ void TrialView::connect_all() {
   connect(set_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &TrialView::draw_curves);
   connect(channels_, &QListWidget::itemChanged, this, &TrialView::draw_curves);
   connect(about_, &TrialAbout::sought, this, &TrialView::seek);
-  connect(new QShortcut(Qt::Key_F7, this), &QShortcut::activated, set_,
+  connect(new QShortcut(QKeySequence(QStringLiteral("Ctrl+G")), this), &QShortcut::activated, set_,
           [this] { set_->setFocus(); });
 }
 

@@ -40,12 +40,6 @@ class Clinic final : public QObject {
   /// Until the answer comes, the history of another patient is empty and that of the same one is
   /// as it was -> history_changed(), twice for another patient.
   void load_history(const std::string& code);
-  /// `answer(question(store))`: asked on the worker, answered here. Not before it is open.
-  template <class Question, class Answer>
-  void ask(Question question, Answer answer) {
-    worker_.run([store = store_, question = std::move(question)] { return question(**store); },
-                std::move(answer));
-  }
   // What is known of a person. The answer is profile_changed(), or profile_failed() and failed():
   // then nothing of it is stored. `then` hears before the signals whether it is.
   using Stored = std::function<void(bool)>;

@@ -189,6 +189,9 @@ void decide_sentence(const FlowFacts& facts, FlowView& view) {
         return say(Mood::fault, QString::fromStdString(facts.connection_error));
       if (!facts.patient_chosen)
         return say(Mood::attention, Words::tr("Choose a patient, or add a new one."));
+      if (facts.hand_to_confirm)
+        return say(Mood::attention,
+                   Words::tr("This is not the affected hand. Confirm it, or choose the other."));
       if (!facts.hand_chosen)
         return say(Mood::attention,
                    Words::tr("Which hand is in the device today? Choose right or left."));

@@ -50,6 +50,7 @@ struct FlowFacts {
   std::string database_error;  ///< why the database could not be opened
   bool patient_chosen = false;
   bool hand_chosen = false;
+  bool hand_to_confirm = false;    ///< it is not the affected one: nobody has confirmed it yet
   bool screened = false;           ///< questions answered, decision made
   bool earlier_undecided = false;  ///< an interrupted protocol may go on: nobody has said yet
   bool device_chosen = false;

@@ -50,6 +50,13 @@ QToolButton[score="true"] { background: #FFFFFF; color: #1B2733; border: 1px sol
 QToolButton[score="true"]:hover { border-color: #0B5CAD; background: #F4F9FE; }
 QToolButton[score="true"]:checked { background: #0B5CAD; color: #FFFFFF; font-weight: bold; }
 QToolButton[score="true"]:focus { border: 2px solid #0B5CAD; }
+QTabWidget::pane { border: none; }
+QTabBar { background: transparent; }
+QTabBar::tab { background: transparent; color: #52606D; padding: 9px 16px 7px 16px; border: none;
+  border-bottom: 2px solid transparent; margin-left: 8px; }
+QTabBar::tab:selected { color: #0B5CAD; border-bottom: 2px solid #0B5CAD; font-weight: bold; }
+QTabBar::tab:hover { color: #1B2733; }
+QTabBar::tab:focus { color: #0B5CAD; background: #E1EEFA; }
 QFrame[due="true"] { border: 2px solid #0B5CAD; }
 QPushButton { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0; border-radius: 6px;
   padding: 6px 12px; min-height: 18px; }

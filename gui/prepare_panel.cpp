@@ -84,11 +84,19 @@ QWidget* PreparePanel::make_hand() {
   };
   left_ = make(tr("&Left hand"), tr("Left hand"), tr("Alt+L"), Hand::left);
   right_ = make(tr("&Right hand"), tr("Right hand"), tr("Alt+R"), Hand::right);
-  auto* row = new QHBoxLayout(body);
-  row->setContentsMargins(0, 0, 0, 0);
+  confirm_hand_ = new QPushButton(tr("Yes, the less affected hand"));
+  confirm_hand_->setObjectName("confirm_hand");
+  describe(*confirm_hand_, tr("Yes, today the less affected hand"),
+           tr("The hand on the affected side is another one; this one is meant (Tab, then space)"));
+  connect(confirm_hand_, &QPushButton::clicked, &presenter_, &SessionPresenter::confirm_hand);
+  auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(left_);
   row->addWidget(right_);
+  auto* column = new QVBoxLayout(body);
+  column->setSpacing(7);
+  column->addLayout(row);
+  column->addWidget(confirm_hand_);
   return body;
 }
 
@@ -134,8 +142,10 @@ void PreparePanel::refresh() {
   right_->setChecked(hand == Hand::right);
   for (auto* button : {left_, right_}) {
     button->setEnabled(view.may_change_hand);
-    mark_next(*button, view.next() == Step::hand);
+    mark_next(*button, view.next() == Step::hand && !presenter_.hand_to_confirm());
   }
+  confirm_hand_->setVisible(presenter_.hand_to_confirm());
+  mark_next(*confirm_hand_, true);
 }
 
 }  // namespace isograsp

@@ -31,6 +31,7 @@ class PreparePanel final : public QWidget {
   QPushButton* patients_;
   QPushButton* left_;
   QPushButton* right_;
+  QPushButton* confirm_hand_;
   std::array<Section*, kStepCount> sections_{};
   bool zero_again_ = false;     ///< the protocol asks for another zero
   bool earlier_asked_ = false;  ///< an interrupted protocol waits for a decision

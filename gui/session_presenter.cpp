@@ -112,7 +112,8 @@ FlowFacts SessionPresenter::facts() const {
   facts.database_open = clinic_.is_open();
   facts.database_error = database_error_;
   facts.patient_chosen = !patient_.empty();
-  facts.hand_chosen = hand_.has_value();
+  facts.hand_chosen = hand_ && hand_confirmed_;
+  facts.hand_to_confirm = hand_to_confirm();
   facts.screened = screening_.complete();
   facts.earlier_undecided = earlier_.has_value() && !resume_;
   facts.device_chosen = !device_uri_.empty();
@@ -173,6 +174,7 @@ void SessionPresenter::choose_patient(const std::string& code) {
   last_trial_.reset();
   live_score_.clear();
   clinic_.load_history(code);
+  clinic_.load_profile(code);
   update();
 }
 
@@ -180,7 +182,16 @@ void SessionPresenter::choose_hand(Hand hand) {
   if (!view_.may_change_hand) return;
   if (hand_ != hand) screening_ = {};  // its outcome is that of one hand
   hand_ = hand;
+  const Side other = hand == Hand::right ? Side::left : Side::right;
+  const auto& file = clinic_.file();
+  hand_confirmed_ = !file || file->profile.affected != other;
   look_for_earlier();
+  update();
+}
+
+void SessionPresenter::confirm_hand() {
+  if (!hand_to_confirm()) return;
+  hand_confirmed_ = true;
   update();
 }
 

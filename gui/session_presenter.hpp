@@ -44,6 +44,8 @@ class SessionPresenter final : public QObject {
   // Choices. Ignored while the flow does not allow them.
   void choose_patient(const std::string& code);
   void choose_hand(Hand hand);
+  /// The chosen hand is not the affected one, and that is meant.
+  void confirm_hand();
   void choose_device(const std::string& uri);
   void answer_screening(const Screening& answers);
   /// A number in protocols(); kByHand: none, tasks are chosen one by one.
@@ -96,6 +98,8 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] const ForceHistory& forces() const noexcept { return forces_; }
   [[nodiscard]] const std::string& patient() const noexcept { return patient_; }
   [[nodiscard]] std::optional<Hand> hand() const noexcept { return hand_; }
+  /// The chosen hand is not on the affected side: a press must confirm it.
+  [[nodiscard]] bool hand_to_confirm() const noexcept { return hand_ && !hand_confirmed_; }
   [[nodiscard]] const std::string& device_uri() const noexcept { return device_uri_; }
   [[nodiscard]] std::string device_description() const;
   [[nodiscard]] const std::vector<TaskSpec>& tasks() const noexcept { return tasks_; }
@@ -200,6 +204,7 @@ class SessionPresenter final : public QObject {
   std::string database_error_;
   std::string patient_;
   std::optional<Hand> hand_;
+  bool hand_confirmed_ = false;
   std::string device_uri_;
   Screening screening_;
   std::vector<ReadyProtocol> protocols_;

@@ -76,7 +76,8 @@ void SessionPresenter::look_for_earlier() {
   resume_.reset();
   if (!clinic_.is_open() || patient_.empty() || !hand_ || device_uri_.empty()) return;
   if (protocol_ == kByHand || starts_with(device_uri_, "replay://")) return;
-  clinic_.ask(
+  clinic_.read(
+      this,
       [code = patient_, hand = *hand_, uri = device_uri_,
        protocol = protocols_[static_cast<std::size_t>(protocol_)]](
           SessionStore& store) -> std::optional<int> {

@@ -174,8 +174,8 @@ void StartPage::fill() {
 void StartPage::fill_recent() {
   if (!clinic_.is_open()) return;
   constexpr int kMost = 40;
-  clinic_.ask(
-      [](SessionStore& store) { return store.recent_sessions(kMost); },
+  clinic_.read(
+      this, [](SessionStore& store) { return store.recent_sessions(kMost); },
       [this](const Result<std::vector<SessionRecord>>& sessions) {
         if (!sessions) return;
         const QSignalBlocker quiet(recent_);

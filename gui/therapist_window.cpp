@@ -6,11 +6,15 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QShortcut>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
 
 #include "gui/history_panel.hpp"
 #include "gui/look.hpp"
+#include "gui/patient_page.hpp"
+#include "gui/profile_panel.hpp"
 #include "gui/session_page.hpp"
 #include "gui/start_page.hpp"
 
@@ -133,6 +137,7 @@ void TherapistWindow::add_page(Page page, const QString& title, QWidget* content
 void TherapistWindow::make_pages() {
   auto* start = new StartPage(clinic_, presenter_);
   add_page(Page::start, tr("Start"), start);
+  add_page(Page::patient, tr("Patient"), make_patient());
   auto* session = new SessionPage(presenter_);
   add_page(Page::session, tr("Session"), session);
   auto* reports = new QWidget;
@@ -141,17 +146,42 @@ void TherapistWindow::make_pages() {
   column->addWidget(new HistoryPanel(clinic_, presenter_));
   add_page(Page::reports, tr("Reports"), reports);
   connect(start, &StartPage::begin_session, this, [this] { show_page(Page::session); });
-  connect(start, &StartPage::open_patient, this, [this] { show_page(Page::reports); });
+  connect(start, &StartPage::open_patient, this, [this] { show_page(Page::patient); });
   connect(start, &StartPage::demonstration_wanted, this, [this] {
     if (open_demonstration) open_demonstration();
   });
   connect(session, &SessionPage::other_patient, this, [this] { show_page(Page::start); });
 }
 
+QWidget* TherapistWindow::make_patient() {
+  course_ = new PatientPage(clinic_);
+  person_ = new ProfilePanel(clinic_);
+  auto* tabs = new QTabWidget;
+  tabs->setObjectName("patient_tabs");
+  tabs->setDocumentMode(true);
+  tabs->addTab(course_, tr("Course"));
+  tabs->addTab(person_, tr("Person"));
+  for (QWidget* widget : {static_cast<QWidget*>(tabs), static_cast<QWidget*>(tabs->tabBar())})
+    describe(*widget, tr("Course or person"),
+             tr("What was measured, or what is known of the person (Tab, arrow keys)"));
+  connect(&presenter_, &SessionPresenter::trial_ended, this, &TherapistWindow::show_patient);
+  connect(&presenter_, &SessionPresenter::settled, this, &TherapistWindow::show_patient);
+  return tabs;
+}
+
+/// Reads the patient anew, if the page is looked at.
+void TherapistWindow::show_patient() {
+  if (page() != Page::patient) return;
+  course_->show_patient(presenter_.patient());
+  person_->show_patient(presenter_.patient());
+}
+
 void TherapistWindow::show_page(Page page) {
+  if (this->page() == Page::patient) person_->store_now();
   pages_->setCurrentIndex(static_cast<int>(page));
   for (std::size_t i = 0; i < tabs_.size(); ++i)
     tabs_[i]->setChecked(i == static_cast<std::size_t>(page));
+  show_patient();
 }
 
 TherapistWindow::Page TherapistWindow::page() const {

@@ -16,13 +16,16 @@
 
 namespace isograsp {
 
+class PatientPage;
+class ProfilePanel;
+
 class TherapistWindow final : public QMainWindow {
   Q_OBJECT
 
  public:
   TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QWidget* parent = nullptr);
 
-  enum class Page : std::uint8_t { start, session, reports };
+  enum class Page : std::uint8_t { start, patient, session, reports };
   void show_page(Page page);
   [[nodiscard]] Page page() const;
 
@@ -43,6 +46,8 @@ class TherapistWindow final : public QMainWindow {
   QWidget* make_navigation();
   void make_pages();
   void add_page(Page page, const QString& title, QWidget* content);
+  [[nodiscard]] QWidget* make_patient();
+  void show_patient();
   void add_shortcuts();
   void refresh();
 
@@ -57,6 +62,8 @@ class TherapistWindow final : public QMainWindow {
   QLabel* message_;
   QWidget* navigation_;
   QStackedWidget* pages_;
+  PatientPage* course_;
+  ProfilePanel* person_;
   std::vector<QPushButton*> tabs_;  ///< of the pages, in their order
   bool closing_ = false;
 };

@@ -2,6 +2,7 @@
 // gui_screenshots FOLDER: runs a session with the simulated patient and makes pictures of both
 // windows in their states. Needs a display with OpenGL (scripts/screenshots gives it Xvfb).
 #include <QDir>
+#include <QTabWidget>
 #include <cstdio>
 
 #include "operator.hpp"
@@ -157,6 +158,12 @@ void photograph(const QString& output) {
   QTest::qWait(200);
   photographer.take_therapist("therapist_by_hand");
 
+  windows.therapist().show_page(TherapistWindow::Page::patient);
+  QTest::qWait(1500);
+  photographer.take_therapist("therapist_patient");
+  therapist.find<QTabWidget>("patient_tabs").setCurrentIndex(1);
+  QTest::qWait(500);
+  photographer.take_therapist("therapist_person");
   windows.therapist().show_page(TherapistWindow::Page::reports);
   auto& report = windows.clinic().report();
   report.start("P-7M2H5", folder.path("report.pdf"));

@@ -24,6 +24,7 @@ struct DevicesOptions {
   std::string config;
   std::string device;
   double weight_N = 0.0;
+  std::optional<Hand> hand;  ///< for which the platform stands
 };
 
 struct Scheme {
@@ -119,7 +120,21 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
   };
   std::optional<double> weight_N;
   if (options.weight_N > 0.0) weight_N = options.weight_N;
-  DeviceCheck check(live->device().info().frame_period_s, weight_N);
+  // A platform that takes both hands stands for one of them now: where the wrist is follows.
+  const auto& info = live->device().info();
+  const Hand hand = options.hand.value_or(info.hand.value_or(Hand::right));
+  if (info.hand) {
+    if (hand != *info.hand)
+      return Error{Error::Code::bad_input,
+                   "the device is set up for the " + std::string(name_of(*info.hand)) + " hand",
+                   "leave out --hand",
+                   device,
+                   0,
+                   "--hand"};
+  } else if (!options.hand) {
+    say("The platform is taken to stand for the right hand; add --hand left for the other one.");
+  }
+  DeviceCheck check(info.frame_period_s, hand, weight_N);
   say("Take everything off the supports and do not touch them.");
   bool empty_known = false;
   const auto run = live->run(0.0, [&](const FingerFrame& frame) {
@@ -222,6 +237,11 @@ void add_devices(CLI::App& app, Action& action) {
                       "Where the sensors are, if the file does not name the interface");
   command->add_option("--weight", options->weight_N, "Reference weight in newtons")
       ->check(CLI::Range(0.5, 100.0));
+  command
+      ->add_option("--hand", options->hand,
+                   "For which the platform stands, if its file does not say it")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Hand>{{"right", Hand::right}, {"left", Hand::left}}));
   command->footer("Example:\n  isograsp devices --config clinic.toml --check");
   command->callback([options, &action] { action = [options] { return run_devices(*options); }; });
 }

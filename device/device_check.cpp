@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/anatomical_axes.hpp"
+
 namespace isograsp {
 
 namespace {
@@ -17,10 +19,11 @@ std::string the(Finger finger) {
                                  : "the " + std::string(name_of(finger)) + " finger's support";
 }
 
-Vec3 direction_of(Press press) {
-  switch (press) {
+/// In the contact frame.
+Vec3 direction_of(const CheckStep& step) {
+  switch (step.press) {
     case Press::up: return Vec3::UnitX();
-    case Press::toward_wrist: return Vec3::UnitY();
+    case Press::toward_wrist: return -distal_sign(step.finger, step.hand) * Vec3::UnitY();
     case Press::into:
     case Press::weight: break;
   }
@@ -67,7 +70,8 @@ std::string CheckResult::sentence() const {
              " shows the opposite direction. Correct quaternion_wxyz or sign in the device file.";
     case CheckVerdict::wrong_axis:
       return "The sensor under " + asked + " shows another direction (" + newtons(force_N.x()) +
-             " up, " + newtons(force_N.y()) + " toward the wrist, " + newtons(force_N.z()) +
+             " up, " + newtons(-distal_sign(step.finger, step.hand) * force_N.y()) +
+             " toward the wrist, " + newtons(force_N.z()) +
              " in): it is turned. Correct quaternion_wxyz in the device file.";
     case CheckVerdict::wrong_scale:
       return "The sensor under " + asked + " shows " + newtons(force_N.z()) + " for a weight of " +
@@ -78,13 +82,13 @@ std::string CheckResult::sentence() const {
   return "";
 }
 
-DeviceCheck::DeviceCheck(double frame_period_s, std::optional<double> weight_N,
+DeviceCheck::DeviceCheck(double frame_period_s, Hand hand, std::optional<double> weight_N,
                          const CheckLimits& limits)
     : period_s_(frame_period_s), weight_N_(weight_N.value_or(0.0)), limits_(limits) {
   for (const Finger finger : kFingers) {
     for (const Press press : {Press::into, Press::up, Press::toward_wrist})
-      steps_.push_back({finger, press});
-    if (weight_N) steps_.push_back({finger, Press::weight});
+      steps_.push_back({finger, press, hand});
+    if (weight_N) steps_.push_back({finger, Press::weight, hand});
   }
   zero_.fill(Vec3::Zero());
   sum_.fill(Vec3::Zero());
@@ -142,7 +146,7 @@ CheckResult DeviceCheck::judge() const {
     if (sum_[f].norm() > sum_[most].norm()) most = f;
   result.felt_by = kFingers[most];
   result.force_N = sum_[most] / pressed_frames_;
-  const double along = result.force_N.dot(direction_of(step().press));
+  const double along = result.force_N.dot(direction_of(step()));
   const double share = along / result.force_N.norm();
   if (result.felt_by != step().finger)
     result.verdict = CheckVerdict::other_finger;

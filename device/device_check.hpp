@@ -18,7 +18,7 @@ namespace isograsp {
 enum class Press : std::uint8_t {
   into,          ///< along the normal: +z of the contact frame
   up,            ///< along +x of the contact frame: its tangent
-  toward_wrist,  ///< along +y
+  toward_wrist,  ///< along ±y: core/anatomical_axes.hpp
   weight         ///< the reference weight, put on along +z
 };
 [[nodiscard]] std::string_view name_of(Press press) noexcept;
@@ -26,6 +26,7 @@ enum class Press : std::uint8_t {
 struct CheckStep {
   Finger finger = Finger::thumb;
   Press press = Press::into;
+  Hand hand = Hand::right;  ///< for which the platform stands: it says where the wrist is
 
   /// What to do, for the therapist.
   [[nodiscard]] std::string instruction() const;
@@ -62,8 +63,9 @@ struct CheckLimits {
 /// Takes one step after the other; between two presses all supports have to be let go.
 class DeviceCheck {
  public:
-  /// `weight_N`: of the reference weight; none: the steps with it are left out.
-  DeviceCheck(double frame_period_s, std::optional<double> weight_N,
+  /// `hand`: for which the platform stands now. `weight_N`: of the reference weight; none: the
+  /// steps with it are left out.
+  DeviceCheck(double frame_period_s, Hand hand, std::optional<double> weight_N,
               const CheckLimits& limits = {});
 
   [[nodiscard]] bool complete() const noexcept { return next_ == steps_.size(); }

@@ -54,7 +54,7 @@ QTabWidget::pane { border: none; }
 QTabBar { background: transparent; }
 QTabBar::tab { background: transparent; color: #52606D; padding: 9px 16px 7px 16px; border: none;
   border-bottom: 2px solid transparent; margin-left: 8px; }
-QTabBar::tab:selected { color: #0B5CAD; border-bottom: 2px solid #0B5CAD; font-weight: bold; }
+QTabBar::tab:selected { color: #0B5CAD; border-bottom: 2px solid #0B5CAD; }
 QTabBar::tab:hover { color: #1B2733; }
 QTabBar::tab:focus { color: #0B5CAD; background: #E1EEFA; }
 QFrame[due="true"] { border: 2px solid #0B5CAD; }

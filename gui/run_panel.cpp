@@ -213,6 +213,7 @@ void RunPanel::refresh() {
   show_how_->setEnabled(view.may_show_how || presenter_.showing_how());
   describe(*start_, tr("Start: %1").arg(next_->text()), tr("Begin (F8, Alt+S)"));
   start_->setEnabled(view.may_start);
+  start_->setVisible(!view.may_stop);
   mark_next(*start_, view.may_start && (!presenter_.follows() || !presenter_.guide().goes_on()));
   const bool between = view.may_stand_by;
   pause_->setText(view.may_resume ? tr("R&esume")
@@ -224,6 +225,7 @@ void RunPanel::refresh() {
                            : tr("Pause the trial"),
            tr("The trial stands still until it is resumed; between trials nothing begins (F9)"));
   pause_->setEnabled(view.may_pause || view.may_resume || between);
+  pause_->setVisible(view.may_stop || between);
   mark_next(*pause_, view.may_resume);
   stop_->setEnabled(view.may_stop);
   hint_->setText(QString::fromStdString(view.may_stop ? "" : view.start_hint));

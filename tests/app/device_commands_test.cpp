@@ -235,7 +235,9 @@ std::string walked_through(bool swapped) {
     if (k >= 200 && press < 9 && (k - 200) % 100 >= 20) {
       int finger = press / 3;
       if (swapped && finger > 0) finger = 3 - finger;
-      force_N[3 * finger + axis_of_press[press % 3]] = 8.0;
+      // The platform stands for the right hand: its fingers have the wrist at -y, the thumb at +y.
+      const bool backwards = press % 3 == 2 && finger > 0;
+      force_N[3 * finger + axis_of_press[press % 3]] = backwards ? -8.0 : 8.0;
     }
     text += std::to_string(0.01 * k);
     for (const double value : force_N) text += "," + std::to_string(value);

@@ -11,6 +11,16 @@ namespace {
 constexpr double kPeriod_s = 0.01;
 constexpr double kPush_N = 8.0;
 
+/// Derived anew from where things stand: the wrist is toward the viewer, +Z of the world, "up" is
+/// +Y. The right thumb presses to the right, its fingers to the left; a left hand is the mirror
+/// image.
+double toward_wrist(Finger finger, Hand hand) {
+  const double into_x = (finger == Finger::thumb) == (hand == Hand::right) ? 1.0 : -1.0;
+  const Vec3 z_W(into_x, 0.0, 0.0);
+  const Vec3 x_W(0.0, 1.0, 0.0);
+  return z_W.cross(x_W).z();
+}
+
 /// What the supports would feel if all were as it should be: three forces in contact frames.
 std::array<Vec3, kFingerCount> right_forces(const CheckStep& step) {
   std::array<Vec3, kFingerCount> forces;
@@ -19,7 +29,7 @@ std::array<Vec3, kFingerCount> right_forces(const CheckStep& step) {
   if (step.press == Press::up)
     force = {kPush_N, 0.5, 0.8};
   else if (step.press == Press::toward_wrist)
-    force = {-0.4, kPush_N, 1.0};
+    force = {-0.4, toward_wrist(step.finger, step.hand) * kPush_N, 1.0};
   else
     force = {0.3, -0.2, kPush_N};
   return forces;
@@ -28,8 +38,9 @@ std::array<Vec3, kFingerCount> right_forces(const CheckStep& step) {
 using Mistake = std::function<std::array<Vec3, kFingerCount>(std::array<Vec3, kFingerCount>)>;
 
 /// A therapist who does as told on a device with this mistake.
-std::vector<CheckResult> walk(const Mistake& mistake, std::optional<double> weight_N = {}) {
-  DeviceCheck check(kPeriod_s, weight_N);
+std::vector<CheckResult> walk(const Mistake& mistake, std::optional<double> weight_N = {},
+                              Hand hand = Hand::right) {
+  DeviceCheck check(kPeriod_s, hand, weight_N);
   std::array<Vec3, kFingerCount> offset;  // before any zero
   offset.fill(Vec3(1.0, -2.0, 4.0));
   FingerFrame frame;
@@ -58,6 +69,20 @@ TEST(DeviceCheck, ADeviceThatIsAsItShouldBePasses) {
   const auto results = walk([](auto forces) { return forces; }, kPush_N);
   ASSERT_EQ(results.size(), 12u);
   for (const auto& r : results) EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
+}
+
+TEST(DeviceCheck, APlatformThatStandsForTheLeftHandPassesAndNotAsOneForTheRight) {
+  const auto good = walk([](auto forces) { return forces; }, {}, Hand::left);
+  for (const auto& r : good) EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
+  const auto turned = walk(
+      [](auto forces) {
+        for (auto& force : forces) force.y() = -force.y();
+        return forces;
+      },
+      {}, Hand::left);
+  for (const auto& r : turned)
+    EXPECT_EQ(r.verdict,
+              r.step.press == Press::toward_wrist ? CheckVerdict::wrong_sign : CheckVerdict::good);
 }
 
 TEST(DeviceCheck, FindsSwappedSensors) {

@@ -212,5 +212,50 @@ TEST(Flow, EveryMoodHasItsOwnWord) {
     for (const Mood b : moods) EXPECT_EQ(word_for(a) == word_for(b), a == b);
 }
 
+FlowFacts in_protocol(ProtocolFacts::Act act) {
+  FlowFacts facts = zeroed();
+  facts.rest_done = true;
+  facts.protocol.active = true;
+  facts.protocol.act = act;
+  facts.protocol.act_words = "Grip force, sine";
+  return facts;
+}
+
+TEST(Flow, AProtocolThatRestsCanBeToldToGoOnButBeginsNothingBeforeItsTime) {
+  FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
+  facts.protocol.wait_s = 20;
+  FlowView view = decide(facts);
+  EXPECT_TRUE(view.may_start);
+  EXPECT_FALSE(view.may_begin);
+  facts.protocol.goes_on = true;
+  facts.protocol.start_in_s = 20;
+  view = decide(facts);
+  EXPECT_FALSE(view.may_start) << "it goes on already";
+  EXPECT_TRUE(view.may_stand_by);
+  EXPECT_NE(view.sentence.find("in 20 s: Grip force, sine"), std::string::npos) << view.sentence;
+  facts.protocol.wait_s = facts.protocol.start_in_s = 0;
+  EXPECT_TRUE(decide(facts).may_begin);
+}
+
+TEST(Flow, TheZeroOfAProtocolIsNothingThatStartCanBegin) {
+  const FlowView view = decide(in_protocol(ProtocolFacts::Act::zero));
+  EXPECT_FALSE(view.may_start);
+  EXPECT_TRUE(view.may_zero);
+  EXPECT_EQ(view.mood, Mood::attention);
+}
+
+TEST(Flow, AProtocolThatIsOverHasNothingLeftToDo) {
+  const FlowView view = decide(in_protocol(ProtocolFacts::Act::none));
+  EXPECT_FALSE(view.next().has_value());
+  EXPECT_FALSE(view.may_start || view.may_skip || view.may_stand_by);
+}
+
+TEST(Flow, AReasonToStopIsSaidBeforeWhatComesNext) {
+  FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
+  facts.stop_reason = "Pain 5 of 10: stop the work of this hand for today.";
+  EXPECT_EQ(decide(facts).sentence, facts.stop_reason);
+  EXPECT_EQ(decide(facts).mood, Mood::attention);
+}
+
 }  // namespace
 }  // namespace isograsp

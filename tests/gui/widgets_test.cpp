@@ -89,6 +89,26 @@ TEST_F(TherapistWindowTest, AnotherPatientIsAskedForTheHandAgain) {
   ASSERT_TRUE(wait_until([&] { return !windows_.presenter().hand().has_value(); }));
 }
 
+TEST_F(TherapistWindowTest, AHandThatIsNotTheAffectedOneMustBeConfirmed) {
+  operator_.add_patient();
+  auto& presenter = windows_.presenter();
+  PatientProfile profile;
+  profile.affected = Side::left;
+  windows_.clinic().save_profile(presenter.patient(), profile);
+  ASSERT_TRUE(wait_until([&] {
+    const auto& file = windows_.clinic().file();
+    return file && file->profile.affected == Side::left;
+  }));
+  operator_.press("hand_right");
+  EXPECT_EQ(presenter.view().next(), Step::hand);
+  EXPECT_NE(presenter.view().sentence.find("not the affected hand"), std::string::npos);
+  operator_.press("confirm_hand");
+  EXPECT_EQ(presenter.view().next(), Step::screening);
+  operator_.open_section(Step::hand);
+  operator_.press("hand_left");
+  EXPECT_EQ(presenter.view().next(), Step::screening) << "the affected one needs no word";
+}
+
 TEST_F(TherapistWindowTest, ExactlyTheNextButtonIsHighlighted) {
   const auto highlighted = [&] {
     QStringList names;

@@ -24,6 +24,9 @@ class Card : public QFrame {
     column_->addWidget(title_);
   }
 
+  /// What stands in the card, below its title.
+  [[nodiscard]] QVBoxLayout& column() noexcept { return *column_; }
+
  protected:
   QVBoxLayout* column_;
   QLabel* title_;

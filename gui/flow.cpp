@@ -286,6 +286,7 @@ FlowView decide(const FlowFacts& facts) {
   view.may_disconnect = open && !in_trial(facts) && facts.stage != Stage::zeroing;
   view.may_zero = quiet && sound && !facts.recorded;
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
+  view.may_check = view.may_zero;
   view.may_strap = view.may_zero && facts.zeroed && !facts.strapped;
   view.may_choose_task = !in_trial(facts) && !facts.starting;
   view.may_show_how = view.may_choose_task && facts.task_chosen && !facts.recorded &&

@@ -103,6 +103,7 @@ struct FlowView {
   bool may_disconnect = false;
   bool may_zero = false;
   bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
+  bool may_check = false;  ///< the supports, with the hand out
   bool may_strap = false;
   bool may_choose_task = false;
   bool may_show_how = false;  ///< the patient may watch how the chosen task is done

@@ -20,6 +20,7 @@ QFrame#header { background: #FFFFFF; border: none; border-bottom: 1px solid #D5D
 QLabel { background: transparent; color: #1B2733; }
 QLabel[role="title"] { font-weight: bold; color: #1B2733; }
 QLabel[role="quiet"] { color: #52606D; }
+QLabel[role="large"] { font-size: 13pt; }
 QLabel[role="problem"] { color: #B3261E; }
 QLabel#wordmark { font-weight: bold; font-size: 15pt; color: #0B5CAD; }
 QLabel#sentence { font-size: 13pt; }

@@ -289,6 +289,7 @@ void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
   connection_ = Connection::open;
   snapshot_ = {};
   forces_.clear();
+  faults_.clear();
   worst_lateness_s_ = 0.0;
   zero_refusal_.clear();
   zero_remark_.clear();
@@ -479,7 +480,9 @@ void SessionPresenter::poll() {
     if (!example_.showing()) Q_EMIT changed();
   }
   if (session_ != nullptr) {
+    const DeviceHealth health = snapshot_.health;
     snapshot_ = session_->snapshot();
+    remember_fault(health);
     forces_.add(snapshot_);
     worst_lateness_s_ = std::max(worst_lateness_s_, snapshot_.lateness_s);
     const bool running = snapshot_.stage == Stage::trial || snapshot_.stage == Stage::paused;
@@ -552,6 +555,17 @@ bool SessionPresenter::simulated() const noexcept {
 
 bool SessionPresenter::recorded() const noexcept {
   return session_ != nullptr && session_->device().recorded;
+}
+
+const DeviceInfo* SessionPresenter::device_info() const noexcept {
+  return session_ == nullptr ? nullptr : &session_->device();
+}
+
+void SessionPresenter::remember_fault(const DeviceHealth& before) {
+  const DeviceHealth& now = snapshot_.health;
+  if (now.fault == DeviceFault::none || (now.fault == before.fault && now.finger == before.finger))
+    return;
+  faults_.push_back({snapshot_.session_time_s, std::string(describe(now.fault, now.finger))});
 }
 
 std::string SessionPresenter::device_description() const {

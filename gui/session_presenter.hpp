@@ -102,6 +102,14 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] bool hand_to_confirm() const noexcept { return hand_ && !hand_confirmed_; }
   [[nodiscard]] const std::string& device_uri() const noexcept { return device_uri_; }
   [[nodiscard]] std::string device_description() const;
+  /// Of the connected device; null: none.
+  [[nodiscard]] const DeviceInfo* device_info() const noexcept;
+  struct Fault {
+    double session_time_s = 0.0;
+    std::string words;
+  };
+  /// Of the device in this session, oldest first.
+  [[nodiscard]] const std::vector<Fault>& faults() const noexcept { return faults_; }
   [[nodiscard]] const std::vector<TaskSpec>& tasks() const noexcept { return tasks_; }
   /// Task files that could not be read, in words.
   [[nodiscard]] const std::vector<std::string>& library_problems() const noexcept {
@@ -196,6 +204,7 @@ class SessionPresenter final : public QObject {
   void close_on_worker(std::unique_ptr<Session> session, Closed closed);
   void prepare_picture(const TaskSpec& spec, const TaskContext& context);
   void refuse(const Error& error);
+  void remember_fault(const DeviceHealth& before);
 
   GuiConfig config_;
   Clinic& clinic_;
@@ -236,6 +245,7 @@ class SessionPresenter final : public QObject {
   Timestamp opened_{0};
   Snapshot snapshot_;
   ForceHistory forces_;
+  std::vector<Fault> faults_;
   double worst_lateness_s_ = 0.0;
   std::string zero_refusal_;
   bool zero_only_changed_ = false;

@@ -16,13 +16,6 @@ namespace {
 
 constexpr int kRow_px = 28;
 
-/// A card that takes widgets from outside.
-class OpenCard final : public Card {
- public:
-  explicit OpenCard(const QString& title) : Card(title) {}
-  [[nodiscard]] QVBoxLayout& column() { return *column_; }
-};
-
 }  // namespace
 
 StartPage::StartPage(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
@@ -53,7 +46,7 @@ StartPage::StartPage(Clinic& clinic, SessionPresenter& presenter, QWidget* paren
 }
 
 QWidget* StartPage::make_patients() {
-  auto* card = new OpenCard(tr("Patients"));
+  auto* card = new Card(tr("Patients"));
   search_ = new QLineEdit;
   search_->setObjectName("patient_search");
   search_->setPlaceholderText(tr("Search a code"));
@@ -100,7 +93,7 @@ QWidget* StartPage::make_patients() {
 }
 
 QWidget* StartPage::make_recent() {
-  auto* card = new OpenCard(tr("Recent sessions"));
+  auto* card = new Card(tr("Recent sessions"));
   recent_ = new QTableWidget(0, 4);
   recent_->setObjectName("recent_sessions");
   recent_->setHorizontalHeaderLabels({tr("When"), tr("Patient"), tr("Hand"), tr("Protocol")});
@@ -131,7 +124,7 @@ QWidget* StartPage::make_recent() {
 }
 
 QWidget* StartPage::make_first_start() {
-  auto* card = new OpenCard(tr("This clinic is empty"));
+  auto* card = new Card(tr("This clinic is empty"));
   auto* words = new QLabel(
       tr("Add the first patient, or look around in a demonstration clinic of simulated patients. "
          "It is kept in a file of its own; nothing of it comes into this one."));

@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "gui/device_page.hpp"
 #include "gui/history_panel.hpp"
 #include "gui/look.hpp"
 #include "gui/patient_page.hpp"
@@ -69,6 +70,7 @@ QWidget* TherapistWindow::make_header() {
   sentence_->setToolTip(tr("The state of the session and the sensible next step"));
   simulated_ = new QLabel(tr("SIMULATED"));
   simulated_->setObjectName("simulated");
+  simulated_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   simulated_->setToolTip(
       tr("Forces come from software or a file, not from a person at this device"));
   patient_screen_ = new QPushButton(tr("Patient screen"));
@@ -140,6 +142,7 @@ void TherapistWindow::make_pages() {
   add_page(Page::patient, tr("Patient"), make_patient());
   auto* session = new SessionPage(presenter_);
   add_page(Page::session, tr("Session"), session);
+  add_page(Page::device, tr("Device"), new DevicePage(presenter_));
   auto* reports = new QWidget;
   auto* column = new QVBoxLayout(reports);
   column->setContentsMargins(12, 12, 12, 12);

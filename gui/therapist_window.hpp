@@ -25,7 +25,7 @@ class TherapistWindow final : public QMainWindow {
  public:
   TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QWidget* parent = nullptr);
 
-  enum class Page : std::uint8_t { start, patient, session, reports };
+  enum class Page : std::uint8_t { start, patient, session, device, reports };
   void show_page(Page page);
   [[nodiscard]] Page page() const;
 

@@ -164,6 +164,11 @@ void photograph(const QString& output) {
   therapist.find<QTabWidget>("patient_tabs").setCurrentIndex(1);
   QTest::qWait(500);
   photographer.take_therapist("therapist_person");
+  windows.therapist().show_page(TherapistWindow::Page::device);
+  therapist.press("check_begin");
+  QTest::qWait(1600);
+  photographer.take_therapist("therapist_check");
+  therapist.press("check_begin");  // now Stop
   windows.therapist().show_page(TherapistWindow::Page::reports);
   auto& report = windows.clinic().report();
   report.start("P-7M2H5", folder.path("report.pdf"));

@@ -485,6 +485,8 @@ TEST_F(ProfileForm, FitsANarrowAndAWideWindow) {
   press("score_add");
   for (const int width : {420, 800}) {
     panel_->resize(width, 720);
+    ASSERT_TRUE(wait_until([&] { return find<QWidget>("page").width() <= width; }, 5))
+        << find<QWidget>("page").width() << " at " << width << ", window " << panel_->width();
     QTest::qWait(30);
     for (auto* widget : panel_->findChildren<QWidget*>()) {
       if (!widget->isVisible() || widget->objectName().isEmpty()) continue;

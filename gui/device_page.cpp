@@ -156,6 +156,7 @@ QWidget* DevicePage::make_faults() {
   describe(*faults_, tr("Faults in this session"), tr("The newest first (Tab, arrow keys)"));
   card->column().addWidget(no_faults_);
   card->column().addWidget(faults_, 1);
+  card->column().addStretch(0);
   return card;
 }
 

@@ -82,22 +82,17 @@ void SupportPicture::paintEvent(QPaintEvent*) {
     font.setBold(asked);
     painter.setFont(font);
     painter.setPen(asked ? colour : look::kQuietText);
-    const QRectF label(left ? place.x() - 0.36 * unit : place.x() + 0.06 * unit,
-                       place.y() - 0.05 * unit, 0.30 * unit, 0.1 * unit);
-    painter.drawText(label, (left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-                     finger_title(finger));
+    // Above the pad: arrows come from the sides.
+    const QRectF label(place.x() - 0.15 * unit, place.y() - 0.16 * unit, 0.30 * unit, 0.08 * unit);
+    painter.drawText(label, Qt::AlignCenter, finger_title(finger));
     if (!asked) continue;
     const QPointF direction = direction_of(step_->press, finger, hand_);
-    const double length = 0.2 * unit;
-    const QPointF tip = step_->press == Press::into || step_->press == Press::weight
+    const bool into = direction.y() == 0.0;
+    const double outside = left ? -1.0 : 1.0;
+    const QPointF tip = into
                             ? place - 0.03 * unit * direction
-                            : place + 0.26 * unit * direction;
-    draw_arrow(painter, tip, direction, length, look::kAccent);
-    if (step_->press == Press::toward_wrist) {
-      painter.setPen(look::kAccent);
-      painter.drawText(QRectF(tip.x() - 0.3 * unit, tip.y(), 0.6 * unit, 0.09 * unit),
-                       Qt::AlignCenter, tr("toward the wrist"));
-    }
+                            : place + QPointF(0.14 * outside * unit, 0.0) + 0.12 * unit * direction;
+    draw_arrow(painter, tip, direction, 0.22 * unit, look::kAccent);
   }
 }
 

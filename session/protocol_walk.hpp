@@ -47,7 +47,7 @@ class ProtocolWalk {
 
   [[nodiscard]] int acts_done() const noexcept { return agenda_.done(); }
   /// Of the whole protocol, if all further attempts agree at once.
-  [[nodiscard]] int acts() const { return agenda_.done() + agenda_.expected(); }
+  [[nodiscard]] int acts() const { return agenda_.expected(); }
 
  private:
   void plan_set_up();

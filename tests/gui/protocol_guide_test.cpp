@@ -49,6 +49,7 @@ TEST(ProtocolGuide, LeadsThroughEveryActOfTheProtocolOnce) {
   const int planned = guide.acts();
   const auto acts = follow(guide);
   EXPECT_TRUE(guide.over());
+  EXPECT_EQ(guide.acts_done(), guide.acts());
   EXPECT_GE(static_cast<int>(acts.size()), planned) << "maxima that do not agree come again";
   EXPECT_EQ(acts.front(), "Instrument zero");
   EXPECT_EQ(acts.back(), "Instrument zero");

@@ -121,7 +121,8 @@ TEST_F(WholeSession, AProtocolGoesOnByItselfUntilSomebodyHoldsIt) {
   presenter.choose_protocol(static_cast<int>(found - protocols.begin()));
   operator_.press("connect");
   operator_.set_zero();
-  EXPECT_EQ(presenter.guide().acts_done(), 1) << "the zero is the first act";
+  ASSERT_TRUE(wait_until([&] { return presenter.guide().acts_done() == 1; }))
+      << "the zero is the first act";
   operator_.press("start");  // the resting force
   ASSERT_TRUE(wait_until([&] { return presenter.view().may_stand_by; }));
   EXPECT_NE(presenter.view().sentence.find("Next, in"), std::string::npos)

@@ -15,6 +15,7 @@
 #include "app/paths.hpp"
 #include "app/run.hpp"
 #include "core/time.hpp"
+#include "storage/merge.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp {
@@ -154,12 +155,14 @@ class Workers {
 
 /// One patient after the other, so that the file does not depend on who was made first.
 Result<void> put_together(const Parts& parts, Workers& workers) {
-  const auto clinic = SessionStore::open(parts.whole(), SessionStore::Open::create);
-  if (!clinic) return clinic.error();
+  // Simulated people: the file can be made again, and is the same each time.
+  constexpr auto kHow = SessionStore::Open::scratch;
+  if (const auto clinic = SessionStore::open(parts.whole(), kHow); !clinic) return clinic.error();
   ProgressBar bar("Making the clinic");
   for (std::size_t patient = 0; patient < kEnrolled.size(); ++patient) {
     if (auto made = workers.wait_for(patient, bar); !made) return made;
-    if (auto done = (*clinic)->absorb(parts.path(patient)); !done) return done;
+    if (const auto done = merge_databases(parts.whole(), parts.path(patient), {}, kHow); !done)
+      return done.error();
     Parts::remove(parts.path(patient));
   }
   bar.end();

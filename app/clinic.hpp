@@ -10,7 +10,7 @@ namespace isograsp {
 
 /// Twelve patients of the library, each on a course of their own, with twenty sessions of the
 /// training protocol, made in virtual time on `threads` threads. The content is the same each time
-/// and for any number of threads. @pre there is no file `database`
+/// and for any number of threads, but for the UUIDs. @pre there is no file `database`
 [[nodiscard]] Result<void> make_clinic(const std::string& database, int threads);
 
 }  // namespace isograsp

@@ -34,6 +34,7 @@ void add_report(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);
 void add_score(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
+void add_study(CLI::App& app, Action& action);
 void add_target(CLI::App& app, Action& action);
 
 /// A few simulated patients with a few sessions each, in a file of its own that replaces an older

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// isograsp db: care of the database. Nothing here but `init`, `backup` and `migrate` writes a file.
+// isograsp db: care of the database. `init`, `backup`, `restore`, `migrate` and `merge` write
+// files; the others only read. Accounts and the audit log: db_access.cpp; people: db_person.cpp.
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <thread>
@@ -10,7 +12,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/db_commands.hpp"
+#include "app/login_options.hpp"
 #include "app/verification.hpp"
+#include "storage/backups.hpp"
+#include "storage/file_stats.hpp"
+#include "storage/merge.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp {
@@ -22,7 +29,11 @@ using Json = nlohmann::ordered_json;
 struct DbOptions {
   std::string file;
   std::string to;
+  std::string from;
+  std::vector<std::string> same_patients;
+  bool scheduled = false;
   bool protected_file = false;
+  LoginOptions login;
   bool json = false;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
@@ -36,13 +47,14 @@ Result<std::unique_ptr<SessionStore>> read_store(const std::string& file) {
 }
 
 Result<void> init(const DbOptions& options) {
-  if (options.protected_file)
+  if (options.protected_file) return init_protected(options.file, options.login, options.json);
+  if (options.login.given())
     return Error{Error::Code::bad_input,
-                 "protected databases are not available in this version",
-                 "make one without --protected and keep it on an encrypted disk",
+                 "a database without protection asks for no login",
+                 "add --protected, or leave the login out",
                  "",
                  0,
-                 "--protected"};
+                 "--passphrase-file"};
   std::error_code ignored;
   if (std::filesystem::exists(options.file, ignored))
     return Error{Error::Code::bad_input, "exists already", "name a new file", options.file, 0, ""};
@@ -54,6 +66,8 @@ Result<void> init(const DbOptions& options) {
 }
 
 Result<void> check(const DbOptions& options) {
+  const auto access = log_in(options.file, options.login);
+  if (!access) return access.error();
   const auto store = read_store(options.file);
   if (!store) return store.error();
   const auto problems = (*store)->check();
@@ -72,6 +86,8 @@ Result<void> check(const DbOptions& options) {
 }
 
 Result<void> verify(const DbOptions& options) {
+  const auto access = log_in(options.file, options.login);
+  if (!access) return access.error();
   const auto verified = verify_database(options.file, options.threads);
   if (!verified) return verified.error();
   const Verification& result = *verified;
@@ -106,7 +122,32 @@ Result<void> verify(const DbOptions& options) {
                ""};
 }
 
+Result<void> scheduled_backup(const DbOptions& options) {
+  const auto made = Backups(options.file).make_if_due(std::time(nullptr));
+  if (!made) return made.error();
+  Json json{{"file", options.file}, {"made", made->has_value()}};
+  std::string text = options.file + ": there is a backup of today already";
+  if (*made) {
+    json["backup"] = (*made)->backup.path;
+    json["removed"] = (*made)->removed;
+    text = (*made)->backup.path + ": copied from " + options.file + " and checked";
+    for (const auto& old : (*made)->removed) text += "\n" + old + ": removed";
+  }
+  print(options, json, text);
+  return {};
+}
+
 Result<void> backup(const DbOptions& options) {
+  const auto access = log_in(options.file, options.login);
+  if (!access) return access.error();
+  if (options.scheduled) return scheduled_backup(options);
+  if (options.to.empty())
+    return Error{Error::Code::bad_input,
+                 "no file for the backup is given",
+                 "name one with --to, or let --scheduled choose it",
+                 "",
+                 0,
+                 "--to"};
   const auto store = read_store(options.file);
   if (!store) return store.error();
   if (const auto done = (*store)->backup(options.to); !done) return done.error();
@@ -115,17 +156,126 @@ Result<void> backup(const DbOptions& options) {
   return {};
 }
 
+Result<void> restore(const DbOptions& options) {
+  const auto access = log_in(options.from, options.login);
+  if (!access) return access.error();
+  const auto done = restore_backup(options.from, options.file);
+  if (!done) return done.error();
+  // What the audit log of the lost file had come to stays as evidence; the new one begins anew.
+  std::error_code ignored;
+  std::filesystem::rename(options.file + "-audit", options.file + "-audit.old", ignored);
+  const auto logged = log_act_of(options.file, nullptr, "restore", "", true,
+                                 std::filesystem::path(options.from).filename().string());
+  if (!logged) return logged.error();
+  Json json{{"file", options.file}, {"restored_from", options.from}};
+  std::string text = options.file + ": restored from " + options.from + " and checked";
+  if (!done->kept.empty()) {
+    json["kept"] = done->kept;
+    text += "; as it was: " + done->kept;
+  }
+  text += "\nErase again who has been erased since that backup was made.";
+  print(options, json, text);
+  return {};
+}
+
+Result<void> stats(const DbOptions& options) {
+  const auto counted = file_stats(options.file);
+  if (!counted) return counted.error();
+  const FileStats& all = *counted;
+  constexpr double kMega = 1e6;
+  constexpr double kMinute_s = 60.0;
+  const auto rounded = [](double value, const char* unit) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.2f %s", value, unit);
+    return std::string(text);
+  };
+  const auto times = [](std::int64_t count, const char* what) {
+    return std::to_string(count) + " " + what;
+  };
+  std::string text = options.file + ": format " + std::to_string(all.format) + ", " +
+                     rounded(static_cast<double>(all.file_bytes) / kMega, "MB") + " (" +
+                     rounded(static_cast<double>(all.free_bytes) / kMega, "MB") + " of it free, " +
+                     rounded(static_cast<double>(all.signal_bytes) / kMega, "MB") + " signals)\n" +
+                     times(all.patients, "patients, ") + times(all.sessions, "sessions, ") +
+                     times(all.trials, "trials, ") + times(all.measures, "measures, ") +
+                     times(all.events, "events") + "\n" +
+                     rounded(all.recorded_s / kMinute_s, "minutes") + " recorded, " +
+                     rounded(all.bytes_per_minute() / kMega, "MB") + " per minute";
+  if (!all.first_session_utc.empty())
+    text += "\nfirst session " + all.first_session_utc + ", last " + all.last_session_utc;
+  if (all.trials_not_packed > 0)
+    text +=
+        "\n" + times(all.trials_not_packed, "trials are not packed; isograsp db migrate does it");
+  print(options,
+        {{"file", options.file},
+         {"format", all.format},
+         {"file_bytes", all.file_bytes},
+         {"free_bytes", all.free_bytes},
+         {"signal_bytes", all.signal_bytes},
+         {"patients", all.patients},
+         {"sessions", all.sessions},
+         {"trials", all.trials},
+         {"trials_not_packed", all.trials_not_packed},
+         {"measures", all.measures},
+         {"events", all.events},
+         {"values", all.values},
+         {"recorded_s", all.recorded_s},
+         {"bytes_per_minute", all.bytes_per_minute()},
+         {"first_session_utc", all.first_session_utc},
+         {"last_session_utc", all.last_session_utc}},
+        text);
+  return {};
+}
+
+Result<void> merge(const DbOptions& options) {
+  const auto done = merge_databases(options.file, options.from, options.same_patients);
+  if (!done) return done.error();
+  std::string text;
+  if (done->conflicts.empty())
+    text = options.file + ": " + std::to_string(done->patients_added) + " patients, " +
+           std::to_string(done->sessions_added) + " sessions, " +
+           std::to_string(done->trials_added) + " trials added from " + options.from + "; " +
+           std::to_string(done->trials_present) + " trials were there already";
+  for (const auto& conflict : done->conflicts) text += (text.empty() ? "" : "\n") + conflict;
+  print(options,
+        {{"file", options.file},
+         {"from", options.from},
+         {"patients_added", done->patients_added},
+         {"sessions_added", done->sessions_added},
+         {"trials_added", done->trials_added},
+         {"trials_present", done->trials_present},
+         {"conflicts", done->conflicts}},
+        text);
+  if (done->conflicts.empty()) return {};
+  return Error{Error::Code::failed,
+               "nothing was merged: " + std::to_string(done->conflicts.size()) +
+                   (done->conflicts.size() == 1 ? " conflict" : " conflicts"),
+               "make both files agree, then merge again",
+               options.file,
+               0,
+               ""};
+}
+
 Result<void> migrate(const DbOptions& options) {
+  const auto access = log_in(options.file, options.login);
+  if (!access) return access.error();
   const auto done = SessionStore::migrate(options.file);
   if (!done) return done.error();
   const bool migrated = !done->copy.empty();
   const std::string format = "format " + std::to_string(kDatabaseFormat);
-  Json json{{"file", options.file}, {"format", kDatabaseFormat}, {"migrated", migrated}};
+  Json json{{"file", options.file},
+            {"format", kDatabaseFormat},
+            {"migrated", migrated},
+            {"packed", done->packed},
+            {"not_packed", done->not_packed}};
   if (migrated) json["copy"] = done->copy;
-  print(options, json,
-        migrated ? options.file + ": brought from format " + std::to_string(done->from) + " to " +
-                       format + "; as it was: " + done->copy
-                 : options.file + ": " + format + " is current; nothing to migrate");
+  std::string text = migrated
+                         ? options.file + ": brought from format " + std::to_string(done->from) +
+                               " to " + format + "; as it was: " + done->copy
+                         : options.file + ": " + format + " is current; nothing to migrate";
+  if (done->packed > 0) text += "\nsignals of " + std::to_string(done->packed) + " trials packed";
+  for (const auto& problem : done->not_packed) text += "\nnot packed: " + problem;
+  print(options, json, text);
   return {};
 }
 
@@ -141,24 +291,40 @@ void add_db(CLI::App& app, Action& action) {
     CLI::App* command = db->add_subcommand(name, description);
     command->add_option("FILE", options->file, "Database file")->required();
     command->add_flag("--json", options->json, "Print one JSON document");
+    options->login.add_to(*command);
     command->footer(std::string("Example:\n  isograsp db ") + example);
     command->callback(
         [options, work, &action] { action = [options, work] { return work(*options); }; });
     return command;
   };
   add("init", "Make an empty database", "init clinic.db", init)
-      ->add_flag("--protected", options->protected_file, "With a passphrase");
+      ->add_flag("--protected", options->protected_file,
+                 "With a passphrase (--passphrase-file), accounts and encrypted identities");
   add("check", "Is the file sound, every block readable", "check clinic.db", check);
   add("verify", "Recompute every measure from the stored signals and compare", "verify clinic.db",
       verify)
       ->add_option("--threads", options->threads, "How many; the result is the same")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  add("backup", "Copy to a new file while others work, and check the copy",
-      "backup clinic.db --to clinic-monday.db", backup)
-      ->add_option("--to", options->to, "File to make")
+  CLI::App* copy = add("backup", "Copy to a new file while others work, and check the copy",
+                       "backup clinic.db --to clinic-monday.db", backup);
+  CLI::Option* to = copy->add_option("--to", options->to, "File to make");
+  copy->add_flag("--scheduled", options->scheduled,
+                 "Once a day into FILE.backups; keeps 7 days, 4 weeks, 12 months")
+      ->excludes(to);
+  add("restore", "Put a checked copy of a backup in place of the file, which is kept",
+      "restore clinic.db --from clinic-monday.db", restore)
+      ->add_option("--from", options->from, "Backup")
       ->required();
+  add("stats", "Sizes, counts, bytes per minute", "stats clinic.db", stats);
+  CLI::App* merging = add("merge", "Take in what another station recorded; twice is once",
+                          "merge clinic.db --from station-2.db", merge);
+  merging->add_option("--from", options->from, "Database of the other station")->required();
+  merging->add_option("--same-patient", options->same_patients,
+                      "Code that means the same person in both files, though each made it itself");
   add("migrate", "Bring the file to the format of this program", "migrate clinic.db", migrate);
+  add_db_access(*db, action);
+  add_db_person(*db, action);
 }
 
 }  // namespace isograsp

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -18,6 +16,7 @@
 #include "core/csv.hpp"
 #include "grasp_model/describe.hpp"
 #include "grasp_model/plan.hpp"
+#include "session/plan_cost.hpp"
 
 namespace isograsp {
 
@@ -67,24 +66,6 @@ std::vector<Subset> subsets_of(const Scene& scene, const Scales& scales) {
     subsets.push_back(std::move(subset));
   }
   return subsets;
-}
-
-/// Least mean time of step() over batches of frames with all fingers pressing [ns].
-/// Each batch starts anew: a body without damper would spin up under a constant force.
-double cost_ns_per_frame(const Plan& plan) {
-  constexpr int kBatches = 500;
-  constexpr int kFrames = 20;
-  FingerWrenches forces;
-  for (auto& wrench : forces) wrench.force = Vec3(0.1, 0.3, 2.0);
-  double least_ns = std::numeric_limits<double>::infinity();
-  for (int batch = 0; batch < kBatches; ++batch) {
-    ObjectState state = plan.initial_state();
-    const auto start = std::chrono::steady_clock::now();
-    for (int frame = 0; frame < kFrames; ++frame) plan.step(forces, state);
-    const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
-    least_ns = std::min(least_ns, took.count() / kFrames);
-  }
-  return least_ns;
 }
 
 Json as_json(const Plan& plan, const Scales& scales, const std::vector<Subset>& subsets) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// isograsp import: recordings that others made into the database, as patients and trials.
+// isograsp import: recordings that others made into the database, as patients and trials; finger
+// forces, raw logs and exported signals, as a trial of one patient.
 #include "session/import.hpp"
 
 #include <cstdio>
@@ -10,8 +11,12 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/login_options.hpp"
 #include "app/paths.hpp"
+#include "app/run.hpp"
 #include "core/csv.hpp"
+#include "grasp_model/scene.hpp"
+#include "session/library.hpp"
 
 namespace isograsp {
 
@@ -21,6 +26,15 @@ struct ImportOptions {
   std::string recording;
   std::string folder;
   std::string database;
+  std::string forces;  ///< finger forces (CSV), or a raw log with `protocol` or `config`
+  std::string protocol;
+  std::string config;
+  std::string signals;
+  std::string task;
+  std::string scene;
+  std::string patient;
+  std::string hand = "right";
+  LoginOptions login;
 };
 
 /// A path, or the bare name of a recording file that comes with the program.
@@ -32,7 +46,7 @@ std::string recording_path(const std::string& name) {
   return name;
 }
 
-Result<void> run_import(const ImportOptions& options) {
+Result<void> import_recording(const ImportOptions& options) {
   const std::string path = recording_path(options.recording);
   const auto text = read_text(path);
   if (!text) return text.error();
@@ -62,20 +76,102 @@ Result<void> run_import(const ImportOptions& options) {
   return {};
 }
 
+/// The forces go the way of a session: object, task, signals, measures.
+Result<void> import_forces(const ImportOptions& options) {
+  RunOptions run;
+  run.task_file = options.task;
+  run.device = "replay://" + options.forces + "?speed=1";
+  if (!options.protocol.empty()) run.device += "&protocol=" + options.protocol;
+  if (!options.config.empty()) run.device += "&config=" + options.config;
+  run.database = options.database;
+  run.patient = options.patient;
+  run.hand = options.hand;
+  run.fast = true;
+  return run_session(run);
+}
+
+Result<void> import_signals(const ImportOptions& options) {
+  const auto hand = hand_option(options.hand);
+  if (!hand) return hand.error();
+  RecordedTrial trial;
+  trial.patient_code = options.patient;
+  trial.file = std::filesystem::path(options.signals).filename();
+  const auto task = load_task(options.task);
+  if (!task) return task.error();
+  trial.task = *task;
+  if (!options.scene.empty()) {
+    const auto scene = read_text(options.scene);
+    if (!scene) return scene.error();
+    if (const auto sound = parse_scene(*scene, options.scene); !sound) return sound.error();
+    trial.scene_text = *scene;
+  }
+  auto signals = read_signals(options.signals);
+  if (!signals) return signals.error();
+  trial.signals = *std::move(signals);
+  const auto store = SessionStore::open(options.database, SessionStore::Open::create);
+  if (!store) return store.error();
+  const auto measures = store_signals_trial(trial, *hand, **store, ISOGRASP_VERSION);
+  if (!measures) return measures.error();
+  std::printf("%s: %s, %zu samples\n", options.patient.c_str(), trial.task.name.c_str(),
+              trial.signals.rows());
+  for (const auto& measure : *measures) print_measure(measure);
+  return {};
+}
+
+/// What has to be given with what.
+Result<void> check_import(const ImportOptions& options) {
+  const auto wrong = [](const char* field, const char* what, const char* remedy) {
+    return Error{Error::Code::bad_input, what, remedy, "", 0, field};
+  };
+  const bool one = !options.forces.empty() || !options.signals.empty();
+  if (one + !options.recording.empty() != 1 ||
+      (!options.forces.empty() && !options.signals.empty()))
+    return wrong("", "it is not clear what to import",
+                 "give one of --recording, --forces, --signals");
+  if (!one)
+    return options.folder.empty()
+               ? Result<void>(wrong("--from", "no folder is given", "name that of the recording"))
+               : Result<void>();
+  if (options.task.empty())
+    return wrong("--task", "no task is given", "name the task file that the trial is scored by");
+  if (options.patient.empty()) return wrong("--patient", "no patient is given", "name the code");
+  return {};
+}
+
+Result<void> run_import(const ImportOptions& options) {
+  if (const auto sound = check_import(options); !sound) return sound;
+  const auto access = log_in(options.database, options.login);
+  if (!access) return access.error();
+  if (!options.forces.empty()) return import_forces(options);
+  if (!options.signals.empty()) return import_signals(options);
+  return import_recording(options);
+}
+
 }  // namespace
 
 void add_import(CLI::App& app, Action& action) {
   auto options = std::make_shared<ImportOptions>();
   CLI::App* command =
       app.add_subcommand("import", "Recordings that others made, as patients and trials");
-  command
-      ->add_option("--recording", options->recording,
-                   "Recording file (TOML), or the name of one in library/recordings")
-      ->required();
-  command->add_option("--from", options->folder, "Folder of the recording")->required();
+  command->add_option("--recording", options->recording,
+                      "Recording file (TOML), or the name of one in library/recordings");
+  command->add_option("--from", options->folder, "Folder of the recording");
+  command->add_option("--forces", options->forces,
+                      "Finger forces (CSV), or with --protocol or --config a raw log");
+  command->add_option("--protocol", options->protocol, "Of the raw log: rft, ati-netcanoem …");
+  command->add_option("--config", options->config, "Device file (TOML) of the raw log");
+  command->add_option("--signals", options->signals, "Signals of a trial (CSV), as exported");
+  command->add_option("--task", options->task, "Task file (TOML) of forces or signals");
+  command->add_option("--scene", options->scene, "Scene file (TOML) stored with the signals");
+  command->add_option("--patient", options->patient,
+                      "Whose forces or signals they are; created if new");
+  command->add_option("--hand", options->hand, "right or left")->capture_default_str();
   command->add_option("--db", options->database, "Database; made if it does not exist")->required();
+  options->login.add_to(*command);
   command->footer(
-      "Example:\n  isograsp import --recording maximum_push --from recordings --db clinic.db");
+      "Example:\n  isograsp import --recording maximum_push --from recordings --db clinic.db\n"
+      "  isograsp import --forces forces.csv --task library/tasks/free_handling.toml \\\n"
+      "    --patient P-0427 --db clinic.db");
   command->callback([options, &action] { action = [options] { return run_import(*options); }; });
 }
 

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   isograsp::add_run(app, action);
   isograsp::add_score(app, action);
   isograsp::add_simulate(app, action);
+  isograsp::add_study(app, action);
   isograsp::add_target(app, action);
 
   try {

@@ -2,12 +2,16 @@
 // isograsp report: the progress of one patient as PDF or HTML.
 #include "app/report.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/login_options.hpp"
+#include "app/report_all.hpp"
 #include "reports/progress_report.hpp"
 #include "reports/qt_application.hpp"
 #include "reports/report_writer.hpp"
@@ -44,27 +48,63 @@ Result<void> write_report(const std::string& database, const std::string& patien
   return written;
 }
 
+namespace {
+
+struct Options {
+  std::string database;
+  std::string patient;
+  bool all = false;
+  std::string out;
+  std::string format = "html";
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  LoginOptions login;
+};
+
+Result<void> write(const Options& options) {
+  if (!options.all) return write_report(options.database, options.patient, options.out);
+  return write_all_reports({options.database, options.out, options.format, options.threads});
+}
+
+Result<void> run(const Options& options) {
+  const auto access = log_in(options.database, options.login);
+  if (!access) return access.error();
+  auto done = write(options);
+  const bool pdf = options.all ? options.format == "pdf" : options.out.ends_with(".pdf");
+  auto logged = log_act_of(options.database, access->get(), "report", options.patient, done.ok(),
+                           pdf ? "pdf" : "html");
+  return done ? logged : done;
+}
+
+}  // namespace
+
 void add_report(CLI::App& app, Action& action) {
-  struct Options {
-    std::string database;
-    std::string patient;
-    std::string out;
-  };
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("report", "Write the progress report of a patient");
+  auto* command = app.add_subcommand("report", "Write the progress report of a patient, or of all");
   command->add_option("--db", options->database, "Database of the clinic")
       ->required()
       ->type_name("FILE");
-  command->add_option("--patient", options->patient, "Code of the patient")
-      ->required()
-      ->type_name("CODE");
-  command->add_option("--out", options->out, "Report to write: FILE.pdf or FILE.html")
+  auto* who = command->add_option_group("who");
+  who->add_option("--patient", options->patient, "Code of the patient")->type_name("CODE");
+  auto* all = who->add_flag("--all", options->all, "One report for each patient");
+  who->require_option(1);
+  command
+      ->add_option("--out", options->out,
+                   "Report to write: FILE.pdf or FILE.html; with --all the folder")
       ->required()
       ->type_name("FILE");
-  command->footer("Example:\n  isograsp report --db clinic.db --patient TK-104 --out TK-104.pdf");
-  command->callback([options, &action] {
-    action = [options] { return write_report(options->database, options->patient, options->out); };
-  });
+  command->add_option("--format", options->format, "With --all: html or pdf")
+      ->check(CLI::IsMember({"html", "pdf"}))
+      ->needs(all)
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "With --all: how many write at the same time")
+      ->check(CLI::Range(1, 64))
+      ->needs(all)
+      ->capture_default_str();
+  options->login.add_to(*command);
+  command->footer(
+      "Examples:\n  isograsp report --db clinic.db --patient TK-104 --out TK-104.pdf\n"
+      "  isograsp report --db clinic.db --all --out reports --format pdf");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace isograsp

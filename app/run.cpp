@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/login_options.hpp"
 #include "app/paths.hpp"
 #include "app/realtime_option.hpp"
 #include "session/protocol_run.hpp"
@@ -17,7 +19,15 @@
 
 namespace isograsp {
 
-namespace {
+Result<Hand> hand_option(const std::string& text) {
+  if (const auto hand = hand_from_name(text)) return *hand;
+  return Error{Error::Code::bad_input,
+               "'" + text + "' is not a hand",
+               "write right or left",
+               "",
+               0,
+               "--hand"};
+}
 
 void print_measure(const Measure& measure) {
   std::string label = measure.name;
@@ -28,6 +38,8 @@ void print_measure(const Measure& measure) {
     std::printf("    %-44s %12s %s\n", label.c_str(), "-", measure.reason.c_str());
 }
 
+namespace {
+
 void print_trial(const TrialOutcome& outcome) {
   const TrialRecord& trial = outcome.trial;
   std::printf("\n  Trial %d  %s%s  [%s]\n", trial.number, trial.task_name.c_str(),
@@ -36,17 +48,22 @@ void print_trial(const TrialOutcome& outcome) {
   for (const auto& measure : outcome.measures) print_measure(measure);
 }
 
+/// One task and nothing else: nobody can be asked to relax or to take the hand out.
+Result<ReadyProtocol> protocol_of(const RunOptions& options) {
+  if (options.task_file.empty()) return read_protocol(options.protocol_file, library_folder());
+  const std::filesystem::path task = options.task_file;
+  return read_protocol(
+      "format = \"isograsp-protocol-1\"\nname = \"Imported forces\"\n\n[[step]]\n"
+      "kind = \"task\"\ntask = '" +
+          task.filename().string() + "'\n",
+      task, library_folder());
+}
+
 }  // namespace
 
 Result<void> run_session(const RunOptions& options) {
-  const auto hand = hand_from_name(options.hand);
-  if (!hand)
-    return Error{Error::Code::bad_input,
-                 "'" + options.hand + "' is not a hand",
-                 "write right or left",
-                 "",
-                 0,
-                 "--hand"};
+  const auto hand = hand_option(options.hand);
+  if (!hand) return hand.error();
   const auto allowed = effort_from_name(options.allowed);
   if (!allowed && !options.allowed.empty())
     return Error{Error::Code::bad_input,
@@ -55,7 +72,7 @@ Result<void> run_session(const RunOptions& options) {
                  "",
                  0,
                  "--allowed"};
-  const auto protocol = read_protocol(options.protocol_file, library_folder());
+  const auto protocol = protocol_of(options);
   if (!protocol) return protocol.error();
   SessionConfig config;
   config.database = options.database;
@@ -114,6 +131,7 @@ Result<void> run_session(const RunOptions& options) {
 void add_run(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
   auto realtime = std::make_shared<RealtimeOption>();
+  auto login = std::make_shared<LoginOptions>();
   auto* command = app.add_subcommand("run", "A session without a window");
   command->add_option("--protocol-file", options->protocol_file, "Protocol (TOML)")->required();
   command->add_option("--device", options->device, "Device URI, e.g. sim://healthy?seed=7")
@@ -135,12 +153,17 @@ void add_run(CLI::App& app, Action& action) {
   command->add_flag("--serviced", options->serviced,
                     "The device was serviced or remounted: its zero may differ from the last one");
   realtime->add_to(*command);
+  login->add_to(*command);
   command->footer(
       "Example:\n  isograsp run --protocol-file library/protocols/demonstration.toml \\\n"
       "    --device 'sim://healthy?seed=7' --db clinic.db --patient DEMO-01 --fast");
-  command->callback([options, realtime, &action] {
+  command->callback([options, realtime, login, &action] {
     options->realtime = realtime->wish();
-    action = [options] { return run_session(*options); };
+    action = [options, login]() -> Result<void> {
+      const auto access = log_in(options->database, *login);
+      if (!access) return access.error();
+      return run_session(*options);
+    };
   });
 }
 

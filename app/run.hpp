@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "core/finger.hpp"
+#include "core/measure.hpp"
 #include "core/result.hpp"
 #include "session/realtime.hpp"
 
@@ -12,6 +14,7 @@ namespace isograsp {
 
 struct RunOptions {
   std::string protocol_file;
+  std::string task_file;  ///< this task alone in place of a protocol
   std::string device;
   std::string database;
   bool scratch = false;  ///< the database is removed again by the caller: nothing is synced
@@ -30,5 +33,9 @@ struct RunOptions {
 
 /// Runs the protocol, records it and prints the scores.
 [[nodiscard]] Result<void> run_session(const RunOptions& options);
+/// Of `--hand`.
+[[nodiscard]] Result<Hand> hand_option(const std::string& text);
+/// One line on standard output.
+void print_measure(const Measure& measure);
 
 }  // namespace isograsp

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.hpp"
+#include "app/login_options.hpp"
 #include "core/files.hpp"
 #include "storage/session_store.hpp"
 #include "tasks/recorded_target.hpp"
@@ -21,6 +22,7 @@ struct TargetOptions {
   int session = 1;
   int trial = 1;
   std::string out;
+  LoginOptions login;
   RecordedTarget wanted{"Recorded target"};
 };
 
@@ -50,6 +52,8 @@ Result<void> make_target(const TargetOptions& options) {
   std::error_code ignored;
   if (std::filesystem::exists(options.out, ignored))
     return bad("--out", options.out + " exists already", "choose another name");
+  const auto access = log_in(options.database, options.login);
+  if (!access) return access.error();
   const auto store = SessionStore::open_to_read(options.database);
   if (!store) return store.error();
   const auto trial = find_trial(**store, options);
@@ -87,6 +91,7 @@ void add_target(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag("--force", options->wanted.force,
                     "The force as the target, also where an object was moved");
+  options->login.add_to(*command);
   command->footer(
       "Example: guide the hand in a trial of free handling, then\n"
       "  isograsp target --db clinic.db --patient P-0427 --session 3 --trial 2 --out turn.toml");

@@ -15,6 +15,9 @@ namespace isograsp {
 
 namespace {
 
+/// Memory stays bounded whatever the file is; a row of 10,000 numbers is shorter.
+constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
@@ -163,6 +166,13 @@ Result<bool> CsvReader::read_line() {
   std::size_t length = rest().find('\n');
   while (length == std::string_view::npos && in_) {
     const std::size_t searched = end_ - begin_;
+    if (searched > kLongestLine)
+      return Error{Error::Code::bad_input,
+                   "this line is longer than 1 MiB",
+                   "check that it is a table of numbers with line ends",
+                   path_,
+                   line_ + 1,
+                   ""};
     fill();
     length = rest().find('\n', searched);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/toml_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <set>
@@ -21,6 +22,17 @@
 
 namespace isograsp {
 
+namespace {
+/// An error is a line to read, whatever the file holds. Not cut within a character.
+std::string shortened(std::string text) {
+  constexpr std::size_t kMost = 300;
+  if (text.size() <= kMost) return text;
+  std::size_t end = kMost;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + "…";
+}
+}  // namespace
+
 struct TomlReader::Document {
   toml::table root;
   std::string file;
@@ -29,8 +41,9 @@ struct TomlReader::Document {
 
   void report(int line, std::string field, std::string what, std::string remedy) {
     if (first_error) return;
-    first_error = Error{Error::Code::bad_input, std::move(what), std::move(remedy), file, line,
-                        std::move(field)};
+    first_error =
+        Error{Error::Code::bad_input,     shortened(std::move(what)), std::move(remedy), file, line,
+              shortened(std::move(field))};
   }
 };
 
@@ -99,8 +112,86 @@ const toml::node* first_unasked(const toml::table& table, const std::set<const t
 TomlReader::TomlReader(std::shared_ptr<Document> document, std::shared_ptr<Node> node)
     : document_(std::move(document)), node_(std::move(node)) {}
 
+namespace {
+
+/// No scene, task or protocol comes near; an array of that length takes some 140 MB.
+constexpr std::size_t kLargestText = std::size_t{4} << 20;
+constexpr int kMostKeyParts = 64;
+
+/// toml++ builds and frees tables by recursion and limits the nesting of values, but not the parts
+/// of a dotted key: a.a.a… would overflow the stack. Walks over strings and comments and counts the
+/// dots between anything that ends a key.
+class KeyDepth {
+ public:
+  explicit KeyDepth(std::string_view text) : text_(text) {}
+  /// Line of the first key with too many parts; 0: there is none.
+  [[nodiscard]] int first_too_deep() {
+    int dots = 0;
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '"' || c == '\'') {
+        skip_string(c);
+        continue;
+      }
+      if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+        continue;
+      }
+      if (c == '\n') ++line_;
+      if (c == '.' && ++dots >= kMostKeyParts) return line_;
+      if (std::string_view("=[]{},\n").find(c) != std::string_view::npos) dots = 0;
+      ++at_;
+    }
+    return 0;
+  }
+
+ private:
+  void skip_string(char quote) {
+    const std::string three(3, quote);
+    const bool many_lines = text_.substr(at_, 3) == three;
+    at_ += many_lines ? 3 : 1;
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '\n') {
+        if (!many_lines) return;  // not valid; the parser says so
+        ++line_;
+      }
+      if (c == '\\' && quote == '"') {
+        if (text_.substr(at_ + 1, 1) == "\n") ++line_;
+        at_ += 2;
+        continue;
+      }
+      if (c == quote && (!many_lines || text_.substr(at_, 3) == three)) {
+        at_ += many_lines ? 3 : 1;
+        return;
+      }
+      ++at_;
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+}  // namespace
+
 Result<TomlReader> TomlReader::parse(std::string_view text, std::string file,
                                      std::string_view format) {
+  if (text.size() > kLargestText)
+    return Error{Error::Code::bad_input,
+                 "is larger than 4 MiB",
+                 "check that it is the right file",
+                 std::move(file),
+                 0,
+                 ""};
+  if (const int line = KeyDepth(text).first_too_deep(); line > 0)
+    return Error{Error::Code::bad_input,
+                 "has a key of more than " + std::to_string(kMostKeyParts) + " parts",
+                 "correct the syntax",
+                 std::move(file),
+                 line,
+                 ""};
   toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const auto& error = parsed.error();
@@ -287,7 +378,7 @@ Result<void> TomlReader::finish() const {
   std::string field;
   if (const auto* node = first_unasked(document_->root, document_->asked, "", field))
     return Error{Error::Code::bad_input, "unknown key",  "remove it or correct its spelling",
-                 document_->file,        line_of(*node), field};
+                 document_->file,        line_of(*node), shortened(field)};
   return {};
 }
 

@@ -40,7 +40,7 @@ struct SensorCounters {
   std::uint64_t duplicate = 0;      ///< frames that came twice
   std::uint64_t late = 0;           ///< answers that came when nobody waited any more
   std::uint64_t lost = 0;           ///< samples missing by count or by time
-  std::uint64_t stale = 0;          ///< samples that repeat one value for longer than half a second
+  std::uint64_t stale = 0;          ///< samples that repeat one value for too long
   std::uint64_t saturated = 0;      ///< samples at the end of the range
   std::uint64_t overload = 0;       ///< samples with the sensor's own overload sign
   std::uint64_t status_errors = 0;  ///< samples that the sensor itself called wrong
@@ -108,6 +108,8 @@ struct DeviceInfo {
   std::optional<Hand> hand;       ///< the platform is mounted for this hand only
   std::array<std::string, kFingerCount> serial_numbers;
   std::array<Vec6, kFingerCount> units_per_count;  ///< [N, N m] per raw count; 0: no counts
+  /// The clinic's: name of the file, date, matrix row by row; empty: none.
+  std::array<std::string, kFingerCount> calibration;
   std::array<Vec6, kFingerCount> range;            ///< largest force and torque [N, N m]
   Platform platform;                               ///< where the supports stand
   std::vector<std::string> provenance;  ///< where recorded data come from, what was overridden

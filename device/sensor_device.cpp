@@ -2,7 +2,10 @@
 #include "device/sensor_device.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
+
+#include "core/csv.hpp"
 
 namespace isograsp {
 
@@ -10,7 +13,10 @@ namespace {
 
 constexpr Timestamp kRecent = std::chrono::seconds(1);        // how long a damaged sample is told
 constexpr Timestamp kRestartTold = std::chrono::seconds(10);  // how long a restart is told
-constexpr Timestamp kLongestRepeat = std::chrono::milliseconds(500);  // real values dither
+// Real values dither. The screens are to say within 0.2 s that a sensor measures no more; a slow one
+// has that time for fewer samples than tell anything.
+constexpr Timestamp kLongestRepeat = std::chrono::milliseconds(150);
+constexpr int kMostRepeats = 10;
 constexpr double kSaturated = 0.98;                                   // of the rating
 constexpr int kMostFramesPastDeadline = 64;
 
@@ -52,9 +58,14 @@ SensorDevice::SensorDevice(std::unique_ptr<Bus> bus, SensorSessions sessions,
     info_.range[f] = turned(sensor.mounting, sensor.range);
     info_.units_per_count[f] = sessions_[f]->units_per_count();
     info_.delay_s = std::max(info_.delay_s, sessions_[f]->sensor_delay_s() + fir_delay_s_);
-    if (sensor.calibration)
-      info_.provenance.push_back(std::string(kFingerNames[f]) + " calibration: " +
-                                 sensor.calibration->file + ", " + sensor.calibration->date);
+    if (!sensor.calibration) continue;
+    info_.provenance.push_back(std::string(kFingerNames[f]) + " calibration: " +
+                               sensor.calibration->file + ", " + sensor.calibration->date);
+    info_.calibration[f] = std::filesystem::path(sensor.calibration->file).filename().string() +
+                           " " + sensor.calibration->date;
+    for (Eigen::Index i = 0; i < 6; ++i)
+      for (Eigen::Index j = 0; j < 6; ++j)
+        info_.calibration[f] += " " + format_number(sensor.calibration->matrix(i, j));
   }
 }
 
@@ -239,8 +250,12 @@ bool SensorDevice::repeats_too_long(Track& track, const Measurement& measurement
       measurement.raw_counts != track.repeated) {
     track.repeated = measurement.raw_counts;
     track.repeated_since = measurement.stamp;
+    track.repeats = 0;
+  } else {
+    track.repeats = std::min(track.repeats + 1, kMostRepeats);
   }
-  return measurement.stamp - track.repeated_since > kLongestRepeat;
+  return track.repeats >= kMostRepeats &&
+         measurement.stamp - track.repeated_since > kLongestRepeat;
 }
 
 bool SensorDevice::smooth(Track& track, std::uint64_t lost, Wrench& wrench_S) noexcept {

@@ -40,6 +40,7 @@ class SensorDevice final : public ForceDevice {
     std::uint64_t lost_before = 0;  ///< by the conversation, at the last sample
     RawCounts repeated{};
     Timestamp repeated_since = Timestamp::min();
+    int repeats = 0;  ///< of that value, up to what is too many
     Timestamp last_overload = Timestamp::min();
     Timestamp last_status_error = Timestamp::min();
     Timestamp last_damage = Timestamp::min();

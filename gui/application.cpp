@@ -52,20 +52,20 @@ Result<void> run_application(const ApplicationConfig& config) {
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("IsoGrasp"));
   QApplication::setApplicationVersion(QString::fromStdString(config.software_version));
-  dress(application);
   std::string database = config.database;
   std::string device = config.device_uri;
   bool again = true;
   while (std::exchange(again, false)) {
     Windows windows({database, device, config.library, config.software_version,
-                     config.operator_name, config.realtime});
+                     config.operator_name, config.realtime, SettingsFile::usual_path().toStdString()});
     Background maker;
-    windows.therapist().open_demonstration = [&] {
+    windows.open_demonstration = [&] {
       if (!config.make_demonstration) return;
       maker.run([make = config.make_demonstration] { return make(); },
                 [&](const Result<std::string>& made) {
                   if (!made)
-                    return windows.therapist().say(QString::fromStdString(made.error().message()));
+                    return windows.therapist().demonstration_failed(
+                        QString::fromStdString(made.error().message()));
                   database = *made;
                   again = true;
                   windows.therapist().close();

@@ -2,13 +2,14 @@
 #include "gui/clinic.hpp"
 
 #include "gui/patient_code.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
 namespace {
 
 QString words(const Error& error) {
-  return QString::fromStdString(error.message());
+  return shown(error);
 }
 
 Result<std::vector<HistorySeries>> read_history(SessionStore& store, const std::string& code) {
@@ -27,17 +28,19 @@ Clinic::Clinic(std::string database, QObject* parent)
       database_(std::move(database)),
       entropy_(std::random_device{}()),
       store_(std::make_shared<std::unique_ptr<SessionStore>>()),
-      report_(store_, worker_) {}
+      report_(store_, worker_),
+      export_(database_) {}
 
 Clinic::~Clinic() {
   report_.cancel();  // before the worker is waited for
 }
 
-void Clinic::open() {
+void Clinic::open(bool to_read) {
   using Opened = Result<std::vector<PatientRecord>>;
   worker_.run(
-      [store = store_, path = database_]() -> Opened {
-        auto opened = SessionStore::open(path, SessionStore::Open::create);
+      [store = store_, path = database_,
+       how = to_read ? SessionStore::Open::read_only : SessionStore::Open::create]() -> Opened {
+        auto opened = SessionStore::open(path, how);
         if (!opened) return opened.error();
         *store = *std::move(opened);
         return (*store)->patients();

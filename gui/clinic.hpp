@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "gui/background.hpp"
+#include "gui/export_work.hpp"
 #include "gui/history.hpp"
 #include "gui/report_work.hpp"
 #include "storage/session_store.hpp"
@@ -26,6 +27,8 @@ struct PatientFile {
   PatientProfile profile;
   std::vector<TreatmentMark> marks;   ///< by date
   std::vector<ClinicalScore> scores;  ///< by date
+  std::vector<PrimaryMeasure> primaries;
+  std::vector<StablePeriod> stable;  ///< by date
 };
 
 class Clinic final : public QObject {
@@ -33,9 +36,10 @@ class Clinic final : public QObject {
 
  public:
   explicit Clinic(std::string database, QObject* parent = nullptr);
-  ~Clinic() override;  ///< cancels a report; waits for the worker
+  ~Clinic() override;  ///< cancels a report and an export; waits for the worker
 
-  void open();         ///< -> opened(), patients_changed() or open_failed()
+  /// -> opened(), patients_changed() or open_failed(). `to_read`: by somebody who may not write.
+  void open(bool to_read = false);
   void add_patient();  ///< with a generated code -> patients_changed(), patient_added()
   /// Until the answer comes, the history of another patient is empty and that of the same one is
   /// as it was -> history_changed(), twice for another patient.
@@ -50,7 +54,15 @@ class Clinic final : public QObject {
   void remove_treatment_mark(const std::string& code, RowId id, Stored then = {});
   void add_clinical_score(const std::string& code, const ClinicalScore& score, Stored then = {});
   void remove_clinical_score(const std::string& code, RowId id, Stored then = {});
+  void add_primary_measure(const std::string& code, const PrimaryMeasure& primary,
+                           Stored then = {});
+  void remove_primary_measure(const std::string& code, RowId id, Stored then = {});
+  void add_stable_period(const std::string& code, const StablePeriod& period, Stored then = {});
+  void remove_stable_period(const std::string& code, RowId id, Stored then = {});
   [[nodiscard]] ReportWork& report() noexcept { return report_; }
+  [[nodiscard]] ExportWork& research_export() noexcept { return export_; }
+  /// Files are being written that people wait for.
+  [[nodiscard]] bool writing() const noexcept { return report_.running() || export_.running(); }
   /// Any other reading: `read(SessionStore&)` on the worker, in order with all the rest, then
   /// `done(result)` here, unless `reader` is gone by then. False: the database is not open.
   template <class Read, class Done>
@@ -99,6 +111,7 @@ class Clinic final : public QObject {
   std::mt19937_64 entropy_;
   std::shared_ptr<std::unique_ptr<SessionStore>> store_;  ///< used by the worker only
   ReportWork report_;
+  ExportWork export_;
   Background worker_;  ///< last: its jobs end before anything else goes away
 };
 

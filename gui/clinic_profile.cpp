@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known of a person, as the windows use it: every change is stored, then read again.
 #include "gui/clinic.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -24,7 +25,12 @@ Result<PatientFile> read_file(SessionStore& store, RowId patient) {
   if (!marks) return marks.error();
   auto scores = store.clinical_scores(patient);
   if (!scores) return scores.error();
-  return PatientFile{*std::move(profile), *std::move(marks), *std::move(scores)};
+  auto primaries = store.primary_measures(patient);
+  if (!primaries) return primaries.error();
+  auto stable = store.stable_periods(patient);
+  if (!stable) return stable.error();
+  return PatientFile{*std::move(profile), *std::move(marks), *std::move(scores),
+                     *std::move(primaries), *std::move(stable)};
 }
 
 Result<void> without_value(const Result<RowId>& added) {
@@ -51,7 +57,7 @@ void Clinic::change_file(const std::string& code, Change change, Stored then) {
       [this, code, then = std::move(then)](Answer answer) {
         if (then) then(answer.stored);
         if (!answer.file) {
-          const auto why = QString::fromStdString(answer.file.error().message());
+          const auto why = shown(answer.file.error());
           Q_EMIT profile_failed(QString::fromStdString(code), why);
           Q_EMIT failed(why);
           return;
@@ -107,6 +113,37 @@ void Clinic::add_clinical_score(const std::string& code, const ClinicalScore& sc
 void Clinic::remove_clinical_score(const std::string& code, RowId id, Stored then) {
   change_file(
       code, [id](SessionStore& store, RowId) { return store.remove_clinical_score(id); },
+      std::move(then));
+}
+
+void Clinic::add_primary_measure(const std::string& code, const PrimaryMeasure& primary,
+                                 Stored then) {
+  change_file(
+      code,
+      [primary](SessionStore& store, RowId patient) {
+        return without_value(store.add_primary_measure(patient, primary));
+      },
+      std::move(then));
+}
+
+void Clinic::remove_primary_measure(const std::string& code, RowId id, Stored then) {
+  change_file(
+      code, [id](SessionStore& store, RowId) { return store.remove_primary_measure(id); },
+      std::move(then));
+}
+
+void Clinic::add_stable_period(const std::string& code, const StablePeriod& period, Stored then) {
+  change_file(
+      code,
+      [period](SessionStore& store, RowId patient) {
+        return without_value(store.add_stable_period(patient, period));
+      },
+      std::move(then));
+}
+
+void Clinic::remove_stable_period(const std::string& code, RowId id, Stored then) {
+  change_file(
+      code, [id](SessionStore& store, RowId) { return store.remove_stable_period(id); },
       std::move(then));
 }
 

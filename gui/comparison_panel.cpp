@@ -7,14 +7,13 @@
 
 #include "gui/choice_box.hpp"
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 #include "gui/words.hpp"
 #include "reports/measure_words.hpp"
 
 namespace isograsp {
 
 namespace {
-
-constexpr int kDate = 10;  // characters of "2026-11-21"
 
 QString words_for_session(const CourseSession& session) {
   const auto mark = source_mark(session.record);
@@ -23,13 +22,13 @@ QString words_for_session(const CourseSession& session) {
                         : QObject::tr("%1, %2").arg(hand_words(session.record.hand), mark);
   return QObject::tr("%1: %2, %3")
       .arg(session.number)
-      .arg(local_time(session.record.started_utc).left(kDate), what);
+      .arg(local_date(session.record.started_utc), what);
 }
 
 QString with_unit(double value, const std::string& unit, bool signed_value) {
   const auto number =
-      QString::fromStdString(signed_value ? format_change(value, unit) : format_value(value, unit));
-  const auto printed = QString::fromStdString(printed_unit(unit).text);
+      shown_digits(signed_value ? format_change(value, unit) : format_value(value, unit));
+  const auto printed = shown(printed_unit(unit).text);
   return printed.isEmpty() ? number : QObject::tr("%1 %2").arg(number, printed);
 }
 
@@ -81,7 +80,7 @@ ComparisonPanel::ComparisonPanel(QWidget* parent) : Card(tr("Compare two session
     table_->horizontalHeaderItem(column)->setTextAlignment(
         (column >= 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(26);
+  table_->verticalHeader()->setDefaultSectionSize(scaled(26));
   table_->setShowGrid(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);

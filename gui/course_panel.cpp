@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 #include "gui/two_line_delegate.hpp"
 #include "gui/words.hpp"
 
@@ -20,9 +21,8 @@ TwoLines lines_of(const CourseSession& session) {
   const auto unfinished = std::count_if(
       session.trials.begin(), session.trials.end(),
       [](const CourseTrial& trial) { return trial.record.status != TrialStatus::completed; });
-  const auto what = session.record.protocol_name.empty()
-                        ? QObject::tr("single tasks")
-                        : QString::fromStdString(session.record.protocol_name);
+  const auto what = session.record.protocol_name.empty() ? QObject::tr("single tasks")
+                                                         : shown(session.record.protocol_name);
   QStringList words{QObject::tr("No. %1").arg(session.number), hand_words(session.record.hand),
                     trials_words(static_cast<int>(session.trials.size())), what};
   if (unfinished > 0)
@@ -35,9 +35,7 @@ TwoLines lines_of(const CourseSession& session) {
 
 TwoLines lines_of(const CourseTrial& trial) {
   TwoLines lines;
-  lines.title = QObject::tr("%1  %2")
-                    .arg(trial.record.number)
-                    .arg(QString::fromStdString(trial.record.task_name));
+  lines.title = QObject::tr("%1  %2").arg(trial.record.number).arg(shown(trial.record.task_name));
   QStringList words{standing_words(trial.record)};
   if (const Measure* key = key_measure(trial))
     words.insert(0, QObject::tr("%1 %2").arg(measure_title(*key), measure_value(*key)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The instruction on the patient's screen in plain words, by cue and channel. Pure.
+// The instruction on the patient's screen in plain words, by cue and channel. Pure: same cue, same
+// words (in the language that is set).
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 namespace isograsp {
 
 struct CueWords {
-  std::string headline;  ///< readable at 3 m: at most six words, kMostHeadline letters
+  std::string headline;  ///< readable at 3 m: in English at most six words, kMostHeadline letters
   std::string detail;    ///< one more short sentence
 };
 inline constexpr std::size_t kMostHeadline = 34;

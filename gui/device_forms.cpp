@@ -66,11 +66,11 @@ void ConnectForm::fill(const std::string& preset) {
     auto* item = new QListWidgetItem(QString::fromStdString(choice.words), devices_);
     item->setData(Qt::UserRole, QString::fromStdString(choice.uri));
     item->setToolTip(QString::fromStdString(choice.uri));
-    item->setSizeHint({0, kRow_px});
+    item->setSizeHint({0, scaled(kRow_px)});
   }
   // Nothing is chosen beforehand unless somebody did.
   devices_->setCurrentRow(preset.empty() ? -1 : 0);
-  devices_->setFixedHeight(kRow_px * std::clamp(devices_->count(), 2, kMostRows) + 6);
+  devices_->setFixedHeight(scaled(kRow_px) * std::clamp(devices_->count(), 2, kMostRows) + 6);
 }
 
 void ConnectForm::choose(int row) {
@@ -191,35 +191,6 @@ void ZeroForm::refresh_progress() {
   const auto& now = presenter_.snapshot();
   progress_->setVisible(now.stage == Stage::zeroing);
   progress_->setValue(static_cast<int>(100.0 * now.zero_progress));
-}
-
-StrapForm::StrapForm(SessionPresenter& presenter, QWidget* parent)
-    : QWidget(parent), presenter_(presenter) {
-  strapped_ = new QPushButton(tr("Hand is &in and strapped"));
-  strapped_->setObjectName("strapped");
-  describe(*strapped_, tr("The hand is in and strapped"),
-           tr("From now a minute to settle, then the resting force can be measured (Alt+I)"));
-  words_ = new QLabel;
-  words_->setObjectName("strap_words");
-  words_->setProperty("role", "quiet");
-  words_->setWordWrap(true);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(7);
-  column->addWidget(strapped_);
-  column->addWidget(words_);
-  connect(strapped_, &QPushButton::clicked, &presenter_, &SessionPresenter::mark_strapped);
-  connect(&presenter_, &SessionPresenter::changed, this, &StrapForm::refresh);
-  refresh();
-}
-
-void StrapForm::refresh() {
-  const auto& view = presenter_.view();
-  strapped_->setEnabled(view.may_strap);
-  mark_next(*strapped_, view.may_strap && view.next() == Step::rest);
-  const auto rest = presenter_.rest_words();
-  words_->setText(rest.empty() ? tr("After a minute of settling the resting force is measured.")
-                               : QString::fromStdString(rest));
 }
 
 }  // namespace isograsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The device in a session: choosing and connecting it, its zero with the hand out, the hand in.
+// The device in a session: choosing and connecting it, its zero with the hand out.
 #pragma once
 
 #include <QFrame>
@@ -50,21 +50,6 @@ class ZeroForm final : public QWidget {
   QPushButton* not_yet_;
   QPushButton* changed_;
   QProgressBar* progress_;
-};
-
-/// The hand is in and strapped: from now it settles.
-class StrapForm final : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit StrapForm(SessionPresenter& presenter, QWidget* parent = nullptr);
-
- private:
-  void refresh();
-
-  SessionPresenter& presenter_;
-  QPushButton* strapped_;
-  QLabel* words_;
 };
 
 }  // namespace isograsp

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/device_list.hpp"
 
+#include <QCoreApplication>
+#include <QString>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -11,6 +13,14 @@ namespace isograsp {
 namespace fs = std::filesystem;
 
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(DeviceList)
+};
+
+std::string text(const QString& words) {
+  return words.toStdString();
+}
 
 std::vector<std::string> can_interfaces(const std::string& network_folder) {
   constexpr int kCan = 280;  // ARPHRD_CAN of <linux/if_arp.h>, as /sys/class/net/*/type prints it
@@ -31,10 +41,11 @@ std::vector<DeviceChoice> list_devices(const std::string& preset,
                                        const std::string& network_folder) {
   std::vector<DeviceChoice> choices;
   for (const auto& name : can_interfaces(network_folder))
-    choices.push_back({"Force sensors on " + name, "can://" + name + "?protocol=rft"});
-  choices.push_back({"Simulated patient, healthy", "sim://healthy?seed=7"});
-  choices.push_back({"Simulated patient, paretic", "sim://paretic?seed=7"});
-  choices.push_back({"A recording …", ""});
+    choices.push_back({text(Words::tr("Force sensors on %1").arg(QString::fromStdString(name))),
+                       "can://" + name + "?protocol=rft"});
+  choices.push_back({text(Words::tr("Simulated patient, healthy")), "sim://healthy?seed=7"});
+  choices.push_back({text(Words::tr("Simulated patient, paretic")), "sim://paretic?seed=7"});
+  choices.push_back({text(Words::tr("A recording …")), ""});
   if (preset.empty()) return choices;
   const auto known = std::find_if(choices.begin(), choices.end(),
                                   [&](const DeviceChoice& c) { return c.uri == preset; });

@@ -8,6 +8,7 @@
 
 #include "gui/card.hpp"
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -21,29 +22,30 @@ struct Counter {
   std::uint64_t SensorCounters::*count;
 };
 constexpr std::array<Counter, 9> kCounters{
-    {{QT_TRANSLATE_NOOP("DevicePage", "Good samples"), &SensorCounters::good},
-     {QT_TRANSLATE_NOOP("DevicePage", "Lost"), &SensorCounters::lost},
-     {QT_TRANSLATE_NOOP("DevicePage", "Half samples"), &SensorCounters::torn},
-     {QT_TRANSLATE_NOOP("DevicePage", "Meaningless"), &SensorCounters::invalid},
-     {QT_TRANSLATE_NOOP("DevicePage", "Standing still"), &SensorCounters::stale},
-     {QT_TRANSLATE_NOOP("DevicePage", "At the end of the range"), &SensorCounters::saturated},
-     {QT_TRANSLATE_NOOP("DevicePage", "Overloaded"), &SensorCounters::overload},
-     {QT_TRANSLATE_NOOP("DevicePage", "Called wrong by the sensor"),
+    {{QT_TRANSLATE_NOOP("isograsp::DevicePage", "Good samples"), &SensorCounters::good},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Lost"), &SensorCounters::lost},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Half samples"), &SensorCounters::torn},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Meaningless"), &SensorCounters::invalid},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Standing still"), &SensorCounters::stale},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "At the end of the range"),
+      &SensorCounters::saturated},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Overloaded"), &SensorCounters::overload},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Called wrong by the sensor"),
       &SensorCounters::status_errors},
-     {QT_TRANSLATE_NOOP("DevicePage", "Set up again"), &SensorCounters::restarts}}};
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Set up again"), &SensorCounters::restarts}}};
 
 QString title_of(const Counter& counter) {
-  return QCoreApplication::translate("DevicePage", counter.title);
+  return DevicePage::tr(counter.title);
 }
 
 QString details_of(const DeviceInfo& info) {
-  QStringList lines{QString::fromStdString(info.description)};
-  lines += DevicePage::tr("%1 samples per second, delay %2 ms")
+  QStringList lines{shown(info.description)};
+  lines += DevicePage::tr("%1 samples per second, delay %L2 ms")
                .arg(1.0 / info.sample_period_s, 0, 'f', 0)
                .arg(info.delay_s * 1e3, 0, 'f', 1);
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& serial = info.serial_numbers[f];
-    lines += DevicePage::tr("%1: serial number %2, up to %3 N, one count is %4 N")
+    lines += DevicePage::tr("%1: serial number %2, up to %3 N, one count is %L4 N")
                  .arg(finger_title(kFingers[f]))
                  .arg(serial.empty() ? DevicePage::tr("not told") : QString::fromStdString(serial))
                  .arg(info.range[f][2], 0, 'f', 0)
@@ -127,7 +129,7 @@ QWidget* DevicePage::make_sensors() {
   sensors_->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   sensors_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   sensors_->verticalHeader()->hide();
-  sensors_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  sensors_->verticalHeader()->setDefaultSectionSize(scaled(kRow_px));
   sensors_->setShowGrid(false);
   sensors_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   sensors_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -195,9 +197,8 @@ void DevicePage::refresh() {
   if (faults_->count() != static_cast<int>(faults.size())) {
     faults_->clear();
     for (auto fault = faults.rbegin(); fault != faults.rend(); ++fault)
-      faults_->addItem(tr("%1 min: %2")
-                           .arg(fault->session_time_s / 60.0, 0, 'f', 1)
-                           .arg(QString::fromStdString(fault->words)));
+      faults_->addItem(
+          tr("%L1 min: %2").arg(fault->session_time_s / 60.0, 0, 'f', 1).arg(shown(fault->words)));
   }
   faults_->setVisible(faults_->count() > 0);
   no_faults_->setVisible(faults_->count() == 0);
@@ -218,9 +219,9 @@ void DevicePage::refresh_check() {
               "axes show (Alt+K)"));
   begin_->setEnabled(running || view.may_check);
   if (running)
-    instruction_->setText(QString::fromStdString(check_.instruction()));
+    instruction_->setText(shown(check_.instruction()));
   else if (state == GuidedCheck::State::over)
-    instruction_->setText(QString::fromStdString(check_.outcome()));
+    instruction_->setText(shown(check_.outcome()));
   else
     instruction_->setText(view.may_check
                               ? tr("Take the hand out, then press each empty support as pictured.")
@@ -231,9 +232,9 @@ void DevicePage::refresh_check() {
   results_->clear();
   for (const auto& result : results) {
     const bool good = result.verdict == CheckVerdict::good;
-    auto* item = new QListWidgetItem((good ? QStringLiteral("✓  ") : QStringLiteral("✗  ")) +
-                                         QString::fromStdString(result.sentence()),
-                                     results_);
+    auto* item = new QListWidgetItem(
+        (good ? QStringLiteral("✓  ") : QStringLiteral("✗  ")) + shown(result.sentence()),
+        results_);
     item->setForeground(good ? look::kReady : look::kFault);
   }
   results_->scrollToBottom();

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include "gui/texts.hpp"
+
 namespace isograsp {
 
 namespace {
@@ -11,12 +13,6 @@ namespace {
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(Flow)
 };
-
-/// Text of the program below in the language that is set: every such text is listed for translators
-/// in gui/texts.cpp.
-QString text(std::string_view english) {
-  return QCoreApplication::translate("Texts", std::string(english).c_str());
-}
 
 std::string plain(const QString& words) {
   return words.toStdString();
@@ -34,7 +30,7 @@ bool is_done(Step step, const FlowFacts& facts) {
     case Step::screening: return facts.screened;
     case Step::device: return open;
     case Step::zero: return open && (facts.zeroed || facts.recorded);
-    case Step::rest: return open && (facts.rest_done || facts.recorded);
+    case Step::rest: return open && (facts.rest_done || facts.recorded) && !facts.straps_due;
     case Step::work:
       return open && (facts.protocol.active ? facts.protocol.act == ProtocolFacts::Act::none
                                             : facts.task_done);
@@ -59,11 +55,10 @@ void decide_device(const FlowFacts& facts, FlowView& view) {
     view.device_mood = mood;
     view.device_words = plain(words);
   };
+  if (!facts.connection_error.empty())
+    return say(Mood::fault, QString::fromStdString(facts.connection_error));
   switch (facts.connection) {
-    case Connection::none:
-      if (!facts.connection_error.empty())
-        return say(Mood::fault, QString::fromStdString(facts.connection_error));
-      return say(Mood::off, Words::tr("Not connected"));
+    case Connection::none: return say(Mood::off, Words::tr("Not connected"));
     case Connection::opening: return say(Mood::busy, Words::tr("Connecting …"));
     case Connection::closing: return say(Mood::busy, Words::tr("Saving and disconnecting …"));
     case Connection::open: break;
@@ -73,12 +68,12 @@ void decide_device(const FlowFacts& facts, FlowView& view) {
                facts.recorded ? Words::tr("The recording is over")
                               : Words::tr("The device sends no more forces"));
   if (facts.anything_arrived && facts.health.state == DeviceState::faulted)
-    return say(Mood::fault, text(describe(facts.health.fault, facts.health.finger)));
+    return say(Mood::fault, shown(describe(facts.health.fault, facts.health.finger)));
   if (facts.frozen)
     return say(Mood::fault, Words::tr("No forces arrive: check the cable and power of the device"));
   if (!facts.anything_arrived) return say(Mood::busy, Words::tr("Waiting for the first forces …"));
   if (facts.health.fault != DeviceFault::none)
-    return say(Mood::attention, text(describe(facts.health.fault, facts.health.finger)));
+    return say(Mood::attention, shown(describe(facts.health.fault, facts.health.finger)));
   if (facts.stage == Stage::paused && facts.pause_cause == PauseCause::missing_samples)
     return say(Mood::attention, Words::tr("Connected, but samples were missing"));
   if (facts.stage == Stage::zeroing)
@@ -100,8 +95,7 @@ QString rest_sentence(const FlowFacts& facts) {
   if (facts.strapped)
     return Words::tr("The hand has settled. It relaxes: start the resting force.");
   return Words::tr("%1 Strap the hand in and say so; after a minute start the resting force.")
-      .arg(facts.zero_remark.empty() ? Words::tr("Zero is set.")
-                                     : QString::fromStdString(facts.zero_remark));
+      .arg(facts.zero_remark.empty() ? Words::tr("Zero is set.") : shown(facts.zero_remark));
 }
 
 QString protocol_sentence(const FlowFacts& facts) {
@@ -133,20 +127,26 @@ void decide_session_sentence(const FlowFacts& facts, FlowView& view) {
     case Stage::zeroing:
       return say(Mood::busy, Words::tr("Setting the zero. Nobody touches the device."));
     case Stage::trial:
-      return say(Mood::busy, Words::tr("Recording: %1.").arg(text(facts.task_name)));
+      return say(Mood::busy, Words::tr("Recording: %1.").arg(shown(facts.task_name)));
     case Stage::paused:
       if (facts.pause_cause == PauseCause::therapist)
         return say(Mood::attention, Words::tr("Paused. Resume when the patient is ready."));
-      return say(Mood::fault, text(describe(facts.pause_cause)));
+      if (facts.health.fault == DeviceFault::none && !facts.at_rest)
+        return say(Mood::fault,
+                   Words::tr("The device works again. The hand lets go; if Resume stays "
+                             "closed, stop, set the zero and repeat the trial."));
+      return say(Mood::fault, shown(describe(facts.pause_cause)));
     case Stage::finished:
       return say(Mood::ready, Words::tr("The recording is over. Disconnect to end the session."));
     case Stage::idle: break;
   }
   if (!facts.zero_refusal.empty())
+    return say(Mood::attention, Words::tr("Zero refused: %1").arg(shown(facts.zero_refusal)));
+  if (!facts.stop_reason.empty()) return say(Mood::attention, shown(facts.stop_reason));
+  if (facts.straps_due)
     return say(Mood::attention,
-               Words::tr("Zero refused: %1").arg(QString::fromStdString(facts.zero_refusal)));
-  if (!facts.stop_reason.empty())
-    return say(Mood::attention, QString::fromStdString(facts.stop_reason));
+               Words::tr("The straps have been on for 20 minutes: look at the skin, then confirm "
+                         "that the hand is in and strapped."));
   const auto next = view.next();
   if (next == Step::zero)
     return say(Mood::attention, Words::tr("Device connected. Set the zero with the device empty."));
@@ -158,10 +158,9 @@ void decide_session_sentence(const FlowFacts& facts, FlowView& view) {
   if (facts.recorded)
     return say(Mood::ready, Words::tr("Recording ready. Choose a task and press Start."));
   if (next == Step::work && facts.maximum_force_N <= 0.0)
-    return say(Mood::ready,
-               Words::tr("%1 Next: the maximum grip force.")
-                   .arg(facts.rest_words.empty() ? Words::tr("Resting force is known.")
-                                                 : QString::fromStdString(facts.rest_words)));
+    return say(Mood::ready, Words::tr("%1 Next: the maximum grip force.")
+                                .arg(facts.rest_words.empty() ? Words::tr("Resting force is known.")
+                                                              : shown(facts.rest_words)));
   if (next == Step::work && facts.maximum_attempts < 2)
     return say(Mood::ready,
                Words::tr("%1 Repeat it after one minute, or choose a task and press Start.")
@@ -181,12 +180,12 @@ void decide_sentence(const FlowFacts& facts, FlowView& view) {
   if (!facts.database_error.empty())
     return say(Mood::fault, QString::fromStdString(facts.database_error));
   if (!facts.database_open) return say(Mood::busy, Words::tr("Opening the database …"));
+  if (!facts.connection_error.empty())
+    return say(Mood::fault, QString::fromStdString(facts.connection_error));
   switch (facts.connection) {
     case Connection::opening: return say(Mood::busy, Words::tr("Connecting to the device …"));
     case Connection::closing: return say(Mood::busy, Words::tr("Saving the session …"));
     case Connection::none:
-      if (!facts.connection_error.empty())
-        return say(Mood::fault, QString::fromStdString(facts.connection_error));
       if (!facts.patient_chosen)
         return say(Mood::attention, Words::tr("Choose a patient, or add a new one."));
       if (facts.hand_to_confirm)
@@ -197,6 +196,8 @@ void decide_sentence(const FlowFacts& facts, FlowView& view) {
                    Words::tr("Which hand is in the device today? Choose right or left."));
       if (!facts.screened)
         return say(Mood::attention, Words::tr("Ask the screening questions before any force."));
+      if (facts.earlier_sought)
+        return say(Mood::busy, Words::tr("Looking whether this protocol was interrupted today …"));
       if (facts.earlier_undecided)
         return say(Mood::attention,
                    Words::tr("This protocol was interrupted today: go on, or begin anew?"));
@@ -281,13 +282,14 @@ FlowView decide(const FlowFacts& facts) {
   view.may_change_hand = closed;
   view.may_change_device = closed;
   view.may_connect = facts.database_open && closed && facts.patient_chosen && facts.hand_chosen &&
-                     facts.screened && !facts.earlier_undecided && facts.device_chosen;
+                     facts.screened && !facts.earlier_sought && !facts.earlier_undecided &&
+                     facts.device_chosen;
   view.may_cancel_connecting = facts.connection == Connection::opening;
   view.may_disconnect = open && !in_trial(facts) && facts.stage != Stage::zeroing;
   view.may_zero = quiet && sound && !facts.recorded;
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
   view.may_check = view.may_zero;
-  view.may_strap = view.may_zero && facts.zeroed && !facts.strapped;
+  view.may_strap = view.may_zero && facts.zeroed && (!facts.strapped || facts.straps_due);
   view.may_choose_task = !in_trial(facts) && !facts.starting;
   view.may_show_how = view.may_choose_task && facts.task_chosen && !facts.recorded &&
                       facts.connection != Connection::opening &&
@@ -298,8 +300,11 @@ FlowView decide(const FlowFacts& facts) {
   view.may_start = view.may_begin || (quiet && sound && may_arm(facts));
   view.may_skip = quiet && facts.protocol.active && facts.protocol.act != ProtocolFacts::Act::none;
   view.may_stand_by = quiet && facts.protocol.active && facts.protocol.goes_on;
+  view.must_stand_by = view.device_mood == Mood::fault || facts.straps_due;
   view.may_pause = open && facts.stage == Stage::trial;
-  view.may_resume = open && facts.stage == Stage::paused && sound;
+  // After a fault: from rest only, and with a zero that has not moved.
+  view.may_resume = open && facts.stage == Stage::paused && sound &&
+                    (facts.pause_cause == PauseCause::therapist || facts.at_rest);
   view.may_stop = open && in_trial(facts);
   return view;
 }

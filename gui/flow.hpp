@@ -52,15 +52,17 @@ struct FlowFacts {
   bool hand_chosen = false;
   bool hand_to_confirm = false;    ///< it is not the affected one: nobody has confirmed it yet
   bool screened = false;           ///< questions answered, decision made
+  bool earlier_sought = false;     ///< whether there is an interrupted protocol is being looked up
   bool earlier_undecided = false;  ///< an interrupted protocol may go on: nobody has said yet
   bool device_chosen = false;
   Connection connection = Connection::none;
-  std::string connection_error;  ///< why the last attempt failed, or why the session ended
+  std::string connection_error;  ///< why the last attempt failed, or why the session ends or ended
   bool recorded = false;         ///< a replayed recording: nobody takes a hand out
   bool frozen = false;           ///< no new frame for longer than kFrozenAfter_s
   bool anything_arrived = false;
   Stage stage = Stage::idle;
   PauseCause pause_cause = PauseCause::none;
+  bool at_rest = false;  ///< while paused by a fault: the hand has let go, forces look as at rest
   DeviceHealth health;
   bool zeroed = false;
   std::string zero_refusal;        ///< why the last zero was refused
@@ -68,6 +70,7 @@ struct FlowFacts {
   std::string zero_remark;         ///< what is to be known about the accepted one
   int settling_s = 0;              ///< until the strapped hand may rest; 0: now, as far as known
   bool strapped = false;           ///< the therapist said so
+  bool straps_due = false;         ///< and has to look at them again
   std::string rest_words;          ///< what the resting force suggests
   bool rest_done = false;
   int maximum_attempts = 0;
@@ -103,7 +106,7 @@ struct FlowView {
   bool may_disconnect = false;
   bool may_zero = false;
   bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
-  bool may_check = false;  ///< the supports, with the hand out
+  bool may_check = false;           ///< the supports, with the hand out
   bool may_strap = false;
   bool may_choose_task = false;
   bool may_show_how = false;  ///< the patient may watch how the chosen task is done
@@ -112,6 +115,9 @@ struct FlowView {
   bool may_skip = false;      ///< the next act of the protocol
   bool may_pause = false;     ///< the running trial
   bool may_stand_by = false;  ///< between trials: nothing begins by itself
+  /// Nothing may begin by itself any more: after a fault, or when straps are to be looked at, the
+  /// therapist says that work goes on.
+  bool must_stand_by = false;
   bool may_resume = false;
   bool may_stop = false;
   std::string start_hint;  ///< why Start is not possible, or what it starts

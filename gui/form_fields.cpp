@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -31,6 +32,10 @@ QLabel* caption(const QString& text, QWidget* field) {
   return label;
 }
 
+QString key_words(const QString& key) {
+  return QKeySequence(key).toString(QKeySequence::NativeText);
+}
+
 void add_key(QWidget* widget, const QString& key, const std::function<void()>& act) {
   auto* shortcut = new QShortcut(QKeySequence(key), widget);
   shortcut->setContext(Qt::WidgetWithChildrenShortcut);
@@ -47,7 +52,7 @@ Segments::Segments(const std::vector<Segment>& segments, QWidget* keys_of) {
     button->setObjectName(segment.object_name);
     button->setCheckable(true);
     describe(*button, segment.name,
-             tr("%1; pressed again: not told (%2)").arg(segment.name, segment.key));
+             tr("%1; pressed again: not told (%2)").arg(segment.name, key_words(segment.key)));
     const int index = static_cast<int>(i);
     connect(button, &QPushButton::clicked, this, [this, index] { press(index); });
     add_key(keys_of, segment.key, [this, index] {
@@ -71,7 +76,7 @@ void Segments::press(int index) {
 
 DateField::DateField(Ahead ahead) : ahead_(ahead) {
   setMaxLength(20);
-  setMinimumWidth(112);
+  setMinimumWidth(scaled(112));
 }
 
 Typed<Date> DateField::typed() const {
@@ -79,7 +84,7 @@ Typed<Date> DateField::typed() const {
 }
 
 void DateField::show_date(std::optional<Date> date) {
-  setText(date ? QString::fromStdString(iso_text(*date)) : QString());
+  setText(date ? shown_date(iso_text(*date)) : QString());
 }
 
 void DateField::keyPressEvent(QKeyEvent* event) {
@@ -93,7 +98,7 @@ void DateField::keyPressEvent(QKeyEvent* event) {
   if (const auto now = typed().value) next = plus_days(*now, days);
   if (ahead_ == Ahead::refused) next = std::min(next, today);
   selectAll();
-  insert(QString::fromStdString(iso_text(next)));  // as if typed: Ctrl+Z takes it back
+  insert(shown_date(iso_text(next)));  // as if typed: Ctrl+Z takes it back
 }
 
 Remark::Remark() {
@@ -130,7 +135,7 @@ DatedList::DatedList(const QString& name, const QString& title, const QStringLis
   table_->horizontalHeader()->setSectionResizeMode(columns.size() - 1, QHeaderView::Stretch);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+  table_->verticalHeader()->setDefaultSectionSize(scaled(kRow_px));
   table_->setShowGrid(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -190,7 +195,7 @@ void DatedList::show_rows(const std::vector<QStringList>& rows) {
       table_->setItem(row, column, item);
     }
   const int visible = std::min(table_->rowCount(), kMostRows);
-  table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() + visible * kRow_px + 4);
+  table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() + visible * scaled(kRow_px) + 4);
   table_->setVisible(!rows.empty());
   empty_->setVisible(rows.empty());
   remove_->setVisible(!rows.empty());
@@ -210,6 +215,43 @@ void DatedList::offer_undo(const QString& removed) {
 void DatedList::remove() {
   const auto chosen = table_->selectedItems();
   if (!chosen.isEmpty()) Q_EMIT remove_pressed(chosen.front()->row());
+}
+
+DateField* entry_date(const QString& object_name, const QString& name, const QString& key,
+                      Ahead ahead, QWidget* card) {
+  auto* field = new DateField(ahead);
+  field->setObjectName(object_name);
+  describe(*field, name,
+           QObject::tr("%1: year-month-day; Up and Down change it, Enter adds (%2)")
+               .arg(name, key_words(key)));
+  add_key(card, key, [field] { field->setFocus(); });
+  field->show_date(local_today());
+  return field;
+}
+
+QLineEdit* entry_text(const QString& object_name, const QString& name, const QString& hint) {
+  constexpr int kLongest = 200;
+  auto* field = new QLineEdit;
+  field->setObjectName(object_name);
+  field->setMaxLength(kLongest);
+  field->setPlaceholderText(hint);
+  describe(*field, name, QObject::tr("%1; Enter adds, Ctrl+Z takes back what was typed").arg(name));
+  return field;
+}
+
+QPushButton* add_button(const QString& object_name, const QString& name, QWidget* card) {
+  auto* button = new QPushButton(QObject::tr("Add"));
+  button->setObjectName(object_name);
+  describe(*button, name, QObject::tr("%1 (Ctrl+Enter)").arg(name));
+  for (const char* key : {"Ctrl+Return", "Ctrl+Enter"})
+    add_key(card, key, [button] {
+      if (button->isEnabled()) button->click();
+    });
+  return button;
+}
+
+QString removed_words(const std::string& date, const QString& what) {
+  return QObject::tr("Removed: %1, %2.").arg(shown_date(date), what);
 }
 
 }  // namespace isograsp

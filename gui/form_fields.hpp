@@ -99,8 +99,22 @@ class DatedList final : public QWidget {
   QPushButton* undo_;
 };
 
+// The row in which an entry of a DatedList is typed.
+/// Today, until another day is typed. `key` gives it the focus while that is in `card`.
+[[nodiscard]] DateField* entry_date(const QString& object_name, const QString& name,
+                                    const QString& key, Ahead ahead, QWidget* card);
+[[nodiscard]] QLineEdit* entry_text(const QString& object_name, const QString& name,
+                                    const QString& hint);
+/// Also pressed by Ctrl+Enter while the focus is in `card`.
+[[nodiscard]] QPushButton* add_button(const QString& object_name, const QString& name,
+                                      QWidget* card);
+/// For DatedList::offer_undo().
+[[nodiscard]] QString removed_words(const std::string& date, const QString& what);
+
 /// A label that names a field: over it, and for assistive technology.
 [[nodiscard]] QLabel* caption(const QString& text, QWidget* field = nullptr);
+/// "Ctrl+Shift+T" as the keyboard of the language names it.
+[[nodiscard]] QString key_words(const QString& key);
 /// Calls `act` on `key` while the focus is in `widget`.
 void add_key(QWidget* widget, const QString& key, const std::function<void()>& act);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/guided_check.hpp"
 
+#include <QCoreApplication>
 #include <algorithm>
 
 namespace isograsp {
@@ -31,8 +32,9 @@ bool GuidedCheck::look(const Snapshot& snapshot) {
 }
 
 std::string GuidedCheck::instruction() const {
-  return state_ == State::empty ? "Take everything off the supports and do not touch them."
-                                : step().instruction();
+  return state_ == State::empty
+             ? QT_TRANSLATE_NOOP("Texts", "Take everything off the supports and do not touch them.")
+             : step().instruction();
 }
 
 std::vector<CheckResult> GuidedCheck::results() const {
@@ -42,7 +44,7 @@ std::vector<CheckResult> GuidedCheck::results() const {
 std::string GuidedCheck::outcome() const {
   for (const auto& result : check_->results())
     if (result.verdict != CheckVerdict::good) return result.sentence();
-  return "Guided check passed.";
+  return QT_TRANSLATE_NOOP("Texts", "Guided check passed.");
 }
 
 }  // namespace isograsp

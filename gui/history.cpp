@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "gui/texts.hpp"
 #include "gui/words.hpp"
 #include "reports/measure_words.hpp"
 
@@ -29,8 +30,7 @@ SeriesKey series_of(const MeasurePoint& point) {
 QString title_of(const MeasurePoint& point) {
   const auto hand = point.hand == Hand::right ? QObject::tr("right") : QObject::tr("left");
   auto title =
-      QObject::tr("%1 (%2): %3")
-          .arg(QString::fromStdString(point.task_name), hand, measure_title(point.measure));
+      QObject::tr("%1 (%2): %3").arg(shown(point.task_name), hand, measure_title(point.measure));
   if (point.simulated) title += QObject::tr(", simulated");
   return title;
 }
@@ -43,8 +43,7 @@ std::vector<HistorySeries> sort_history(const std::vector<MeasurePoint>& points)
   for (const auto& point : points) {
     const auto [place, is_new] = places.try_emplace(series_of(point), series.size());
     if (is_new)
-      series.push_back(
-          {title_of(point), QString::fromStdString(printed_unit(point.measure.unit).text), {}});
+      series.push_back({title_of(point), shown(printed_unit(point.measure.unit).text), {}});
     series[place->second].points.push_back(point);
   }
   // The task of the newest trial is what the therapist wants to see; inside a task the order in

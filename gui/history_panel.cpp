@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/history_panel.hpp"
 
-#include <QDesktopServices>
-#include <QDir>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
-#include <QStandardPaths>
-#include <QUrl>
 
 #include "gui/choice_box.hpp"
 #include "gui/look.hpp"
@@ -16,10 +11,6 @@
 #include "reports/measure_words.hpp"
 
 namespace isograsp {
-
-namespace {
-constexpr int kProgressSteps = 1000;
-}
 
 HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
     : Card({}, parent), clinic_(clinic), presenter_(presenter) {
@@ -29,16 +20,11 @@ HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget*
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   describe(*choice_, tr("Task and measure"), tr("Which measure of the patient is shown (Alt+H)"));
   title_->setBuddy(choice_);
-  report_ = new QPushButton(tr("Report as PD&F …"));
-  report_->setObjectName("report");
-  describe(*report_, tr("Report as PDF"),
-           tr("Write the patient's progress report (Ctrl+R, Alt+F)"));
   auto* head = new QHBoxLayout;
   head->setSpacing(10);
   column_->removeWidget(title_);
   head->addWidget(title_);
   head->addWidget(choice_, 1);
-  head->addWidget(report_);
   table_ = new QTableWidget(0, 3);
   table_->setObjectName("history");
   table_->setHorizontalHeaderLabels({tr("When"), tr("Trial"), tr("Value")});
@@ -49,13 +35,14 @@ HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget*
     table_->horizontalHeaderItem(column)->setTextAlignment(
         (column == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->verticalHeader()->setDefaultSectionSize(scaled(24));
   table_->setShowGrid(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
   take_rest(*table_, 80);
-  describe(*table_, tr("Stored values"), tr("Every stored value of this measure (Alt+V)"));
+  describe(*table_, tr("Stored values"),
+           tr("Every stored value of this measure (Tab, arrow keys)"));
   trend_ = new TrendPlot;
   take_rest(*trend_, 80);
   describe(*trend_, tr("Trend"), tr("The same values in order; hollow dots are practice trials"));
@@ -63,65 +50,15 @@ HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget*
   body->setSpacing(12);
   body->addWidget(table_, 4);
   body->addWidget(trend_, 5);
-  writing_ = new QWidget;
-  writing_->setObjectName("report_writing");
-  writing_->hide();
-  doing_ = new QLabel;
-  doing_->setObjectName("report_doing");
-  progress_ = new QProgressBar;
-  progress_->setObjectName("report_progress");
-  progress_->setRange(0, kProgressSteps);
-  describe(*progress_, tr("Progress of the report"), tr("How much of the report is written"));
-  cancel_ = new QPushButton(tr("Cancel"));
-  cancel_->setObjectName("report_cancel");
-  describe(*cancel_, tr("Cancel the report"),
-           tr("Write no report; a file that was there stays as it is (Escape)"));
-  cancel_->setShortcut(Qt::Key_Escape);
-  auto* writing = new QHBoxLayout(writing_);
-  writing->setContentsMargins(0, 0, 0, 0);
-  writing->setSpacing(12);
-  writing->addWidget(doing_);
-  writing->addWidget(progress_, 1);
-  writing->addWidget(cancel_);
-  remark_ = new QLabel;
-  remark_->setObjectName("report_remark");
-  remark_->setProperty("role", "quiet");
-  remark_->setWordWrap(true);
-  remark_->setTextInteractionFlags(Qt::LinksAccessibleByMouse);
   column_->addLayout(head);
   column_->addLayout(body, 1);
-  column_->addWidget(writing_);
-  column_->addWidget(remark_);
   nothing_ = new QLabel;
   nothing_->setProperty("role", "quiet");
   column_->addWidget(nothing_);
 
   connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &HistoryPanel::show_series);
-  connect(report_, &QPushButton::clicked, this, &HistoryPanel::ask_where);
   connect(&clinic_, &Clinic::history_changed, this, &HistoryPanel::fill);
-  ReportWork& report = clinic_.report();
-  connect(cancel_, &QPushButton::clicked, &report, &ReportWork::cancel);
-  connect(&report, &ReportWork::progress, this, [this](double fraction, const QString& words) {
-    progress_->setValue(static_cast<int>(kProgressSteps * fraction));
-    at_ = words;
-    refresh();
-  });
-  const auto tell = [this](const QString& what) {
-    remark_->setText(what);
-    refresh();
-  };
-  connect(&report, &ReportWork::written, this, [tell](const QString& path) {
-    tell(tr("Report written: <a href=\"%1\">%2</a>")
-             .arg(QUrl::fromLocalFile(path).toString(), path.toHtmlEscaped()));
-  });
-  connect(&report, &ReportWork::failed, this, [tell](const QString& why) {
-    tell(tr("No report was written: %1").arg(why.toHtmlEscaped()));
-  });
-  connect(&report, &ReportWork::cancelled, this,
-          [tell] { tell(tr("Cancelled: no report was written.")); });
-  connect(remark_, &QLabel::linkActivated, this,
-          [](const QString& link) { QDesktopServices::openUrl(QUrl(link)); });
   connect(&presenter_, &SessionPresenter::changed, this, &HistoryPanel::refresh);
   fill();
 }
@@ -173,35 +110,7 @@ void HistoryPanel::show_series(int index) {
   trend_->show_trend(trend, axis);
 }
 
-void HistoryPanel::ask_where() {
-  const auto folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  const auto code = presenter_.patient();
-  const auto name = QString::fromStdString(code) + QStringLiteral(".pdf");
-  auto* dialog = new QFileDialog(this, tr("Write the report"), folder,
-                                 tr("Portable document (*.pdf);;Web page (*.html)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("pdf");
-  dialog->selectFile(QDir(folder).filePath(name));
-  connect(dialog, &QFileDialog::fileSelected, this, [this, code](const QString& path) {
-    remark_->clear();
-    clinic_.report().start(code, path.toStdString());
-  });
-  dialog->open();
-}
-
 void HistoryPanel::refresh() {
-  ReportWork& report = clinic_.report();
-  // A trial needs its even picture: the pages wait for its end.
-  const bool waits = presenter_.view().may_stop;
-  report.hold(waits);
-  report_->setEnabled(!series_.empty() && !report.running());
-  writing_->setVisible(report.running());
-  cancel_->setEnabled(report.may_cancel());
-  if (report.running())
-    doing_->setText(waits ? tr("Report of %1: waits for the end of the trial")
-                                .arg(QString::fromStdString(report.code()))
-                          : tr("Report of %1: %2").arg(QString::fromStdString(report.code()), at_));
   choice_->setEnabled(!series_.empty());
   if (!series_.empty()) {
     nothing_->hide();
@@ -211,7 +120,6 @@ void HistoryPanel::refresh() {
                                                    : tr("Nothing stored for this patient yet."));
     nothing_->show();
   }
-  remark_->setVisible(!remark_->text().isEmpty() && !report.running());
 }
 
 }  // namespace isograsp

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is stored about the patient: one measure at a time as table and trend, and the report.
+// What is stored about the patient: one measure at a time as table and trend.
 #pragma once
 
 #include <QComboBox>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QTableWidget>
 
 #include "gui/card.hpp"
@@ -24,7 +22,6 @@ class HistoryPanel final : public Card {
  private:
   void fill();
   void show_series(int index);
-  void ask_where();
   void refresh();
 
   Clinic& clinic_;
@@ -34,13 +31,6 @@ class HistoryPanel final : public Card {
   QComboBox* choice_;
   QTableWidget* table_;
   TrendPlot* trend_;
-  QPushButton* report_;
-  QWidget* writing_;  ///< how far the report is, while it is being written
-  QLabel* doing_;
-  QProgressBar* progress_;
-  QPushButton* cancel_;
-  QString at_;       ///< where the report is: "page 3 of 7"
-  QLabel* remark_;   ///< what became of the report
   QLabel* nothing_;  ///< why there is nothing to see
 };
 

@@ -2,16 +2,18 @@
 #include "gui/live_panel.hpp"
 
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 
+#include "gui/compensation_words.hpp"
 #include "gui/look.hpp"
 #include "gui/words.hpp"
 
 namespace isograsp {
 
 FingerBar::FingerBar(Finger finger, QWidget* parent) : QWidget(parent), finger_(finger) {
-  setMinimumSize(110, 46);
+  setMinimumSize(scaled(110), scaled(46));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setToolTip(tr("%1: normal force, pressing is positive").arg(finger_title(finger)));
   setAccessibleName(tr("%1, no force yet").arg(finger_title(finger)));
@@ -37,19 +39,30 @@ void FingerBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const auto& colour = look::kFingers[index_of(finger_)];
-  constexpr qreal kBar_px = 12.0;
-  const qreal bar_top = height() - kBar_px - 2.0;
+  const qreal bar_px = scaled(12);
+  const qreal bar_top = height() - bar_px - 2.0;
   painter.setPen(colour);
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);
   const QRectF line(0, 0, width(), bar_top - 4.0);
-  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, finger_title(finger_));
-  painter.setPen(remark_.isEmpty() ? look::kText : look::kFault);
   const auto value = known_ ? QStringLiteral("%1 N").arg(short_number(normal_N_)) : tr("–");
-  painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, remark_.isEmpty() ? value : remark_);
+  const auto words = remark_.isEmpty() ? value : remark_;
+  constexpr qreal kApart_px = 8.0;
+  const QFontMetricsF metrics(bold);
+  const qreal room = line.width() - metrics.horizontalAdvance(words) - kApart_px;
+  const qreal title_px = metrics.horizontalAdvance(finger_title(finger_));
+  if (title_px > room) {  // a long name becomes smaller, the number never
+    QFont smaller = bold;
+    smaller.setPointSizeF(bold.pointSizeF() * std::max(0.5, room / title_px));
+    painter.setFont(smaller);
+  }
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, finger_title(finger_));
+  painter.setFont(bold);
+  painter.setPen(remark_.isEmpty() ? look::kText : look::kFault);
+  painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, words);
 
-  const QRectF trough(0, bar_top, width(), kBar_px);
+  const QRectF trough(0, bar_top, width(), bar_px);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0xE6, 0xEA, 0xEF));
   painter.drawRoundedRect(trough, 4, 4);
@@ -58,18 +71,25 @@ void FingerBar::paintEvent(QPaintEvent*) {
   if (known_) {
     const qreal end = zero + std::clamp(normal_N_ / full_N_, -1.0 / 9.0, 1.0) * (width() - zero);
     painter.setBrush(colour);
-    painter.drawRoundedRect(QRectF(std::min(zero, end), bar_top, std::abs(end - zero), kBar_px), 3,
+    painter.drawRoundedRect(QRectF(std::min(zero, end), bar_top, std::abs(end - zero), bar_px), 3,
                             3);
   }
   painter.setBrush(look::kQuietText);
-  painter.drawRect(QRectF(zero - 0.5, bar_top - 2.0, 1.0, kBar_px + 4.0));
+  painter.drawRect(QRectF(zero - 0.5, bar_top - 2.0, 1.0, bar_px + 4.0));
 }
 
 namespace {
 
-QString grip_words(const Snapshot& now) {
+/// `maximum_N`: 0: not known, or not asked for.
+QString grip_words(const Snapshot& now, double maximum_N) {
+  constexpr double kPercent = 100.0;
   if (now.frames == 0) return QObject::tr("Grip  –");
-  const auto grip = QObject::tr("Grip  <b>%1 N</b>").arg(short_number(now.grip_N));
+  const auto newtons = short_number(now.grip_N);
+  const auto grip =
+      maximum_N > 0.0
+          ? QObject::tr("Grip  <b>%1 N, %2 %</b>")
+                .arg(newtons, QLocale().toString(kPercent * now.grip_N / maximum_N, 'f', 0))
+          : QObject::tr("Grip  <b>%1 N</b>").arg(newtons);
   const auto push = push_words(now.push);
   if (push.isEmpty()) return grip + QStringLiteral("<br>&nbsp;");
   const bool much = *now.push.share_of_grip_percent >= kRemarkablePush_percent;
@@ -81,14 +101,14 @@ QString grip_words(const Snapshot& now) {
 LivePanel::LivePanel(SessionPresenter& presenter, QWidget* parent)
     : Card(tr("Live forces"), parent), presenter_(presenter) {
   auto* head = new QHBoxLayout;
-  head->setSpacing(18);
+  head->setSpacing(12);
   for (const Finger finger : kFingers) {
     fingers_[index_of(finger)] = new FingerBar(finger);
     head->addWidget(fingers_[index_of(finger)], 1);
   }
   grip_ = new QLabel;
   grip_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  grip_->setMinimumWidth(92);
+  grip_->setMinimumWidth(scaled(92));
   grip_->setToolTip(
       tr("Grip: the smaller of the thumb and the two fingers together. Push: what the whole hand "
          "pushes the platform, in % of the grip; from 20 % on arm or trunk take part"));
@@ -100,9 +120,30 @@ LivePanel::LivePanel(SessionPresenter& presenter, QWidget* parent)
   health_ = new QLabel;
   health_->setObjectName("health");
   health_->setProperty("role", "quiet");
+  health_->setWordWrap(true);
+  all_ = new QPushButton(tr("All channels"));
+  all_->setObjectName("all_channels");
+  all_->setCheckable(true);
+  all_->setShortcut(QKeySequence("Ctrl+L"));
+  describe(*all_, tr("All channels"), tr("All eighteen forces and moments in numbers (Ctrl+L)"));
+  channels_ = new ChannelTable;
+  channels_->hide();
+  compensation_ = new QLabel;
+  compensation_->setObjectName("compensation");
+  compensation_->setProperty("role", "problem");
+  compensation_->setWordWrap(true);
+  compensation_->hide();
+  auto* top = new QHBoxLayout;
+  column_->removeWidget(title_);
+  top->addWidget(title_, 1);
+  top->addWidget(all_);
+  column_->insertLayout(0, top);
   column_->addLayout(head);
   column_->addWidget(plot_, 1);
+  column_->addWidget(channels_);
+  column_->addWidget(compensation_);
   column_->addWidget(health_);
+  connect(all_, &QPushButton::toggled, channels_, &QWidget::setVisible);
   connect(&presenter_, &SessionPresenter::frame, this, &LivePanel::refresh);
   refresh();
 }
@@ -115,11 +156,15 @@ void LivePanel::refresh() {
   const double full_N = presenter_.forces().range().most_N;
   for (std::size_t f = 0; f < kFingerCount; ++f)
     fingers_[f]->show_force(now.forces.wrench_C[f].force.z(), full_N, now.forces.flags[f], known);
-  grip_->setText(grip_words(now));
+  grip_->setText(grip_words(now, presenter_.shown_maximum_N()));
   plot_->show_forces(presenter_.forces());
   // Numbers that change thirty times a second cannot be read: twice is enough.
   constexpr int kTextEvery = 30;
   if (polls_ % kTextEvery != 1) return;
+  if (channels_->isVisible()) channels_->show_channels(now);
+  const auto beside = compensation_words(presenter_.compensation());
+  compensation_->setText(beside);
+  compensation_->setVisible(!beside.isEmpty());
   health_->setText(health_line(now, presenter_.worst_lateness_s()));
   health_->setToolTip(
       tr("Health of the stream: gaps are bridged for at most 50 ms, then the trial waits.\n") +

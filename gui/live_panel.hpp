@@ -4,7 +4,10 @@
 
 #include <array>
 
+#include <QPushButton>
+
 #include "gui/card.hpp"
+#include "gui/channel_table.hpp"
 #include "gui/plot_view.hpp"
 #include "gui/session_presenter.hpp"
 
@@ -42,6 +45,9 @@ class LivePanel final : public Card {
   std::array<FingerBar*, kFingerCount> fingers_{};
   QLabel* grip_;
   LivePlot* plot_;
+  QPushButton* all_;
+  ChannelTable* channels_;
+  QLabel* compensation_;
   QLabel* health_;
   int polls_ = 0;
 };

@@ -3,6 +3,8 @@
 
 #include <QObject>
 
+#include "gui/texts.hpp"
+
 namespace isograsp {
 
 namespace {
@@ -20,8 +22,8 @@ Result<LoadedTrial> load_trial(SessionStore& store, const SessionRecord& session
   if (auto replay = TrialReplay::make(std::move(loaded.opened.signals))) {
     loaded.replay = *std::move(replay);
   } else if (loaded.opened.damage.empty()) {
-    loaded.why_nothing = QObject::tr("There is nothing to replay: %1.")
-                             .arg(QString::fromStdString(replay.error().what));
+    loaded.why_nothing =
+        QObject::tr("There is nothing to replay: %1.").arg(shown(replay.error().what));
   }
   loaded.opened.signals = {};
   if (auto task = parse_task(trial.task_text, trial.task_name))

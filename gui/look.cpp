@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/look.hpp"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QFont>
+#include <QKeySequence>
 #include <QPalette>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QVariant>
@@ -20,13 +23,14 @@ QFrame#header { background: #FFFFFF; border: none; border-bottom: 1px solid #D5D
 QLabel { background: transparent; color: #1B2733; }
 QLabel[role="title"] { font-weight: bold; color: #1B2733; }
 QLabel[role="quiet"] { color: #52606D; }
-QLabel[role="large"] { font-size: 13pt; }
+QLabel[role="large"] { font-size: %LARGE%pt; }
 QLabel[role="problem"] { color: #B3261E; }
-QLabel#wordmark { font-weight: bold; font-size: 15pt; color: #0B5CAD; }
-QLabel#sentence { font-size: 13pt; }
+QLabel#wordmark { font-weight: bold; font-size: %TITLE%pt; color: #0B5CAD; }
+QLabel#sentence { font-size: %LARGE%pt; }
 QLabel#simulated { background: #1B2733; color: #FFFFFF; font-weight: bold; border-radius: 4px;
   padding: 5px 10px; }
 QFrame#navigation { background: #FFFFFF; border: none; border-right: 1px solid #D5DBE3; }
+QPushButton[tight="true"] { padding: 6px 2px; }
 QPushButton[tab="true"] { background: transparent; border: none; border-radius: 6px;
   text-align: left; padding: 6px 10px; color: #1B2733; }
 QPushButton[tab="true"]:hover { background: #F4F9FE; }
@@ -47,7 +51,7 @@ QLabel[section="next"] { color: #0B5CAD; font-weight: bold; }
 QLabel[section="open"] { color: #52606D; }
 QListWidget[plain="true"] { border: none; }
 QToolButton[score="true"] { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
-  border-radius: 4px; padding: 3px 0; min-height: 18px; }
+  border-radius: 4px; padding: 3px 0; min-height: %LINE%px; }
 QToolButton[score="true"]:hover { border-color: #0B5CAD; background: #F4F9FE; }
 QToolButton[score="true"]:checked { background: #0B5CAD; color: #FFFFFF; font-weight: bold; }
 QToolButton[score="true"]:focus { border: 2px solid #0B5CAD; }
@@ -60,7 +64,7 @@ QTabBar::tab:hover { color: #1B2733; }
 QTabBar::tab:focus { color: #0B5CAD; background: #E1EEFA; }
 QFrame[due="true"] { border: 2px solid #0B5CAD; }
 QPushButton { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0; border-radius: 6px;
-  padding: 6px 12px; min-height: 18px; }
+  padding: 6px 12px; min-height: %LINE%px; }
 QPushButton:hover { border-color: #0B5CAD; background: #F4F9FE; }
 QPushButton:pressed { background: #E1EEFA; }
 QPushButton:checked { background: #E1EEFA; border: 2px solid #0B5CAD; font-weight: bold; }
@@ -72,9 +76,9 @@ QPushButton[next="true"]:enabled:hover { background: #094C90; }
 QPushButton[next="true"]:enabled:focus { border: 2px solid #062F59; }
 QPushButton#stop:enabled { color: #B3261E; border-color: #B3261E; font-weight: bold; }
 QPushButton#stop:enabled:hover { background: #FCEEED; }
-QLineEdit, QComboBox, QSpinBox, QPlainTextEdit { background: #FFFFFF; border: 1px solid #A9B4C0;
-  border-radius: 6px; padding: 5px 8px; min-height: 18px; selection-background-color: #0B5CAD; }
-QLineEdit:focus, QComboBox:focus, QSpinBox:focus { border: 2px solid #0B5CAD; padding: 4px 7px; }
+QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: #FFFFFF; border: 1px solid #A9B4C0;
+  border-radius: 6px; padding: 5px 8px; min-height: %LINE%px; selection-background-color: #0B5CAD; }
+QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid #0B5CAD; padding: 4px 7px; }
 QPlainTextEdit { padding: 3px 4px; }
 QPlainTextEdit:focus { border: 2px solid #0B5CAD; padding: 2px 3px; }
 QComboBox:disabled, QLineEdit:disabled, QPlainTextEdit:disabled { color: #7B8794; background: #F3F5F8;
@@ -108,6 +112,12 @@ QScrollBar::handle:vertical { background: #C3CCD6; border-radius: 4px; min-heigh
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 )";
 
+constexpr double kText_pt = 9.5;
+constexpr double kLarge_pt = 13.0;
+constexpr double kTitle_pt = 15.0;
+constexpr int kLine_px = 18;  // of a button or a field
+int letters_percent = 100;
+
 }  // namespace
 
 QString finger_title(Finger finger) {
@@ -119,10 +129,12 @@ QString finger_title(Finger finger) {
   return {};
 }
 
-void dress(QApplication& application) {
+void dress(QApplication& application, int font_percent) {
+  letters_percent = font_percent;
+  const double larger = font_percent / 100.0;
   application.setStyle(QStyleFactory::create("Fusion"));
   QFont font("DejaVu Sans");
-  font.setPointSizeF(9.5);
+  font.setPointSizeF(kText_pt * larger);
   application.setFont(font);
   QPalette palette;
   palette.setColor(QPalette::Window, look::kBackground);
@@ -135,7 +147,14 @@ void dress(QApplication& application) {
   palette.setColor(QPalette::HighlightedText, Qt::white);
   palette.setColor(QPalette::PlaceholderText, look::kQuietText);
   application.setPalette(palette);
-  application.setStyleSheet(kStyleSheet);
+  application.setStyleSheet(QString(kStyleSheet)
+                                .replace("%LINE%", QString::number(scaled(kLine_px)))
+                                .replace("%LARGE%", QString::number(kLarge_pt * larger))
+                                .replace("%TITLE%", QString::number(kTitle_pt * larger)));
+}
+
+int scaled(int usual_px) noexcept {
+  return usual_px * letters_percent / 100;
 }
 
 void mark_next(QWidget& widget, bool next) {
@@ -146,14 +165,20 @@ void mark_next(QWidget& widget, bool next) {
 }
 
 void take_rest(QWidget& widget, int least_px) {
-  widget.setMinimumHeight(least_px);
+  widget.setMinimumHeight(scaled(least_px));
   widget.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
 }
 
 void describe(QWidget& widget, const QString& name, const QString& tooltip) {
+  QString words = tooltip;
+  if (const auto* button = qobject_cast<QAbstractButton*>(&widget)) {
+    static const QRegularExpression kAltLetter(QStringLiteral("Alt\\+[A-Z]\\b"));
+    const auto key = QKeySequence::mnemonic(button->text());
+    if (!key.isEmpty()) words.replace(kAltLetter, key.toString(QKeySequence::PortableText));
+  }
   widget.setAccessibleName(name);
-  widget.setToolTip(tooltip);
-  widget.setAccessibleDescription(tooltip);
+  widget.setToolTip(words);
+  widget.setAccessibleDescription(words);
 }
 
 }  // namespace isograsp

@@ -33,8 +33,10 @@ inline const std::array<QColor, kFingerCount> kFingers{
 /// "Thumb", "Index", "Middle".
 [[nodiscard]] QString finger_title(Finger finger);
 
-/// Font, palette and style sheet of the whole application.
-void dress(QApplication& application);
+/// Font, palette and style sheet of the whole application; letters in percent of the usual size.
+void dress(QApplication& application, int font_percent = 100);
+/// A length that goes with letters, e.g. the height of a row, at the size that is set.
+[[nodiscard]] int scaled(int usual_px) noexcept;
 
 /// The corners in order.
 [[nodiscard]] inline QPolygonF polygon(std::initializer_list<QPointF> corners) {
@@ -45,11 +47,13 @@ void dress(QApplication& application);
 /// list framed in it.
 void mark_next(QWidget& widget, bool next);
 
-/// Lets a list, table or plot take the height that is left, down to `least_px`. Its own wish would
+/// Lets a list, table or plot take the height that is left, down to scaled(`least_px`). Its own wish would
 /// count as its least height wherever a text that wraps stands in the same column.
 void take_rest(QWidget& widget, int least_px);
 
-/// Name for assistive technology and tooltip in one go.
+/// Name for assistive technology and tooltip in one go. A letter that the tooltip gives ("Alt+D")
+/// is that of the button's text in the language of the screen: describe the button after its text
+/// is set.
 void describe(QWidget& widget, const QString& name, const QString& tooltip);
 
 }  // namespace isograsp

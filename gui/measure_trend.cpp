@@ -7,8 +7,10 @@
 #include <map>
 
 #include "gui/history.hpp"
+#include "gui/texts.hpp"
 #include "gui/words.hpp"
 #include "reports/measure_words.hpp"
+#include "reports/report_text.hpp"
 
 namespace isograsp {
 
@@ -37,7 +39,7 @@ QString task_words(const MeasurePoint& point, bool several_versions, bool mixed)
   QStringList words;  // what must not be cut off comes first
   if (point.simulated) words << QObject::tr("SIMULATED");
   if (mixed) words << QObject::tr("levels differ");
-  words << QString::fromStdString(point.task_name) << hand_words(point.hand);
+  words << shown(point.task_name) << hand_words(point.hand);
   if (several_versions)
     words.insert(words.size() - 1, QObject::tr("version %1").arg(point.task_version));
   return words.join(QStringLiteral(" · "));
@@ -48,6 +50,10 @@ MeasureTrend draw(const HistorySeries& series, const std::map<RowId, int>& numbe
   trend.title = measure_title(series.points.front().measure);
   trend.unit = series.unit;
   trend.simulated = series.points.front().simulated;
+  const auto& front = series.points.front();
+  trend.source = {0, front.task_name, front.hand, front.measure.name, front.measure.channel, "",
+                  ""};
+  trend.task_version = front.task_version;
   const double factor = printed_unit(series.points.front().measure.unit).factor;
   for (const auto& point : series.points) {
     if (!point.measure.value) {
@@ -57,8 +63,7 @@ MeasureTrend draw(const HistorySeries& series, const std::map<RowId, int>& numbe
     const auto session = numbers.find(point.session_id);
     if (session == numbers.end()) continue;
     const double value = *point.measure.value * factor;
-    constexpr int kDate = 10;  // characters of "2026-11-21"
-    trend.dates[session->second] = local_time(point.started_utc).left(kDate);
+    trend.dates[session->second] = local_date(point.started_utc);
     trend.points.push_back({session->second, point.trial_number, kind_of(point), value});
     if (trend.points.back().kind != MeasureTrend::Kind::assessed) continue;
     if (trend.means.empty() || trend.means.back().session != session->second)
@@ -119,6 +124,43 @@ std::vector<MeasureTrend> choose_trends(const PatientCourse& course) {
   trends.reserve(chosen.size());
   for (auto& one : chosen) trends.push_back(std::move(one.trend));
   return trends;
+}
+
+QString verdict_line(const PatientVerdict& verdict) {
+  if (!verdict.verdict) return QObject::tr("Cannot be judged yet: no assessment yet");
+  const auto& change = verdict.verdict->change;
+  const QString basis = change.verdict == Verdict::cannot_be_judged
+                            ? shown(verdict.verdict->reason)
+                            : shown_digits(mdc_words(change, verdict.unit));
+  switch (change.verdict) {
+    case Verdict::improved:
+      return (change.confirmed ? QObject::tr("Improved (confirmed) · %1")
+                               : QObject::tr("Improved (possible) · %1"))
+          .arg(basis);
+    case Verdict::worsened:
+      return (change.confirmed ? QObject::tr("Worsened (confirmed) · %1")
+                               : QObject::tr("Worsened (possible) · %1"))
+          .arg(basis);
+    case Verdict::within_error:
+      return QObject::tr("Not larger than measurement error · %1").arg(basis);
+    case Verdict::cannot_be_judged: break;
+  }
+  return QObject::tr("Cannot be judged yet: %1").arg(basis);
+}
+
+void add_verdicts(std::vector<MeasureTrend>& trends, const std::vector<PatientVerdict>& verdicts) {
+  for (const auto& verdict : verdicts) {
+    PrimaryMeasure about = verdict.primary;
+    about.id = 0;
+    about.chosen_utc.clear();
+    about.chosen_by.clear();
+    for (auto& trend : trends)
+      if (trend.source == about && trend.task_version == verdict.task_version &&
+          trend.simulated == (verdict.source == Source::simulated))
+        trend.remark = verdict_line(verdict);
+  }
+  std::stable_partition(trends.begin(), trends.end(),
+                        [](const MeasureTrend& trend) { return !trend.remark.isEmpty(); });
 }
 
 }  // namespace isograsp

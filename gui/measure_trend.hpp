@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gui/patient_course.hpp"
+#include "reports/patient_verdicts.hpp"
 
 namespace isograsp {
 
@@ -23,10 +24,14 @@ struct MeasureTrend {
     double value = 0.0;  ///< of the assessments of this session, printed unit
     int trials = 0;
   };
-  QString title;  ///< "Tracking error, relative"
-  QString task;   ///< "Grip force, sine · right hand"; begins with "SIMULATED" where it was
-  QString unit;   ///< as printed
-  QString last;   ///< newest value with its unit; a dash if there is none
+  QString title;   ///< "Tracking error, relative"
+  QString task;    ///< "Grip force, sine · right hand"; begins with "SIMULATED" where it was
+  QString unit;    ///< as printed
+  QString last;    ///< newest value with its unit; a dash if there is none
+  QString remark;  ///< verdict of change of a primary measure; empty: it is none
+  /// Task, hand and measure, as a primary measure would name them.
+  PrimaryMeasure source;
+  int task_version = 1;
   bool key = false;
   bool simulated = false;
   /// The trials differ in parameters, level or object: `task` says so. What changes then is not
@@ -41,5 +46,10 @@ struct MeasureTrend {
 /// Key measures of all tasks first, then the others that the report draws; within these the task
 /// of the newest trial first. Practice, helped trials and simulations are marked, never mixed in.
 [[nodiscard]] std::vector<MeasureTrend> choose_trends(const PatientCourse& course);
+
+/// "Improved (confirmed) · MDC95 2.1 N", "Cannot be judged yet: the baseline needs …".
+[[nodiscard]] QString verdict_line(const PatientVerdict& verdict);
+/// Gives each verdict to the trend that it is about, and puts these trends first.
+void add_verdicts(std::vector<MeasureTrend>& trends, const std::vector<PatientVerdict>& verdicts);
 
 }  // namespace isograsp

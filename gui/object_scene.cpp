@@ -127,10 +127,14 @@ void ObjectScene::show(const PatientPicture& picture) {
   }
 }
 
-void ObjectScene::draw(QSize size_px) {
+void ObjectScene::draw(const QRect& viewport_px) {
   Parts& p = *parts_;
-  const SbViewportRegion region(static_cast<short>(size_px.width()),
-                                static_cast<short>(size_px.height()));
+  const QRect& v = viewport_px;
+  SbViewportRegion region;
+  region.setWindowSize(static_cast<short>(v.x() + v.width()),
+                       static_cast<short>(v.y() + v.height()));
+  region.setViewportPixels(static_cast<short>(v.x()), static_cast<short>(v.y()),
+                           static_cast<short>(v.width()), static_cast<short>(v.height()));
   if (p.action == nullptr) {
     p.action = std::make_unique<SoGLRenderAction>(region);
     p.action->setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
@@ -138,12 +142,15 @@ void ObjectScene::draw(QSize size_px) {
     p.action->setCacheContext(1);
   }
   p.action->setViewportRegion(region);
-  glViewport(0, 0, size_px.width(), size_px.height());
+  glViewport(v.x(), v.y(), v.width(), v.height());
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(v.x(), v.y(), v.width(), v.height());
   glClearColor(kWallColour[0], kWallColour[1], kWallColour[2], 1.0F);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   p.action->apply(p.root);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 QPointF ObjectScene::project(const Vec3& p_W, QSize size_px) const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QPointF>
+#include <QRect>
 #include <QSize>
 #include <memory>
 
@@ -21,8 +22,8 @@ class ObjectScene {
 
   /// @pre picture.page == Page::object
   void show(const PatientPicture& picture);
-  /// Clears the frame buffer and draws. `size_px`: of the frame buffer, device pixels.
-  void draw(QSize size_px);
+  /// Clears that part of the frame buffer and draws there, device pixels from its lower left.
+  void draw(const QRect& viewport_px);
   /// Where a point of the world appears, in pixels from the upper left of `size_px`.
   [[nodiscard]] QPointF project(const Vec3& p_W, QSize size_px) const;
 

@@ -10,6 +10,7 @@
 
 #include "gui/look.hpp"
 #include "gui/patient_course.hpp"
+#include "gui/texts.hpp"
 #include "gui/words.hpp"
 
 namespace isograsp {
@@ -60,9 +61,7 @@ std::string words_for_damage(const Error& error, const Signals& left, const Tria
           : QObject::tr("Its first %1 of %2 samples can be shown.")
                 .arg(left.rows())
                 .arg(trial.samples);
-  return QObject::tr("This trial is damaged: %1. %2")
-      .arg(QString::fromStdString(error.what), kept)
-      .toStdString();
+  return QObject::tr("This trial is damaged: %1. %2").arg(shown(error.what), kept).toStdString();
 }
 
 /// The events of the trial, and those of the session that fall into it, e.g. notes.

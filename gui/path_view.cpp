@@ -30,7 +30,7 @@ std::array<Vec3, 8> corners_of(const Scene& scene) {
 }  // namespace
 
 PathView::PathView(QWidget* parent) : QWidget(parent) {
-  setMinimumHeight(120);
+  setMinimumHeight(scaled(120));
 }
 
 void PathView::show_trial(std::shared_ptr<const LoadedTrial> trial) {

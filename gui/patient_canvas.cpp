@@ -132,17 +132,29 @@ void draw_effort(QPainter& painter, const QRectF& area, const PatientPicture& pi
       picture);
 }
 
-/// A field of time to the right and force up, round the present.
+/// A field of time to the right and force up. It moves with the present, which stays where it is. A
+/// calm one that shows a future stands still while the present crosses it, and turns to the next page
+/// before less of the future than usual would be seen.
 class Field {
  public:
   Field(const QRectF& field, const PatientPicture& picture, double behind_s, double ahead_s)
-      : field_(field),
-        axis_(picture.axis),
-        now_s_(picture.task_time_s),
-        behind_s_(behind_s),
-        px_per_s_(field.width() / (behind_s + ahead_s)) {}
+      : field_(field), axis_(picture.axis) {
+    const double now_s = picture.task_time_s;
+    double shown_s = behind_s + ahead_s;
+    begin_s_ = now_s - behind_s;
+    if (picture.calm && picture.preview != nullptr) {
+      constexpr double kMargin = 0.06;  // the mark is whole at the beginning of a page
+      shown_s *= 2.0;
+      const double page_s = (1.0 - kMargin) * shown_s - ahead_s;
+      begin_s_ = page_s * std::floor(now_s / page_s) - kMargin * shown_s;
+    }
+    end_s_ = begin_s_ + shown_s;
+    px_per_s_ = field.width() / shown_s;
+  }
+  [[nodiscard]] double begin_s() const { return begin_s_; }
+  [[nodiscard]] double end_s() const { return end_s_; }
   [[nodiscard]] double x(double task_time_s) const {
-    return field_.left() + (task_time_s - now_s_ + behind_s_) * px_per_s_;
+    return field_.left() + (task_time_s - begin_s_) * px_per_s_;
   }
   [[nodiscard]] double y(double force_N) const {
     return field_.bottom() - axis_.share(force_N) * field_.height();
@@ -151,9 +163,9 @@ class Field {
  private:
   QRectF field_;
   ForceAxis axis_;
-  double now_s_;
-  double behind_s_;
-  double px_per_s_;
+  double px_per_s_ = 0.0;
+  double begin_s_ = 0.0;
+  double end_s_ = 0.0;
 };
 
 void draw_band(QPainter& painter, const QPolygonF& line, double half_band) {
@@ -170,11 +182,11 @@ void draw_band(QPainter& painter, const QPolygonF& line, double half_band) {
 
 /// The target as time passes; where it has no value on the screen the line is broken.
 void draw_moving_target(QPainter& painter, const PatientPicture& picture, const Field& place,
-                        double from_s, double to_s, double half_band) {
+                        double half_band) {
   constexpr int kSteps = 160;
   QPolygonF line;
   for (int k = 0; k <= kSteps; ++k) {
-    const double t_s = from_s + (to_s - from_s) * k / kSteps;
+    const double t_s = place.begin_s() + (place.end_s() - place.begin_s()) * k / kSteps;
     const auto target_N = picture.preview->at(t_s, picture.task_time_s);
     if (target_N) line.append({place.x(t_s), place.y(*target_N)});
     if (target_N && k < kSteps) continue;
@@ -196,7 +208,8 @@ void draw_tracking(QPainter& painter, const QRectF& area, const PatientPicture& 
   const double sign_side = 0.22 * area.height();
   const double sign_left = 0.05;
   draw_words(painter, area, picture, sign ? sign_left + 0.03 + sign_side / area.width() : 0.06);
-  const QRectF field = part(area, 0.0, 0.30, 1.0, 0.90);
+  constexpr double kFieldTop = 0.30;
+  const QRectF field = part(area, 0.0, kFieldTop, 1.0, kFieldTop + kFieldShare);
   // With a future the present stands at the left, without one in the middle of the screen.
   const bool future = picture.preview != nullptr;
   const double ahead_s = future ? picture.preview->ahead_s : kBehind_s;
@@ -205,19 +218,17 @@ void draw_tracking(QPainter& painter, const QRectF& area, const PatientPicture& 
   painter.fillRect(field, Qt::white);
   painter.setPen(QPen(kZero, 3));
   painter.drawLine(QPointF(field.left(), place.y(0.0)), QPointF(field.right(), place.y(0.0)));
-  const double half_band = 0.055 * field.height();
+  const double half_band = kHalfBandShare * field.height();
   const double target_y = place.y(picture.target_N);
   if (picture.line_shown && future)
-    draw_moving_target(painter, picture, place, picture.task_time_s - kBehind_s,
-                       picture.task_time_s + ahead_s, half_band);
+    draw_moving_target(painter, picture, place, half_band);
   else if (picture.line_shown)
     draw_band(painter, polygon({{field.left(), target_y}, {field.right(), target_y}}), half_band);
   painter.setPen(QPen(kSoftInk, 2, Qt::DashLine));
   painter.drawLine(QPointF(now_x, field.top()), QPointF(now_x, field.bottom()));
   if (picture.force_shown) {
     const QPointF dot(now_x, place.y(picture.force_N));
-    draw_dot(painter, dot, 0.036 * area.height(),
-             picture.line_shown && std::abs(dot.y() - target_y) <= half_band);
+    draw_dot(painter, dot, 0.036 * area.height(), picture.on_target);
   }
   if (picture.sign == PatientPicture::Sign::let_go) {
     const double size = 0.44 * area.height();

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 #include "gui/words.hpp"
 
 namespace isograsp {
@@ -28,8 +29,7 @@ QString sessions_words(int count) {
 }
 
 QString date_of(const CourseSession& session) {
-  constexpr int kDate = 10;  // characters of "2026-11-21"
-  return local_time(session.record.started_utc).left(kDate);
+  return local_date(session.record.started_utc);
 }
 
 }  // namespace
@@ -147,6 +147,9 @@ void PatientPage::load() {
           if (!course) return course.error();
           LoadedCourse loaded;
           loaded.trends = choose_trends(*course);
+          const auto verdicts = gather_verdicts(store, code);
+          if (!verdicts) return verdicts.error();
+          add_verdicts(loaded.trends, *verdicts);
           loaded.course = std::make_shared<const PatientCourse>(*std::move(course));
           return loaded;
         },
@@ -159,7 +162,7 @@ void PatientPage::load() {
             comparison_->show_course(course_);
             trends_->show_trends(std::move((*outcome)->trends));
           } else {
-            problem_ = QString::fromStdString(outcome->error().message());
+            problem_ = shown(outcome->error());
           }
           tell();
           Q_EMIT loaded();
@@ -173,8 +176,7 @@ void PatientPage::open_trial(int session_index, int trial_index) {
   const auto& record = chosen.trials.at(static_cast<std::size_t>(trial_index)).record;
   sessions_->choose(session_index, trial_index);
   show_view(View::trial);
-  trial_->show_loading(
-      tr("trial %1, %2").arg(record.number).arg(QString::fromStdString(record.task_name)));
+  trial_->show_loading(tr("trial %1, %2").arg(record.number).arg(shown(record.task_name)));
   const int mine = ++*wanted_trial_;
   using Loaded = std::optional<Result<LoadedTrial>>;
   loading_trial_ = clinic_.read(
@@ -193,8 +195,7 @@ void PatientPage::open_trial(int session_index, int trial_index) {
           if (views_->currentWidget() == trial_ && isAncestorOf(QApplication::focusWidget()))
             trial_->take_focus();
         } else {
-          trial_->show_problem(tr("This trial cannot be read: %1")
-                                   .arg(QString::fromStdString(outcome->error().message())));
+          trial_->show_problem(tr("This trial cannot be read: %1").arg(shown(outcome->error())));
         }
         Q_EMIT trial_loaded();
       });

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/patient_picture.hpp"
 
+#include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
-#include <cctype>
+#include <cmath>
 
 #include "gui/cue_words.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -13,6 +16,10 @@ namespace {
 using Page = PatientPicture::Page;
 using Sign = PatientPicture::Sign;
 using Notice = PatientPicture::Notice;
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(PatientScreen)
+};
 
 /// A finger that does not touch stands off at most this far [m].
 constexpr double kStandOff_m = 0.030;
@@ -28,6 +35,16 @@ constexpr double kFullOther_N = 12.0;
 /// Distance of a digit's force from its target that looks like "on it", of the largest target.
 constexpr double kOnTarget = 0.15;
 
+/// Where the object is `ahead_s` after its state, at the velocity that it had then.
+Pose moved(const ObjectState& state, double ahead_s) {
+  Pose pose = state.pose;
+  pose.p_WO += ahead_s * state.v_WO_W;
+  const double angle_rad = ahead_s * state.w_WO_W.norm();
+  if (angle_rad > 0.0)
+    pose.q_WO = Eigen::AngleAxisd(angle_rad, state.w_WO_W.normalized()) * pose.q_WO;
+  return pose;
+}
+
 FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) {
   const Snapshot& now = facts.snapshot;
   const auto f = index_of(contact.finger);
@@ -38,11 +55,12 @@ FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) 
   const double maximum_N = facts.maximum_force_N > 0.0 ? facts.maximum_force_N : kAssumedMaximum_N;
   finger.effort = std::clamp(normal_N / maximum_N, 0.0, 1.0);
   const double reach_N = contact.threshold_N > 0.0 ? contact.threshold_N : kApproach_N;
-  const double gap_m =
-      finger.touching ? 0.0 : kStandOff_m * (1.0 - 0.8 * std::min(1.0, normal_N / reach_N));
+  const double approach = facts.calm ? 0.0 : 0.8 * std::min(1.0, normal_N / reach_N);
+  const double gap_m = finger.touching ? 0.0 : kStandOff_m * (1.0 - approach);
   const Vec3 normal_O = contact.R_OC.col(2);
-  finger.axis_W = now.object.pose.q_WO * normal_O;
-  finger.tip_W = now.object.pose.p_WO + now.object.pose.q_WO * (contact.p_OC - gap_m * normal_O);
+  const Pose object = moved(now.object, facts.ahead_s);
+  finger.axis_W = object.q_WO * normal_O;
+  finger.tip_W = object.p_WO + object.q_WO * (contact.p_OC - gap_m * normal_O);
   return finger;
 }
 
@@ -50,7 +68,7 @@ void add_object(const PatientFacts& facts, PatientPicture& picture) {
   const Snapshot& now = facts.snapshot;
   picture.page = Page::object;
   picture.scene = facts.scene;
-  picture.object = now.object.pose;
+  picture.object = moved(now.object, facts.ahead_s);
   picture.target_shown = now.task.pose_target_shown;
   picture.target = now.task.target;
   picture.hold_fraction = now.task.hold_fraction;
@@ -60,37 +78,45 @@ void add_object(const PatientFacts& facts, PatientPicture& picture) {
     picture.fingers[index_of(contact.finger)] = picture_finger(contact, facts);
 }
 
-void say(PatientPicture& picture, Sign sign, std::string headline, std::string detail = "") {
+void say(PatientPicture& picture, Sign sign, const QString& headline, const QString& detail = {}) {
   picture.sign = sign;
-  picture.headline = std::move(headline);
-  picture.detail = std::move(detail);
+  picture.headline = headline.toStdString();
+  picture.detail = detail.toStdString();
 }
 
 void say(PatientPicture& picture, Sign sign, CueWords words) {
-  say(picture, sign, std::move(words.headline), std::move(words.detail));
+  picture.sign = sign;
+  picture.headline = std::move(words.headline);
+  picture.detail = std::move(words.detail);
 }
 
 void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
   const TaskView& task = facts.snapshot.task;
   if (std::holds_alternative<PoseTrackingSpec>(facts.task->kind))
-    return say(picture, Sign::wait, "Stay on the outline", "It moves: go with it");
-  if (task.target_count == 0) return say(picture, Sign::wait, facts.task->instruction);
+    return say(picture, Sign::wait, Words::tr("Stay on the outline"),
+               Words::tr("It moves: go with it"));
+  if (task.target_count == 0) return say(picture, Sign::wait, shown(facts.task->instruction));
   picture.progress = static_cast<double>(task.targets_reached) / task.target_count;
-  if (task.cue == Cue::let_go) return say(picture, Sign::wait, "Let go", "Leave it there");
+  if (task.cue == Cue::let_go)
+    return say(picture, Sign::wait, Words::tr("Let go"), Words::tr("Leave it there"));
   if (task.phase == Phase::hold && task.hold_fraction > 0.0)
-    return say(picture, Sign::wait, "Hold it still", "Until the ring is full");
+    return say(picture, Sign::wait, Words::tr("Hold it still"),
+               Words::tr("Until the ring is full"));
   if (std::holds_alternative<PickPlaceSpec>(facts.task->kind))
-    return say(picture, Sign::wait, "Bring it to the outline", "Take it and carry it there");
+    return say(picture, Sign::wait, Words::tr("Bring it to the outline"),
+               Words::tr("Take it and carry it there"));
   say(picture, Sign::wait, words_for(Cue::move, task.channel, facts.hand));
 }
 
 /// "Next: thumb, push up".
 std::string next_words(const TargetPreview::Part& part, Hand hand) {
-  std::string words = part.cue == Cue::squeeze ? act_of(part.channel, hand)
-                                               : words_for(part.cue, part.channel, hand).headline;
-  words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
-  if (const auto colon = words.find(':'); colon != std::string::npos) words[colon] = ',';
-  return "Next: " + words;
+  QString words = QString::fromStdString(part.cue == Cue::squeeze
+                                             ? act_of(part.channel, hand)
+                                             : words_for(part.cue, part.channel, hand).headline);
+  // One colon is enough.
+  static const QRegularExpression kColon(QStringLiteral("[\\s\u00a0]*:\\s*"));
+  words.replace(kColon, QStringLiteral(", "));
+  return Words::tr("Next: %1").arg(in_sentence(words)).toStdString();
 }
 
 void add_rest(const PatientFacts& facts, PatientPicture& picture) {
@@ -100,7 +126,7 @@ void add_rest(const PatientFacts& facts, PatientPicture& picture) {
   if (effort == nullptr) return;
   const bool at_once = effort == &facts.preview->parts[static_cast<std::size_t>(segment) + 1];
   if (at_once && (effort->cue == Cue::squeeze || effort->cue == Cue::press))
-    picture.headline = "Get ready";
+    picture.headline = Words::tr("Get ready").toStdString();
   picture.detail = next_words(*effort, facts.hand);
 }
 
@@ -128,18 +154,18 @@ void add_follow(const PatientFacts& facts, PatientPicture& picture) {
   picture.page = Page::tracking;
   say(picture, Sign::act, words_for(Cue::follow, task.channel, facts.hand));
   if (!task.force_shown) {
-    picture.detail = "Without seeing your force";
+    picture.detail = Words::tr("Without seeing your force").toStdString();
     return;
   }
   const auto segment = static_cast<std::size_t>(task.segment);
   const bool steady = facts.preview != nullptr && segment < facts.preview->parts.size() &&
                       facts.preview->parts[segment].steady;
   if (task.phase == Phase::lead_in && std::holds_alternative<ForceTrackingSpec>(facts.task->kind))
-    picture.detail = "Get ready";
+    picture.detail = Words::tr("Get ready").toStdString();
   else if (task.phase == Phase::hold)
-    picture.detail = "Hold it and wait for the word";
+    picture.detail = Words::tr("Hold it and wait for the word").toStdString();
   else if (steady)
-    picture.detail = "Hold it steady on the line";
+    picture.detail = Words::tr("Hold it steady on the line").toStdString();
 }
 
 void add_force(const PatientFacts& facts, PatientPicture& picture) {
@@ -174,7 +200,7 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   if (task.force_shown) picture.force_N = task.actual_force_N;
   picture.line_shown = task.force_target_shown;
   if (task.force_target_shown) picture.target_N = task.target_force_N;
-  picture.task_time_s = task.task_time_s;
+  picture.task_time_s = task.task_time_s + facts.ahead_s;
   const auto* maximum = std::get_if<MaximumSpec>(&facts.task->kind);
   const bool of_grip = maximum != nullptr && maximum->channel == ForceChannel{};
   picture.full_N = of_grip ? kFullGrip_N : kFullOther_N;
@@ -182,6 +208,9 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
     picture.axis = facts.preview->axis;
   else
     picture.axis = {std::min(0.0, task.target_force_N), std::max(1.0, task.target_force_N)};
+  const bool angles_known = facts.viewing.known();
+  if (angles_known && facts.preview != nullptr && facts.preview->gain_deg_per_N)
+    picture.axis = with_gain(picture.axis, *facts.preview->gain_deg_per_N, facts.viewing);
   if (facts.preview != nullptr && facts.preview->ahead_s > 0.0) picture.preview = facts.preview;
   picture.progress_shown = task.duration_s > 0.0;
   if (picture.progress_shown)
@@ -192,28 +221,43 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   } else {
     add_force(facts, picture);
   }
+  picture.on_target = picture.page == Page::tracking && picture.force_shown && picture.line_shown &&
+                      std::abs(picture.axis.share(picture.force_N) -
+                               picture.axis.share(picture.target_N)) <= kHalfBandShare;
+  if (picture.page == Page::tracking && task.force_shown && angles_known)
+    picture.gain_deg_per_N = gain_of(picture.axis, facts.viewing);
 }
 
 void add_idle(const PatientFacts& facts, PatientPicture& picture) {
   const Snapshot& now = facts.snapshot;
   if (!facts.session_open || now.frames == 0)
-    return say(picture, Sign::wait, "Welcome", "We will begin in a moment.");
+    return say(picture, Sign::wait, Words::tr("Welcome"), Words::tr("We will begin in a moment."));
   if (now.stage == Stage::zeroing)
-    return say(picture, Sign::hand_out, "Hands off, please", "The device measures itself.");
-  if (facts.just_completed) return say(picture, Sign::good, "Well done", "Relax your hand.");
-  if (!now.zeroed) return say(picture, Sign::hand_out, "Please take your hand out of the device");
-  say(picture, Sign::wait, "Relax your hand", "The next task will begin in a moment.");
+    return say(picture, Sign::hand_out, Words::tr("Hands off, please"),
+               Words::tr("The device measures itself."));
+  if (facts.just_completed && facts.just_missed) {
+    picture.missed = true;
+    return say(picture, Sign::rest, Words::tr("Good try"), Words::tr("Relax your hand."));
+  }
+  if (facts.just_completed)
+    return say(picture, Sign::good, Words::tr("Well done"), Words::tr("Relax your hand."));
+  if (!now.zeroed)
+    return say(picture, Sign::hand_out, Words::tr("Please take your hand out of the device"));
+  say(picture, Sign::wait, Words::tr("Relax your hand"),
+      Words::tr("The next task will begin in a moment."));
 }
 
 void add_notice(const PatientFacts& facts, PatientPicture& picture) {
   const Snapshot& now = facts.snapshot;
   const bool paused = now.stage == Stage::paused;
-  if (facts.device_fault || (paused && now.pause_cause != PauseCause::therapist)) {
+  const bool by_fault = paused && now.pause_cause != PauseCause::therapist;
+  if (facts.device_fault || facts.broken_off || by_fault) {
     picture.notice = Notice::fault;
-    picture.notice_words = "The device needs help. You did nothing wrong. Relax your hand.";
+    picture.notice_words =
+        Words::tr("The device needs help. You did nothing wrong. Relax your hand.").toStdString();
   } else if (paused) {
     picture.notice = Notice::pause;
-    picture.notice_words = "Pause. Relax your hand.";
+    picture.notice_words = Words::tr("Pause. Relax your hand.").toStdString();
   }
 }
 
@@ -223,6 +267,8 @@ PatientPicture picture_for(const PatientFacts& facts) {
   PatientPicture picture;
   picture.simulated = facts.simulated && !facts.example;
   picture.example = facts.example;
+  picture.published = facts.snapshot.published;
+  picture.calm = facts.calm;
   const Stage stage = facts.snapshot.stage;
   const bool in_trial = facts.session_open && (stage == Stage::trial || stage == Stage::paused) &&
                         facts.task != nullptr;
@@ -230,8 +276,8 @@ PatientPicture picture_for(const PatientFacts& facts) {
     add_trial(facts, picture);
   else
     add_idle(facts, picture);
-  if (facts.session_open) add_notice(facts, picture);
-  if (facts.example) picture.detail = "Watch how it is done";
+  if (facts.session_open || facts.broken_off) add_notice(facts, picture);
+  if (facts.example) picture.detail = Words::tr("Watch how it is done").toStdString();
   return picture;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "grasp_model/scene.hpp"
+#include "gui/presentation.hpp"
 #include "gui/target_preview.hpp"
 #include "session/snapshot.hpp"
 
@@ -18,6 +19,7 @@ struct PatientFacts {
   bool session_open = false;
   bool simulated = false;
   bool device_fault = false;  ///< also while no trial runs
+  bool broken_off = false;    ///< the session could not go on and is closed
   Hand hand = Hand::right;    ///< in the device
   Snapshot snapshot;
   std::shared_ptr<const TaskSpec> task;  ///< the running one
@@ -25,7 +27,12 @@ struct PatientFacts {
   std::shared_ptr<const TargetPreview> preview;
   double maximum_force_N = 0.0;
   bool just_completed = false;  ///< the last trial ended well and nothing began since
+  bool just_missed = false;     ///< it ended before all its targets were reached
   bool example = false;         ///< all of this is a demonstration: nothing is the patient's
+  /// How long ago the snapshot was published: what moves is shown where it is now [s].
+  double ahead_s = 0.0;
+  bool calm = false;  ///< less motion: nothing scrolls, nothing approaches
+  Viewing viewing;
 };
 
 /// A virtual finger: a cone that approaches along its axis while force builds up and touches when
@@ -52,12 +59,15 @@ struct PatientPicture {
   enum class Sign : std::uint8_t { wait, hand_out, rest, act, let_go, memory, good };
   enum class Notice : std::uint8_t { none, pause, fault };
 
+  Timestamp published{0};  ///< of the snapshot that it shows
+  bool calm = false;
   Page page = Page::message;
   Sign sign = Sign::wait;
   Notice notice = Notice::none;  ///< over the page, which then stands still
   std::string headline;          ///< the instruction, large
   std::string detail;            ///< one more sentence, or nothing
   std::string notice_words;
+  bool missed = false;  ///< a trial is over whose targets were not all reached
   bool urgent = false;  ///< it is to be done now: the instruction stands out
   bool simulated = false;
   bool example = false;  ///< to be watched: nothing in it is the patient's own
@@ -71,8 +81,11 @@ struct PatientPicture {
   double full_N = 1.0;       ///< effort: about half of the column
   bool line_shown = false;   ///< the force target is on the screen
   double target_N = 0.0;     ///< 0 while it is not
+  bool on_target = false;    ///< tracking: the mark is inside the band
   double task_time_s = 0.0;
   ForceAxis axis;                                ///< of force and target
+  /// Of that axis on this screen [deg of visual angle per N]; nothing: not known, or no force shown.
+  std::optional<double> gain_deg_per_N;
   std::shared_ptr<const TargetPreview> preview;  ///< null: nothing of the target's future
   std::array<DigitPicture, kFingerCount> digits{};
   double digits_N = 1.0;  ///< largest force asked of a digit in this trial
@@ -86,6 +99,9 @@ struct PatientPicture {
   int target_count = 0;
   std::array<FingerPicture, kFingerCount> fingers{};
 };
+
+/// Half the band round a force target, of the height of the field.
+inline constexpr double kHalfBandShare = 0.055;
 
 [[nodiscard]] PatientPicture picture_for(const PatientFacts& facts);
 

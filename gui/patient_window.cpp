@@ -9,10 +9,12 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <QScreen>
+#include <algorithm>
 
 #include <GL/gl.h>
 
 #include "gui/patient_canvas.hpp"
+#include "gui/patient_ink.hpp"
 
 namespace isograsp {
 
@@ -33,9 +35,10 @@ std::string why_no_opengl() {
   // The test platform of Qt claims to have OpenGL and then draws nothing.
   if (QGuiApplication::platformName() == QLatin1String("offscreen") ||
       QGuiApplication::platformName() == QLatin1String("minimal"))
-    return "There is no display for the patient's screen.";
+    return QObject::tr("There is no display for the patient's screen.").toStdString();
   const std::string kRemedy =
-      "The patient's screen needs OpenGL 2.1: install the driver of the graphics card.";
+      QObject::tr("The patient's screen needs OpenGL 2.1: install the driver of the graphics card.")
+          .toStdString();
   QOpenGLContext context;
   context.setFormat(compatible_format(0));
   QOffscreenSurface surface;
@@ -54,13 +57,16 @@ std::string why_no_opengl() {
   return {};
 }
 
-PatientWindow::PatientWindow(SessionPresenter& presenter) : presenter_(presenter) {
+PatientWindow::PatientWindow(SessionPresenter& presenter, const SettingsFile& settings)
+    : presenter_(presenter), settings_(settings) {
   setTitle(tr("IsoGrasp: patient screen"));
   resize(1280, 720);
   setMinimumSize(QSize(640, 360));
   connect(&presenter_, &SessionPresenter::frame, this, [this] {
     if (isExposed()) update();
   });
+  connect(this, &QOpenGLWindow::frameSwapped, &presenter_,
+          [this] { presenter_.picture_shown(shown_); });
 }
 
 PatientWindow::~PatientWindow() {
@@ -71,9 +77,13 @@ PatientWindow::~PatientWindow() {
 
 void PatientWindow::show_for_patient() {
   const auto screens = QGuiApplication::screens();
+  const auto wanted = QString::fromStdString(settings_.now().patient_screen);
+  const auto named = std::find_if(screens.begin(), screens.end(),
+                                  [&](const QScreen* one) { return one->name() == wanted; });
   if (screens.size() > 1) {
-    setScreen(screens[1]);
-    setGeometry(screens[1]->geometry());
+    QScreen* const chosen = named == screens.end() ? screens[1] : *named;
+    setScreen(chosen);
+    setGeometry(chosen->geometry());
     showFullScreen();
   } else {
     show();
@@ -96,6 +106,18 @@ QSize PatientWindow::device_size() const {
   return size() * devicePixelRatio();
 }
 
+QRect PatientWindow::content() const {
+  const QRectF all(QPointF(0, 0), QSizeF(device_size()));
+  return content_area(all, presenter_.seating().presentation().half).toRect();
+}
+
+double PatientWindow::content_height_m() const {
+  const double screen_px = screen()->size().height() * devicePixelRatio();
+  const double screen_m =
+      settings_.now().screen_height_m.value_or(screen()->physicalSize().height() / 1000.0);
+  return screen_m * content().height() / screen_px;
+}
+
 void PatientWindow::initializeGL() {
   scene_ = std::make_unique<ObjectScene>();
 }
@@ -103,15 +125,24 @@ void PatientWindow::initializeGL() {
 void PatientWindow::paintGL() {
   QElapsedTimer stopwatch;
   stopwatch.start();
-  const auto picture = presenter_.picture();
+  shown_ = presenter_.picture(content_height_m());
+  const PatientPicture& picture = shown_;
   const bool object = picture.page == PatientPicture::Page::object;
+  const QSize size = device_size();
+  const QRect part = content();
   if (object) {
+    const auto share = [](double value) { return static_cast<float>(value); };
+    glClearColor(share(ink::kPaper.redF()), share(ink::kPaper.greenF()),
+                 share(ink::kPaper.blueF()), 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
     scene_->show(picture);
-    scene_->draw(device_size());
+    // OpenGL counts pixels from the lower left.
+    scene_->draw({part.x(), size.height() - part.y() - part.height(), part.width(), part.height()});
   } else {
-    if (page_.size() != device_size()) page_ = QImage(device_size(), QImage::Format_RGB32);
+    if (page_.size() != size) page_ = QImage(size, QImage::Format_RGB32);
     QPainter painter(&page_);
-    paint_page(painter, QRectF(page_.rect()), picture);
+    if (part.size() != size) painter.fillRect(page_.rect(), ink::kPaper);
+    paint_page(painter, part, picture);
   }
   // QPainter changes OpenGL's state, and the next 3D picture would be lit wrongly.
   glPushAttrib(GL_ALL_ATTRIB_BITS);
@@ -120,18 +151,42 @@ void PatientWindow::paintGL() {
     QPainter painter(this);
     painter.scale(1.0 / devicePixelRatio(), 1.0 / devicePixelRatio());
     if (object)
-      draw_object(picture, painter);
+      draw_object(picture, part, painter);
     else
       painter.drawImage(0, 0, page_);
   }
   glPopClientAttrib();
   glPopAttrib();
+  sound();
   ++pictures_;
   drawing_s_ += static_cast<double>(stopwatch.nsecsElapsed()) * 1e-9;
 }
 
-void PatientWindow::draw_object(const PatientPicture& picture, QPainter& painter) {
-  const QSize size = device_size();
+/// What belongs to the picture that was drawn just now.
+void PatientWindow::sound() {
+  const auto sounds = soundtrack_.next(shown_, presenter_.seating().presentation());
+  speaker_.set_volume(settings_.now().volume_percent);
+  if (sounds.tone) say_once(speaker_.play(*sounds.tone));
+  if (sounds.words) say_once(speaker_.speak(QString::fromStdString(*sounds.words)));
+  say_once(speaker_.hear(sounds.force));
+}
+
+/// The patient was to hear something and did not: the therapist learns it, once.
+void PatientWindow::say_once(const QString& why) {
+  if (why.isEmpty() || said_.contains(why)) return;
+  said_ += why;
+  Q_EMIT presenter_.failed(why);
+}
+
+void PatientWindow::hideEvent(QHideEvent* event) {
+  speaker_.be_silent();
+  QOpenGLWindow::hideEvent(event);
+}
+
+void PatientWindow::draw_object(const PatientPicture& picture, const QRect& content,
+                                QPainter& painter) {
+  painter.translate(content.topLeft());
+  const QSize size = content.size();
   const QRectF area(QPointF(0, 0), QSizeF(size));
   const QString key =
       QStringLiteral("%1|%2|%3|%4|%5x%6")

@@ -9,6 +9,8 @@
 
 #include "gui/object_scene.hpp"
 #include "gui/session_presenter.hpp"
+#include "gui/soundtrack.hpp"
+#include "gui/speaker.hpp"
 
 namespace isograsp {
 
@@ -20,10 +22,11 @@ class PatientWindow final : public QOpenGLWindow {
   Q_OBJECT
 
  public:
-  explicit PatientWindow(SessionPresenter& presenter);
+  PatientWindow(SessionPresenter& presenter, const SettingsFile& settings);
   ~PatientWindow() override;
 
-  /// Full screen on the second display if there is one, else a window that F11 enlarges.
+  /// Full screen on the display that is set, or on the second one; a window that F11 enlarges where
+  /// there is only one.
   void show_for_patient();
   void toggle_full_screen();
   /// Pictures drawn since the start, and the mean time that drawing one took [s].
@@ -37,12 +40,24 @@ class PatientWindow final : public QOpenGLWindow {
   void initializeGL() override;
   void paintGL() override;
   void keyPressEvent(QKeyEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
-  void draw_object(const PatientPicture& picture, QPainter& painter);
+  void sound();
+  void say_once(const QString& why);
+  void draw_object(const PatientPicture& picture, const QRect& content, QPainter& painter);
   [[nodiscard]] QSize device_size() const;
+  /// Where everything stands, device pixels from the upper left.
+  [[nodiscard]] QRect content() const;
+  /// Of that part; 0: the display does not tell.
+  [[nodiscard]] double content_height_m() const;
 
   SessionPresenter& presenter_;
+  const SettingsFile& settings_;
+  PatientPicture shown_;  ///< drawn last
+  Soundtrack soundtrack_;
+  Speaker speaker_;
+  QStringList said_;  ///< what cannot be heard, and why
   std::unique_ptr<ObjectScene> scene_;
   QImage page_;  ///< pages without an object are painted here: smooth edges without a GPU
   QImage banner_;

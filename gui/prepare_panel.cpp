@@ -7,8 +7,11 @@
 
 #include "gui/device_forms.hpp"
 #include "gui/look.hpp"
+#include "gui/patient_form.hpp"
 #include "gui/protocol_form.hpp"
 #include "gui/screening_form.hpp"
+#include "gui/strap_form.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -31,7 +34,9 @@ QString title_of(Step step) {
 
 PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
     : QWidget(parent), presenter_(presenter) {
-  const std::array<QWidget*, kStepCount> bodies{make_patient(),
+  auto* patient = new PatientForm(presenter_);
+  connect(patient, &PatientForm::other_patient, this, &PreparePanel::other_patient);
+  const std::array<QWidget*, kStepCount> bodies{patient,
                                                 make_hand(),
                                                 new ScreeningForm(presenter_),
                                                 new ConnectForm(presenter_),
@@ -55,18 +60,6 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
   connect(sections_[static_cast<std::size_t>(Step::work)], &Section::opened, this, share);
   connect(&presenter_, &SessionPresenter::changed, this, &PreparePanel::refresh);
   refresh();
-}
-
-QWidget* PreparePanel::make_patient() {
-  auto* body = new QWidget;
-  patients_ = new QPushButton(tr("Choose or add a p&atient"));
-  patients_->setObjectName("other_patient");
-  describe(*patients_, tr("Choose or add a patient"), tr("Opens the list of patients (Alt+A)"));
-  connect(patients_, &QPushButton::clicked, this, &PreparePanel::other_patient);
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(patients_);
-  return body;
 }
 
 QWidget* PreparePanel::make_hand() {
@@ -104,7 +97,11 @@ QString PreparePanel::summary_of(Step step) const {
   const auto& view = presenter_.view();
   const auto hand = presenter_.hand();
   switch (step) {
-    case Step::patient: return QString::fromStdString(presenter_.patient());
+    case Step::patient: {
+      const auto screen = summary(presenter_.seating().presentation());
+      const auto code = QString::fromStdString(presenter_.patient());
+      return screen.isEmpty() ? code : tr("%1, %2").arg(code, screen);
+    }
     case Step::hand: return !hand ? QString() : *hand == Hand::left ? tr("left") : tr("right");
     case Step::screening: return summary(presenter_.screening());
     case Step::device: return QString::fromStdString(view.device_words);
@@ -116,10 +113,9 @@ QString PreparePanel::summary_of(Step step) const {
       const auto& guide = presenter_.guide();
       if (guide.over()) return tr("finished");
       if (guide.active()) return tr("%1 of %2").arg(guide.acts_done()).arg(guide.acts());
-      const int chosen = presenter_.protocol();
-      if (chosen == SessionPresenter::kByHand) return tr("one by one");
-      return QString::fromStdString(
-          presenter_.protocols()[static_cast<std::size_t>(chosen)].spec.name);
+      if (!presenter_.has_protocol()) return tr("one by one");
+      const auto chosen = static_cast<std::size_t>(presenter_.protocol());
+      return shown(presenter_.protocols()[chosen].spec.name);
     }
   }
   return {};
@@ -135,8 +131,6 @@ void PreparePanel::refresh() {
   };
   turn(Step::zero, presenter_.zero_is_next() && presenter_.snapshot().zeroed, zero_again_);
   turn(Step::work, presenter_.earlier() && !presenter_.goes_on_earlier(), earlier_asked_);
-  patients_->setEnabled(view.may_change_patient);
-  mark_next(*patients_, view.next() == Step::patient && view.may_change_patient);
   const auto hand = presenter_.hand();
   left_->setChecked(hand == Hand::left);
   right_->setChecked(hand == Hand::right);

@@ -22,13 +22,11 @@ class PreparePanel final : public QWidget {
   void other_patient();  ///< the therapist wants to choose one
 
  private:
-  [[nodiscard]] QWidget* make_patient();
   [[nodiscard]] QWidget* make_hand();
   [[nodiscard]] QString summary_of(Step step) const;
   void refresh();
 
   SessionPresenter& presenter_;
-  QPushButton* patients_;
   QPushButton* left_;
   QPushButton* right_;
   QPushButton* confirm_hand_;

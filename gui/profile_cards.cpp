@@ -7,6 +7,7 @@
 
 #include "gui/choice_box.hpp"
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -27,44 +28,6 @@ template <class Values>
 auto value_at(const Values& values, std::optional<int> index) {
   using Value = typename Values::value_type;
   return index ? std::optional<Value>(values[static_cast<std::size_t>(*index)]) : std::nullopt;
-}
-
-/// What both entry rows share: today, until another day is typed.
-DateField* entry_date(const QString& object_name, const QString& name, const QString& key,
-                      Ahead ahead, QWidget* card) {
-  auto* field = new DateField(ahead);
-  field->setObjectName(object_name);
-  describe(
-      *field, name,
-      QObject::tr("%1: year-month-day; Up and Down change it, Enter adds (%2)").arg(name, key));
-  add_key(card, key, [field] { field->setFocus(); });
-  field->show_date(local_today());
-  return field;
-}
-
-QLineEdit* entry_text(const QString& object_name, const QString& name, const QString& hint) {
-  constexpr int kLongest = 200;
-  auto* field = new QLineEdit;
-  field->setObjectName(object_name);
-  field->setMaxLength(kLongest);
-  field->setPlaceholderText(hint);
-  describe(*field, name, QObject::tr("%1; Enter adds, Ctrl+Z takes back what was typed").arg(name));
-  return field;
-}
-
-QPushButton* add_button(const QString& object_name, const QString& name, QWidget* card) {
-  auto* button = new QPushButton(QObject::tr("Add"));
-  button->setObjectName(object_name);
-  describe(*button, name, QObject::tr("%1 (Ctrl+Enter)").arg(name));
-  for (const char* key : {"Ctrl+Return", "Ctrl+Enter"})
-    add_key(card, key, [button] {
-      if (button->isEnabled()) button->click();
-    });
-  return button;
-}
-
-QString removed_words(const std::string& date, const QString& what) {
-  return QObject::tr("Removed: %1, %2.").arg(QString::fromStdString(date), what);
 }
 
 QString mark_removed(const std::vector<TreatmentMark>& gone) {
@@ -125,7 +88,8 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
   // Half a date may be another one: 2025-02-2 on the way to 2025-02-29. A whole one is taken.
   connect(onset_, &QLineEdit::textChanged, this, [this](const QString& text) {
     onset_remark_->say({});
-    if (!date_from_iso(text.toStdString()) || !onset_->typed().value) return;
+    const auto day = onset_->typed().value;
+    if (!day || text != shown_date(iso_text(*day))) return;
     finish();
     Q_EMIT typed();
   });
@@ -160,7 +124,7 @@ void PersonCard::show_profile(const PatientProfile& profile) {
   onset_iso_ = profile.onset_date;
   {
     const QSignalBlocker quiet(onset_);
-    onset_->setText(QString::fromStdString(profile.onset_date));  // also forgets what was typed
+    onset_->setText(shown_date(profile.onset_date));  // also forgets what was typed
   }
   finish();
   const std::pair<QPlainTextEdit*, const std::string*> texts[] = {{goals_, &profile.goals},
@@ -184,7 +148,7 @@ void PersonCard::finish() {
     onset_remark_->say({});
   } else if (onset.value) {
     onset_iso_ = iso_text(*onset.value);
-    const QString iso = QString::fromStdString(onset_iso_);
+    const QString iso = shown_date(onset_iso_);
     const QSignalBlocker quiet(onset_);
     if (onset_->text() != iso) onset_->setText(iso);
     onset_remark_->say(onset_words(*onset.value, local_today()));
@@ -247,8 +211,8 @@ void TreatmentCard::show_marks(const std::vector<TreatmentMark>& marks) {
   marks_ = marks;
   std::vector<QStringList> rows;
   for (const auto& mark : marks_)
-    rows.push_back({QString::fromStdString(mark.on_date), treatment_words(mark.kind),
-                    QString::fromStdString(mark.text)});
+    rows.push_back(
+        {shown_date(mark.on_date), treatment_words(mark.kind), QString::fromStdString(mark.text)});
   list_->show_rows(rows);
 }
 
@@ -306,7 +270,7 @@ ScoreCard::ScoreCard(QWidget* parent) : Card({}, parent) {
   entry->addWidget(text_, 2, 0, 1, 2);
   entry->addWidget(add, 2, 2);
   entry->setColumnStretch(1, 1);
-  value_->setFixedWidth(84);
+  value_->setFixedWidth(scaled(84));
   column_->addWidget(list_);
   column_->addWidget(caption(tr("New score"), date_));
   column_->addLayout(entry);
@@ -353,7 +317,7 @@ void ScoreCard::show_scores(const std::vector<ClinicalScore>& scores) {
   std::vector<QStringList> rows;
   for (const auto& score : scores_)
     rows.push_back(
-        {QString::fromStdString(score.on_date),
+        {shown_date(score.on_date),
          score.scale == "sensation" ? tr("Sensation") : QString::fromStdString(score.scale),
          score_words(score), QString::fromStdString(score.text)});
   list_->show_rows(rows);

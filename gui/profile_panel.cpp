@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gui/look.hpp"
+#include "reports/patient_verdicts.hpp"
 
 namespace isograsp {
 
@@ -39,16 +40,23 @@ ProfilePanel::ProfilePanel(Clinic& clinic, QWidget* parent) : QWidget(parent), c
   person_ = new PersonCard;
   treatment_ = new TreatmentCard;
   scores_ = new ScoreCard;
+  primary_ = new PrimaryCard;
+  stable_ = new StableCard;
   auto* page = new QWidget;
   page->setObjectName("page");
   columns_ = new QBoxLayout(QBoxLayout::TopToBottom, page);
   columns_->setContentsMargins(8, 4, 8, 8);
   columns_->setSpacing(8);
-  columns_->addWidget(person_, 1);
+  auto* about = new QVBoxLayout;
+  about->setSpacing(8);
+  about->addWidget(person_, 1);
+  about->addWidget(primary_);
+  columns_->addLayout(about, 1);
   auto* dated = new QVBoxLayout;
   dated->setSpacing(8);
   dated->addWidget(treatment_);
   dated->addWidget(scores_);
+  dated->addWidget(stable_);
   dated->addStretch();
   columns_->addLayout(dated, 1);
   scroll_ = new QScrollArea;
@@ -71,34 +79,35 @@ ProfilePanel::ProfilePanel(Clinic& clinic, QWidget* parent) : QWidget(parent), c
     show_state();
   });
   connect(person_, &PersonCard::left, this, &ProfilePanel::store);
-  connect(treatment_, &TreatmentCard::added, this, [this](const TreatmentMark& mark) {
-    change([code = code_, mark](Clinic& to, Clinic::Stored then) {
-      to.add_treatment_mark(code, mark, std::move(then));
-    });
-  });
-  connect(treatment_, &TreatmentCard::removed, this, [this](RowId id) {
-    change([code = code_, id](Clinic& to, Clinic::Stored then) {
-      to.remove_treatment_mark(code, id, std::move(then));
-    });
-  });
-  connect(scores_, &ScoreCard::added, this, [this](const ClinicalScore& score) {
-    change([code = code_, score](Clinic& to, Clinic::Stored then) {
-      to.add_clinical_score(code, score, std::move(then));
-    });
-  });
-  connect(scores_, &ScoreCard::removed, this, [this](RowId id) {
-    change([code = code_, id](Clinic& to, Clinic::Stored then) {
-      to.remove_clinical_score(code, id, std::move(then));
-    });
-  });
+  connect_card(treatment_, &Clinic::add_treatment_mark, &Clinic::remove_treatment_mark);
+  connect_card(scores_, &Clinic::add_clinical_score, &Clinic::remove_clinical_score);
+  connect_card(primary_, &Clinic::add_primary_measure, &Clinic::remove_primary_measure);
+  connect_card(stable_, &Clinic::add_stable_period, &Clinic::remove_stable_period);
   connect(again_, &QPushButton::clicked, this, &ProfilePanel::try_again);
   add_key(this, "Ctrl+Shift+R", [this] {
     if (!again_->isHidden()) try_again();
   });
   connect(&clinic_, &Clinic::opened, this, &ProfilePanel::load);
+  connect(&clinic_, &Clinic::history_changed, this, &ProfilePanel::load_choices);
   connect(&clinic_, &Clinic::profile_changed, this, &ProfilePanel::take_answer);
   connect(&clinic_, &Clinic::profile_failed, this, &ProfilePanel::refuse);
   show_state();
+}
+
+template <class Card, class Entry>
+void ProfilePanel::connect_card(Card* card,
+                                void (Clinic::*add)(const std::string&, const Entry&, Stored),
+                                void (Clinic::*remove)(const std::string&, RowId, Stored)) {
+  connect(card, &Card::added, this, [this, add](const Entry& entry) {
+    change([code = code_, entry, add](Clinic& to, Stored then) {
+      (to.*add)(code, entry, std::move(then));
+    });
+  });
+  connect(card, &Card::removed, this, [this, remove](RowId id) {
+    change([code = code_, id, remove](Clinic& to, Stored then) {
+      (to.*remove)(code, id, std::move(then));
+    });
+  });
 }
 
 ProfilePanel::~ProfilePanel() {
@@ -116,12 +125,24 @@ void ProfilePanel::show_patient(const std::string& code) {
   person_->show_profile({});
   treatment_->clear();
   scores_->clear();
+  primary_->clear();
+  stable_->clear();
   load();
   show_state();
 }
 
 void ProfilePanel::load() {
   clinic_.load_profile(code_);
+  load_choices();
+}
+
+void ProfilePanel::load_choices() {
+  if (code_.empty() || !isVisible()) return;
+  clinic_.read(
+      this, [code = code_](SessionStore& store) { return primary_choices(store, code); },
+      [this, code = code_](const Result<std::vector<PrimaryMeasure>>& choices) {
+        if (choices && code == code_) primary_->offer(*choices);
+      });
 }
 
 void ProfilePanel::store_now() {
@@ -179,6 +200,8 @@ void ProfilePanel::take_answer() {
   }
   treatment_->show_marks(file.marks);
   scores_->show_scores(file.scores);
+  primary_->show_primaries(file.primaries);
+  stable_->show_periods(file.stable);
   if (refused_.empty() && sent_ == stored_ && person_->profile() == stored_) problem_.clear();
   show_state();
 }
@@ -192,7 +215,8 @@ void ProfilePanel::refuse(const QString& code, const QString& why) {
 void ProfilePanel::show_state() {
   title_->setText(code_.empty() ? tr("Profile") : QString::fromStdString(code_));
   for (QWidget* card : {static_cast<QWidget*>(person_), static_cast<QWidget*>(treatment_),
-                        static_cast<QWidget*>(scores_)})
+                        static_cast<QWidget*>(scores_), static_cast<QWidget*>(primary_),
+                        static_cast<QWidget*>(stable_)})
     card->setEnabled(filled_);
   again_->setVisible(!problem_.isEmpty());
   QString words;
@@ -214,6 +238,11 @@ void ProfilePanel::show_state() {
   state_->setProperty("role", role);
   state_->style()->unpolish(state_);
   state_->style()->polish(state_);
+}
+
+void ProfilePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  load_choices();
 }
 
 void ProfilePanel::resizeEvent(QResizeEvent* event) {

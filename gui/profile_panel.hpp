@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/change_cards.hpp"
 #include "gui/clinic.hpp"
 #include "gui/profile_cards.hpp"
 
@@ -31,13 +32,21 @@ class ProfilePanel final : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
-  using Change = std::function<void(Clinic& clinic, Clinic::Stored then)>;
+  using Stored = Clinic::Stored;
+  using Change = std::function<void(Clinic& clinic, Stored then)>;
   void load();
   void store();
   /// Changes a list of this person; kept for try_again() where it is not stored.
   void change(const Change& change);
+  /// Connects a card of entries that are added and removed.
+  template <class Card, class Entry>
+  void connect_card(Card* card, void (Clinic::*add)(const std::string&, const Entry&, Stored),
+                    void (Clinic::*remove)(const std::string&, RowId, Stored));
+  /// Only for eyes: nothing waits behind it while the form is hidden.
+  void load_choices();
   void try_again();
   void take_answer();
   void refuse(const QString& code, const QString& why);
@@ -61,6 +70,8 @@ class ProfilePanel final : public QWidget {
   PersonCard* person_;
   TreatmentCard* treatment_;
   ScoreCard* scores_;
+  PrimaryCard* primary_;
+  StableCard* stable_;
 };
 
 }  // namespace isograsp

@@ -21,8 +21,8 @@ struct Typed {
 [[nodiscard]] Date local_today();
 
 enum class Ahead : bool { refused, allowed };  ///< days that have not come yet
-/// 2026-03-05, 2026-3-5 and 5.3.2026. Other orders of day and month are refused: nobody could tell
-/// them apart.
+/// 2026-03-05, 2026-3-5 and 5.3.2026; in a language that writes so, 5/3/2026. Other orders of day
+/// and month are refused: nobody could tell them apart.
 [[nodiscard]] Typed<Date> typed_date(const QString& text, Date today, Ahead ahead);
 /// With comma or point; 1+ is 1.5 on the Modified Ashworth Scale.
 [[nodiscard]] Typed<double> typed_score(const QString& text, const ClinicalScale& scale);

@@ -8,6 +8,7 @@
 
 #include "gui/choice_box.hpp"
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -51,9 +52,6 @@ ProtocolForm::ProtocolForm(SessionPresenter& presenter, QWidget* parent)
   protocols_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   describe(*protocols_, tr("Protocol"),
            tr("What this session consists of; chosen before connecting (Alt+7, then arrow keys)"));
-  for (const auto& protocol : presenter_.protocols())
-    protocols_->addItem(QString::fromStdString(protocol.spec.name));
-  protocols_->addItem(tr("Tasks one by one"));
   duration_ = new QLabel;
   duration_->setObjectName("protocol_duration");
   duration_->setProperty("role", "quiet");
@@ -105,12 +103,25 @@ ProtocolForm::ProtocolForm(SessionPresenter& presenter, QWidget* parent)
     refresh();
   });
   connect(&presenter_, &SessionPresenter::changed, this, &ProtocolForm::refresh);
+  connect(&presenter_, &SessionPresenter::library_changed, this, &ProtocolForm::fill_protocols);
+  fill_protocols();
+}
+
+void ProtocolForm::fill_protocols() {
+  {
+    const QSignalBlocker quiet(protocols_);
+    protocols_->clear();
+    for (const auto& protocol : presenter_.protocols())
+      protocols_->addItem(shown(protocol.spec.name));
+    protocols_->addItem(tr("Tasks one by one"));
+  }
+  described_ = kNothing;
   refresh();
 }
 
 void ProtocolForm::refresh() {
-  const int chosen = presenter_.protocol();
-  const bool by_hand = chosen == SessionPresenter::kByHand;
+  const bool by_hand = !presenter_.has_protocol();
+  const int chosen = by_hand ? SessionPresenter::kByHand : presenter_.protocol();
   {
     const QSignalBlocker quiet(protocols_);
     protocols_->setCurrentIndex(by_hand ? protocols_->count() - 1 : chosen);
@@ -153,7 +164,7 @@ void ProtocolForm::fill_steps() {
     auto* item =
         new QListWidgetItem(mark_of(row.state) + QStringLiteral("  ") + words_of(row), steps_);
     item->setToolTip(words_of(row));
-    item->setSizeHint({0, kRow_px});
+    item->setSizeHint({0, scaled(kRow_px)});
     QFont font = steps_->font();
     font.setBold(row.state == ProtocolGuide::RowState::current);
     item->setFont(font);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/protocol_guide.hpp"
 
+#include <QCoreApplication>
 #include <algorithm>
 
+#include "gui/texts.hpp"
 #include "tasks/agenda.hpp"
 
 namespace isograsp {
@@ -11,10 +13,17 @@ using Kind = ProtocolWalk::Act::Kind;
 
 namespace {
 
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ProtocolGuide)
+};
+
 /// "Maximum grip force and 4 more"
 std::string title_of(const std::vector<TaskSpec>& tasks) {
-  if (tasks.size() == 1) return tasks.front().name;
-  return tasks.front().name + " and " + std::to_string(tasks.size() - 1) + " more";
+  const auto first = shown(tasks.front().name);
+  if (tasks.size() == 1) return first.toStdString();
+  return Words::tr("%1 and %n more", "", static_cast<int>(tasks.size()) - 1)
+      .arg(first)
+      .toStdString();
 }
 
 }  // namespace
@@ -56,9 +65,11 @@ std::vector<ProtocolGuide::Row> ProtocolGuide::rows() const {
     const ProtocolStep& step = protocol_->spec.steps[i];
     Row row;
     switch (step.kind) {
-      case ProtocolStep::Kind::instrument_zero: row.title = "Zero, device empty"; break;
+      case ProtocolStep::Kind::instrument_zero:
+        row.title = Words::tr("Zero, device empty").toStdString();
+        break;
       case ProtocolStep::Kind::pause:
-        row.title = "Pause, " + std::to_string(static_cast<int>(step.duration_s)) + " s";
+        row.title = Words::tr("Pause, %1 s").arg(static_cast<int>(step.duration_s)).toStdString();
         break;
       case ProtocolStep::Kind::task:
         row.title = title_of(protocol_->tasks[i]);

@@ -58,7 +58,7 @@ void ReplayWindow::paintGL() {
     return;
   }
   scene_->show(picture_at(*trial_, state_));
-  scene_->draw(size_px);
+  scene_->draw(QRect(QPoint(0, 0), size_px));
   if (path_.size() != size_px) draw_path(size_px);
   // QPainter changes OpenGL's state, and the next 3D picture would be lit wrongly.
   glPushAttrib(GL_ALL_ATTRIB_BITS);

@@ -2,7 +2,7 @@
 #include "gui/report_work.hpp"
 
 #include "core/files.hpp"
-#include "reports/progress_report.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -20,7 +20,7 @@ ReportWork::~ReportWork() {
   stop_.request_stop();
 }
 
-void ReportWork::start(const std::string& code, const std::string& path) {
+void ReportWork::start(const std::string& code, const std::string& path, const ReportScope& scope) {
   if (running()) return;
   stage_ = Stage::gathering;
   code_ = code;
@@ -32,34 +32,32 @@ void ReportWork::start(const std::string& code, const std::string& path) {
     QMetaObject::invokeMethod(
         this,
         [this, stop, fraction, words] {
-          if (!stop.stop_requested())
-            Q_EMIT progress(kGathered * fraction, QString::fromStdString(words));
+          if (!stop.stop_requested()) Q_EMIT progress(kGathered * fraction, shown(words));
         },
         Qt::QueuedConnection);
     return !stop.stop_requested();
   };
   using Gathered = Result<ReportContent>;
-  worker_.run(
-      [store = store_, code, watch]() -> Gathered { return gather_progress(**store, code, watch); },
-      [this, stop](Gathered content) {
-        if (stop.stop_requested()) return;
-        if (!content) {
-          end();
-          Q_EMIT failed(QString::fromStdString(content.error().message()));
-          return;
-        }
-        stage_ = Stage::painting;
-        writer_ = make_report_writer(*std::move(content), path_);
-        if (!held_) between_events_.start();
-      });
+  worker_.run([store = store_, code, watch,
+               scope]() -> Gathered { return gather_progress(**store, code, watch, scope); },
+              [this, stop](Gathered content) {
+                if (stop.stop_requested()) return;
+                if (!content) {
+                  end();
+                  Q_EMIT failed(shown(content.error()));
+                  return;
+                }
+                stage_ = Stage::painting;
+                writer_ = make_report_writer(*std::move(content), path_);
+                if (!held_) between_events_.start();
+              });
   Q_EMIT progress(0.0, tr("reading"));
 }
 
 void ReportWork::paint_next() {
   if (writer_->complete()) return save();
   const double painted = static_cast<double>(writer_->steps_done()) / writer_->steps();
-  Q_EMIT progress(kGathered + (1.0 - kGathered) * painted,
-                  QString::fromStdString(writer_->words()));
+  Q_EMIT progress(kGathered + (1.0 - kGathered) * painted, shown(writer_->words()));
   // Whoever listens may have cancelled.
   if (writer_ != nullptr) writer_->paint_next();
 }
@@ -74,7 +72,7 @@ void ReportWork::save() {
                 if (saved)
                   Q_EMIT written(QString::fromStdString(path));
                 else
-                  Q_EMIT failed(QString::fromStdString(saved.error().message()));
+                  Q_EMIT failed(shown(saved.error()));
               });
 }
 

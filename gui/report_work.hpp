@@ -11,6 +11,7 @@
 #include <string>
 
 #include "gui/background.hpp"
+#include "reports/progress_report.hpp"
 #include "reports/report_writer.hpp"
 #include "storage/session_store.hpp"
 
@@ -25,7 +26,7 @@ class ReportWork final : public QObject {
   ~ReportWork() override;  ///< as cancel()
 
   /// PDF, or HTML if `path` ends in ".html". Ignored while a report is being written.
-  void start(const std::string& code, const std::string& path);
+  void start(const std::string& code, const std::string& path, const ReportScope& scope = {});
   /// Nothing is written, a file that was there stays. Too late once the file is being saved.
   void cancel();
   /// No painting while a trial needs an even picture; gathering goes on.

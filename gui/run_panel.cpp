@@ -9,6 +9,7 @@
 
 #include "gui/look.hpp"
 #include "gui/task_groups.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -53,13 +54,13 @@ RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
   show_how_->setObjectName("show_how");
   start_ = new QPushButton(tr("&Start"));
   start_->setObjectName("start");
-  start_->setMinimumHeight(38);
+  start_->setMinimumHeight(scaled(38));
   pause_ = new QPushButton;
   pause_->setObjectName("pause");
-  pause_->setMinimumHeight(32);
+  pause_->setMinimumHeight(scaled(32));
   stop_ = new QPushButton(tr("Stop"));
   stop_->setObjectName("stop");
-  stop_->setMinimumHeight(44);
+  stop_->setMinimumHeight(scaled(44));
   describe(*stop_, tr("Stop the trial"), tr("End the trial now; it is kept and marked (F10)"));
   progress_ = new QProgressBar;
   progress_->setRange(0, 1000);
@@ -111,6 +112,10 @@ RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
   });
   connect(stop_, &QPushButton::clicked, &presenter_, &SessionPresenter::stop);
   connect(&presenter_, &SessionPresenter::changed, this, &RunPanel::refresh);
+  connect(&presenter_, &SessionPresenter::library_changed, this, [this] {
+    fill_list();
+    refresh();
+  });
   connect(&presenter_, &SessionPresenter::frame, this, &RunPanel::refresh_progress);
   refresh();
   refresh_progress();
@@ -177,24 +182,23 @@ void RunPanel::fill_list() {
   constexpr int kRow_px = 24;
   std::optional<TaskGroup> group;
   const auto& tasks = presenter_.tasks();
+  const QSignalBlocker quiet(list_);
+  list_->clear();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (group != group_of(tasks[i])) {
       group = group_of(tasks[i]);
-      const auto title = title_of(*group);
-      auto* heading = new QListWidgetItem(
-          QString::fromUtf8(title.data(), static_cast<int>(title.size())), list_);
+      auto* heading = new QListWidgetItem(shown(title_of(*group)), list_);
       QFont font = list_->font();
       font.setBold(true);
       heading->setFont(font);
       heading->setForeground(look::kQuietText);
       heading->setFlags(Qt::NoItemFlags);  // keys and clicks pass over it
-      heading->setSizeHint({0, kRow_px});
+      heading->setSizeHint({0, scaled(kRow_px)});
     }
-    auto* item =
-        new QListWidgetItem(QStringLiteral("   ") + QString::fromStdString(tasks[i].name), list_);
+    auto* item = new QListWidgetItem(QStringLiteral("   ") + shown(tasks[i].name), list_);
     item->setData(Qt::UserRole, static_cast<int>(i));
-    item->setData(Qt::AccessibleTextRole, QString::fromStdString(tasks[i].name));
-    item->setSizeHint({0, kRow_px});
+    item->setData(Qt::AccessibleTextRole, shown(tasks[i].name));
+    item->setSizeHint({0, scaled(kRow_px)});
   }
   take_rest(*list_, 3 * kRow_px);
 }
@@ -205,7 +209,7 @@ void RunPanel::refresh() {
   const auto* spec = presenter_.next_task();
   next_->setText(QString::fromStdString(presenter_.next_words()));
   next_->setVisible(!next_->text().isEmpty());
-  instruction_->setText(spec == nullptr ? QString() : QString::fromStdString(spec->instruction));
+  instruction_->setText(spec == nullptr ? QString() : shown(spec->instruction));
   instruction_->setVisible(!instruction_->text().isEmpty());
   show_how_->setText(presenter_.showing_how() ? tr("Stop sho&wing") : tr("Show the patient ho&w"));
   describe(*show_how_, show_how_->text().remove(QLatin1Char('&')),
@@ -244,8 +248,8 @@ void RunPanel::refresh_choice() {
   follow_->setEnabled(view.may_choose_task);
   by_hand_->setEnabled(view.may_choose_task);
   // Before a session the protocol is what will come; tasks are listed only where one is chosen.
-  const bool listed = !follows && (protocol || presenter_.session_open() ||
-                                   presenter_.protocol() == SessionPresenter::kByHand);
+  const bool listed =
+      !follows && (protocol || presenter_.session_open() || !presenter_.has_protocol());
   list_->setVisible(listed);
   practice_->setVisible(listed);
   by_itself_->setVisible(!listed);
@@ -297,16 +301,20 @@ RatingPanel::RatingPanel(SessionPresenter& presenter, QWidget* parent)
   remark_->setObjectName("rating_remark");
   remark_->setProperty("role", "quiet");
   remark_->setWordWrap(true);
+  const QStringList questions{tr("Effort", "beside its numbers"), tr("Pain", "beside its numbers")};
+  int widest_px = 0;
+  for (const auto& words : questions)
+    widest_px = std::max(widest_px, QLabel(words).sizeHint().width());
   const auto add = [&](const QString& words, ScoreRow* row) {
     auto* line = new QHBoxLayout;
     auto* label = new QLabel(words);
-    label->setFixedWidth(46);
+    label->setFixedWidth(widest_px);
     line->addWidget(label);
     line->addWidget(row, 1);
     column_->addLayout(line);
   };
-  add(tr("Effort"), effort_);
-  add(tr("Pain"), pain_);
+  add(questions[0], effort_);
+  add(questions[1], pain_);
   column_->addWidget(remark_);
   connect(effort_, &ScoreRow::chosen, &presenter_, &SessionPresenter::rate_effort);
   connect(pain_, &ScoreRow::chosen, &presenter_, &SessionPresenter::rate_pain);

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 #include "gui/words.hpp"
 
 namespace isograsp {
@@ -22,7 +23,7 @@ ScorePanel::ScorePanel(SessionPresenter& presenter, QWidget* parent)
   table_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->verticalHeader()->setDefaultSectionSize(scaled(24));
   table_->setShowGrid(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -45,13 +46,12 @@ void ScorePanel::refresh() {
   if (presenter_.view().may_stop) {
     remark_->setText(tr("So far, renewed every second"));
   } else if (last) {
-    const auto name = QString::fromStdString(last->trial.task_name);
+    const auto name = shown(last->trial.task_name);
     const bool whole = last->trial.status == TrialStatus::completed && last->trial.dropped == 0;
-    remark_->setText(tr("%1: %2").arg(name, status_words(last->trial.status)) +
-                     (last->trial.practice ? tr(", practice") : QString()) +
-                     (whole || last->reason.empty()
-                          ? QString()
-                          : QStringLiteral(". ") + QString::fromStdString(last->reason)));
+    remark_->setText(
+        tr("%1: %2").arg(name, status_words(last->trial.status)) +
+        (last->trial.practice ? tr(", practice") : QString()) +
+        (whole || last->reason.empty() ? QString() : QStringLiteral(". ") + shown(last->reason)));
   } else {
     remark_->setText(tr("No trial in this session yet."));
   }

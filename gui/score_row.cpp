@@ -19,7 +19,7 @@ ScoreRow::ScoreRow(const QString& name, const QString& question, QWidget* parent
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(1);
   constexpr int kLeast_px = 28;
-  setMinimumHeight(kLeast_px);
+  setMinimumHeight(scaled(kLeast_px));
   for (int value = 0; value <= kMost; ++value) {
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("%1_%2").arg(name).arg(value));

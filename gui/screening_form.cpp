@@ -133,6 +133,10 @@ void ScreeningForm::refresh() {
     const QSignalBlocker quiet(limited_);
     limited_->setChecked(answers.ceiling_N.has_value());
   }
+  if (!answers.ceiling_N) {
+    const QSignalBlocker quiet(ceiling_);
+    ceiling_->setValue(kUsualCeiling_N);  // nobody begins with another one's limit
+  }
   ceiling_->setEnabled(limited_->isChecked());
   advice_->setText(advice(answers));
   advice_->setVisible(!advice_->text().isEmpty());

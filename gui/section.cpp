@@ -17,9 +17,9 @@ Section::Section(int number, const QString& title, QWidget* body, QWidget* paren
   head_->setObjectName(QStringLiteral("section_%1").arg(number));
   head_->setProperty("flat_head", true);
   head_->setShortcut(QKeySequence(Qt::ALT | (Qt::Key_0 + number)));
-  head_->setMinimumHeight(30);
+  head_->setMinimumHeight(scaled(30));
   mark_ = new QLabel;
-  mark_->setFixedWidth(20);
+  mark_->setFixedWidth(scaled(20));
   mark_->setAlignment(Qt::AlignCenter);
   name_ = new QLabel(title);
   summary_ = new QLabel;

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "gui/texts.hpp"
 #include "gui/words.hpp"
 #include "reports/measure_words.hpp"
 
@@ -61,7 +62,7 @@ Work collect(const CourseSession& session) {
         collected.sum += *measure.value;
       } else {
         ++collected.mean.without;
-        collected.mean.reason = QString::fromStdString(measure.reason);
+        collected.mean.reason = shown(measure.reason);
       }
     }
   }
@@ -98,7 +99,7 @@ QString task_difference(const TaskKey& a, const TaskKey& b) {
 void add_rows(const TaskOfSession& in_a, const TaskOfSession& in_b, SessionComparison& comparison) {
   const auto spec = parse_task(in_b.trial->task_text, in_b.trial->task_name);
   const auto task_spec = spec ? std::optional(*spec) : std::nullopt;
-  const auto name = QString::fromStdString(in_b.trial->task_name);
+  const auto name = shown(in_b.trial->task_name);
   std::vector<std::pair<Place, ComparedMeasure>> rows;
   std::set<QString> other_version;
   for (const auto& key : in_b.order) {
@@ -153,8 +154,8 @@ SessionComparison compare_sessions(const CourseSession& a, const CourseSession& 
       return std::get<0>(other) == std::get<0>(key);
     });
     if (like == in_a.order.end()) continue;
-    const auto note = QObject::tr("%1: %2").arg(QString::fromStdString(std::get<0>(key)),
-                                                task_difference(*like, key));
+    const auto note =
+        QObject::tr("%1: %2").arg(shown(std::get<0>(key)), task_difference(*like, key));
     if (std::find(comparison.left_out.begin(), comparison.left_out.end(), note) ==
         comparison.left_out.end())
       comparison.left_out.push_back(note);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/session_page.hpp"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QVBoxLayout>
 
 #include "gui/live_panel.hpp"
+#include "gui/look.hpp"
 #include "gui/prepare_panel.hpp"
 #include "gui/run_panel.hpp"
 #include "gui/score_panel.hpp"
@@ -12,28 +13,43 @@
 namespace isograsp {
 
 SessionPage::SessionPage(SessionPresenter& presenter, QWidget* parent) : QWidget(parent) {
-  auto* columns = new QHBoxLayout(this);
-  columns->setContentsMargins(12, 12, 12, 12);
-  columns->setSpacing(12);
-  const auto add_column = [&](int stretch, int least_px, int most_px) {
+  // With large letters what is watched stands below the two columns of what is done.
+  constexpr int kLargestInARow_percent = 115;
+  const bool in_a_row = scaled(100) <= kLargestInARow_percent;
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(12, 12, 12, 12);
+  grid->setSpacing(12);
+  const auto make_column = [](int least_px, int most_px) {
     auto* holder = new QWidget;
-    holder->setMinimumWidth(least_px);
-    if (most_px > 0) holder->setMaximumWidth(most_px);
+    holder->setMinimumWidth(scaled(least_px));
+    if (most_px > 0) holder->setMaximumWidth(scaled(most_px));
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(12);
-    columns->addWidget(holder, stretch);
     return column;
   };
   auto* prepare = new PreparePanel(presenter);
   connect(prepare, &PreparePanel::other_patient, this, &SessionPage::other_patient);
-  add_column(2, 270, 360)->addWidget(prepare);
-  auto* watch = add_column(5, 400, 0);
+  auto* left = make_column(in_a_row ? 290 : 250, in_a_row ? 360 : 0);
+  left->addWidget(prepare);
+  auto* watch = make_column(400, 0);
   watch->addWidget(new LivePanel(presenter), 3);
   watch->addWidget(new ScorePanel(presenter), 2);
-  auto* run = add_column(2, 290, 400);
+  auto* run = make_column(in_a_row ? 290 : 250, in_a_row ? 400 : 0);
   run->addWidget(new RunPanel(presenter), 1);
   run->addWidget(new RatingPanel(presenter));
+  grid->addWidget(left->parentWidget(), 0, 0);
+  grid->addWidget(run->parentWidget(), 0, in_a_row ? 2 : 1);
+  if (in_a_row) {
+    grid->addWidget(watch->parentWidget(), 0, 1);
+    grid->setColumnStretch(1, 5);
+    grid->setColumnStretch(2, 2);
+  } else {
+    watch->parentWidget()->setMinimumHeight(scaled(380));
+    grid->addWidget(watch->parentWidget(), 1, 0, 1, 2);
+    grid->setColumnStretch(1, 2);
+  }
+  grid->setColumnStretch(0, 2);
 }
 
 }  // namespace isograsp

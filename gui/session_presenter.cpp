@@ -2,18 +2,15 @@
 #include "gui/session_presenter.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
+#include <utility>
 
-#include "core/files.hpp"
 #include "gui/task_groups.hpp"
+#include "gui/texts.hpp"
 #include "session/trial_setup.hpp"
 
 namespace isograsp {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -22,9 +19,10 @@ constexpr double kScoreEvery_s = 1.0;
 
 /// "The target is … : run …."
 std::string sentence_of(const Error& error) {
-  std::string words = error.what + (error.remedy.empty() ? "." : ": " + error.remedy + ".");
-  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-  return words;
+  QString words = shown(error.what);
+  if (!error.remedy.empty()) words += QStringLiteral(": ") + shown(error.remedy);
+  words[0] = words[0].toUpper();
+  return (words + QLatin1Char('.')).toStdString();
 }
 
 /// The first force that the task is scaled to and that was not measured, in words; empty: none.
@@ -39,16 +37,23 @@ std::string lack_of(const TaskSpec& spec, const ForceReferences& references) {
 
 }  // namespace
 
-SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic, QObject* parent)
-    : QObject(parent), config_(config), clinic_(clinic), device_uri_(config.device_uri) {
-  load_tasks();
-  load_protocols();
+SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic,
+                                   const SettingsFile& settings, QObject* parent)
+    : QObject(parent),
+      config_(config),
+      clinic_(clinic),
+      settings_(settings),
+      seating_(clinic),
+      device_uri_(config.device_uri) {
+  take_library(read_session_library(config_.library, own_library_folder(config_.database)));
+  select_first(TaskKind::rest);
   connect(&clinic_, &Clinic::opened, this, &SessionPresenter::update);
   connect(&clinic_, &Clinic::open_failed, this, [this](const QString& why) {
     database_error_ = why.toStdString();
     update();
   });
   connect(&timer_, &QTimer::timeout, this, &SessionPresenter::poll);
+  connect(&seating_, &Seating::changed, this, &SessionPresenter::store_presentation);
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.start(kPoll_ms);
   update();
@@ -56,39 +61,22 @@ SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic, QObj
 
 SessionPresenter::~SessionPresenter() = default;
 
-void SessionPresenter::load_tasks() {
-  std::vector<std::string> files;
-  std::error_code unreadable;
-  for (const auto& entry : fs::directory_iterator(fs::path(config_.library) / "tasks", unreadable))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  if (files.empty()) library_problems_.push_back("No tasks in " + config_.library + "/tasks.");
-  for (const auto& file : files) {
-    const auto text = read_text(file);
-    auto spec = text ? parse_task(*text, file) : Result<TaskSpec>(text.error());
-    if (spec)
-      tasks_.push_back(*std::move(spec));
-    else
-      library_problems_.push_back(spec.error().message());
-  }
-  sort_for_list(tasks_);
-  select_first(TaskKind::rest);
-}
-
 void SessionPresenter::select_first(TaskKind kind) {
-  const auto found = std::find_if(tasks_.begin(), tasks_.end(),
+  const auto& tasks = library_.tasks;
+  const auto found = std::find_if(tasks.begin(), tasks.end(),
                                   [&](const TaskSpec& spec) { return kind_of(spec) == kind; });
-  if (found != tasks_.end()) task_ = static_cast<int>(found - tasks_.begin());
+  if (found != tasks.end()) task_ = static_cast<int>(found - tasks.begin());
   look_at_task();
 }
 
 /// A target that follows the force just measured.
 void SessionPresenter::select_task_after_maximum() {
   const auto& references = session_->references();
-  const auto found = std::find_if(tasks_.begin(), tasks_.end(), [&](const TaskSpec& spec) {
+  const auto& tasks = library_.tasks;
+  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const TaskSpec& spec) {
     return kind_of(spec) == TaskKind::force_tracking && lack_of(spec, references).empty();
   });
-  if (found != tasks_.end()) task_ = static_cast<int>(found - tasks_.begin());
+  if (found != tasks.end()) task_ = static_cast<int>(found - tasks.begin());
   look_at_task();
 }
 
@@ -103,8 +91,8 @@ void SessionPresenter::look_at_task() {
 
 const TaskSpec* SessionPresenter::next_task() const noexcept {
   if (follows()) return act_task_ ? &*act_task_ : nullptr;
-  if (session_ == nullptr && protocol_ != kByHand) return nullptr;  // the protocol will say
-  return task_ < 0 ? nullptr : &tasks_[static_cast<std::size_t>(task_)];
+  if (session_ == nullptr && has_protocol()) return nullptr;  // the protocol will say
+  return task_ < 0 ? nullptr : &library_.tasks[static_cast<std::size_t>(task_)];
 }
 
 FlowFacts SessionPresenter::facts() const {
@@ -112,9 +100,10 @@ FlowFacts SessionPresenter::facts() const {
   facts.database_open = clinic_.is_open();
   facts.database_error = database_error_;
   facts.patient_chosen = !patient_.empty();
-  facts.hand_chosen = hand_ && hand_confirmed_;
   facts.hand_to_confirm = hand_to_confirm();
+  facts.hand_chosen = hand_ && !facts.hand_to_confirm;
   facts.screened = screening_.complete();
+  facts.earlier_sought = looking_;
   facts.earlier_undecided = earlier_.has_value() && !resume_;
   facts.device_chosen = !device_uri_.empty();
   facts.connection = connection_;
@@ -128,6 +117,7 @@ FlowFacts SessionPresenter::facts() const {
                                            : to_seconds(now - opened_) > kFirstFrameWithin_s);
     facts.stage = snapshot_.stage;
     facts.pause_cause = snapshot_.pause_cause;
+    facts.at_rest = rest_watch_.at_rest();
     facts.health = snapshot_.health;
     facts.zeroed = snapshot_.zeroed;
     facts.maximum_force_N = session_->maximum_force_N();
@@ -137,6 +127,7 @@ FlowFacts SessionPresenter::facts() const {
   facts.zero_only_changed = zero_only_changed_;
   facts.zero_remark = zero_remark_;
   facts.strapped = strapped_;
+  facts.straps_due = session_ != nullptr && limits_.straps_due(session_time_s());
   facts.rest_words = rest_words_;
   facts.rest_done = rest_done_ || (follows() && !guide_.asks_rest());
   facts.maximum_attempts = maximum_attempts_;
@@ -145,7 +136,7 @@ FlowFacts SessionPresenter::facts() const {
   // is stored, with the trial itself in between.
   facts.starting = zero_asked_ || starting_ || (running_ != nullptr && facts.stage == Stage::idle);
   facts.rating_due = guide_.rating_due();
-  facts.stop_reason = stop_reason_;
+  facts.stop_reason = stop_reason_.empty() ? limits_.reason_to_stop().value_or("") : stop_reason_;
   if (follows()) facts.protocol = protocol_facts();
   const auto* spec = next_task();
   facts.task_chosen = spec != nullptr;
@@ -163,7 +154,7 @@ void SessionPresenter::update() {
 }
 
 void SessionPresenter::refuse(const Error& error) {
-  Q_EMIT failed(QString::fromStdString(error.message()));
+  Q_EMIT failed(shown(error));
 }
 
 void SessionPresenter::choose_patient(const std::string& code) {
@@ -171,10 +162,12 @@ void SessionPresenter::choose_patient(const std::string& code) {
   patient_ = code;
   ask_anew();
   connection_error_.clear();
+  broken_off_ = false;
   last_trial_.reset();
   live_score_.clear();
   clinic_.load_history(code);
   clinic_.load_profile(code);
+  seating_.look(code, hand_);
   update();
 }
 
@@ -182,11 +175,19 @@ void SessionPresenter::choose_hand(Hand hand) {
   if (!view_.may_change_hand) return;
   if (hand_ != hand) screening_ = {};  // its outcome is that of one hand
   hand_ = hand;
-  const Side other = hand == Hand::right ? Side::left : Side::right;
-  const auto& file = clinic_.file();
-  hand_confirmed_ = !file || file->profile.affected != other;
+  hand_confirmed_ = false;
   look_for_earlier();
+  seating_.look(patient_, hand_);
   update();
+}
+
+/// Looked up whenever it is asked: what is known of the person may be read, or told, after the hand
+/// was chosen. A session that is open has its hand.
+bool SessionPresenter::hand_to_confirm() const noexcept {
+  const auto& file = clinic_.file();
+  if (!hand_ || hand_confirmed_ || connection_ != Connection::none) return false;
+  if (!file || clinic_.file_of() != patient_) return false;
+  return file->profile.affected == (*hand_ == Hand::right ? Side::left : Side::right);
 }
 
 void SessionPresenter::confirm_hand() {
@@ -199,8 +200,7 @@ void SessionPresenter::confirm_hand() {
 void SessionPresenter::ask_anew() {
   hand_.reset();
   screening_ = {};
-  earlier_.reset();
-  resume_.reset();
+  look_for_earlier();  // for nobody yet: what was asked before counts no more
 }
 
 void SessionPresenter::choose_device(const std::string& uri) {
@@ -235,19 +235,24 @@ void SessionPresenter::connect_device() {
   config.device_uri = device_uri_;
   config.library = config_.library;
   config.software_version = config_.software_version;
-  config.operator_name = config_.operator_name;
+  config.operator_name = !operator_.empty()               ? operator_
+                         : !config_.operator_name.empty() ? config_.operator_name
+                                                          : settings_.now().operator_name;
   config.realtime = config_.realtime;
   config.allowed = screening_.allowed;
   config.ceiling_N = screening_.ceiling_N;
   config.answers = stored(screening_);
+  add_screen_answers(config.answers);
+  config.display_delay_s = settings_.now().display_delay_s;
   config.resume = resume_.value_or(false);
-  if (protocol_ != kByHand) {
-    const auto& protocol = protocols_[static_cast<std::size_t>(protocol_)].spec;
+  if (has_protocol()) {
+    const auto& protocol = library_.protocols[static_cast<std::size_t>(protocol_)].spec;
     config.protocol_name = protocol.name;
     config.protocol_text = protocol.text;
   }
   connection_ = Connection::opening;
   connection_error_.clear();
+  broken_off_ = false;
   opening_ = {};
   using Opened = Result<std::unique_ptr<Session>>;
   worker_.run(
@@ -267,7 +272,7 @@ void SessionPresenter::connect_device() {
           begin_session(*std::move(opened));
         } else {
           connection_ = Connection::none;
-          connection_error_ = opened.error().message();
+          connection_error_ = shown(opened.error()).toStdString();
         }
         update();
         Q_EMIT settled();
@@ -290,11 +295,15 @@ void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
   snapshot_ = {};
   forces_.clear();
   faults_.clear();
+  compensation_ = {};
+  limits_.begin(screening_.applies[static_cast<std::size_t>(Caution::skin)]);
+  shift_noted_ = {};
   worst_lateness_s_ = 0.0;
   zero_refusal_.clear();
   zero_remark_.clear();
   rest_words_.clear();
   zero_only_changed_ = strapped_ = false;
+  zeroed_at_.reset();
   if (const auto got = realtime(); !got.empty() && !std::exchange(realtime_said_, true))
     std::fprintf(stderr, "isograsp: note: acquisition with %s\n", got.c_str());
   zero_asked_ = rest_done_ = task_done_ = starting_ = just_completed_ = false;
@@ -333,14 +342,15 @@ void SessionPresenter::close_on_worker(std::unique_ptr<Session> session, Closed 
 void SessionPresenter::close_session(const std::string& why) {
   example_.stop();
   connection_ = Connection::closing;
+  broken_off_ = !why.empty();
+  connection_error_ = why;
   snapshot_ = {};
   running_.reset();
   starting_ = false;
   guide_.end();
   act_task_.reset();
-  close_on_worker(std::move(session_), [this, why] {
+  close_on_worker(std::move(session_), [this] {
     connection_ = Connection::none;
-    connection_error_ = why;
     ask_anew();
     clinic_.load_history(patient_);
     update();
@@ -364,14 +374,6 @@ void SessionPresenter::set_zero(bool accept_changed) {
   } else {
     refuse(started.error());
   }
-  update();
-}
-
-void SessionPresenter::mark_strapped() {
-  if (!view_.may_strap) return;
-  example_.stop();
-  session_->strapped();
-  strapped_ = true;
   update();
 }
 
@@ -413,9 +415,11 @@ Result<void> SessionPresenter::begin_trial(const TaskSpec& spec, bool practice,
   if (auto started = session_->start_trial(spec, practice, place); !started) return started;
   starting_ = true;
   just_completed_ = false;
+  last_view_ = {};
   helped_ = false;
   last_task_ = spec;
   last_practice_ = practice;
+  picture_age_.clear();
   live_score_.clear();
   prepare_picture(spec, context);
   Q_EMIT score_changed();
@@ -462,10 +466,11 @@ void SessionPresenter::stop() {
 }
 
 void SessionPresenter::start_pause_resume() {
-  if (view_.may_start) return start();
   if (view_.may_pause) return pause();
+  if (view_.may_resume) return resume();
+  // What would begin by itself is held: the key never makes it begin sooner.
   if (view_.may_stand_by) return stand_by();
-  resume();
+  start();
 }
 
 void SessionPresenter::note(const std::string& text) {
@@ -484,9 +489,15 @@ void SessionPresenter::poll() {
     snapshot_ = session_->snapshot();
     remember_fault(health);
     forces_.add(snapshot_);
+    watch_compensation();
+    if (snapshot_.stage == Stage::paused)
+      rest_watch_.add(snapshot_);
+    else
+      rest_watch_.begin(session_->references().resting_C);
     worst_lateness_s_ = std::max(worst_lateness_s_, snapshot_.lateness_s);
     const bool running = snapshot_.stage == Stage::trial || snapshot_.stage == Stage::paused;
     if (running) starting_ = false;
+    if (running) last_view_ = snapshot_.task;
     for (const auto& news : session_->take_news()) {
       take(news);
       if (session_ == nullptr) break;
@@ -497,6 +508,8 @@ void SessionPresenter::poll() {
       Q_EMIT score_changed();
     }
   }
+  if (newer_library_ && connection_ != Connection::opening && !view_.may_stop && !starting_)
+    take_library(*std::exchange(newer_library_, std::nullopt));
   follow_time();
   view_ = decide(facts());
   if (!(before == view_)) Q_EMIT changed();
@@ -512,6 +525,7 @@ void SessionPresenter::take(const SessionNews& news) {
     if (news.zero->accepted) {
       if (!rest_done_) select_first(TaskKind::rest);
       guide_.zeroed(session_time_s());
+      zeroed_at_ = clock_.now();
       look_at_act();
     }
     Q_EMIT changed();
@@ -526,6 +540,7 @@ void SessionPresenter::take_trial(const TrialOutcome& outcome) {
   live_score_ = outcome.measures;
   if (outcome.rest) rest_words_ = outcome.rest->words;
   just_completed_ = outcome.trial.status == TrialStatus::completed;
+  just_missed_ = just_completed_ && last_view_.targets_reached < last_view_.target_count;
   if (just_completed_ && running_ != nullptr) {
     switch (kind_of(*running_)) {
       case TaskKind::rest:
@@ -539,6 +554,7 @@ void SessionPresenter::take_trial(const TrialOutcome& outcome) {
       default: task_done_ = task_done_ || group_of(*running_) != TaskGroup::rest_and_maximum;
     }
   }
+  if (running_ != nullptr) watch_limits(outcome);
   if (follows()) guide_.trial_ended(outcome, session_time_s());
   look_at_act();
   running_.reset();
@@ -546,6 +562,16 @@ void SessionPresenter::take_trial(const TrialOutcome& outcome) {
   Q_EMIT score_changed();
   Q_EMIT changed();
   Q_EMIT trial_ended();
+}
+
+/// Work that should end does not go on by itself.
+void SessionPresenter::watch_limits(const TrialOutcome& outcome) {
+  const bool ended_before = limits_.reason_to_stop().has_value();
+  if (kind_of(*running_) != TaskKind::rest) limits_.worked(last_view_.task_time_s);
+  last_view_ = {};
+  if (outcome.trial.status == TrialStatus::completed && !helped_)
+    limits_.tried_maximum(outcome.measures);
+  if (!ended_before && limits_.reason_to_stop()) guide_.go_on(false);
 }
 
 bool SessionPresenter::simulated() const noexcept {
@@ -570,23 +596,6 @@ void SessionPresenter::remember_fault(const DeviceHealth& before) {
 
 std::string SessionPresenter::device_description() const {
   return session_ == nullptr ? "" : session_->device().description;
-}
-
-PatientPicture SessionPresenter::picture() const {
-  if (example_.playing()) return picture_for(example_.facts());
-  PatientFacts facts;
-  facts.session_open = session_ != nullptr;
-  facts.simulated = simulated();
-  facts.device_fault = session_ != nullptr && snapshot_.frames > 0 &&
-                       snapshot_.stage != Stage::finished && view_.device_mood == Mood::fault;
-  facts.hand = session_ == nullptr ? Hand::right : session_->record().hand;
-  facts.snapshot = snapshot_;
-  facts.task = running_;
-  facts.scene = scene_;
-  facts.preview = preview_;
-  facts.maximum_force_N = session_ == nullptr ? 0.0 : session_->maximum_force_N();
-  facts.just_completed = just_completed_;
-  return picture_for(facts);
 }
 
 }  // namespace isograsp

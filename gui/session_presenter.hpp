@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/histogram.hpp"
 #include "gui/background.hpp"
 #include "gui/clinic.hpp"
 #include "gui/example_player.hpp"
@@ -21,24 +22,32 @@
 #include "gui/patient_picture.hpp"
 #include "gui/protocol_guide.hpp"
 #include "gui/screening.hpp"
+#include "gui/seating.hpp"
+#include "gui/session_library.hpp"
+#include "gui/settings.hpp"
+#include "session/compensation.hpp"
+#include "session/rest_watch.hpp"
 #include "session/session.hpp"
+#include "session/work_limits.hpp"
 
 namespace isograsp {
 
 struct GuiConfig {
   std::string database;
   std::string device_uri;  ///< chosen at start; empty: the therapist chooses
-  std::string library;     ///< folder with tasks/, protocols/ and scenes/
+  std::string library;     ///< shipped: folder with tasks/, protocols/ and scenes/
   std::string software_version;
   std::string operator_name = {};        ///< stored with zero and resting force
   Realtime realtime = Realtime::prefer;  ///< of the acquisition thread
+  std::string settings = {};             ///< file; empty: nothing is read or kept
 };
 
 class SessionPresenter final : public QObject {
   Q_OBJECT
 
  public:
-  SessionPresenter(const GuiConfig& config, Clinic& clinic, QObject* parent = nullptr);
+  SessionPresenter(const GuiConfig& config, Clinic& clinic, const SettingsFile& settings,
+                   QObject* parent = nullptr);
   ~SessionPresenter() override;
 
   // Choices. Ignored while the flow does not allow them.
@@ -92,6 +101,12 @@ class SessionPresenter final : public QObject {
   /// The patient's screen shows how the chosen task is done; again: it stops. So does any act.
   void show_how();
   void note(const std::string& text);
+  /// Who works at this station, from the next session on; empty: as the settings say.
+  void name_operator(const std::string& name) { operator_ = name; }
+  /// Reads tasks and protocols again; what is new appears as soon as no trial runs and no device is
+  /// being opened. What is chosen stays chosen as long as its file is there.
+  void reload_library();
+  [[nodiscard]] const GuiConfig& config() const noexcept { return config_; }
 
   [[nodiscard]] const FlowView& view() const noexcept { return view_; }
   [[nodiscard]] const Snapshot& snapshot() const noexcept { return snapshot_; }
@@ -99,9 +114,13 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] const std::string& patient() const noexcept { return patient_; }
   [[nodiscard]] std::optional<Hand> hand() const noexcept { return hand_; }
   /// The chosen hand is not on the affected side: a press must confirm it.
-  [[nodiscard]] bool hand_to_confirm() const noexcept { return hand_ && !hand_confirmed_; }
+  [[nodiscard]] bool hand_to_confirm() const noexcept;
   [[nodiscard]] const std::string& device_uri() const noexcept { return device_uri_; }
   [[nodiscard]] std::string device_description() const;
+  /// What the session measures beside the hand.
+  [[nodiscard]] const Compensation& compensation() const noexcept { return compensation_; }
+  /// Today's maximum grip, if it is known and forces are to be shown as a share of it; else 0 [N].
+  [[nodiscard]] double shown_maximum_N() const noexcept;
   /// Of the connected device; null: none.
   [[nodiscard]] const DeviceInfo* device_info() const noexcept;
   struct Fault {
@@ -110,10 +129,10 @@ class SessionPresenter final : public QObject {
   };
   /// Of the device in this session, oldest first.
   [[nodiscard]] const std::vector<Fault>& faults() const noexcept { return faults_; }
-  [[nodiscard]] const std::vector<TaskSpec>& tasks() const noexcept { return tasks_; }
-  /// Task files that could not be read, in words.
+  [[nodiscard]] const std::vector<TaskSpec>& tasks() const noexcept { return library_.tasks; }
+  /// Files that could not be read, in words.
   [[nodiscard]] const std::vector<std::string>& library_problems() const noexcept {
-    return library_problems_;
+    return library_.problems;
   }
   /// Chosen by hand; -1: the protocol says what comes.
   [[nodiscard]] int task() const noexcept { return follows() ? -1 : task_; }
@@ -122,8 +141,12 @@ class SessionPresenter final : public QObject {
   /// "Grip force, sine (1 of 2)" of the protocol, or the name of the chosen task.
   [[nodiscard]] std::string next_words() const;
   static constexpr int kByHand = -1;
-  [[nodiscard]] const std::vector<ReadyProtocol>& protocols() const noexcept { return protocols_; }
+  [[nodiscard]] const std::vector<ReadyProtocol>& protocols() const noexcept {
+    return library_.protocols;
+  }
   [[nodiscard]] int protocol() const noexcept { return protocol_; }
+  /// The session follows, or will follow, protocol().
+  [[nodiscard]] bool has_protocol() const noexcept;
   [[nodiscard]] const ProtocolGuide& guide() const noexcept { return guide_; }
   /// The protocol, not the therapist, says what comes.
   [[nodiscard]] bool follows() const noexcept { return guide_.active() && !by_hand_; }
@@ -162,31 +185,38 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] std::string realtime() const;
   /// A demonstration is being made or is on the patient's screen.
   [[nodiscard]] bool showing_how() const noexcept { return example_.showing(); }
-  /// What the patient's screen shows now.
-  [[nodiscard]] PatientPicture picture() const;
+  /// How the patient sits and sees; what is said of it is stored with the session.
+  [[nodiscard]] Seating& seating() noexcept { return seating_; }
+  [[nodiscard]] const Seating& seating() const noexcept { return seating_; }
+  /// What the patient's screen shows now, on a content area of that height (0: not known).
+  [[nodiscard]] PatientPicture picture(double picture_height_m = 0.0) const;
+  /// A picture has appeared on the patient's screen: its age, and how large a force is on it, are
+  /// kept with the trial.
+  void picture_shown(const PatientPicture& picture);
 
   /// Takes the newest snapshot and news; called by the timer, 60 times a second.
   void poll();
 
  Q_SIGNALS:
-  void changed();        ///< view() or a choice
-  void frame();          ///< a poll is over: snapshot() is as new as it gets
-  void score_changed();  ///< live_score()
-  void trial_ended();    ///< last_trial()
-  void settled();        ///< busy() has ended in one way or the other: connected, refused, closed
+  void changed();          ///< view() or a choice
+  void library_changed();  ///< tasks() and protocols()
+  void frame();            ///< a poll is over: snapshot() is as new as it gets
+  void score_changed();    ///< live_score()
+  void trial_ended();      ///< last_trial()
+  void settled();          ///< busy() has ended in one way or the other: connected, refused, closed
   void failed(const QString& why);  ///< an act was refused
 
  private:
   [[nodiscard]] FlowFacts facts() const;
   void update();
-  void load_tasks();
-  void load_protocols();
+  void take_library(SessionLibrary library);
   void ask_anew();
   void look_for_earlier();
   [[nodiscard]] ProtocolFacts protocol_facts() const;
   void follow_time();
   void begin_next();
   [[nodiscard]] Result<TaskSpec> at_chosen_level(const TaskSpec& spec) const;
+  void say_smaller_gain(std::optional<double> shown);
   void begin_protocol();
   void look_at_act();
   Result<void> begin_trial(const TaskSpec& spec, bool practice, std::optional<TrialPlace> place);
@@ -205,20 +235,30 @@ class SessionPresenter final : public QObject {
   void prepare_picture(const TaskSpec& spec, const TaskContext& context);
   void refuse(const Error& error);
   void remember_fault(const DeviceHealth& before);
+  void watch_compensation();
+  void watch_limits(const TrialOutcome& outcome);
+  void add_screen_answers(std::vector<SessionAnswer>& answers);
+  void store_presentation();
+  [[nodiscard]] Viewing viewing(double picture_height_m) const;
 
   GuiConfig config_;
   Clinic& clinic_;
+  const SettingsFile& settings_;
+  Seating seating_;
   QTimer timer_;
   SteadyClock clock_;
+  std::string operator_;  ///< who has logged in
   std::string database_error_;
   std::string patient_;
   std::optional<Hand> hand_;
-  bool hand_confirmed_ = false;
+  bool hand_confirmed_ = false;  ///< by a press
   std::string device_uri_;
   Screening screening_;
-  std::vector<ReadyProtocol> protocols_;
+  SessionLibrary library_;
+  std::optional<SessionLibrary> newer_library_;  ///< read, waits for the end of a trial
   int protocol_ = kByHand;
-  int lookups_ = 0;  ///< for an interrupted session: the newest one counts
+  int lookups_ = 0;       ///< for an interrupted session: the newest one counts
+  bool looking_ = false;  ///< its answer has not come
   std::optional<int> earlier_;
   std::optional<bool> resume_;
   ProtocolGuide guide_;
@@ -232,20 +272,23 @@ class SessionPresenter final : public QObject {
   std::optional<int> effort_;
   std::optional<int> pain_;
   std::string stop_reason_;
-  std::vector<TaskSpec> tasks_;
-  std::vector<std::string> library_problems_;
   int task_ = -1;
   std::string task_lacks_;  ///< what the chosen task is scaled to and has not been measured
   bool practice_ = false;
 
   Connection connection_ = Connection::none;
   std::string connection_error_;
+  bool broken_off_ = false;   ///< the last session could not go on
   std::stop_source opening_;  ///< of the newest connect_device()
   std::unique_ptr<Session> session_;
   Timestamp opened_{0};
   Snapshot snapshot_;
   ForceHistory forces_;
   std::vector<Fault> faults_;
+  Compensation compensation_;
+  RestWatch rest_watch_;  ///< while a trial is paused
+  WorkLimits limits_;
+  std::array<bool, kFingerCount> shift_noted_{};  ///< since the strapping
   double worst_lateness_s_ = 0.0;
   std::string zero_refusal_;
   bool zero_only_changed_ = false;
@@ -259,12 +302,17 @@ class SessionPresenter final : public QObject {
   bool zero_asked_ = false;  ///< and its outcome has not come: the session takes nothing else
   bool starting_ = false;
   bool just_completed_ = false;
+  bool just_missed_ = false;
+  TaskView last_view_;  ///< of the running trial, as it was seen last
   std::shared_ptr<const TaskSpec> running_;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const TargetPreview> preview_;
   std::vector<Measure> live_score_;
   Timestamp scored_{0};
   std::optional<TrialOutcome> last_trial_;
+  Histogram picture_age_;               ///< of the running trial's pictures
+  std::optional<Timestamp> zeroed_at_;  ///< the last zero; the hand goes in after it
+  Presentation stored_presentation_;
   FlowView view_;
   Background worker_;  ///< its jobs end before anything above goes away
   ExamplePlayer example_{worker_, clock_};

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "gui/session_presenter.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -23,6 +24,16 @@ bool starts_with(const std::string& text, const char* beginning) {
   return text.rfind(beginning, 0) == 0;
 }
 
+/// "Grip force, sine, practice (2 of 3)"
+std::string words_of(const Act& act) {
+  if (act.kind != Act::Kind::trial) return shown(act.words()).toStdString();
+  auto words = shown(act.task->name);
+  if (act.practice) words = SessionPresenter::tr("%1, practice").arg(words);
+  if (act.planned > 1)
+    words = SessionPresenter::tr("%1 (%2 of %3)").arg(words).arg(act.attempt).arg(act.planned);
+  return words.toStdString();
+}
+
 /// As far as the work of an earlier session is looked for by it.
 SessionRecord session_to_come(RowId patient, Hand hand, const std::string& device_uri,
                               const ProtocolSpec& protocol) {
@@ -38,22 +49,41 @@ SessionRecord session_to_come(RowId patient, Hand hand, const std::string& devic
 
 }  // namespace
 
-void SessionPresenter::load_protocols() {
-  std::vector<std::string> files;
-  std::error_code unreadable;
-  for (const auto& entry :
-       fs::directory_iterator(fs::path(config_.library) / "protocols", unreadable))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) {
-    auto protocol = read_protocol(file, config_.library);
-    if (!protocol) {
-      library_problems_.push_back(protocol.error().message());
-      continue;
+void SessionPresenter::reload_library() {
+  worker_.run(
+      [shipped = config_.library, own = own_library_folder(config_.database)] {
+        return read_session_library(shipped, own);
+      },
+      [this](SessionLibrary library) { newer_library_ = std::move(library); });
+}
+
+void SessionPresenter::take_library(SessionLibrary library) {
+  const bool first = library_.tasks.empty() && library_.protocols.empty();
+  const auto task =
+      task_ < 0 ? std::string() : library_.tasks[static_cast<std::size_t>(task_)].file;
+  std::optional<ReadyProtocol> chosen;
+  if (protocol_ != kByHand) chosen = library_.protocols[static_cast<std::size_t>(protocol_)];
+  library_ = std::move(library);
+  task_ = place_of_file(library_.tasks, task);
+  if (task_ < 0) select_first(TaskKind::rest);
+  look_at_task();
+  auto& protocols = library_.protocols;
+  if (chosen) {
+    protocol_ = place_of_file(protocols, chosen->spec.file);
+    // A session that follows a protocol whose file is gone follows it to its end.
+    if (protocol_ < 0 && connection_ != Connection::none) {
+      protocol_ = static_cast<int>(protocols.size());
+      protocols.push_back(*chosen);
     }
-    if (fs::path(file).stem() == kUsualProtocol) protocol_ = static_cast<int>(protocols_.size());
-    protocols_.push_back(*std::move(protocol));
+    const bool same = protocol_ != kByHand &&
+                      protocols[static_cast<std::size_t>(protocol_)].spec.text == chosen->spec.text;
+    if (!same) look_for_earlier();
+  } else if (first) {
+    for (std::size_t i = 0; i < protocols.size(); ++i)
+      if (fs::path(protocols[i].spec.file).stem() == kUsualProtocol)
+        protocol_ = static_cast<int>(i);
   }
+  Q_EMIT library_changed();
 }
 
 void SessionPresenter::choose_protocol(int index) {
@@ -72,14 +102,14 @@ void SessionPresenter::answer_screening(const Screening& answers) {
 /// Asks the database whether the chosen protocol was interrupted today.
 void SessionPresenter::look_for_earlier() {
   const int lookup = ++lookups_;
+  looking_ = false;
   earlier_.reset();
   resume_.reset();
-  if (!clinic_.is_open() || patient_.empty() || !hand_ || device_uri_.empty()) return;
-  if (protocol_ == kByHand || starts_with(device_uri_, "replay://")) return;
-  clinic_.read(
+  if (patient_.empty() || !hand_ || device_uri_.empty() || !has_protocol()) return;
+  looking_ = clinic_.read(
       this,
       [code = patient_, hand = *hand_, uri = device_uri_,
-       protocol = protocols_[static_cast<std::size_t>(protocol_)]](
+       protocol = library_.protocols[static_cast<std::size_t>(protocol_)]](
           SessionStore& store) -> std::optional<int> {
         const auto patient = store.find_patient(code);
         if (!patient || !*patient) return std::nullopt;
@@ -91,6 +121,7 @@ void SessionPresenter::look_for_earlier() {
       },
       [this, lookup](std::optional<int> acts) {
         if (lookup != lookups_) return;  // something else was chosen meanwhile
+        looking_ = false;
         earlier_ = acts;
         update();
       });
@@ -102,10 +133,15 @@ void SessionPresenter::decide_earlier(bool go_on) {
   update();
 }
 
+/// A recording follows none: whatever was done in it is done.
+bool SessionPresenter::has_protocol() const noexcept {
+  return protocol_ != kByHand && !starts_with(device_uri_, "replay://");
+}
+
 void SessionPresenter::begin_protocol() {
   by_hand_ = false;
-  if (protocol_ != kByHand && !recorded())
-    guide_.begin(protocols_[static_cast<std::size_t>(protocol_)], session_->earlier(),
+  if (has_protocol())
+    guide_.begin(library_.protocols[static_cast<std::size_t>(protocol_)], session_->earlier(),
                  session_->order_seed());
   look_at_act();
 }
@@ -135,7 +171,7 @@ ProtocolFacts SessionPresenter::protocol_facts() const {
     case Act::Kind::pause: facts.act = ProtocolFacts::Act::pause; break;
     case Act::Kind::trial: facts.act = ProtocolFacts::Act::trial; break;
   }
-  facts.act_words = act->words();
+  facts.act_words = words_of(*act);
   facts.wait_s = static_cast<int>(std::ceil(guide_.wait_s(session_time_s())));
   facts.start_in_s = static_cast<int>(std::ceil(guide_.start_in_s(session_time_s())));
   return facts;
@@ -151,6 +187,7 @@ void SessionPresenter::follow_time() {
     look_at_act();
   if (!guide_.goes_on() || !act_task_) return;
   view_ = decide(facts());
+  if (view_.must_stand_by) return guide_.go_on(false);
   // Without the word that the hand is in, nothing is measured as its rest.
   const bool hand_is_in = !guide_.rest_is_next() || strapped_;
   if (view_.may_begin && hand_is_in && guide_.start_in_s(session_time_s()) <= 0.0) begin_next();
@@ -159,7 +196,8 @@ void SessionPresenter::follow_time() {
 void SessionPresenter::leave_out(const Error& why) {
   const auto words = guide_.act()->task->name + ": " + why.what + "; " + why.remedy;
   session_->note("Left out: " + words);
-  Q_EMIT failed(tr("Left out: %1").arg(QString::fromStdString(words)));
+  Q_EMIT failed(tr("Left out: %1: %2; %3")
+                    .arg(shown(guide_.act()->task->name), shown(why.what), shown(why.remedy)));
   guide_.skip(session_time_s());
   look_at_act();
   update();
@@ -175,9 +213,9 @@ void SessionPresenter::choose_by_hand() {
 }
 
 std::string SessionPresenter::next_words() const {
-  if (follows()) return guide_.act() ? guide_.act()->words() : std::string();
+  if (follows()) return guide_.act() ? words_of(*guide_.act()) : std::string();
   const auto* spec = next_task();
-  return spec == nullptr ? std::string() : spec->name;
+  return spec == nullptr ? std::string() : shown(spec->name).toStdString();
 }
 
 void SessionPresenter::follow_protocol() {

@@ -8,9 +8,12 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QWidget>
+#include <map>
+#include <vector>
 
 #include "gui/clinic.hpp"
 #include "gui/session_presenter.hpp"
+#include "gui/staff.hpp"
 
 namespace isograsp {
 
@@ -18,7 +21,11 @@ class StartPage final : public QWidget {
   Q_OBJECT
 
  public:
-  StartPage(Clinic& clinic, SessionPresenter& presenter, QWidget* parent = nullptr);
+  StartPage(Clinic& clinic, SessionPresenter& presenter, Staff& staff, QWidget* parent = nullptr);
+
+  /// The demonstration clinic can be asked for; `making`: it is being made.
+  void offer_demonstration(bool making);
+  [[nodiscard]] bool making_demonstration() const noexcept { return making_; }
 
  Q_SIGNALS:
   void begin_session();         ///< of the chosen patient
@@ -30,12 +37,15 @@ class StartPage final : public QWidget {
   [[nodiscard]] QWidget* make_recent();
   [[nodiscard]] QWidget* make_first_start();
   void fill();
-  void fill_recent();
+  void load_recent();
+  void fill_recent(const std::vector<SessionRecord>& sessions);
   void refresh();
 
   Clinic& clinic_;
   SessionPresenter& presenter_;
+  Staff& staff_;
   QLineEdit* search_;
+  QPushButton* names_;
   QListWidget* list_;
   QLabel* empty_;
   QPushButton* add_;
@@ -45,6 +55,8 @@ class StartPage final : public QWidget {
   QLabel* no_recent_;
   QWidget* first_start_;
   QPushButton* demonstration_;
+  bool making_ = false;
+  std::map<RowId, SessionRecord> newest_;  ///< session, by patient
 };
 
 }  // namespace isograsp

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -44,14 +45,14 @@ void draw_arrow(QPainter& painter, const QPointF& tip, const QPointF& direction,
 }  // namespace
 
 SupportPicture::SupportPicture(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(220, 180);
+  setMinimumSize(scaled(220), scaled(180));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
 void SupportPicture::show_step(std::optional<CheckStep> step, Hand hand) {
   step_ = step;
   hand_ = hand;
-  setAccessibleName(step ? QString::fromStdString(step->instruction())
+  setAccessibleName(step ? shown(step->instruction())
                          : tr("The three supports, none to be pressed"));
   update();
 }

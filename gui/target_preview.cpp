@@ -36,9 +36,14 @@ void append_targets(const Segment& segment, std::vector<double>& target_N) {
 
 }  // namespace
 
+double ForceAxis::share_per_N() const noexcept {
+  const double low = least_N < 0.0 ? kEnd : kLowEnd;
+  return (1.0 - kEnd - low) / (most_N - least_N);
+}
+
 double ForceAxis::share(double force_N) const noexcept {
   const double low = least_N < 0.0 ? kEnd : kLowEnd;
-  const double per_N = (1.0 - kEnd - low) / (most_N - least_N);
+  const double per_N = share_per_N();
   // x / (1 + x / end) begins with slope one and approaches `end`.
   const auto beyond = [](double x, double end) { return x / (1.0 + x / end); };
   if (force_N > most_N) return 1.0 - kEnd + beyond((force_N - most_N) * per_N, kEnd);
@@ -76,6 +81,10 @@ TargetPreview preview_target(const TaskSpec& spec, const TaskContext& context) {
   if (!timeline) return preview;
   const Aim* aim = spec.aim();
   if (aim != nullptr && !has_unforeseen_waits(spec)) preview.ahead_s = aim->preview_s;
+  if (aim != nullptr && aim->gain_deg)
+    if (const auto unit =
+            context.references.unit_N(aim->scale, aim->channel, spec.largest_level()))
+      preview.gain_deg_per_N = *aim->gain_deg / *unit;
   preview.axis = {0.0, 0.0};
   for (const Segment& segment : timeline->segments) {
     preview.parts.push_back({segment.cue, segment.channel, segment.target_N.size() == 1});

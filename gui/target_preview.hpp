@@ -19,6 +19,8 @@ struct ForceAxis {
   double most_N = 1.0;   ///< > least_N, >= 0
   /// Height of a force, 0 … 1 exclusive. Strictly increasing.
   [[nodiscard]] double share(double force_N) const noexcept;
+  /// Slope of share() in the linear middle [1/N].
+  [[nodiscard]] double share_per_N() const noexcept;
 };
 
 struct TargetPreview {
@@ -34,6 +36,8 @@ struct TargetPreview {
   std::vector<double> target_N;
   double ahead_s = 0.0;  ///< how much of the future may be on the screen
   ForceAxis axis;
+  /// Visual gain that the task asks for [deg/N]; nothing: the screen fits the target.
+  std::optional<double> gain_deg_per_N;
   double digits_N = 0.0;  ///< largest force asked of a single digit; 0: none is asked
   std::vector<Part> parts;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/task_groups.hpp"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -46,11 +47,12 @@ TaskGroup group_of(const TaskSpec& spec) {
 
 std::string_view title_of(TaskGroup group) noexcept {
   switch (group) {
-    case TaskGroup::rest_and_maximum: return "Rest and maximum";
-    case TaskGroup::follow: return "Follow a force";
-    case TaskGroup::hold_and_let_go: return "Hold and let go";
-    case TaskGroup::fingers_and_directions: return "Single fingers, directions";
-    case TaskGroup::object: return "Move an object";
+    case TaskGroup::rest_and_maximum: return QT_TRANSLATE_NOOP("Texts", "Rest and maximum");
+    case TaskGroup::follow: return QT_TRANSLATE_NOOP("Texts", "Follow a force");
+    case TaskGroup::hold_and_let_go: return QT_TRANSLATE_NOOP("Texts", "Hold and let go");
+    case TaskGroup::fingers_and_directions:
+      return QT_TRANSLATE_NOOP("Texts", "Single fingers, directions");
+    case TaskGroup::object: return QT_TRANSLATE_NOOP("Texts", "Move an object");
   }
   return "";
 }
@@ -63,8 +65,10 @@ int rank_of(const TaskSpec& spec) {
   return kind == TaskKind::rest ? 0 : kind == TaskKind::maximum ? 1 : 2;
 }
 
+}  // namespace
+
 /// Small letters, and numbers filled with zeros: then the order of the text is that of the numbers.
-std::string sort_key(const std::string& name) {
+std::string reading_order(const std::string& name) {
   constexpr std::size_t kDigits = 6;
   std::string key, number;
   const auto put_number = [&] {
@@ -86,13 +90,11 @@ std::string sort_key(const std::string& name) {
   return key;
 }
 
-}  // namespace
-
 void sort_for_list(std::vector<TaskSpec>& tasks) {
   std::stable_sort(tasks.begin(), tasks.end(), [](const TaskSpec& a, const TaskSpec& b) {
     if (group_of(a) != group_of(b)) return group_of(a) < group_of(b);
     if (rank_of(a) != rank_of(b)) return rank_of(a) < rank_of(b);
-    return sort_key(a.name) < sort_key(b.name);
+    return reading_order(a.name) < reading_order(b.name);
   });
 }
 

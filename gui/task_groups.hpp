@@ -2,6 +2,7 @@
 // Sorts of tasks: which step of a session each stands for, and under which heading it is listed.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,10 @@ enum class TaskGroup : std::uint8_t {
 };
 [[nodiscard]] TaskGroup group_of(const TaskSpec& spec);
 [[nodiscard]] std::string_view title_of(TaskGroup group) noexcept;
+
+/// A text whose order is that of names as people read them: "10 %" after "5 %", small letters like
+/// large ones.
+[[nodiscard]] std::string reading_order(const std::string& name);
 
 /// In the order of the list: by group; rest and the maximum of the grip before all others of
 /// theirs; then by name as people read it ("10 %" after "5 %", small letters like large ones).

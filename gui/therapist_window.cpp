@@ -5,6 +5,7 @@
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QTabBar>
 #include <QTabWidget>
@@ -12,17 +13,26 @@
 #include <QVBoxLayout>
 
 #include "gui/device_page.hpp"
-#include "gui/history_panel.hpp"
+#include "gui/identity_card.hpp"
+#include "gui/library_page.hpp"
+#include "gui/login_page.hpp"
 #include "gui/look.hpp"
 #include "gui/patient_page.hpp"
 #include "gui/profile_panel.hpp"
+#include "gui/reports_page.hpp"
 #include "gui/session_page.hpp"
+#include "gui/settings_page.hpp"
 #include "gui/start_page.hpp"
 
 namespace isograsp {
 
-TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
-    : QMainWindow(parent), clinic_(clinic), presenter_(presenter) {
+TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
+                                 SettingsFile& settings, Staff& staff, QWidget* parent)
+    : QMainWindow(parent),
+      clinic_(clinic),
+      presenter_(presenter),
+      settings_(settings),
+      staff_(staff) {
   setWindowTitle(tr("IsoGrasp"));
   auto* page = new QWidget;
   page->setObjectName("page");
@@ -38,7 +48,10 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QW
   body->addWidget(pages_, 1);
   column->addLayout(body, 1);
   make_pages();
-  setCentralWidget(page);
+  cover_ = new QStackedWidget;
+  cover_->addWidget(page);
+  cover_->addWidget(new LoginPage(staff_));
+  setCentralWidget(cover_);
   resize(1280, 720);
   setMinimumSize(1100, 660);
   add_shortcuts();
@@ -49,13 +62,26 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QW
     if (closing_) close();
   };
   connect(&presenter_, &SessionPresenter::settled, this, close_at_last);
+  // Whoever waits for files wants to know that there are none.
+  const auto stay = [this] { closing_ = false; };
   connect(&clinic_.report(), &ReportWork::written, this, close_at_last);
   connect(&clinic_.report(), &ReportWork::cancelled, this, close_at_last);
-  // Whoever waits for a report wants to know that there is none.
-  connect(&clinic_.report(), &ReportWork::failed, this, [this] { closing_ = false; });
+  connect(&clinic_.report(), &ReportWork::failed, this, stay);
+  connect(&clinic_.research_export(), &ExportWork::written, this, close_at_last);
+  connect(&clinic_.research_export(), &ExportWork::cancelled, this, close_at_last);
+  connect(&clinic_.research_export(), &ExportWork::failed, this, stay);
+  connect(reports_, &ReportsPage::printed, this, close_at_last);
   show_page(Page::start);
   refresh();
-  for (const auto& problem : presenter_.library_problems()) say(QString::fromStdString(problem));
+  const auto say_problems = [this] {
+    for (const auto& problem : presenter_.library_problems()) say(QString::fromStdString(problem));
+  };
+  connect(&presenter_, &SessionPresenter::library_changed, this, say_problems);
+  say_problems();
+  connect(&staff_, &Staff::changed, this, &TherapistWindow::show_who_is_in);
+  connect(&staff_, &Staff::locking, person_, &ProfilePanel::store_now);
+  connect(&staff_, &Staff::refused, this, &TherapistWindow::say);
+  show_who_is_in();
 }
 
 QWidget* TherapistWindow::make_header() {
@@ -81,11 +107,15 @@ QWidget* TherapistWindow::make_header() {
   connect(patient_screen_, &QPushButton::clicked, this, [this] {
     if (show_patient_screen) show_patient_screen();
   });
+  lock_ = new QPushButton;
+  lock_->setObjectName("lock");
+  lock_->setShortcut(Qt::Key_F12);
+  connect(lock_, &QPushButton::clicked, &staff_, &Staff::lock);
   device_light_ = new StateLight(20);
   device_words_ = new QLabel;
   device_words_->setObjectName("device_words");
   device_words_->setProperty("role", "quiet");
-  device_words_->setMaximumWidth(260);
+  device_words_->setMaximumWidth(scaled(260));
   message_ = new QLabel;
   message_->setObjectName("message");
   message_->setWordWrap(true);
@@ -101,6 +131,7 @@ QWidget* TherapistWindow::make_header() {
   top->addWidget(device_words_);
   top->addWidget(simulated_);
   top->addWidget(patient_screen_);
+  top->addWidget(lock_);
   auto* column = new QVBoxLayout(header);
   column->setContentsMargins(16, 10, 16, 10);
   column->setSpacing(6);
@@ -112,7 +143,7 @@ QWidget* TherapistWindow::make_header() {
 QWidget* TherapistWindow::make_navigation() {
   navigation_ = new QFrame;
   navigation_->setObjectName("navigation");
-  navigation_->setFixedWidth(104);
+  navigation_->setFixedWidth(scaled(104));
   auto* column = new QVBoxLayout(navigation_);
   column->setContentsMargins(8, 12, 8, 12);
   column->setSpacing(4);
@@ -126,31 +157,38 @@ void TherapistWindow::add_page(Page page, const QString& title, QWidget* content
   tab->setObjectName(QStringLiteral("page_%1").arg(number));
   tab->setProperty("tab", true);
   tab->setCheckable(true);
-  tab->setMinimumHeight(40);
+  tab->setMinimumHeight(scaled(40));
   tab->setShortcut(QKeySequence(Qt::CTRL | (Qt::Key_0 + number)));
   describe(*tab, title, tr("%1 (Ctrl+%2)").arg(title).arg(number));
   auto* column = static_cast<QVBoxLayout*>(navigation_->layout());
   column->insertWidget(column->count() - 1, tab);
   tabs_.push_back(tab);
-  pages_->addWidget(content);
+  // Large letters need more room than a small display has.
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->viewport()->setAutoFillBackground(false);
+  content->setAutoFillBackground(false);
+  pages_->addWidget(scroll);
   connect(tab, &QPushButton::clicked, this, [this, page] { show_page(page); });
 }
 
 void TherapistWindow::make_pages() {
-  auto* start = new StartPage(clinic_, presenter_);
-  add_page(Page::start, tr("Start"), start);
+  start_ = new StartPage(clinic_, presenter_, staff_);
+  add_page(Page::start, tr("Start"), start_);
   add_page(Page::patient, tr("Patient"), make_patient());
   auto* session = new SessionPage(presenter_);
   add_page(Page::session, tr("Session"), session);
   add_page(Page::device, tr("Device"), new DevicePage(presenter_));
-  auto* reports = new QWidget;
-  auto* column = new QVBoxLayout(reports);
-  column->setContentsMargins(12, 12, 12, 12);
-  column->addWidget(new HistoryPanel(clinic_, presenter_));
-  add_page(Page::reports, tr("Reports"), reports);
-  connect(start, &StartPage::begin_session, this, [this] { show_page(Page::session); });
-  connect(start, &StartPage::open_patient, this, [this] { show_page(Page::patient); });
-  connect(start, &StartPage::demonstration_wanted, this, [this] {
+  reports_ = new ReportsPage(clinic_, presenter_);
+  add_page(Page::reports, tr("Reports"), reports_);
+  add_page(Page::library, tr("Library"), new LibraryPage(clinic_, presenter_));
+  add_page(Page::settings, tr("Settings"), new SettingsPage(settings_));
+  connect(start_, &StartPage::begin_session, this, [this] { show_page(Page::session); });
+  connect(start_, &StartPage::open_patient, this, [this] { show_page(Page::patient); });
+  connect(start_, &StartPage::demonstration_wanted, this, [this] {
     if (open_demonstration) open_demonstration();
   });
   connect(session, &SessionPage::other_patient, this, [this] { show_page(Page::start); });
@@ -163,7 +201,14 @@ QWidget* TherapistWindow::make_patient() {
   tabs->setObjectName("patient_tabs");
   tabs->setDocumentMode(true);
   tabs->addTab(course_, tr("Course"));
-  tabs->addTab(person_, tr("Person"));
+  identity_ = new IdentityCard(staff_);
+  auto* person = new QWidget;
+  auto* column = new QVBoxLayout(person);
+  column->setContentsMargins(8, 4, 8, 0);
+  column->setSpacing(4);
+  column->addWidget(identity_);
+  column->addWidget(person_, 1);
+  tabs->addTab(person, tr("Person"));
   for (QWidget* widget : {static_cast<QWidget*>(tabs), static_cast<QWidget*>(tabs->tabBar())})
     describe(*widget, tr("Course or person"),
              tr("What was measured, or what is known of the person (Tab, arrow keys)"));
@@ -177,6 +222,7 @@ void TherapistWindow::show_patient() {
   if (page() != Page::patient) return;
   course_->show_patient(presenter_.patient());
   person_->show_patient(presenter_.patient());
+  identity_->show_patient(presenter_.patient());
 }
 
 void TherapistWindow::show_page(Page page) {
@@ -193,12 +239,14 @@ TherapistWindow::Page TherapistWindow::page() const {
 
 void TherapistWindow::add_shortcuts() {
   const auto add = [this](const QKeySequence& key, auto act) {
-    connect(new QShortcut(key, this), &QShortcut::activated, this, act);
+    keys_.push_back(new QShortcut(key, this));
+    connect(keys_.back(), &QShortcut::activated, this, act);
   };
   add(Qt::Key_F7, [this] { presenter_.show_how(); });
   add(Qt::Key_F8, [this] { presenter_.start(); });
   add(Qt::Key_F9, [this] { presenter_.start_pause_resume(); });
   add(Qt::Key_F10, [this] { presenter_.stop(); });
+  keys_.pop_back();  // stopping is never locked away
   add(QKeySequence::Find, [this] {
     show_page(Page::start);
     findChild<QLineEdit*>("patient_search")->setFocus();
@@ -208,6 +256,7 @@ void TherapistWindow::add_shortcuts() {
   add(QKeySequence("Ctrl+K"), [this] { presenter_.skip(); });
   add(QKeySequence("Ctrl+Shift+R"), [this] { presenter_.repeat(); });
   add(QKeySequence("Ctrl+M"), [this] {
+    if (!presenter_.session_open()) return;
     presenter_.note("Mark");
     say(tr("Marked."));
   });
@@ -217,6 +266,7 @@ void TherapistWindow::add_shortcuts() {
   });
   add(QKeySequence("Ctrl+R"), [this] {
     show_page(Page::reports);
+    findChild<QTabWidget*>("report_tabs")->setCurrentIndex(0);
     findChild<QPushButton*>("report")->click();
   });
   add(QKeySequence::Quit, [this] { close(); });
@@ -224,6 +274,7 @@ void TherapistWindow::add_shortcuts() {
 
 void TherapistWindow::refresh() {
   const auto& view = presenter_.view();
+  identity_->show_patient(presenter_.patient());  // never that of the one before
   light_->show_mood(view.mood);
   sentence_->setText(QString::fromStdString(view.sentence));
   simulated_->setVisible(presenter_.simulated() || presenter_.recorded());
@@ -234,6 +285,17 @@ void TherapistWindow::refresh() {
                                                                  device_words_->maximumWidth()));
   device_words_->setToolTip(words);
   device_words_->setAccessibleName(tr("Device: %1").arg(words));
+}
+
+/// While nobody is in, the login stands in the place of everything else, and no key but that which
+/// stops a trial does anything.
+void TherapistWindow::show_who_is_in() {
+  const auto name = QString::fromStdString(staff_.user());
+  lock_->setVisible(staff_.is_protected());
+  lock_->setText(name.isEmpty() ? tr("Lock") : tr("Lock (%1)").arg(name));
+  describe(*lock_, lock_->text(), tr("Closes the window's pages until somebody logs in (F12)"));
+  for (auto* key : keys_) key->setEnabled(!staff_.closed());
+  cover_->setCurrentIndex(staff_.closed() ? 1 : 0);
 }
 
 void TherapistWindow::say(const QString& words) {
@@ -247,14 +309,28 @@ void TherapistWindow::say(const QString& words) {
   });
 }
 
+void TherapistWindow::demonstration_failed(const QString& why) {
+  start_->offer_demonstration(false);
+  say(why);
+}
+
+bool TherapistWindow::may_be_replaced() const {
+  return !closing_ && !reports_->printing() && !start_->making_demonstration();
+}
+
+void TherapistWindow::leave() {
+  person_->store_now();
+}
+
 void TherapistWindow::closeEvent(QCloseEvent* event) {
+  person_->store_now();
   presenter_.cancel_connecting();  // nothing has begun that could be lost
-  if (!presenter_.busy() && !clinic_.report().running()) {
+  if (!presenter_.busy() && !clinic_.writing() && !reports_->printing()) {
     event->accept();
     if (on_closed) on_closed();
     return;
   }
-  // Session and report are written to their ends first; the window goes when that is done.
+  // Session and files are written to their ends first; the window goes when that is done.
   event->ignore();
   closing_ = true;
   presenter_.end_session();

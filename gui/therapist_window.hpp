@@ -12,20 +12,30 @@
 
 #include "gui/clinic.hpp"
 #include "gui/session_presenter.hpp"
+#include "gui/settings.hpp"
+#include "gui/staff.hpp"
 #include "gui/state_light.hpp"
+
+class QShortcut;
 
 namespace isograsp {
 
+class IdentityCard;
+class LibraryPage;
+class LoginPage;
 class PatientPage;
 class ProfilePanel;
+class ReportsPage;
+class StartPage;
 
 class TherapistWindow final : public QMainWindow {
   Q_OBJECT
 
  public:
-  TherapistWindow(Clinic& clinic, SessionPresenter& presenter, QWidget* parent = nullptr);
+  TherapistWindow(Clinic& clinic, SessionPresenter& presenter, SettingsFile& settings, Staff& staff,
+                  QWidget* parent = nullptr);
 
-  enum class Page : std::uint8_t { start, patient, session, device, reports };
+  enum class Page : std::uint8_t { start, patient, session, device, reports, library, settings };
   void show_page(Page page);
   [[nodiscard]] Page page() const;
 
@@ -33,8 +43,14 @@ class TherapistWindow final : public QMainWindow {
   std::function<void()> show_patient_screen;
   /// Makes and opens a demonstration clinic in the place of this one.
   std::function<void()> open_demonstration;
+  /// It could not be made: says why and offers it again.
+  void demonstration_failed(const QString& why);
   /// Called when this window has closed.
   std::function<void()> on_closed;
+  /// Nothing is under way that lives in this window alone: paper, a demonstration, its own end.
+  [[nodiscard]] bool may_be_replaced() const;
+  /// Stores what was typed; another window takes its place.
+  void leave();
   /// A sentence for a few seconds, e.g. why an act was refused.
   void say(const QString& words);
 
@@ -50,21 +66,30 @@ class TherapistWindow final : public QMainWindow {
   void show_patient();
   void add_shortcuts();
   void refresh();
+  void show_who_is_in();
 
   Clinic& clinic_;
   SessionPresenter& presenter_;
+  SettingsFile& settings_;
+  Staff& staff_;
   StateLight* light_;
   QLabel* sentence_;
   StateLight* device_light_;
   QLabel* device_words_;
   QLabel* simulated_;
   QPushButton* patient_screen_;
+  QPushButton* lock_;
   QLabel* message_;
+  QStackedWidget* cover_;  ///< the pages, or the login in their place
   QWidget* navigation_;
   QStackedWidget* pages_;
+  StartPage* start_;
   PatientPage* course_;
   ProfilePanel* person_;
+  IdentityCard* identity_;
+  ReportsPage* reports_;
   std::vector<QPushButton*> tabs_;  ///< of the pages, in their order
+  std::vector<QShortcut*> keys_;    ///< that do nothing while nobody is in
   bool closing_ = false;
 };
 

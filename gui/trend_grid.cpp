@@ -82,7 +82,7 @@ void TrendGrid::show_trends(std::vector<MeasureTrend> trends) {
 }
 
 int TrendGrid::columns() const {
-  return std::max(1, (width() - kBar_px + kGap_px) / (kTile_px + kGap_px));
+  return std::max(1, (width() - kBar_px + kGap_px) / (scaled(kTile_px) + kGap_px));
 }
 
 void TrendGrid::arrange() {
@@ -119,6 +119,8 @@ void TrendGrid::open_large(std::size_t index) {
       trend.without > 0
           ? tr("%1. Without a value: %2.").arg(trend.task, trials_words(trend.without))
           : trend.task);
+  if (!trend.remark.isEmpty())
+    large_remark_->setText(tr("%1\n%2").arg(trend.remark, large_remark_->text()));
   if (trend.mixed)
     large_remark_->setText(
         tr("%1\nThe trials differ in their parameters, level or object, so that not only the "

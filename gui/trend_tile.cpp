@@ -20,22 +20,25 @@ TrendTile::TrendTile(const MeasureTrend& trend, QWidget* parent)
     : QWidget(parent), title_(trend.title), task_(trend.task), last_(trend.last) {
   setFocusPolicy(Qt::ClickFocus);
   setCursor(Qt::PointingHandCursor);
-  setMinimumSize(210, kText_px + kPlot_px + 10);
+  setMinimumSize(scaled(210), scaled(kText_px + kPlot_px) + 10);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(5, kText_px, 6, 4);
+  column->setContentsMargins(5, scaled(kText_px), 6, 4);
   auto* plot = new SessionTrendPlot(SessionTrendPlot::Size::small);
-  plot->setMinimumHeight(kPlot_px);
+  plot->setMinimumHeight(scaled(kPlot_px));
   plot->setAttribute(Qt::WA_TransparentForMouseEvents);
   plot->show_trend(trend);
   column->addWidget(plot);
-  describe(*this, tr("%1, %2: %3").arg(title_, task_, last_),
-           tr("%1\n%2\nNewest value %3. Arrow keys go to the next picture, Enter or a click shows "
-              "this one large (F4)")
-               .arg(title_, task_, last_));
+  set_remark(trend.remark);
 }
 
 void TrendTile::set_remark(const QString& remark) {
   remark_ = remark;
+  const QString said = remark_.isEmpty() ? QString() : tr("\n%1").arg(remark_);
+  describe(
+      *this, tr("%1, %2: %3").arg(title_, task_, last_) + said,
+      tr("%1\n%2\nNewest value %3.%4 Arrow keys go to the next picture, Enter or a click shows "
+         "this one large (F4)")
+          .arg(title_, task_, last_, said.isEmpty() ? said : said + QStringLiteral(".\n")));
   update();
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 #include "gui/trial_plot.hpp"
 #include "gui/words.hpp"
 #include "reports/measure_words.hpp"
@@ -17,14 +18,14 @@ constexpr int kMarkTime = Qt::UserRole;
 }  // namespace
 
 QString seconds_text(double t_s) {
-  return QString::number(t_s, 'f', 2);
+  return shown_number(t_s, 2);
 }
 
 TrialAbout::TrialAbout(QWidget* parent) : QTableWidget(0, 2, parent) {
   setObjectName("trial_about");
   horizontalHeader()->hide();
   horizontalHeader()->setStretchLastSection(true);
-  horizontalHeader()->resizeSection(0, kFirstColumn_px);
+  horizontalHeader()->resizeSection(0, scaled(kFirstColumn_px));
   verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   setShowGrid(false);
@@ -84,8 +85,11 @@ void TrialAbout::add_marks(const std::vector<TrialMark>& marks) {
   if (!marks.empty()) add_heading(tr("Events"));
   for (const auto& mark : marks) {
     const auto what = tr("%1 %2").arg(mark_letter(mark.kind), mark_words(mark.kind));
+    const bool typed = mark.kind == "note";  // by a person, in any language
     const auto text =
-        mark.text.empty() ? what : tr("%1: %2").arg(what, QString::fromStdString(mark.text));
+        mark.text.empty()
+            ? what
+            : tr("%1: %2").arg(what, typed ? QString::fromStdString(mark.text) : shown(mark.text));
     const int row = add(text, tr("%1 s").arg(seconds_text(mark.t_s)), false);
     item(row, 0)->setData(kMarkTime, mark.t_s);
   }

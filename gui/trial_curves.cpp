@@ -27,7 +27,7 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 // Longer endings stand before those that they end in.
 constexpr Unit kUnits[] = {{"_radps", "°/s", kDegrees},
                            {"_mps", "mm/s", 1000.0},
-                           {"_counts", "counts", 1.0},
+                           {"_counts", QT_TRANSLATE_NOOP("QObject", "counts"), 1.0},
                            {"_percent", "%", 1.0},
                            {"_rad", "°", kDegrees},
                            {"_Nm", "N mm", 1000.0},
@@ -45,7 +45,7 @@ TrialCurve curve_of(const TrialReplay& replay, const std::string& column, const 
                  !column.starts_with("target_shown");
   for (const Unit& unit : kUnits) {
     if (!column.ends_with(unit.ending)) continue;
-    curve.unit = QString::fromUtf8(unit.text);
+    curve.unit = QObject::tr(unit.text);
     curve.factor = unit.factor;
     break;
   }

@@ -11,6 +11,7 @@
 #include "gui/look.hpp"
 #include "gui/patient_course.hpp"
 #include "gui/patient_window.hpp"
+#include "gui/texts.hpp"
 #include "gui/words.hpp"
 
 namespace isograsp {
@@ -96,7 +97,7 @@ QWidget* TrialView::make_pictures() {
 
 QWidget* TrialView::make_about() {
   side_ = new QStackedWidget;
-  side_->setFixedWidth(kAbout_px);
+  side_->setFixedWidth(scaled(kAbout_px));
   about_ = new TrialAbout;
   channels_ = new QListWidget;
   channels_->setObjectName("trial_channels");
@@ -114,7 +115,7 @@ QWidget* TrialView::make_controls() {
   row->setSpacing(10);
   play_ = new QPushButton(tr("Play"));
   play_->setObjectName("trial_play");
-  play_->setMinimumWidth(88);
+  play_->setMinimumWidth(scaled(88));
   describe(*play_, tr("Play or pause"), tr("Play or pause the replay (Space)"));
   slider_ = new QSlider(Qt::Horizontal);
   slider_->setObjectName("trial_slider");
@@ -124,11 +125,11 @@ QWidget* TrialView::make_controls() {
            tr("Time in the trial: arrow keys 0.1 s, page keys 1 s, Home and End; Space plays"));
   time_ = new QLabel;
   time_->setObjectName("trial_time");
-  time_->setMinimumWidth(118);
+  time_->setMinimumWidth(scaled(118));
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   speed_ = new ChoiceBox;
   speed_->setObjectName("trial_speed");
-  for (const double speed : Playback::kSpeeds) speed_->addItem(tr("%1 ×").arg(speed), speed);
+  for (const double speed : Playback::kSpeeds) speed_->addItem(tr("%L1 ×").arg(speed), speed);
   speed_->setCurrentIndex(2);
   describe(*speed_, tr("Speed of the replay"), tr("Speed of the replay (keys + and −)"));
   row->addWidget(play_);
@@ -189,8 +190,7 @@ void TrialView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
   playback_ = Playback(replay.begin_s(), replay.end_s());
   playback_.set_speed(speed);
   choose_speed(speed_->currentIndex());
-  title_->setText(
-      tr("Trial %1: %2").arg(record.number).arg(QString::fromStdString(record.task_name)));
+  title_->setText(tr("Trial %1: %2").arg(record.number).arg(shown(record.task_name)));
   const auto mark = source_mark(trial_->opened.session);
   subtitle_->setText(mark.isEmpty() ? standing_words(record)
                                     : tr("%1 · %2").arg(standing_words(record), mark));

@@ -1,24 +1,126 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/windows.hpp"
 
-#include <QGuiApplication>
+#include <QApplication>
+#include <QLineEdit>
 #include <QScreen>
+#include <QTimer>
+
+#include "gui/look.hpp"
 
 namespace isograsp {
 
+namespace {
+
+constexpr int kAskAgain_ms = 200;
+
+/// What somebody has typed and not sent yet stands in the same field of the other window.
+void carry_typed(const QWidget& from, const QWidget& to) {
+  for (const auto* old : from.findChildren<QLineEdit*>()) {
+    if (!old->isModified() || old->objectName().startsWith("qt_")) continue;
+    if (auto* field = to.findChild<QLineEdit*>(old->objectName())) {
+      field->setText(old->text());
+      field->setModified(true);
+    }
+  }
+}
+
+}  // namespace
+
 Windows::Windows(const GuiConfig& config)
-    : clinic_(config.database), presenter_(config, clinic_), therapist_(clinic_, presenter_) {
-  therapist_.show_patient_screen = [this] { show_patient_screen(); };
-  therapist_.on_closed = [this] {
-    if (patient_ != nullptr) patient_->close();
-  };
-  clinic_.open();
+    : settings_(QString::fromStdString(config.settings)),
+      applied_(settings_.now()),
+      staff_(config.database),
+      clinic_(config.database),
+      backups_(config.database),
+      presenter_(config, clinic_, settings_) {
+  speak(applied_.language);
+  dress(*qApp, applied_.font_percent);
+  make_therapist();
+  for (const auto& problem : settings_.problems()) therapist_->say(problem);
+  // After the control that changed them has done its work: it may be in the window that goes.
+  QObject::connect(&settings_, &SettingsFile::changed, &presenter_,
+                   [this] { QTimer::singleShot(0, &presenter_, [this] { apply_settings(); }); });
+  QObject::connect(&settings_, &SettingsFile::failed, &presenter_,
+                   [this](const QString& why) { therapist_->say(why); });
+  watch_staff();
+  log_what_leaves();
+  staff_.open();
 }
 
 Windows::~Windows() = default;
 
+void Windows::watch_staff() {
+  staff_.set_trial_runs(
+      [this] { return presenter_.view().may_stop || presenter_.view().may_stand_by; });
+  const auto name_operator = [this] { presenter_.name_operator(staff_.user()); };
+  QObject::connect(&staff_, &Staff::changed, &presenter_, name_operator);
+  QObject::connect(&staff_, &Staff::opened, &clinic_,
+                   [this] { clinic_.open(!staff_.allows(Right::write_records)); });
+  QObject::connect(&clinic_, &Clinic::opened, &backups_, &BackupWork::begin);
+  QObject::connect(&presenter_, &SessionPresenter::changed, &backups_,
+                   [this] { backups_.hold(presenter_.busy()); });
+  QObject::connect(&backups_, &BackupWork::failed, &presenter_,
+                   [this](const QString& why) { therapist_->say(why); });
+}
+
+/// What leaves the database stands in its audit log, like what happens in it.
+void Windows::log_what_leaves() {
+  ReportWork& report = clinic_.report();
+  const auto log_report = [this](bool done) {
+    staff_.log("report", clinic_.report().code(), done);
+  };
+  QObject::connect(&report, &ReportWork::written, &staff_, [log_report] { log_report(true); });
+  QObject::connect(&report, &ReportWork::failed, &staff_, [log_report] { log_report(false); });
+  ExportWork& research = clinic_.research_export();
+  const auto log_export = [this](bool done) {
+    staff_.log("export", clinic_.research_export().patient(), done);
+  };
+  QObject::connect(&research, &ExportWork::written, &staff_, [log_export] { log_export(true); });
+  QObject::connect(&research, &ExportWork::failed, &staff_, [log_export] { log_export(false); });
+}
+
+void Windows::make_therapist() {
+  therapist_ = std::make_unique<TherapistWindow>(clinic_, presenter_, settings_, staff_);
+  therapist_->show_patient_screen = [this] { show_patient_screen(); };
+  therapist_->open_demonstration = [this] {
+    if (open_demonstration) open_demonstration();
+  };
+  therapist_->on_closed = [this] {
+    if (patient_ != nullptr) patient_->close();
+  };
+}
+
+/// Words and letters are in every control: the window is made anew, at the same page and place.
+void Windows::apply_settings() {
+  const Settings& now = settings_.now();
+  const bool anew = now.language != applied_.language || now.font_percent != applied_.font_percent;
+  if (anew && !therapist_->may_be_replaced()) {
+    QTimer::singleShot(kAskAgain_ms, &presenter_, [this] { apply_settings(); });
+    return;
+  }
+  applied_ = now;
+  if (!anew) return;
+  speak(now.language);
+  dress(*qApp, now.font_percent);
+  const auto page = therapist_->page();
+  const QRect place = therapist_->geometry();
+  const auto state = therapist_->windowState();
+  const bool visible = therapist_->isVisible();
+  therapist_->leave();
+  // Until the other one is seen: with its last window the program would end.
+  const auto former = std::move(therapist_);
+  make_therapist();
+  carry_typed(*former, *therapist_);
+  clinic_.load_history(presenter_.patient());  // titles of measures stand in it
+  therapist_->setGeometry(place);
+  therapist_->show_page(page);
+  therapist_->setWindowState(state);
+  therapist_->setVisible(visible);
+}
+
 void Windows::show() {
-  therapist_.show();
+  therapist_->show();
   // A second display is there for the patient.
   if (QGuiApplication::screens().size() > 1) show_patient_screen();
 }
@@ -26,10 +128,10 @@ void Windows::show() {
 void Windows::show_patient_screen() {
   if (patient_ == nullptr) {
     if (const auto why = why_no_opengl(); !why.empty()) {
-      therapist_.say(QString::fromStdString(why));
+      therapist_->say(QString::fromStdString(why));
       return;
     }
-    patient_ = std::make_unique<PatientWindow>(presenter_);
+    patient_ = std::make_unique<PatientWindow>(presenter_, settings_);
     patient_->show_for_patient();
     return;
   }

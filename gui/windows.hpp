@@ -2,36 +2,54 @@
 // Both windows with what stands behind them; the program and the tests make them in the same way.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "gui/backup_work.hpp"
 #include "gui/clinic.hpp"
 #include "gui/patient_window.hpp"
 #include "gui/session_presenter.hpp"
+#include "gui/settings.hpp"
+#include "gui/staff.hpp"
 #include "gui/therapist_window.hpp"
 
 namespace isograsp {
 
 class Windows {
  public:
-  /// Needs a QApplication; opens the database in the background.
+  /// Needs a QApplication; opens the database in the background, a protected one after a login.
   explicit Windows(const GuiConfig& config);
   ~Windows();
 
   void show();
+  /// Makes and opens a demonstration clinic in the place of this one.
+  std::function<void()> open_demonstration;
   /// Makes the patient's screen, or says in the therapist window why that is not possible.
   void show_patient_screen();
 
   [[nodiscard]] Clinic& clinic() noexcept { return clinic_; }
   [[nodiscard]] SessionPresenter& presenter() noexcept { return presenter_; }
-  [[nodiscard]] TherapistWindow& therapist() noexcept { return therapist_; }
+  [[nodiscard]] SettingsFile& settings() noexcept { return settings_; }
+  [[nodiscard]] Staff& staff() noexcept { return staff_; }
+  /// Another one after a change of language or letters: the session goes on behind it.
+  [[nodiscard]] TherapistWindow& therapist() noexcept { return *therapist_; }
   /// Null until it was shown, or where there is no OpenGL.
   [[nodiscard]] PatientWindow* patient() noexcept { return patient_.get(); }
 
  private:
+  void make_therapist();
+  void watch_staff();
+  void log_what_leaves();
+  void apply_settings();
+
+  SettingsFile settings_;
+  Settings applied_;
+  Staff staff_;
   Clinic clinic_;
+  BackupWork backups_;
   SessionPresenter presenter_;
-  TherapistWindow therapist_;
+  std::unique_ptr<TherapistWindow> therapist_;
   std::unique_ptr<PatientWindow> patient_;
 };
 

@@ -2,9 +2,13 @@
 #include "gui/words.hpp"
 
 #include <QDateTime>
+#include <QLocale>
 #include <QObject>
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
+#include "gui/texts.hpp"
 #include "reports/measure_words.hpp"
 
 namespace isograsp {
@@ -12,40 +16,54 @@ namespace isograsp {
 QString short_number(double value) {
   const double size = std::abs(value);
   const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2;
-  QString text = QString::number(value, 'f', decimals);
+  QString text = shown_number(value, decimals);
   return text.replace(QLatin1Char('-'), QChar(0x2212));  // a real minus sign
 }
 
 QString measure_title(const Measure& measure) {
   if (measure.name == "resting_force" && measure.channel != "grip") {
-    const auto axis = QString::fromStdString(measure.channel).replace('_', ' ');
-    return QObject::tr("Resting force, %1").arg(axis);
+    std::string axis = measure.channel;
+    std::replace(axis.begin(), axis.end(), '_', ' ');
+    return QObject::tr("Resting force, %1").arg(shown(axis));
   }
-  auto title = QString::fromStdString(words_for(measure.name, measure.channel).title);
-  if (!title.isEmpty()) title[0] = title[0].toUpper();
-  return title;
+  const auto whole = words_for(measure.name, measure.channel).title;
+  auto title = words_for(measure.name, measure.channel == "grip" ? "grip" : "").title;
+  const auto channel = whole.substr(std::min(title.size(), whole.size()));
+  if (!title.empty())
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  return shown(title) + shown(channel);
 }
 
 QString measure_value(const Measure& measure) {
   if (!measure.value) return QStringLiteral("–");
-  const auto unit = QString::fromStdString(printed_unit(measure.unit).text);
+  const auto unit = shown(printed_unit(measure.unit).text);  // also "of 5"
   const bool count = measure.name == "targets_reached";
   const auto number = count ? QString::number(std::lround(*measure.value))
-                            : QString::fromStdString(format_value(*measure.value, measure.unit));
+                            : shown_digits(format_value(*measure.value, measure.unit));
   return unit.isEmpty() ? number : QStringLiteral("%1 %2").arg(number, unit);
 }
 
 QString measure_remark(const Measure& measure) {
-  if (!measure.value) return QString::fromStdString(measure.reason);
+  if (!measure.value) return shown(measure.reason);
   if (measure.excluded > 0) return QObject::tr("%1 samples left out").arg(measure.excluded);
   return {};
 }
 
-QString local_time(const std::string& utc) {
+namespace {
+QString in_form(const std::string& utc, const QString& form) {
   auto time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);
   time.setTimeSpec(Qt::UTC);
-  return time.isValid() ? time.toLocalTime().toString(QStringLiteral("yyyy-MM-dd hh:mm"))
+  return time.isValid() ? QLocale().toString(time.toLocalTime(), form)
                         : QString::fromStdString(utc);
+}
+}  // namespace
+
+QString local_time(const std::string& utc) {
+  return in_form(utc, date_form() + QStringLiteral(" HH:mm"));
+}
+
+QString local_date(const std::string& utc) {
+  return in_form(utc, date_form());
 }
 
 QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
@@ -58,7 +76,7 @@ QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
   }
   QString line = QObject::tr(
                      "Frames with gaps %1   ·   lost %2   ·   damaged %3   ·   "
-                     "late %4 ms, worst %5 ms")
+                     "late %L4 ms, worst %L5 ms")
                      .arg(snapshot.frames_with_gap)
                      .arg(lost)
                      .arg(damaged)
@@ -71,7 +89,7 @@ QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
 
 QString timing_details(const TimingSummary& timing, const std::string& realtime) {
   const auto line = [](const QString& what, const Quantiles& q) {
-    const auto ms = [](double duration_s) { return QString::number(duration_s * 1e3, 'f', 2); };
+    const auto ms = [](double duration_s) { return shown_number(duration_s * 1e3, 2); };
     return QObject::tr("%1: half within %2 ms, 99 % within %3, 99.9 % within %4, longest %5\n")
         .arg(what, ms(q.median_s), ms(q.most_of_100_s), ms(q.most_of_1000_s), ms(q.largest_s));
   };

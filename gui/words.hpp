@@ -18,8 +18,10 @@ namespace isograsp {
 [[nodiscard]] QString measure_remark(const Measure& measure);
 /// Three significant digits, no exponent.
 [[nodiscard]] QString short_number(double value);
-/// "2026-11-21 14:05" of an ISO 8601 time in UTC, in local time.
+/// "2026-11-21 14:05" of an ISO 8601 time in UTC, in local time and the form of the language.
 [[nodiscard]] QString local_time(const std::string& utc);
+/// The day of it.
+[[nodiscard]] QString local_date(const std::string& utc);
 /// One line: rate is kept, gaps, losses, lateness.
 [[nodiscard]] QString health_line(const Snapshot& snapshot, double worst_lateness_s);
 /// Several lines: period, lateness and work of the frames so far, and what real time was given.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last trial over its target, and its path in the plane.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "reports/plot_tools.hpp"
 #include "reports/plots.hpp"
@@ -94,8 +96,7 @@ Values elapsed(const Signals& curves) {
 
 /// Target with its tolerance, and what the patient did, in one pair of axes.
 void draw_channel(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
-                  const Channel& channel, bool first) {
-  const Signals& curves = section.last->curves;
+                  const Signals& curves, const Channel& channel, bool first) {
   const std::string name = channel.name;
   const Values x = elapsed(curves);
   // The axes have their size from the beginning; width() holds only once they are painted.
@@ -133,7 +134,7 @@ void draw_channel(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
   view.explain(PlotView::Mark::line, color, "patient");
 }
 
-const Measure* find_measure(const LastTrial& last, std::string_view name) {
+const Measure* find_measure(const DrawnTrial& last, std::string_view name) {
   const auto found = std::find_if(last.measures.begin(), last.measures.end(),
                                   [&](const Measure& m) { return m.name == name && m.value; });
   return found == last.measures.end() ? nullptr : &*found;
@@ -141,16 +142,17 @@ const Measure* find_measure(const LastTrial& last, std::string_view name) {
 
 }  // namespace
 
-PlotView overlay_plot(const TaskSection& section, QSizeF size, double unit) {
+PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF size,
+                      double unit) {
   PlotView view(size, unit);
-  const Signals& curves = section.last->curves;
+  const Signals& curves = trial.curves;
   const double width = size.width() - kLeft - kRight;
   const double height = size.height() - kAboveWithKey - kBelow;
   if (!has_path(section)) {
     QCPAxisRect& rect = view.add_axes({kLeft, kAboveWithKey, width, height});
-    draw_channel(view, rect, section, kForce, true);
+    draw_channel(view, rect, section, curves, kForce, true);
     rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
-    if (const Measure* best = find_measure(*section.last, "maximum_force_total")) {
+    if (const Measure* best = find_measure(trial, "maximum_force_total")) {
       const double end_s = rect.axis(QCPAxis::atBottom)->range().upper;
       add_line(rect, {0.0, end_s}, {*best->value, *best->value},
                dashed(Palette::quiet(), view.px(0.8), {1.5, 2.0}));
@@ -167,10 +169,66 @@ PlotView overlay_plot(const TaskSection& section, QSizeF size, double unit) {
     QCPAxisRect& rect = view.add_axes({kLeft, top, width, each});
     const bool first = &channel == kPose;
     const bool last = &channel == kPose + 2;
-    draw_channel(view, rect, section, channel, first);
+    draw_channel(view, rect, section, curves, channel, first);
     rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
     rect.axis(QCPAxis::atBottom)->setTickLabels(last);
     if (last) rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
+    if (first) shade_phase(view, rect, curves, Phase::paused, "paused");
+    top += each + kGap;
+  }
+  return view;
+}
+
+bool has_fingers(const TaskSection& section) {
+  return section.last && any_number(section.last->curves.column("thumb_fz_N"));
+}
+
+PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit) {
+  PlotView view(size, unit);
+  const Signals& curves = section.last->curves;
+  struct Part {
+    const char* suffix;
+    const char* title;
+  };
+  constexpr Part kParts[] = {{"_fz_N", "normal [N]"}, {"_fx_N", "x [N]"}, {"_fy_N", "y [N]"}};
+  const std::array<QPen, kFingerCount> pens{
+      QPen(Palette::ink(), view.px(1.0)), QPen(Palette::of(Hand::right), view.px(1.0)),
+      dashed(Palette::of(Hand::left), view.px(1.0), {4.0, 2.0})};
+  const Values x = elapsed(curves);
+  const double width = size.width() - kLeft - kRight;
+  constexpr double kGap = 7.0;
+  const double each = (size.height() - kAboveWithKey - kBelow - 2.0 * kGap) / 3.0;
+  const auto force_of = [&](Finger finger, const Part& part) {
+    return scaled(curves.column(std::string(name_of(finger)) + part.suffix), 1.0);
+  };
+  // Both tangential forces on one scale: that the one along the support is small must be seen.
+  Values tangential{-0.5, 0.5};
+  for (const Part& part : std::span(kParts).subspan(1))
+    for (const Finger finger : kFingers) tangential += force_of(finger, part);
+  double top = kAboveWithKey;
+  for (const Part& part : kParts) {
+    const bool first = &part == kParts;
+    const bool last = &part == kParts + 2;
+    QCPAxisRect& rect = view.add_axes({kLeft, top, width, each});
+    std::array<Values, kFingerCount> forces;
+    for (const Finger finger : kFingers) forces[index_of(finger)] = force_of(finger, part);
+    rect.axis(QCPAxis::atBottom)->setRange(0.0, x.back());
+    rect.axis(QCPAxis::atLeft)
+        ->setRange(first ? range_of({&forces[0], &forces[1], &forces[2]})
+                         : range_of({&tangential}));
+    rect.axis(QCPAxis::atLeft)->setLabel(part.title);
+    rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+    rect.axis(QCPAxis::atBottom)->setTickLabels(last);
+    if (last) rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
+    const int bins = static_cast<int>(rect.minimumSize().width() / view.px(kFinest));
+    for (const Finger finger : kFingers) {
+      const Values& force = forces[index_of(finger)];
+      const auto rows = visible_rows(force, bins);
+      add_line(rect, picked(x, rows), picked(force, rows), pens[index_of(finger)]);
+      if (!first) continue;
+      view.explain(finger == Finger::middle ? PlotView::Mark::dashed : PlotView::Mark::line,
+                   pens[index_of(finger)].color(), QString::fromUtf8(name_of(finger).data()));
+    }
     if (first) shade_phase(view, rect, curves, Phase::paused, "paused");
     top += each + kGap;
   }

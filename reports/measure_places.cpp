@@ -19,8 +19,10 @@ constexpr Placed kRest[] = {{"resting_force", "grip", Prominence::trend}};
 constexpr Placed kMaximum[] = {{"maximum_force", "", Prominence::key},
                                {"comfortable_force", "", Prominence::key},
                                {"coflexion", "", Prominence::trend}};
-constexpr Placed kDirectionalMaxima[] = {{"maximum_force", "", Prominence::trend},
-                                         {"direction_error", "", Prominence::trend},
+// The compass and its table show all directions.
+constexpr Placed kDirectionalMaxima[] = {{"maximum_force", "thumb_opening", Prominence::trend},
+                                         {"maximum_force", "index_opening", Prominence::trend},
+                                         {"maximum_force", "middle_opening", Prominence::trend},
                                          {"coflexion", "", Prominence::trend}};
 // Rising and falling parts stand in the table of a trial, not in the report.
 constexpr Placed kTracking[] = {{"relative_rmse", "", Prominence::key},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "reports/measure_words.hpp"
@@ -11,39 +12,74 @@ namespace isograsp {
 
 namespace {
 
-/// Baseline, last and change from the session means (the baseline is the mean of two days).
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double mean_of(const std::vector<AssessmentDay>& days) {
+  double sum = 0.0;
+  for (const auto& day : days) sum += *day_mean(day);
+  return sum / static_cast<double>(days.size());
+}
+
+/// Of the days before the last one; the same two as of the verdict, once a day follows them.
+void summarise_days(MeasureSeries& series, const std::vector<AssessmentDay>& days) {
+  series.last = day_mean(days.back());
+  const Baseline base = baseline_of(std::span(days).first(days.size() - 1));
+  if (base.days.empty()) return;
+  series.baseline = mean_of(base.days);
+  const bool passed_over = base.end > base.days.size();
+  series.baseline_basis = base.days.size() == kBaselineDays ? "first two days" : "first day";
+  if (passed_over) series.baseline_basis += " with a value";
+}
+
+/// Baseline, last and change: of days, or of sessions while there is one day only.
 void summarise(MeasureSeries& series, const std::vector<ReportSession>& sessions) {
-  std::vector<std::pair<int, double>> means;  // day, mean
-  for (const auto& value : series.values)
-    if (value.mean) means.emplace_back(sessions[value.session].day, *value.mean);
-  if (means.empty()) return;
-  if (series.values.back().mean) series.last = means.back().second;
-  std::vector<int> days;
-  for (const auto& [day, mean] : means)
-    if (days.empty() || days.back() != day) days.push_back(day);
-  if (means.size() < 2) return;
-  std::size_t used = 1;
-  series.baseline_basis = "first session";
-  if (days.size() >= 2) {
-    const int last_day = days.size() >= 3 ? days[1] : days[0];
-    series.baseline_basis = days.size() >= 3 ? "first two days" : "first day";
-    used = static_cast<std::size_t>(std::count_if(
-        means.begin(), means.end(), [&](const auto& mean) { return mean.first <= last_day; }));
+  const auto days = assessment_days(series, sessions);
+  if (days.size() > 1) {
+    summarise_days(series, days);
+  } else {
+    std::vector<double> means;
+    for (const auto& value : series.values)
+      if (value.mean) means.push_back(*value.mean);
+    if (!means.empty() && series.values.back().mean) series.last = means.back();
+    if (means.size() > 1) {
+      series.baseline = means.front();
+      series.baseline_basis = "first session";
+    }
   }
-  series.baseline =
-      std::accumulate(means.begin(), means.begin() + static_cast<long>(used), 0.0,
-                      [](double sum, const auto& mean) { return sum + mean.second; }) /
-      static_cast<double>(used);
-  if (series.last) series.change = *series.last - *series.baseline;
+  if (series.baseline && series.last) series.change = *series.last - *series.baseline;
 }
 
 }  // namespace
 
-std::string list_sessions(const std::set<std::size_t>& sessions) {
-  std::string text = sessions.size() == 1 ? "session " : "sessions ";
+std::vector<AssessmentDay> assessment_days(const MeasureSeries& series,
+                                           const std::vector<ReportSession>& sessions) {
+  const bool censored = words_for(series.name, series.channel).censored;
+  std::vector<AssessmentDay> days;
+  for (const auto& value : series.values) {
+    const double day = sessions[value.session].day;
+    if (days.empty() || days.back().day != day) days.push_back({day, {}, false});
+    auto& trials = days.back().trials;
+    trials.insert(trials.end(), value.trials.begin(), value.trials.end());
+    days.back().failed = days.back().failed || (censored && value.without_value > 0);
+  }
+  // A day on which nothing could be computed is no assessment; the newest must not be passed over.
+  const auto is_empty = [&](const AssessmentDay& day) {
+    return day.trials.empty() && !day.failed && &day != &days.back();
+  };
+  std::vector<AssessmentDay> assessed;
+  for (const auto& day : days)
+    if (!is_empty(day)) assessed.push_back(day);
+  return assessed;
+}
+
+std::string list_sessions(const std::set<std::size_t>& which,
+                          const std::vector<ReportSession>& sessions) {
+  std::string text = which.size() == 1 ? "session " : "sessions ";
   std::string separator;
-  for (const auto session : sessions) {
-    text += separator + std::to_string(session + 1);
+  for (const auto session : which) {
+    text += separator + std::to_string(sessions[session].number);
     separator = ", ";
   }
   return text;
@@ -51,8 +87,11 @@ std::string list_sessions(const std::set<std::size_t>& sessions) {
 
 MeasureSeries make_series(const Measure& like, const std::vector<const StoredTrial*>& entries,
                           const std::vector<ReportSession>& sessions, TaskSection& section) {
-  MeasureSeries series{like.name, like.channel, like.unit, like.version, false, false,
-                       {},        {},           "",        {},           {},    ""};
+  MeasureSeries series;
+  series.name = like.name;
+  series.channel = like.channel;
+  series.unit = like.unit;
+  series.version = like.version;
   const bool censored = words_for(like.name, like.channel).censored;
   std::set<std::size_t> other_version;
   for (const StoredTrial* entry : entries)
@@ -74,14 +113,12 @@ MeasureSeries make_series(const Measure& like, const std::vector<const StoredTri
     value.first_day = sessions[value.session].day == sessions[series.values.front().session].day &&
                       sessions[series.values.back().session].day != sessions[value.session].day;
     const bool failed = censored && value.without_value > 0;
-    if (!value.trials.empty() && !failed)
-      value.mean = std::accumulate(value.trials.begin(), value.trials.end(), 0.0) /
-                   static_cast<double>(value.trials.size());
+    if (!value.trials.empty() && !failed) value.mean = mean_of(value.trials);
   }
   summarise(series, sessions);
   if (!other_version.empty())
     section.notes.push_back(words_for(like.name, like.channel).title + ": " +
-                            list_sessions(other_version) +
+                            list_sessions(other_version, sessions) +
                             " not compared, another version of the measure");
   return series;
 }

@@ -20,8 +20,15 @@ struct StoredTrial {
   std::vector<Measure> measures;
 };
 
-/// "session 3", "sessions 1, 2, 5"; from indices that begin with 0.
-[[nodiscard]] std::string list_sessions(const std::set<std::size_t>& sessions);
+/// The assessments of a series: one for each day, oldest first. Days on which no value could be
+/// computed are left out, but for the newest; days on which a censored time did not come are
+/// failed.
+[[nodiscard]] std::vector<AssessmentDay> assessment_days(
+    const MeasureSeries& series, const std::vector<ReportSession>& sessions);
+
+/// "session 3", "sessions 1, 2, 5": their numbers; `which` are indices into `sessions`.
+[[nodiscard]] std::string list_sessions(const std::set<std::size_t>& which,
+                                        const std::vector<ReportSession>& sessions);
 
 /// The series of the measure `like` over `entries`, oldest first. What has another version or unit
 /// is left out and named in the notes of `section`.

@@ -154,6 +154,18 @@ constexpr std::array kEntries{
     Entry{"throughput", "Throughput", Better::higher, Use::research},
 };
 
+/// Shares and indices: bounded, or logarithms already; their error is much the same wherever they
+/// stand. Counts and shares of time that are often 0: an error that were a share of the mean would
+/// vanish there, and 0 has no logarithm. Also all that is best near zero, and may be negative.
+constexpr std::array<std::string_view, 14> kSteadyErrors{
+    "time_in_range",         "time_in_corridor",
+    "individuation_index",   "projection_ratio",
+    "path_efficiency",       "targets_reached",
+    "synergy_index",         "synergy_index_z",
+    "grip_load_correlation", "pauses",
+    "anticipations",         "drops",
+    "net_push_time",         "slip"};
+
 /// Channels that need no word: the only one of their measure, or the one that is usual.
 constexpr std::array<std::string_view, 10> kPlainChannels{
     "force", "grip",    "platform", "digits",    "position",
@@ -233,12 +245,21 @@ MeasureWords words_for(std::string_view name, std::string_view channel) {
     words.title = name;
     std::replace(words.title.begin(), words.title.end(), '_', ' ');
   }
+  words.error_grows =
+      words.better != Better::near_zero && !name.ends_with("_share") &&
+      std::find(kSteadyErrors.begin(), kSteadyErrors.end(), name) == kSteadyErrors.end();
   constexpr std::string_view kForce = "force";
   const auto force = words.title.find(kForce);
   if (channel == "grip" && force != std::string::npos)
     words.title.replace(force, kForce.size(), "grip");
   if (name != "opening_force") words.title += channel_words(channel);  // its name says it all
   return words;
+}
+
+std::vector<std::string_view> worded_measures() {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : kEntries) names.push_back(entry.name);
+  return names;
 }
 
 std::string_view describe(Better better) noexcept {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tasks/task_spec.hpp"
 
@@ -18,10 +19,13 @@ struct MeasureWords {
   bool clinical = false;            ///< all others belong to research exports
   bool censored = false;            ///< a trial without value took longer than was waited: its
                                     ///< session has no mean
+  bool error_grows = true;          ///< its error is taken to grow with its mean
 };
 /// Words for a measure, with those for its channel: "Maximum force above rest, thumb opening". An
 /// unknown one is called by its own name.
 [[nodiscard]] MeasureWords words_for(std::string_view name, std::string_view channel);
+/// Names of all measures that have words here, in the order of the report.
+[[nodiscard]] std::vector<std::string_view> worded_measures();
 [[nodiscard]] std::string_view describe(Better better) noexcept;  ///< "lower is better"
 
 /// Stored unit -> printed unit: rad -> degrees, m -> mm; all else as it is.

@@ -65,7 +65,7 @@ std::vector<PageRange> break_into_pages(const std::vector<Block>& blocks, double
     }
     const bool top_of_page = pages.back().first == i;
     const double wanted = height + (top_of_page ? 0.0 : blocks[i].gap_above);
-    if (!top_of_page && wanted > left) {
+    if (!top_of_page && (wanted > left || blocks[i].new_page)) {
       pages.push_back({i, i});
       left = page_height;
       continue;

@@ -43,6 +43,7 @@ struct Block {
   double height = 0.0;
   bool keep_with_next = false;
   std::vector<Draw> parts;  ///< painted one after the other, all with the top of the block
+  bool new_page = false;    ///< stands at the top of a page
 };
 
 /// Distributes blocks over pages of `page_height`, the first of which offers `first_height`.

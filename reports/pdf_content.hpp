@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "reports/panel.hpp"
 #include "reports/pdf_page.hpp"
 
 namespace isograsp::pdf {
@@ -17,6 +18,8 @@ inline constexpr double kSectionGap = 20.0;
 void add_glance(std::vector<Block>& blocks, const ReportContent& content);
 /// The box that says whether the last measurement was valid.
 void add_quality(std::vector<Block>& blocks, const ReportContent& content);
+/// Parts that are the same on the web.
+void add_panels(std::vector<Block>& blocks, const std::vector<Panel>& panels);
 /// The tasks with their plots. `content` must outlive the blocks.
 void add_sections(std::vector<Block>& blocks, const ReportContent& content);
 

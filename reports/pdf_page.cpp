@@ -11,8 +11,8 @@ namespace isograsp::pdf {
 namespace {
 
 /// The source of simulated or replayed forces, at the upper right of every page.
-void draw_badge(QPainter& painter, const ReportContent& content, double y) {
-  const auto word = text_of(watermark(content));
+void draw_badge(QPainter& painter, const PageFurniture& furniture, double y) {
+  const auto word = text_of(furniture.watermark);
   if (word.isEmpty()) return;
   const QFont font = report_font(7.2 * kUnit, true);
   const double width = QFontMetricsF(font).horizontalAdvance(word) / kUnit + 16.0;
@@ -24,14 +24,15 @@ void draw_badge(QPainter& painter, const ReportContent& content, double y) {
              {7.2, true, Palette::ink(), Qt::AlignHCenter, 100.0});
 }
 
-void draw_header(QPainter& painter, const ReportContent& content) {
-  kText.draw(painter, kSide, 46.0, kWidth, "IsoGrasp \u00b7 Progress report",
+void draw_header(QPainter& painter, const PageFurniture& furniture) {
+  kText.draw(painter, kSide, 46.0, kWidth, "IsoGrasp \u00b7 " + text_of(furniture.kind),
              {8.5, false, Palette::quiet()});
-  kText.draw(painter, kSide, 59.0, kWidth, text_of(content.code), {24.0, true});
-  draw_badge(painter, content, 50.0);
+  kText.draw(painter, kSide, 59.0, kWidth, text_of(furniture.title),
+             {furniture.title.size() > kLongTitle ? 14.0 : 24.0, true});
+  draw_badge(painter, furniture, 50.0);
   const double y = 102.0;
   rule(painter, y, 0.9, Palette::ink());
-  const auto facts = header_facts(content);
+  const auto& facts = furniture.facts;
   constexpr double kShares[] = {1.75, 1.25, 0.65, 0.85, 1.25};
   double total = 0.0;
   for (std::size_t i = 0; i < facts.size(); ++i) total += kShares[i];
@@ -46,8 +47,8 @@ void draw_header(QPainter& painter, const ReportContent& content) {
 }
 
 /// Across the page, faint enough to read through, impossible to crop away.
-void draw_watermark(QPainter& painter, const ReportContent& content) {
-  const auto word = text_of(watermark(content));
+void draw_watermark(QPainter& painter, const PageFurniture& furniture) {
+  const auto word = text_of(furniture.watermark);
   if (word.isEmpty()) return;
   painter.save();
   painter.translate(kPageWidth / 2.0 * kUnit, kPageHeight / 2.0 * kUnit);
@@ -70,23 +71,23 @@ void rule(QPainter& painter, double y, double width, const QColor& color) {
                    QPointF((kPageWidth - kSide) * kUnit, y * kUnit));
 }
 
-void draw_head(QPainter& painter, const ReportContent& content, int page) {
-  if (page == 1) return draw_header(painter, content);
-  kText.draw(painter, kSide, 34.0, kWidth, "Progress report \u00b7 " + text_of(content.code),
+void draw_head(QPainter& painter, const PageFurniture& furniture, int page) {
+  if (page == 1) return draw_header(painter, furniture);
+  kText.draw(painter, kSide, 34.0, kWidth, text_of(furniture.kind + " \u00b7 " + furniture.title),
              kQuiet);
-  draw_badge(painter, content, 26.0);
+  draw_badge(painter, furniture, 26.0);
 }
 
-void draw_foot(QPainter& painter, const ReportContent& content, int page, int pages) {
+void draw_foot(QPainter& painter, const PageFurniture& furniture, int page, int pages) {
   const double y = kPageHeight - 44.0;
   rule(painter, y - 6.0, 0.5, Palette::line());
   const TextStyle small{6.4, false, Palette::quiet()};
-  kText.draw(painter, kSide, y, kWidth - 80.0, text_of(footer(content)), small);
+  kText.draw(painter, kSide, y, kWidth - 80.0, text_of(furniture.footer), small);
   TextStyle number = small;
   number.align = Qt::AlignRight;
   kText.draw(painter, kPageWidth - kSide - 76.0, y, 76.0,
              QString("page %1 of %2").arg(page).arg(pages), number);
-  draw_watermark(painter, content);
+  draw_watermark(painter, furniture);
 }
 
 }  // namespace isograsp::pdf

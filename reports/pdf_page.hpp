@@ -3,9 +3,9 @@
 // Sizes in points (1/72 inch).
 #pragma once
 
+#include "reports/page_furniture.hpp"
 #include "reports/page_layout.hpp"
 #include "reports/plots.hpp"
-#include "reports/report_content.hpp"
 
 namespace isograsp::pdf {
 
@@ -34,7 +34,7 @@ inline const TextStyle kHeading{11.5, true};
 void rule(QPainter& painter, double y, double width, const QColor& color);
 
 /// What stands on a page besides its content. `page` counts from 1.
-void draw_head(QPainter& painter, const ReportContent& content, int page);
-void draw_foot(QPainter& painter, const ReportContent& content, int page, int pages);
+void draw_head(QPainter& painter, const PageFurniture& furniture, int page);
+void draw_foot(QPainter& painter, const PageFurniture& furniture, int page, int pages);
 
 }  // namespace isograsp::pdf

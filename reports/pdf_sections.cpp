@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tasks of a PDF report: their measures over the sessions and the last trial.
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <qcustomplot.h>
@@ -13,12 +14,16 @@ namespace isograsp::pdf {
 namespace {
 
 constexpr double kGutter = 14.0;
+constexpr std::size_t kColumns = 3;
 constexpr double kColumn = (kWidth - 2.0 * kGutter) / 3.0;
 constexpr double kTitleHeight = 32.0;
-constexpr double kCaptionHeight = 22.0;
+constexpr double kCaptionHeight = 20.5;  // below the title
 constexpr double kTrendHeight = 88.0;
 constexpr double kForceHeight = 118.0;
 constexpr double kPoseHeight = 180.0;
+constexpr double kFingersHeight = 170.0;
+constexpr double kExtremeHeight = 100.0;
+const TextStyle kTrend{6.6, false, Palette::quiet()};
 
 double span(int columns) {
   return columns * kColumn + (columns - 1) * kGutter;
@@ -74,18 +79,35 @@ class SectionLayout {
     });
   }
 
-  void add_caption(double x, const std::string& title, const QString& below) {
-    add_text(x, height_, kColumn, text_of(title), kStrong);
-    add_text(x, height_ + 10.5, kColumn, below, kQuiet);
+  /// Height of the largest title of a row.
+  [[nodiscard]] double title_height(std::span<const MeasureSeries> row) const {
+    double height = 10.5;
+    for (const auto& series : row)
+      height = std::max(height, kText.height(text_of(series_title(series)), kColumn, kStrong));
+    return height;
   }
 
+  void add_caption(double x, double title_height, const std::string& title, const QString& below,
+                   const std::string& trend = {}) {
+    add_text(x, height_, kColumn, text_of(title), kStrong);
+    add_text(x, height_ + title_height, kColumn, below, kQuiet);
+    if (!trend.empty()) add_text(x, height_ + title_height + 9.5, kColumn, text_of(trend), kTrend);
+  }
+
+  /// Three beside each other, in as many rows as it takes.
   void add_trends() {
-    if (section_.series.empty()) return;
-    const double top = height_ + kCaptionHeight;
+    const std::span all(section_.series);
+    for (std::size_t first = 0; first < all.size(); first += kColumns)
+      add_trend_row(all.subspan(first, std::min(kColumns, all.size() - first)));
+  }
+
+  void add_trend_row(std::span<const MeasureSeries> row) {
+    const double above = title_height(row);
+    const double top = height_ + above + kCaptionHeight;
     constexpr QSizeF kSize(kColumn, kTrendHeight);
     double x = x_;
-    for (const auto& series : section_.series) {
-      add_caption(x, series_title(series), text_of(series_subtitle(series)));
+    for (const auto& series : row) {
+      add_caption(x, above, series_title(series), text_of(series_subtitle(series)), series.trend);
       add_plot(x, top, [this_section = &section_, content = &content_, one = &series, kSize] {
         return trend_plot(*one, *this_section, *content, kSize, kUnit);
       });
@@ -93,7 +115,7 @@ class SectionLayout {
     }
     if (columns_ == 2 && section_.last && section_.last->problem.empty()) {
       const auto& session = content_.sessions[section_.last->session];
-      add_caption(x, "Last trial",
+      add_caption(x, above, "Last trial",
                   QString("session %1, trial %2").arg(session.number).arg(section_.last->number));
       add_overlay(x, top, kSize);
     }
@@ -101,7 +123,9 @@ class SectionLayout {
   }
 
   void add_overlay(double x, double top, QSizeF size) {
-    add_plot(x, top, [section = &section_, size] { return overlay_plot(*section, size, kUnit); });
+    add_plot(x, top, [section = &section_, size] {
+      return overlay_plot(*section, *section->last, size, kUnit);
+    });
   }
 
   void add_last_trial() {
@@ -118,12 +142,42 @@ class SectionLayout {
         return path_plot(*section, QSizeF(kColumn, kPoseHeight), kUnit);
       });
       height_ += kPoseHeight;
+      if (has_fingers(section_)) add_fingers(beside);
     } else {
       add_overlay(x_, height_, QSizeF(width(), kForceHeight));
       height_ += kForceHeight;
     }
     if (const auto results = text_of(last_trial_results(section_)); !results.isEmpty())
       height_ += 3.0 + add_text(x_, height_ + 3.0, width(), results, kQuiet);
+    add_extremes();
+  }
+
+  /// Below the way of the object, along the same time.
+  void add_fingers(double width) {
+    add_plot(x_, height_, [section = &section_, width] {
+      return fingers_plot(*section, QSizeF(width, kFingersHeight), kUnit);
+    });
+    add_text(x_ + width + kGutter, height_ + 14.0, kColumn, text_of(fingers_note()), kQuiet);
+    height_ += kFingersHeight;
+  }
+
+  void add_extremes() {
+    if (!section_.best || !section_.worst) return;
+    const double half = (width() - kGutter) / 2.0;
+    height_ += 8.0;
+    double x = x_;
+    for (const auto* trial : {&*section_.best, &*section_.worst}) {
+      const bool best = trial == &*section_.best;
+      add_text(x, height_, half, text_of(extreme_title(section_, *trial, best, content_)), kStrong);
+      if (trial->problem.empty())
+        add_plot(x, height_ + 12.0, [section = &section_, trial, half] {
+          return overlay_plot(*section, *trial, QSizeF(half, kExtremeHeight), kUnit);
+        });
+      else
+        add_text(x, height_ + 12.0, half, text_of(trial->problem), kBody);
+      x += half + kGutter;
+    }
+    height_ += 12.0 + kExtremeHeight;
   }
 
   const ReportContent& content_;
@@ -152,7 +206,7 @@ Block section_row(const ReportContent& content, const std::vector<const TaskSect
 void add_sections(std::vector<Block>& blocks, const ReportContent& content) {
   if (std::any_of(content.sections.begin(), content.sections.end(),
                   [](const auto& section) { return !section.series.empty(); })) {
-    blocks.push_back(text_block(text_of(trend_key()), kQuiet, kSectionGap));
+    blocks.push_back(text_block(text_of(trend_key(content)), kQuiet, kSectionGap));
     blocks.back().keep_with_next = true;
   }
   std::vector<const TaskSection*> row;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Text, the table at a glance and the data-quality box of a PDF report.
+#include <algorithm>
+#include <array>
+
 #include <qcustomplot.h>
 
 #include "reports/pdf_content.hpp"
@@ -20,30 +23,53 @@ Block block(double gap_above, double height, bool keep_with_next, Draw draw) {
   return {gap_above, height, keep_with_next, {std::move(draw)}};
 }
 
-Block row_block(std::vector<Cell> cells, bool two_lines, double rule_width,
+// The table of key measures: shares of the width, space between columns, right-aligned numbers.
+constexpr std::array kShares{0.165, 0.195, 0.11, 0.09, 0.19, 0.25};
+constexpr double kSpace = 6.0;
+constexpr double kVerdictInset = 12.0;
+constexpr double kUnderSize = 6.8;
+
+bool is_number(std::size_t column) {
+  return column >= 2 && column <= 4;
+}
+double inset(std::size_t column) {
+  return column + 1 == kShares.size() ? kVerdictInset : 0.0;
+}
+double inner_width(std::size_t column) {
+  return kWidth * kShares[column] - (is_number(column) ? 0.0 : kSpace) - inset(column);
+}
+TextStyle under_style(Qt::Alignment align) {
+  return {kUnderSize, false, Palette::quiet(), align};
+}
+
+Block row_block(std::vector<Cell> cells, bool is_head, double rule_width,
                 const QColor& rule_color) {
-  const double height = two_lines ? 27.0 : 15.0;
+  constexpr double kHeadHeight = 15.0;
+  constexpr double kLeastHeight = 27.0;
+  double height = is_head ? kHeadHeight : kLeastHeight;
+  std::vector<double> first_line;  // heights
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (is_number(i)) cells[i].style.align = Qt::AlignRight;
+    first_line.push_back(kText.height(cells[i].text, inner_width(i), cells[i].style));
+    if (cells[i].under.isEmpty()) continue;
+    constexpr double kPad = 6.0;
+    height = std::max(height, first_line[i] + kPad +
+                                  kText.height(cells[i].under, inner_width(i),
+                                               under_style(cells[i].style.align)));
+  }
   auto draw = [=, cells = std::move(cells)](QCPPainter& painter, double y) {
-    constexpr double kShares[] = {0.19, 0.22, 0.125, 0.105, 0.115, 0.245};
-    constexpr double kSpace = 6.0;
     double x = kSide;
-    const double top = y + (two_lines ? 4.0 : 1.0);
+    const double top = y + (is_head ? 1.0 : 4.0);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const double width = kWidth * kShares[i];
-      TextStyle style = cells[i].style;
-      const bool is_number = i >= 2 && i <= 4;
-      if (is_number) style.align = Qt::AlignRight;
-      const double inset = i == 5 ? 14.0 : 0.0;
-      const double inner = width - (is_number ? 0.0 : kSpace) - inset;
-      kText.draw(painter, x + inset, top, inner, cells[i].text, style);
-      const TextStyle under{6.8, false, Palette::quiet(), style.align};
+      kText.draw(painter, x + inset(i), top, inner_width(i), cells[i].text, cells[i].style);
       if (!cells[i].under.isEmpty())
-        kText.draw(painter, x + inset, top + 10.5, inner, cells[i].under, under);
-      x += width;
+        kText.draw(painter, x + inset(i), top + first_line[i], inner_width(i), cells[i].under,
+                   under_style(cells[i].style.align));
+      x += kWidth * kShares[i];
     }
     rule(painter, y + height, rule_width, rule_color);
   };
-  return block(0.0, height, !two_lines, std::move(draw));
+  return block(0.0, height, is_head, std::move(draw));
 }
 
 }  // namespace
@@ -68,17 +94,22 @@ void add_glance(std::vector<Block>& blocks, const ReportContent& content) {
   std::vector<Cell> head;
   for (const char* title : {"Task", "Measure", "Baseline", "Last", "Change", "Verdict"})
     head.push_back({title, kQuiet, ""});
-  blocks.push_back(row_block(std::move(head), false, 0.7, Palette::quiet()));
+  blocks.push_back(row_block(std::move(head), true, 0.7, Palette::quiet()));
   for (const auto& row : rows)
-    blocks.push_back(row_block({{text_of(row.task), kBody, text_of(row.hand) + " hand"},
-                                {text_of(row.measure), kBody, text_of(row.direction)},
-                                {text_of(row.baseline), kBody, text_of(row.baseline_basis)},
-                                {text_of(row.last), kStrong, ""},
-                                {text_of(row.change), kBody, ""},
-                                {text_of(row.verdict), kBody, ""}},
-                               true, 0.5, Palette::line()));
-  blocks.back().keep_with_next = true;
-  blocks.push_back(text_block(text_of(verdict_note()), kQuiet, 6.0));
+    blocks.push_back(row_block(
+        {{text_of(row.task), kBody, text_of(row.hand) + " hand"},
+         {text_of(row.measure), kBody, text_of(row.direction)},
+         {text_of(row.baseline), kBody, text_of(row.baseline_basis)},
+         {text_of(row.last), kStrong, ""},
+         {text_of(row.change), kBody, text_of(row.mdc)},
+         {text_of(row.verdict), row.primary ? kStrong : kBody, text_of(row.verdict_basis)}},
+        false, 0.5, Palette::line()));
+  double gap = 6.0;
+  for (const auto& note : verdict_notes(content)) {
+    blocks.back().keep_with_next = true;
+    blocks.push_back(text_block(text_of(note), kQuiet, gap));
+    gap = 2.0;
+  }
 }
 
 void add_quality(std::vector<Block>& blocks, const ReportContent& content) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A progress report as PDF: A4, vector plots, text that can be searched.
+// A report as PDF: A4, vector plots, text that can be searched.
 #pragma once
 
 #include <memory>
 #include <string>
 
+#include "reports/page_furniture.hpp"
+#include "reports/page_layout.hpp"
 #include "reports/report_writer.hpp"
 
 namespace isograsp {
@@ -13,6 +15,8 @@ namespace isograsp {
 class PdfReport final : public ReportWriter {
  public:
   explicit PdfReport(ReportContent content);
+  /// Any other report: its blocks hold what they paint.
+  PdfReport(PageFurniture furniture, std::vector<Block> blocks);
   ~PdfReport() override;
 
   [[nodiscard]] int pages() const noexcept;

@@ -72,19 +72,39 @@ class PlotView {
   std::unique_ptr<QCustomPlot> plot_;
 };
 
-/// One measure over the sessions: mean per session, single trials as dots, first day hollow.
+/// Values that do not differ from the baseline by more than measurement error; unit of the measure.
+struct ErrorBand {
+  double low = 0.0;
+  double high = 0.0;
+};
+/// That of the baseline first. Measures that are best near zero have a second one, its mirror
+/// image, unless the two meet at zero. Empty: not known.
+[[nodiscard]] std::vector<ErrorBand> error_bands(const MeasureSeries& series);
+
+/// One measure over the sessions: mean per session, single trials as dots, first day hollow; where
+/// its change is judged, the band that is not larger than measurement error.
 [[nodiscard]] PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
                                   const ReportContent& content, QSizeF size, double unit);
 
-/// The last trial over its target: force against time, or x, y and angle against time.
-/// @pre section.last holds signals
-[[nodiscard]] PlotView overlay_plot(const TaskSection& section, QSizeF size, double unit);
+/// A trial of the section over its target: force against time, or x, y and angle against time.
+/// @pre the trial holds signals
+[[nodiscard]] PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial,
+                                    QSizeF size, double unit);
+
+/// True if finger forces of the last trial are there.
+[[nodiscard]] bool has_fingers(const TaskSection& section);
+/// Normal and tangential forces of the fingers against time, in the contact frames: to be read with
+/// the way of the object below (Kurillo et al., figures 7 and 8). @pre has_fingers(section)
+[[nodiscard]] PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit);
 
 /// True if the last trial moved an object in the plane.
 [[nodiscard]] bool has_path(const TaskSection& section);
 /// The way of the object in the plane, with numbered targets. @pre has_path(section)
 [[nodiscard]] PlotView path_plot(const TaskSection& section, QSizeF size, double unit);
 
+/// One digit of all of them. `most_N`: the radius of the outer ring. Needs a QApplication.
+[[nodiscard]] PlotView compass_plot(const std::vector<Compass>& compasses, Finger finger,
+                                    double most_N, QSizeF size, double unit);
 /// What each plot shows, in one sentence, for people who do not see it.
 [[nodiscard]] std::string describe_overlay(const TaskSection& section);
 

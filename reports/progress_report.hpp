@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/result.hpp"
+#include "reports/patient_records.hpp"
 #include "reports/progress.hpp"
 #include "reports/report_content.hpp"
 #include "storage/session_store.hpp"
@@ -14,14 +15,17 @@ namespace isograsp {
 /// Everything stored about this patient, in the words of a report. The same database gives the same
 /// content. Rules of comparison:
 /// - a series holds only trials of one hand, one source, one task version with equal parameters and
-///   scene, one frame rate, device delay and measure version; the newest such group is shown and
-///   the others are named in the notes;
+///   scene, one frame rate, device delay, visual gain and measure version; the newest such group is
+///   shown and the others are named in the notes;
 /// - practice, helped, aborted and interrupted trials are recorded but not part of any value;
 /// - the baseline is the mean of the first two assessment days once there is a later one; before
-///   that it is the first day, or the first session if all stand on one day.
+///   that it is the first day, or the first session if all stand on one day;
+/// - primary measures get a verdict of change (docs/change.md), all others none;
+/// - sessions outside the scope are as if they were not there, and the content says so.
 /// Errors: bad_input for an unknown patient; failed, if the watcher wants to stop (asked between
 /// sessions and trials); whatever the database reports. Reads only; the thread of `store`.
 [[nodiscard]] Result<ReportContent> gather_progress(SessionStore& store, const std::string& code,
-                                                    const Progress& progress = {});
+                                                    const Progress& progress = {},
+                                                    const ReportScope& scope = {});
 
 }  // namespace isograsp

@@ -23,7 +23,9 @@ void ensure_qt_application() {
   static int argc = 1;
   static char name[] = "isograsp";
   static char* argv[] = {name, nullptr};
-  static QApplication application(argc, argv);
+  // Never destroyed: at the end of the program some of Qt's own statics are gone before it.
+  static auto* const kApplication = new QApplication(argc, argv);
+  (void)kApplication;
 }
 
 }  // namespace isograsp

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "reports/measure_words.hpp"
+#include "reports/page_furniture.hpp"
 
 namespace isograsp {
 
@@ -21,6 +23,19 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   const auto printed = printed_unit(unit).text;
   if (printed.empty()) return number;
   return number + (printed == "°" ? "" : "\u00a0") + printed;
+}
+
+/// Levels that follow the maximum and levels that stay are never one series.
+std::string load_words(const TaskSection& section) {
+  const Aim* aim = section.spec ? section.spec->aim() : nullptr;
+  if (aim == nullptr) return "";
+  switch (aim->scale) {
+    case Scale::of_maximum: return " \u00b7 relative load (% of the day's maximum)";
+    case Scale::of_comfortable: return " \u00b7 relative load (% of the comfortable force)";
+    case Scale::of_baseline: return " \u00b7 fixed load (of the first maximum)";
+    case Scale::newton: return " \u00b7 fixed load";
+  }
+  return "";
 }
 
 }  // namespace
@@ -52,9 +67,12 @@ std::vector<Fact> header_facts(const ReportContent& content) {
     hand = "right " + std::to_string(right) + ", left " + std::to_string(left);
   std::string period = format_date(first.date);
   if (last.date != first.date) period += " to " + format_date(last.date);
+  const int count = static_cast<int>(content.sessions.size());
+  std::string sessions = std::to_string(count);
+  if (count < content.sessions_stored) sessions += " of " + std::to_string(content.sessions_stored);
   return {{"Period", period},
-          {"Days since first session", std::to_string(last.day)},
-          {"Sessions", std::to_string(content.sessions.size())},
+          {"Days since first session", std::to_string(std::lround(last.day))},
+          {"Sessions", sessions},
           {"Hand", hand},
           {"Forces", std::string(name_of(last.source))}};
 }
@@ -65,6 +83,34 @@ std::string watermark(const ReportContent& content) {
   if (content.recorded)
     text += (text.empty() ? "" : " \u00b7 ") + std::string("REPLAYED RECORDING");
   return text;
+}
+
+std::string verdict_words(const ChangeVerdict& verdict) {
+  const char* sureness = verdict.change.confirmed ? " (confirmed)" : " (possible)";
+  switch (verdict.change.verdict) {
+    case Verdict::improved: return std::string("improved") + sureness;
+    case Verdict::worsened: return std::string("worsened") + sureness;
+    case Verdict::within_error: return "not larger than measurement error";
+    case Verdict::cannot_be_judged: break;
+  }
+  return "cannot be judged yet";
+}
+
+std::string verdict_basis(const ChangeVerdict& verdict) {
+  if (verdict.change.verdict == Verdict::cannot_be_judged) return verdict.reason;
+  const std::string people = std::to_string(verdict.people) + " stable people";
+  if (verdict.change.verdict == Verdict::within_error) return people;
+  return (verdict.change.confirmed ? "two assessments in a row, " : "one assessment so far, ") +
+         people;
+}
+
+std::string mdc_words(const ChangeJudgement& change, const std::string& unit) {
+  if (!change.mdc_down || !change.mdc_up) return "";
+  const std::string printed = unit.starts_with("of ") ? "" : unit;
+  const bool even = -*change.mdc_down == *change.mdc_up;
+  return "MDC95\u00a0" + (even ? with_unit(format_value(*change.mdc_up, unit), printed)
+                               : format_change(*change.mdc_down, unit) + "\u00a0/\u00a0" +
+                                     with_unit(format_change(*change.mdc_up, unit), printed));
 }
 
 std::vector<GlanceRow> glance_rows(const ReportContent& content) {
@@ -80,26 +126,64 @@ std::vector<GlanceRow> glance_rows(const ReportContent& content) {
       std::string last = shown(series.last);
       if (!series.last && !series.values.empty() && series.values.back().without_value > 0)
         last = "no value";
-      rows.push_back({section.task, std::string(name_of(section.hand)), words.title, series.unit,
-                      shown(series.baseline), series.baseline ? series.baseline_basis : "", last,
-                      series.change ? with_unit(format_change(*series.change, series.unit),
-                                                series.unit.starts_with("of ") ? "" : series.unit)
-                                    : std::string(kNone),
-                      std::string(describe(words.better)),
-                      series.verdict.empty() ? kNone : series.verdict});
+      GlanceRow row;
+      row.task = section.task;
+      row.hand = name_of(section.hand);
+      row.measure = words.title;
+      row.unit = series.unit;
+      row.baseline = shown(series.baseline);
+      row.baseline_basis = series.baseline ? series.baseline_basis : "";
+      row.last = last;
+      auto change = series.change;
+      if (series.verdict && series.verdict->change.change) change = series.verdict->change.change;
+      row.change = change ? with_unit(format_change(*change, series.unit),
+                                      series.unit.starts_with("of ") ? "" : series.unit)
+                          : std::string(kNone);
+      row.direction = describe(words.better);
+      row.verdict = kNone;
+      if (series.verdict) {
+        row.primary = true;
+        row.mdc = mdc_words(series.verdict->change, series.unit);
+        row.verdict = verdict_words(*series.verdict);
+        row.verdict_basis = verdict_basis(*series.verdict);
+      }
+      rows.push_back(std::move(row));
     }
+  std::stable_partition(rows.begin(), rows.end(), [](const auto& row) { return row.primary; });
   return rows;
 }
 
-std::string verdict_note() {
-  return "A change is judged against the day-to-day variation of stable patients. Too few pairs of "
-         "assessments have been collected for that; until then no change is called better or "
-         "worse. Practice trials are left out.";
+std::vector<std::string> verdict_notes(const ReportContent& content) {
+  std::vector<std::string> notes;
+  if (content.primary_measures == 0)
+    notes.push_back(
+        "No primary measure has been chosen for this patient, so no change is judged. At most four "
+        "can be, before the second assessment. Practice and helped trials are left out.");
+  else
+    notes.push_back(
+        "Verdicts are for the primary measures. A change is improved or worsened if it is larger "
+        "than the smallest detectable change (MDC95) from the baseline, the mean of two days. "
+        "MDC95 "
+        "follows from how much stable people of this clinic differ from day to day. Possible: one "
+        "assessment; confirmed: two in a row. Practice and helped trials are left out.");
+  std::string chosen;
+  for (const auto& section : content.sections)
+    for (const auto& series : section.series)
+      if (series.verdict)
+        chosen += (chosen.empty() ? "Chosen: " : "; ") +
+                  words_for(series.name, series.channel).title + " (" + section.task + ") by " +
+                  series.verdict->chosen_by + ", " + format_date(series.verdict->chosen_on);
+  if (!chosen.empty()) notes.push_back(chosen + ".");
+  for (const auto& waiting : content.waiting)
+    notes.push_back("Cannot be judged yet: " + waiting + ".");
+  if (content.early)
+    notes.push_back("Less than six months after the onset: change does not show what caused it.");
+  return notes;
 }
 
 std::string section_subtitle(const TaskSection& section) {
   return capital(std::string(name_of(section.hand))) + " hand \u00b7 version " +
-         std::to_string(section.version) +
+         std::to_string(section.version) + load_words(section) +
          (section.source == Source::device ? ""
                                            : " \u00b7 " + std::string(name_of(section.source)));
 }
@@ -120,6 +204,25 @@ std::string last_trial_title(const TaskSection& section, const ReportContent& co
   const auto& session = content.sessions[section.last->session];
   return "Last trial \u00b7 session " + std::to_string(session.number) + ", " +
          format_date(session.date) + ", trial " + std::to_string(section.last->number);
+}
+
+std::string extreme_title(const TaskSection& section, const DrawnTrial& trial, bool best,
+                          const ReportContent& content) {
+  const auto& session = content.sessions[trial.session];
+  std::string text = std::string(best ? "Best" : "Worst") + " trial \u00b7 session " +
+                     std::to_string(session.number) + ", trial " + std::to_string(trial.number);
+  const auto key = std::find_if(section.series.begin(), section.series.end(),
+                                [](const auto& series) { return series.key; });
+  for (const auto& measure : trial.measures)
+    if (key != section.series.end() && measure.name == key->name &&
+        measure.channel == key->channel && measure.value)
+      text += " \u00b7 " + with_unit(format_value(*measure.value, measure.unit), measure.unit);
+  return text;
+}
+
+std::string fingers_note() {
+  return "Forces of the fingers in their contact frames, along the same time as the way of the "
+         "object above: pressing (normal), sideways (x) and along the finger's support (y).";
 }
 
 std::string last_trial_results(const TaskSection& section) {
@@ -158,18 +261,35 @@ std::vector<std::array<std::string, 4>> series_table(const MeasureSeries& series
   return rows;
 }
 
-std::string trend_key() {
+std::string trend_key(const ReportContent& content) {
+  const bool judged =
+      std::any_of(content.sections.begin(), content.sections.end(), [](const auto& section) {
+        return std::any_of(section.series.begin(), section.series.end(), [](const auto& series) {
+          return series.verdict && series.verdict->change.mdc_up;
+        });
+      });
   return "In the trends: filled \u25cf mean of a session (\u25a0 left hand) \u00b7 hollow \u25cb "
-         "first day "
-         "\u00b7 small dots single trials \u00b7 dotted line baseline \u00b7 \u00d7 a trial "
-         "without "
-         "a value.";
+         "first day \u00b7 small dots single trials \u00b7 dotted line baseline \u00b7 \u00d7 a "
+         "trial without a value \u00b7 small hollow \u25cb practice \u00b7 double line: other "
+         "conditions from here on \u00b7 dashed upright line: treatment (B botulinum toxin, D "
+         "drug, O "
+         "orthosis, T therapy, X other)" +
+         std::string(judged ? " \u00b7 band: not larger than measurement error." : ".") +
+         " Under the title: trend of all days (Theil and Sen) with its 95 % interval; of times "
+         "that "
+         "did not always come, how often they came and the rank correlation with time (misses tied "
+         "as longest, negative: sooner).";
 }
 
 std::string footer(const ReportContent& content) {
   return "IsoGrasp " + content.software_version +
          " is research and training software, not a certified medical device.\nResults do not "
          "replace clinical judgement. Force capacity is not daily use.";
+}
+
+PageFurniture furniture_of(const ReportContent& content) {
+  return {"Progress report", content.code, header_facts(content), watermark(content),
+          footer(content)};
 }
 
 std::string nothing_yet() {

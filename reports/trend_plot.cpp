@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One measure over the sessions.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "reports/measure_words.hpp"
@@ -14,6 +15,86 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMostDatedTicks = 4;
 constexpr double kDateLine = 8.0;  // a second line of tick labels [points]
+
+}  // namespace
+
+std::vector<ErrorBand> error_bands(const MeasureSeries& series) {
+  if (!series.verdict || !series.verdict->change.mdc_up) return {};
+  const auto& change = series.verdict->change;
+  const double down = *change.mdc_down;
+  const double up = *change.mdc_up;
+  const double baseline = *change.baseline;
+  if (words_for(series.name, series.channel).better != Better::near_zero)
+    return {{baseline + down, baseline + up}};
+  // Judged by their distance from zero: so far away on either side.
+  const double near = std::abs(baseline) + down;
+  const double far = std::abs(baseline) + up;
+  if (near <= 0.0) return {{-far, far}};
+  const ErrorBand above{near, far};
+  const ErrorBand below{-far, -near};
+  return baseline < 0.0 ? std::vector{below, above} : std::vector{above, below};
+}
+
+namespace {
+
+/// Where a series stands along its axis.
+struct Span {
+  double low;
+  double high;
+};
+Span span_of(const ReportContent& content) {
+  constexpr int kLeastSpan = 3;  // sessions: two points side by side look like a jump otherwise
+  const int count = static_cast<int>(content.sessions.size());
+  const double low = content.sessions.front().number - 0.5;
+  return {low, low + std::max(count, kLeastSpan)};
+}
+
+QChar letter_of(const std::string& kind) {
+  if (kind == "botulinum_toxin") return 'B';
+  return kind == "other" ? QChar('X') : QChar(kind.front()).toUpper();
+}
+
+void add_word(PlotView& view, QCPAxisRect& rect, double x, double y, const QString& text) {
+  auto* label = new QCPItemText(rect.parentPlot());  // the plot owns it
+  label->position->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+  label->position->setCoords(x, y);
+  label->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
+  label->setText(text);
+  label->setFont(report_font(view.px(5.8), true));
+  label->setColor(Palette::ink());
+}
+
+/// Treatments between two sessions, and where the conditions changed.
+void add_marks_of_time(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
+                       const ReportContent& content) {
+  const QCPRange y = rect.axis(QCPAxis::atLeft)->range();
+  const auto upright = [&](double x, const QPen& pen) {
+    add_line(rect, {x, x}, {y.lower, y.upper}, pen);
+  };
+  for (const auto& change : section.breaks) {
+    const double x = content.sessions[change.session].number - 0.5;
+    constexpr double kApart = 0.08;  // sessions: a double line
+    for (const double side : {-kApart, kApart})
+      upright(x + side, QPen(Palette::quiet(), view.px(0.5)));
+  }
+  double last_x = 0.0;
+  QString letters;
+  for (const auto& mark : content.treatments) {
+    const auto after =
+        std::find_if(content.sessions.begin(), content.sessions.end(),
+                     [&](const auto& session) { return session.date >= mark.on_date; });
+    if (after == content.sessions.begin() || after == content.sessions.end()) continue;
+    const double x = after->number - 0.5;
+    if (x != last_x) letters.clear();
+    last_x = x;
+    letters += letter_of(mark.kind);
+    if (letters.size() == 1) upright(x, dashed(Palette::ink(), view.px(0.6), {2.0, 2.0}));
+    // Several between the same two sessions stand below each other.
+    const double step = 0.13 * y.size() * (letters.size() - 1);
+    add_word(view, rect, x, y.upper - step, QString(letters.back()));
+  }
+}
+
 }  // namespace
 
 PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
@@ -27,6 +108,16 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   Values x, mean, x_trials, trials, x_first, first, x_later, later, x_without;
   for (const auto& value : series.values) {
     const double session = content.sessions[value.session].number;
+    const bool broken =
+        !x.isEmpty() &&
+        std::any_of(section.breaks.begin(), section.breaks.end(), [&](auto& change) {
+          const double at = content.sessions[change.session].number;
+          return x.back() < at && at <= session;
+        });
+    if (broken) {
+      x.push_back(session - 0.5);
+      mean.push_back(kNaN);
+    }
     x.push_back(session);
     mean.push_back(value.mean ? *value.mean * printed.factor : kNaN);
     if (value.trials.size() > 1 || !value.mean)
@@ -40,7 +131,16 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
     }
     if (value.without_value > 0) x_without.push_back(session);
   }
-  QCPRange range = range_of({&mean, &trials});
+  const auto bands = error_bands(series);
+  Values band;  // on the side of the baseline; of the other only what the values reach
+  if (!bands.empty())
+    band = {bands.front().low * printed.factor, bands.front().high * printed.factor};
+  Values x_practice, practice;
+  for (const auto& [session, value] : series.practice) {
+    x_practice.push_back(content.sessions[session].number);
+    practice.push_back(value * printed.factor);
+  }
+  QCPRange range = range_of({&mean, &trials, &band, &practice});
   // "of 5": the scale is known.
   if (series.unit.starts_with("of "))
     range = {0.0, 1.08 * std::strtod(series.unit.c_str() + 3, nullptr)};
@@ -48,8 +148,8 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   rect.axis(QCPAxis::atLeft)
       ->setLabel(QString::fromStdString(printed.text.empty() ? "ratio" : printed.text));
 
-  constexpr int kLeastSpan = 3;  // sessions: two points side by side look like a jump otherwise
-  rect.axis(QCPAxis::atBottom)->setRange(0.5, std::max(count, kLeastSpan) + 0.5);
+  const Span span = span_of(content);
+  rect.axis(QCPAxis::atBottom)->setRange(span.low, span.high);
   rect.axis(QCPAxis::atBottom)->setLabel("session");
   auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   constexpr int kMostTicks = 12;
@@ -65,14 +165,23 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   }
   rect.axis(QCPAxis::atBottom)->setTicker(ticker);
 
+  for (const auto& [low, high] : bands) {
+    const Values ends{span.low, span.high};
+    const double factor = printed.factor;
+    QCPGraph& lower = add_line(rect, ends, {low * factor, low * factor}, QPen(Qt::NoPen));
+    QCPGraph& upper = add_line(rect, ends, {high * factor, high * factor}, QPen(Qt::NoPen));
+    upper.setBrush(Palette::tolerance());
+    upper.setChannelFillGraph(&lower);
+  }
   const QColor color = Palette::of(section.hand);
   const auto shape =
       section.hand == Hand::right ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare;
   if (series.baseline) {
     const double base = *series.baseline * printed.factor;
-    add_line(rect, {0.5, std::max(count, kLeastSpan) + 0.5}, {base, base},
+    add_line(rect, {span.low, span.high}, {base, base},
              dashed(Palette::quiet(), view.px(0.7), {1.5, 2.5}));
   }
+  add_marks_of_time(view, rect, section, content);
   add_line(rect, x, mean, QPen(color, view.px(1.0)));
   const auto add_marks = [&](const Values& keys, const Values& values,
                              const QCPScatterStyle& style) {
@@ -83,6 +192,9 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   add_marks(x_trials, trials,
             {QCPScatterStyle::ssDisc, QPen(Palette::pale(section.hand), view.px(0.5)),
              Palette::pale(section.hand), view.px(2.6)});
+  add_marks(
+      x_practice, practice,
+      {QCPScatterStyle::ssCircle, QPen(Palette::quiet(), view.px(0.6)), Qt::white, view.px(3.0)});
   add_marks(x_first, first, {shape, QPen(color, view.px(1.1)), Qt::white, view.px(5.0)});
   add_marks(x_later, later, {shape, QPen(color, view.px(1.1)), color, view.px(5.0)});
   const double floor = range.lower + 0.06 * range.size();

@@ -74,14 +74,15 @@ Result<void> store_signals(const Signals& signals, double rate_Hz, RowId trial,
   return {};
 }
 
-Result<void> store_trial(const RecordedTrial& recorded, int number, double rate_Hz, RowId session,
-                         SessionStore& store) {
+Result<std::vector<Measure>> store_trial(const RecordedTrial& recorded, int number, double rate_Hz,
+                                         RowId session, SessionStore& store) {
   TrialRecord trial;
   trial.session_id = session;
   trial.number = number;
   trial.task_name = recorded.task.name;
   trial.task_version = recorded.task.version;
   trial.task_text = recorded.task.text;
+  trial.scene_text = recorded.scene_text;
   trial.groups = {{"recording", recorded.signals.names()}};
   const auto id = store.begin_trial(trial);
   if (!id) return id.error();
@@ -90,10 +91,28 @@ Result<void> store_trial(const RecordedTrial& recorded, int number, double rate_
   if (!stored) {
     trial.status = TrialStatus::aborted;  // what is not whole counts for nothing
     static_cast<void>(store.end_trial(trial, {}).ok());
-    return stored;
+    return stored.error();
   }
   trial.status = TrialStatus::completed;
-  return store.end_trial(trial, score(recorded.task, recorded.signals));
+  auto measures = score(recorded.task, recorded.signals);
+  if (auto ended = store.end_trial(trial, measures); !ended) return ended.error();
+  return measures;
+}
+
+/// Rows per second; a grid of a whole number of hertz gives exactly that number.
+double rate_of(const Signals& signals) {
+  constexpr double kRounding = 1e-6;  // relative: times are written with few digits
+  const auto t_s = signals.column("t_s");
+  const double rate_Hz = static_cast<double>(t_s.size() - 1) / (t_s.back() - t_s.front());
+  const double whole_Hz = std::round(rate_Hz);
+  return std::abs(rate_Hz - whole_Hz) <= kRounding * rate_Hz ? whole_Hz : rate_Hz;
+}
+
+Result<PatientRecord> patient_of(const std::string& code, SessionStore& store) {
+  const auto known = store.find_patient(code);
+  if (!known) return known.error();
+  if (*known) return **known;
+  return store.add_patient(code);
 }
 
 }  // namespace
@@ -131,7 +150,7 @@ Result<Imported> store_recording(const RecordingSpec& spec, std::span<const Reco
     if (!id) return id.error();
     int number = 0;
     for (const RecordedTrial& trial : group) {
-      if (auto done = store_trial(trial, ++number, spec.rate_Hz, *id, store); !done)
+      if (const auto done = store_trial(trial, ++number, spec.rate_Hz, *id, store); !done)
         return done.error();
       imported.samples += static_cast<std::int64_t>(trial.signals.rows());
       ++imported.trials;
@@ -141,6 +160,30 @@ Result<Imported> store_recording(const RecordingSpec& spec, std::span<const Reco
     ++imported.sessions;
   }
   return imported;
+}
+
+Result<std::vector<Measure>> store_signals_trial(const RecordedTrial& trial, Hand hand,
+                                                 SessionStore& store,
+                                                 const std::string& software_version) {
+  const auto patient = patient_of(trial.patient_code, store);
+  if (!patient) return patient.error();
+  SessionRecord session;
+  session.patient_id = patient->id;
+  session.hand = hand;
+  session.device_uri = "recording://signals";
+  session.device_description = "Recorded signals";
+  session.recorded = true;
+  session.provenance = "signals of a trial, imported\nfile: " + trial.file + "\n";
+  session.protocol_name = "Imported signals";
+  session.rate_Hz = rate_of(trial.signals);
+  session.software_version = software_version;
+  session.cpu_features = cpu_features();
+  const auto id = store.begin_session(session);
+  if (!id) return id.error();
+  const auto measures = store_trial(trial, 1, session.rate_Hz, *id, store);
+  if (!measures) return measures;
+  if (auto ended = store.end_session(*id); !ended) return ended.error();
+  return measures;
 }
 
 }  // namespace isograsp

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recordings that others made become patients, sessions and trials of the database.
+// Recordings that others made become patients, sessions and trials of the database; so do signals
+// that were exported before.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "core/measure.hpp"
 #include "core/result.hpp"
 #include "session/recording.hpp"
 #include "storage/session_store.hpp"
@@ -27,5 +30,13 @@ struct Imported {
                                                SessionStore& store,
                                                const std::string& software_version,
                                                const std::function<void(int)>& progress = {});
+
+/// Stores one trial as a session of its own, marked as recorded, and scores it. The patient is
+/// created if the code is new. The rate is that of the
+/// signals. Returns the measures.
+/// @pre signals hold t_s and two rows, increasing, as read_signals() gives them
+[[nodiscard]] Result<std::vector<Measure>> store_signals_trial(const RecordedTrial& trial,
+                                                               Hand hand, SessionStore& store,
+                                                               const std::string& software_version);
 
 }  // namespace isograsp

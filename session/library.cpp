@@ -112,15 +112,23 @@ class ProtocolReader {
 
 }  // namespace
 
+std::string own_library_folder(const std::string& database) {
+  return fs::path(database).replace_extension(".library").string();
+}
+
 Result<std::string> find_in_library(const std::string& library, const std::string& folder,
                                     const std::string& name, const std::string& beside) {
   const std::string file = name.ends_with(".toml") ? name : name + ".toml";
   std::error_code ignored;
   std::vector<fs::path> places;
-  if (!beside.empty()) places.push_back(fs::path(beside).parent_path() / file);
+  if (!beside.empty()) {
+    const fs::path around = fs::path(beside).parent_path();
+    places.push_back(around / file);
+    places.push_back(around / ".." / folder / file);
+  }
   places.push_back(fs::path(library) / folder / file);
   for (const auto& path : places)
-    if (fs::is_regular_file(path, ignored)) return path.string();
+    if (fs::is_regular_file(path, ignored)) return path.lexically_normal().string();
   return Error{Error::Code::bad_input,
                "there is no file of this name",
                "put it into " + (fs::path(library) / folder).string(),
@@ -132,20 +140,29 @@ Result<std::string> find_in_library(const std::string& library, const std::strin
 Result<TaskSpec> load_task(const std::string& path) {
   const auto text = read_text(path);
   if (!text) return text.error();
-  auto spec = parse_task(*text, path);
+  return read_task(*text, path);
+}
+
+Result<TaskSpec> read_task(std::string_view text, const std::string& path) {
+  auto spec = parse_task(text, path);
   if (!spec) return spec;
   const auto* tracking = std::get_if<ForceTrackingSpec>(&spec->kind);
   if (tracking == nullptr || tracking->waveform.csv.empty() || !tracking->waveform.t_s.empty())
     return spec;
   const auto table = csv_table((fs::path(path).parent_path() / tracking->waveform.csv).string());
   if (!table) return table.error();
-  return parse_task(*text + *table, path);
+  return parse_task(std::string(text) + *table, path);
 }
 
 Result<ReadyProtocol> read_protocol(const std::string& path, const std::string& library) {
   const auto text = read_text(path);
   if (!text) return text.error();
-  auto spec = parse_protocol(*text, path);
+  return read_protocol(*text, path, library);
+}
+
+Result<ReadyProtocol> read_protocol(std::string_view text, const std::string& path,
+                                    const std::string& library) {
+  auto spec = parse_protocol(text, path);
   if (!spec) return spec.error();
   ReadyProtocol ready{std::move(*spec), {}};
   if (auto read = ProtocolReader(ready, library).read(); !read) return read.error();

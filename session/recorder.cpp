@@ -43,6 +43,17 @@ std::string newtons(double force_N) {
 
 }  // namespace
 
+std::string remark_on(const InstrumentZeroRecord& zero) {
+  std::string remark;
+  if (zero.change_confirmed)
+    remark += "It differs from the last empty zero by " + newtons(*zero.change_N) +
+              "; confirmed as serviced or remounted. ";
+  if (zero.drifted)
+    remark += "The zero has drifted by " + newtons(*zero.drift_N) +
+              " since the one before: the trials between are marked. ";
+  return remark;
+}
+
 Recorder::Recorder(std::unique_ptr<SessionStore> store, const SessionRecord& session,
                    Ring<RecordItem>& records, bool live_score)
     : store_(std::move(store)),
@@ -60,11 +71,13 @@ bool Recorder::pump() {
 void Recorder::take_remarks() {
   std::vector<EventRecord> events;
   std::vector<RatingRecord> ratings;
+  std::vector<SessionAnswer> answers;
   std::vector<std::pair<RowId, bool>> helped;
   {
     const std::lock_guard lock(mutex_);
     events.swap(events_);
     ratings.swap(ratings_);
+    answers.swap(answers_);
     helped.swap(helped_);
   }
   for (auto& event : events) {
@@ -78,6 +91,7 @@ void Recorder::take_remarks() {
     const auto id = store_->add_rating(rating);
     if (!id) stored(id.error());
   }
+  if (!answers.empty()) stored(store_->add_answers(session_.id, answers));
   for (const auto& [trial, mark] : helped) stored(store_->mark_helped(trial, mark));
 }
 
@@ -160,6 +174,13 @@ void Recorder::end(const RecordItem& item) {
   outcome.trial.dropped = item.dropped;
   outcome.trial.health_json = health_as_json(item.health);
   outcome.trial.timing_json = as_json(trial_->timing);
+  {
+    const std::lock_guard lock(mutex_);
+    const ScreenShown screen = std::exchange(screen_, {});
+    outcome.trial.display_age_s = screen.age_s;
+    outcome.trial.visual_gain_deg_per_N = screen.gain_deg_per_N;
+    outcome.trial.viewing_distance_m = screen.distance_m;
+  }
   outcome.reason = item.reason;
   outcome.measures = score(trial_->spec, signals_);
   if (!failed_) {
@@ -226,12 +247,7 @@ void Recorder::add_zero(const RecordItem& item) {
 void Recorder::take_zero(const RecordItem& item, ZeroOutcome& outcome) {
   InstrumentZeroRecord& zero = outcome.zero;
   zero.change_confirmed = item.change_confirmed;
-  if (zero.change_confirmed)
-    outcome.remark += "It differs from the last empty zero by " + newtons(*zero.change_N) +
-                      "; confirmed as serviced or remounted. ";
-  if (zero.drifted)
-    outcome.remark += "The zero has drifted by " + newtons(*zero.drift_N) +
-                      " since the one before: the trials between are marked. ";
+  outcome.remark = remark_on(zero);
   if (failed_) return;
   if (const auto id = store_->add_zero(zero))
     zero_id_ = zero.id = *id;
@@ -295,6 +311,16 @@ void Recorder::add_event(const EventRecord& event) {
 void Recorder::add_rating(const RatingRecord& rating) {
   const std::lock_guard lock(mutex_);
   ratings_.push_back(rating);
+}
+
+void Recorder::add_answers(const std::vector<SessionAnswer>& answers) {
+  const std::lock_guard lock(mutex_);
+  answers_.insert(answers_.end(), answers.begin(), answers.end());
+}
+
+void Recorder::set_screen(const ScreenShown& screen) {
+  const std::lock_guard lock(mutex_);
+  screen_ = screen;
 }
 
 void Recorder::mark_helped(RowId trial, bool helped) {

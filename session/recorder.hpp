@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "core/ring.hpp"
@@ -14,6 +15,9 @@
 #include "session/session.hpp"
 
 namespace isograsp {
+
+/// What is to be known about an accepted zero; may be empty.
+[[nodiscard]] std::string remark_on(const InstrumentZeroRecord& zero);
 
 class Recorder {
  public:
@@ -33,7 +37,10 @@ class Recorder {
   // These go to the database with the next pump().
   void add_event(const EventRecord& event);
   void add_rating(const RatingRecord& rating);  ///< after the newest trial
+  void add_answers(const std::vector<SessionAnswer>& answers);
   void mark_helped(RowId trial, bool helped);
+  /// Stored with the trial that ends next.
+  void set_screen(const ScreenShown& screen);
 
   /// Closes the session's record. Owner thread, after the last pump().
   /// `session_time_s`: when it ended, in virtual time; nothing: now.
@@ -85,6 +92,8 @@ class Recorder {
   std::vector<Measure> live_;
   std::vector<EventRecord> events_;
   std::vector<RatingRecord> ratings_;
+  std::vector<SessionAnswer> answers_;
+  ScreenShown screen_;
   std::vector<std::pair<RowId, bool>> helped_;
 };
 

@@ -65,7 +65,8 @@ struct RecordedTrial {
   std::string session_name;  ///< value of session_key; may be empty
   std::string file;          ///< without folder
   TaskSpec task;
-  Signals signals;  ///< t_s and the columns
+  Signals signals;         ///< t_s and the columns
+  std::string scene_text;  ///< empty: no object
 };
 
 /// All trials in the files of `folder`, by patient and session, each in the order of the files.

@@ -130,6 +130,7 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice,
   auto setup = *std::move(prepared);
   if (p.strapped_at_s) setup->since_strapping_s = snapshot().session_time_s - *p.strapped_at_s;
   setup->constants.device_delay_s = p.device->info().delay_s;
+  if (p.config.display_delay_s) setup->constants.display_delay_s = *p.config.display_delay_s;
   const double resolution_N = references().resolution_N;
   if (resolution_N > 0.0) setup->constants.resolution_N = resolution_N;
   TrialRecord& record = setup->record;
@@ -159,6 +160,17 @@ void Session::abort(const char* reason) {
 
 void Session::note(const std::string& text) {
   parts_->recorder->add_event({0, snapshot().session_time_s, "note", text});
+}
+
+Result<void> Session::answer(const std::vector<SessionAnswer>& answers) {
+  for (const auto& answer : answers)
+    if (auto good = check_answer(answer); !good) return good;
+  parts_->recorder->add_answers(answers);
+  return {};
+}
+
+void Session::shown(const ScreenShown& screen) {
+  parts_->recorder->set_screen(screen);
 }
 
 void Session::mark_helped(bool helped) {

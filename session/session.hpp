@@ -44,7 +44,8 @@ struct SessionConfig {
   Realtime realtime = Realtime::prefer;  ///< of the acquisition thread; not in virtual time
   std::optional<Effort> allowed;    ///< outcome of the screening for this hand; nothing: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
-  std::vector<SessionAnswer> answers;  ///< what was asked before: screening, posture
+  std::vector<SessionAnswer> answers;     ///< what was asked before: screening, posture
+  std::optional<double> display_delay_s;  ///< of the patient's screen; nothing: not measured
   /// Goes on with the protocol that the patient's newest session with this hand has not finished.
   /// Refused if there is none, or if it began more than kLongestBreak_s ago. What its screening
   /// said holds on where `allowed` or `ceiling_N` say nothing.
@@ -86,6 +87,13 @@ struct TrialOutcome {
   std::vector<Measure> measures;
   std::string reason;                              ///< why it was not completed
   std::optional<RestOutcome> rest = std::nullopt;  ///< of a completed resting-force trial
+};
+
+/// What the patient's screen showed in the running trial, as far as it is known.
+struct ScreenShown {
+  std::optional<double> age_s;  ///< median age of the pictures when they appeared
+  std::optional<double> gain_deg_per_N;
+  std::optional<double> distance_m;  ///< from the eyes to the screen
 };
 
 /// What happened since the owner looked last; exactly one of the members is set.
@@ -134,6 +142,10 @@ class Session {
   void abort(const char* reason = "Stopped by the therapist.");
   /// A remark at this moment of the session, stored with it.
   void note(const std::string& text);
+  /// Answers given while the session runs, e.g. how the patient sits; stored with it.
+  [[nodiscard]] Result<void> answer(const std::vector<SessionAnswer>& answers);
+  /// What is known last when the trial ends is stored with it.
+  void shown(const ScreenShown& screen);
   /// The therapist helps in the running trial or, if none runs, did in the last one: it is kept and
   /// marked, and neither references nor levels follow from it. False takes the mark away again.
   void mark_helped(bool helped = true);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "core/csv.hpp"
 #include "core/time.hpp"
 #include "device/uri.hpp"
 #include "session/session_parts.hpp"
@@ -23,6 +24,19 @@ namespace {
 std::string joined_lines(const std::vector<std::string>& lines) {
   std::string text;
   for (const auto& line : lines) text += line + "\n";
+  return text;
+}
+
+/// How counts became forces, a line a finger; empty if the device has no counts.
+std::string calibration_text(const DeviceInfo& info) {
+  std::string text;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    if (info.units_per_count[f].isZero(0.0)) continue;
+    text += std::string(kFingerNames[f]) + ": N or N m per count";
+    for (const double unit : info.units_per_count[f]) text += " " + format_number(unit);
+    if (!info.calibration[f].empty()) text += "; matrix " + info.calibration[f];
+    text += "\n";
+  }
   return text;
 }
 
@@ -118,6 +132,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   record.software_version = config.software_version;
   record.cpu_features = cpu_features();
   record.serial_numbers = info.serial_numbers;
+  record.calibration = calibration_text(info);
   record.operator_name = config.operator_name;
   record.realtime = describe(parts->realtime);
   if (config.allowed) record.allowed = name_of(*config.allowed);
@@ -145,9 +160,20 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   references.resolution_N = resolution_N(info);
   for (const EarlierTrial& trial : parts->earlier.trials)
     if (!trial.record.helped) learn_maxima(trial.measures, references);
+  const auto newest = (*store)->recent_sessions(1);
+  if (!newest) return newest.error();
   const auto session_id = (*store)->begin_session(record, config.answers);
   if (!session_id) return session_id.error();
   record.id = *session_id;
+  // Progress is put in order by these times.
+  if (config.started_utc.empty() && !newest->empty() &&
+      newest->front().started_utc > record.started_utc)
+    if (auto told = (*store)->add_event(
+            record.id, {0, 0.0, "clock",
+                        "The clock of this computer is behind the newest session of this file (" +
+                            newest->front().started_utc + ")."});
+        !told)
+      return told.error();
 
   Acquisition::Options options;
   options.resume_by_itself = info.recorded;

@@ -72,7 +72,8 @@ Group task_columns(bool has_object) {
        {"maximum_force_N", [](const auto& s) { return s.task.maximum_force_N; }},
        {"noise_sd_N", [](const auto& s) { return known(s.task.noise_sd_N); }},
        {"resolution_N", [](const auto& s) { return s.constants.resolution_N; }},
-       {"device_delay_s", [](const auto& s) { return s.constants.device_delay_s; }}}};
+       {"device_delay_s", [](const auto& s) { return s.constants.device_delay_s; }},
+       {"display_delay_s", [](const auto& s) { return s.constants.display_delay_s; }}}};
   if (!has_object) {
     add_force_task_columns(group);
     return group;

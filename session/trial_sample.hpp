@@ -15,8 +15,9 @@ namespace isograsp {
 
 /// What does not change within a trial and is stored beside its signals; NaN: not known.
 struct TrialConstants {
-  double resolution_N = kNotMeasured;    ///< coarsest step of a force component
-  double device_delay_s = kNotMeasured;  ///< of the sensors and their filters
+  double resolution_N = kNotMeasured;     ///< coarsest step of a force component
+  double device_delay_s = kNotMeasured;   ///< of the sensors and their filters
+  double display_delay_s = kNotMeasured;  ///< from the program to the light
 };
 
 struct TrialSample {

@@ -116,13 +116,6 @@ bool writable(const std::string& path) {
   return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
-void sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  fsync(descriptor);
-  close(descriptor);
-}
-
 /// Makes an empty database under a name of its own, then gives it its name: either the whole file
 /// is there or none. Somebody else's file that appears meanwhile is kept.
 Result<void> create_file(const std::string& path, const fs::path& real_path) {
@@ -157,7 +150,7 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
   std::error_code failure;
   if (!named) fs::rename(temporary, real_path, failure);  // a file system without hard links
   tidy();
-  sync_folder(folder);
+  static_cast<void>(sync_path(folder));
   if (failure)
     return failed(path, "could not be made: " + failure.message(), "choose another folder");
   return {};
@@ -196,6 +189,14 @@ Result<void> check_file(const std::string& path, const std::string& real_path,
 }
 
 }  // namespace
+
+bool sync_path(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool done = fsync(descriptor) == 0;
+  close(descriptor);
+  return done;
+}
 
 RecordingLock::RecordingLock(RecordingLock&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)) {}
@@ -255,7 +256,8 @@ Result<Database> Database::open(const std::string& path, SessionStore::Open how,
   if (fs::is_directory(status)) return bad_file(path, "is a folder", "name a file in it");
   if (fs::exists(status) && !fs::is_regular_file(status))
     return bad_file(path, "is not a plain file", "give a file made by isograsp db init");
-  if (!fs::exists(status)) {
+  const bool made_now = !fs::exists(status);
+  if (made_now) {
     if (how != Open::create && how != Open::scratch)
       return bad_file(path, "does not exist", "make it with isograsp db init, or check the path");
     if (const auto made = create_file(path, real_path); !made) return made.error();
@@ -278,7 +280,8 @@ Result<Database> Database::open(const std::string& path, SessionStore::Open how,
     sql << "PRAGMA trusted_schema=OFF";
     constexpr int kOff = 0;
     constexpr int kFull = 2;
-    const int synchronous = how == Open::scratch ? kOff : kFull;
+    database.scratch_ = how == Open::scratch;
+    const int synchronous = database.scratch_ ? kOff : kFull;
     sql << "PRAGMA synchronous=" + std::to_string(synchronous);
     if (read_only) sql << "PRAGMA query_only=ON";
     const bool wal = read_only || pragma<std::string>(sql, "journal_mode=WAL") == "wal";
@@ -286,6 +289,8 @@ Result<Database> Database::open(const std::string& path, SessionStore::Open how,
         pragma<int>(sql, "foreign_keys") != 1)
       throw Refusal{
           failed(path, "the database cannot be set to durable writing", "keep it on a local disk")};
+    if (database.scratch_ && made_now)  // the same each time; nobody's keys hang on it
+      sql << "UPDATE access_settings SET database_id = lower(hex(zeroblob(16)))";
     database.format_ = pragma<int>(sql, "user_version");
     if (!read_only && (database.format_ < oldest || database.format_ > kDatabaseFormat))
       throw Refusal{bad_file(path, "has a format that this program does not know",
@@ -308,12 +313,22 @@ Result<void> Database::guard(const char* doing, const std::function<void()>& wor
   }
 }
 
+Result<void> Database::snapshot(const char* doing, const std::function<void()>& work) {
+  return enclose("BEGIN", doing, work);
+}
+
 Result<void> Database::transact(const char* doing, const std::function<void()>& work) {
+  // IMMEDIATE: waits for other writers now, instead of failing after the first read.
+  return enclose("BEGIN IMMEDIATE", doing, work);
+}
+
+Result<void> Database::enclose(const char* begin, const char* doing,
+                               const std::function<void()>& work) {
   return guard(doing, [&] {
-    // IMMEDIATE: waits for other writers now, instead of failing after the first read.
-    sql() << "BEGIN IMMEDIATE";
+    sql() << begin;
     try {
       work();
+      if (before_commit_) before_commit_();
       sql() << "COMMIT";
     } catch (...) {
       try {

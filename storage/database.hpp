@@ -48,19 +48,31 @@ class Database {
   [[nodiscard]] const std::string& path() const noexcept { return path_; }  ///< as the user gave it
   [[nodiscard]] const std::string& real_path() const noexcept { return real_path_; }
   [[nodiscard]] int format() const noexcept { return format_; }  ///< when it was opened
+  [[nodiscard]] bool is_scratch() const noexcept { return scratch_; }
 
   /// Runs `work`; what it throws becomes an Error that names the file and `doing`.
   [[nodiscard]] Result<void> guard(const char* doing, const std::function<void()>& work);
+  /// The same, and all that is read is from one moment. @pre no transaction is open
+  [[nodiscard]] Result<void> snapshot(const char* doing, const std::function<void()>& work);
   /// The same in one transaction: durable when it returns, or nothing done.
   [[nodiscard]] Result<void> transact(const char* doing, const std::function<void()>& work);
+  /// Runs at the end of every transaction, as a part of it. Empty: nothing.
+  void before_commit(std::function<void()> also) { before_commit_ = std::move(also); }
 
  private:
   Database() = default;
+  [[nodiscard]] Result<void> enclose(const char* begin, const char* doing,
+                                     const std::function<void()>& work);
   std::string path_;
   std::string real_path_;
   int format_ = kDatabaseFormat;
+  bool scratch_ = false;
   std::unique_ptr<soci::session> session_;
+  std::function<void()> before_commit_;
 };
+
+/// A file, or the names in a folder, are on the disk when it returns true.
+[[nodiscard]] bool sync_path(const std::string& path);
 
 /// Thrown inside guard() and transact() to give up with an error of our own.
 struct Refusal {

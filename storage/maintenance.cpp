@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Care of the file: is it sound, and a copy of it while others work.
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
-#include <fcntl.h>
 #include <soci/soci.h>
 #include <unistd.h>
 
@@ -13,18 +10,6 @@
 namespace isograsp {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-bool sync_path(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool done = fsync(descriptor) == 0;
-  close(descriptor);
-  return done;
-}
-
-}  // namespace
 
 Result<std::vector<std::string>> SqliteStore::check() {
   std::vector<std::string> problems;
@@ -112,7 +97,7 @@ Result<void> SqliteStore::backup(const std::string& to) {
     tidy();
     return failed("the copy could not be written", "check the disk and the folder");
   }
-  sync_path(target.parent_path());
+  static_cast<void>(sync_path(target.parent_path()));
   return {};
 }
 

@@ -98,6 +98,25 @@ Result<void> check_clinical_score(const ClinicalScore& score) {
   return {};
 }
 
+Result<void> check_primary_measure(const PrimaryMeasure& primary) {
+  if (primary.task_name.empty()) return refused("task_name", "is empty", "name the task");
+  if (primary.measure.empty()) return refused("measure", "is empty", "name the measure");
+  if (primary.chosen_by.empty())
+    return refused("chosen_by", "is empty", "say who chose the measure");
+  return {};
+}
+
+Result<void> check_stable_period(const StablePeriod& period) {
+  if (auto good = check_date(period.from_date, "from_date"); !good) return good;
+  if (auto good = check_date(period.until_date, "until_date"); !good) return good;
+  if (period.until_date < period.from_date)  // ISO 8601 sorts as text
+    return refused("until_date", "'" + period.until_date + "' is before " + period.from_date,
+                   "give the last day of that time");
+  if (period.judged_by.empty())
+    return refused("judged_by", "is empty", "say which clinician judged the person stable");
+  return {};
+}
+
 Result<void> check_answer(const SessionAnswer& answer) {
   if (answer.topic.empty()) return refused("topic", "is empty", "say what was asked about");
   if (answer.item.empty()) return refused("item", "is empty", "say what was asked");

@@ -76,6 +76,58 @@ inline constexpr std::array<ClinicalScale, 7> kClinicalScales{{
 /// Nothing: there is no such scale.
 [[nodiscard]] const ClinicalScale* clinical_scale(std::string_view name) noexcept;
 
+/// A measure of a person that gets verdicts of change (docs/change.md).
+struct PrimaryMeasure {
+  RowId id = 0;
+  std::string task_name;
+  Hand hand = Hand::right;
+  std::string measure;  ///< name and channel as stored with a trial
+  std::string channel;
+  std::string chosen_utc;  ///< ISO 8601
+  std::string chosen_by;   ///< as they wish to be called; never in a research export
+  bool operator==(const PrimaryMeasure&) const = default;
+};
+inline constexpr int kMostPrimaryMeasures = 4;  ///< of a person
+
+/// A clinician's judgement: in this time the person did not change.
+struct StablePeriod {
+  RowId id = 0;
+  std::string from_date;   ///< ISO 8601; first day
+  std::string until_date;  ///< last day
+  std::string judged_utc;
+  std::string judged_by;  ///< never in a research export
+  std::string text;       ///< may be empty; never in a research export
+  bool operator==(const StablePeriod&) const = default;
+};
+
+/// Which values may be pooled: all fields must be equal.
+struct StableQuery {
+  std::string task_name;
+  int task_version = 1;
+  std::string task_text;
+  std::string scene_text;
+  std::string measure;
+  std::string channel;
+  std::string unit;
+  int measure_version = 1;
+  bool simulated = false;
+  bool recorded = false;
+};
+/// One trial of a person who is judged stable, with what else decides what it is compared with.
+struct StableValue {
+  RowId patient_id = 0;
+  RowId period_id = 0;
+  RowId session_id = 0;
+  std::string started_utc;  ///< of the session
+  Hand hand = Hand::right;
+  std::optional<Side> affected;  ///< of the person; nothing: not told
+  double rate_Hz = 0.0;
+  double device_delay_s = 0.0;
+  double maximum_force_N = 0.0;
+  std::optional<double> visual_gain_deg_per_N;
+  std::optional<double> value;  ///< nothing: the trial has none
+};
+
 /// Posture and screening: one answer of a session.
 struct SessionAnswer {
   std::string topic;  ///< "screening", "posture"
@@ -88,12 +140,15 @@ struct SessionAnswer {
 inline constexpr int kFirstYear = 1900;
 inline constexpr int kLastYear = 2099;
 
-// Errors name the field (`onset_date`, `on_date`, `kind`, `scale`, `value`, `topic`, `item`).
+// Errors name the field (`onset_date`, `on_date`, `kind`, `scale`, `value`, `topic`, `item`,
+// `task_name`, `measure`, `chosen_by`, `from_date`, `until_date`, `judged_by`).
 /// A day of the calendar, ISO 8601, in these years.
 [[nodiscard]] Result<void> check_date(const std::string& iso_date, std::string_view field);
 [[nodiscard]] Result<void> check_profile(const PatientProfile& profile);
 [[nodiscard]] Result<void> check_treatment_mark(const TreatmentMark& mark);
 [[nodiscard]] Result<void> check_clinical_score(const ClinicalScore& score);
+[[nodiscard]] Result<void> check_primary_measure(const PrimaryMeasure& primary);
+[[nodiscard]] Result<void> check_stable_period(const StablePeriod& period);
 [[nodiscard]] Result<void> check_answer(const SessionAnswer& answer);
 
 }  // namespace isograsp

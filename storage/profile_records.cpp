@@ -185,6 +185,21 @@ Result<void> SqliteStore::check_told(std::vector<std::string>& problems) {
     if (!scores) return scores.error();
     for (const auto& score : *scores)
       note(check_clinical_score(score), "clinical score " + std::to_string(score.id));
+    const auto primaries = primary_measures(patient.id);
+    if (!primaries) return primaries.error();
+    for (const auto& primary : *primaries)
+      note(check_primary_measure(primary), "primary measure " + std::to_string(primary.id));
+    if (primaries->size() > kMostPrimaryMeasures)
+      problems.push_back(patient.code + " has more than " + std::to_string(kMostPrimaryMeasures) +
+                         " primary measures");
+    const auto periods = stable_periods(patient.id);
+    if (!periods) return periods.error();
+    for (std::size_t i = 0; i < periods->size(); ++i) {
+      const StablePeriod& period = (*periods)[i];
+      note(check_stable_period(period), "stable time " + std::to_string(period.id));
+      if (i > 0 && period.from_date <= (*periods)[i - 1].until_date)
+        problems.push_back("stable times of " + patient.code + " overlap on " + period.from_date);
+    }
   }
   return {};
 }

@@ -72,8 +72,10 @@ Result<std::vector<PatientRecord>> SqliteStore::patients() {
   const auto done = database_.guard("reading patients", [&] {
     PatientRecord one;
     soci::statement select =
-        (database_.sql().prepare << "SELECT id, code, created_utc FROM patients ORDER BY id",
-         soci::into(one.id), soci::into(one.code), soci::into(one.created_utc));
+        (database_.sql().prepare << "SELECT id, code, created_utc, " + since(6, "uuid", "''") +
+                                        " FROM patients ORDER BY id",
+         soci::into(one.id), soci::into(one.code), soci::into(one.created_utc),
+         soci::into(one.uuid));
     select.execute();
     while (select.fetch()) all.push_back(one);
   });
@@ -85,9 +87,10 @@ Result<std::optional<PatientRecord>> SqliteStore::find_patient(const std::string
   std::optional<PatientRecord> found;
   const auto done = database_.guard("reading patients", [&] {
     PatientRecord one;
-    database_.sql() << "SELECT id, code, created_utc FROM patients "
-                       "WHERE code = :code",
-        soci::use(code), soci::into(one.id), soci::into(one.code), soci::into(one.created_utc);
+    database_.sql() << "SELECT id, code, created_utc, " + since(6, "uuid", "''") +
+                           " FROM patients WHERE code = :code",
+        soci::use(code), soci::into(one.id), soci::into(one.code), soci::into(one.created_utc),
+        soci::into(one.uuid);
     if (database_.sql().got_data()) found = one;
   });
   if (!done) return done.error();
@@ -109,8 +112,8 @@ std::vector<SessionRecord> SqliteStore::read_sessions(const std::string& where) 
               "device_description, simulated, recorded, provenance, protocol_name, "
               "protocol_text, rate_Hz, device_delay_s, software_version, cpu_features, seed, " +
                   since(2, "device_serials, operator_name, realtime", "'', '', ''") + ", " +
-                  since(3, "coalesce(resumes_id, 0), allowed, ceiling_N", "0, '', NULL") +
-                  " FROM sessions " + where,
+                  since(3, "coalesce(resumes_id, 0), allowed, ceiling_N", "0, '', NULL") + ", " +
+                  since(6, "calibration, uuid", "'', ''") + " FROM sessions " + where,
        soci::into(one.id), soci::into(one.patient_id), soci::into(one.started_utc),
        soci::into(one.ended_utc), soci::into(hand), soci::into(one.device_uri),
        soci::into(one.device_description), soci::into(simulated), soci::into(recorded),
@@ -118,7 +121,8 @@ std::vector<SessionRecord> SqliteStore::read_sessions(const std::string& where) 
        soci::into(one.rate_Hz), soci::into(one.device_delay_s), soci::into(one.software_version),
        soci::into(one.cpu_features), soci::into(seed), soci::into(serials),
        soci::into(one.operator_name), soci::into(one.realtime), soci::into(one.resumes_id),
-       soci::into(one.allowed), soci::into(ceiling.value, ceiling.present));
+       soci::into(one.allowed), soci::into(ceiling.value, ceiling.present),
+       soci::into(one.calibration), soci::into(one.uuid));
   select.execute();
   while (select.fetch()) {
     one.ceiling_N = ceiling.get();
@@ -137,7 +141,9 @@ std::vector<SessionRecord> SqliteStore::read_sessions(const std::string& where) 
 Result<std::vector<SessionRecord>> SqliteStore::sessions(RowId patient) {
   std::vector<SessionRecord> all;
   const auto done = database_.guard("reading sessions", [&] {
-    all = read_sessions("WHERE patient_id = " + std::to_string(patient) + " ORDER BY id");
+    // By time: those of another station may have been added later.
+    all = read_sessions("WHERE patient_id = " + std::to_string(patient) +
+                        " ORDER BY started_utc, id");
   });
   if (!done) return done.error();
   return all;
@@ -153,18 +159,20 @@ Result<std::vector<SessionRecord>> SqliteStore::recent_sessions(int most) {
   return all;
 }
 
-void SqliteStore::read_groups(TrialRecord& trial) {
+std::vector<SignalGroup> SqliteStore::groups_of(RowId trial) {
+  std::vector<SignalGroup> groups;
   SignalGroup group;
   std::string names;
   soci::statement select =
       (database_.sql().prepare << "SELECT name, column_names FROM signal_groups "
                                   "WHERE trial_id = :trial ORDER BY position",
-       soci::use(trial.id), soci::into(group.name), soci::into(names));
+       soci::use(trial), soci::into(group.name), soci::into(names));
   select.execute();
   while (select.fetch()) {
     group.columns = split_lines(names);
-    trial.groups.push_back(group);
+    groups.push_back(group);
   }
+  return groups;
 }
 
 Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
@@ -199,6 +207,7 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
                     ", " +
                     since(4, "display_age_s, visual_gain_deg_per_N, viewing_distance_m",
                           "NULL, NULL, NULL") +
+                    ", " + since(6, "uuid, lower(hex(coalesce(signals_blake2b, '')))", "'', ''") +
                     " FROM trials WHERE session_id = :session ORDER BY number",
          soci::use(session), soci::into(one.id), soci::into(one.session_id), soci::into(one.number),
          soci::into(one.task_name), soci::into(one.task_version), soci::into(one.task_text),
@@ -213,7 +222,8 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
          soci::into(drift.value, drift.present), soci::into(drifted), soci::into(seed),
          soci::into(place.step), soci::into(place.task), soci::into(helped),
          soci::into(age.value, age.present), soci::into(gain.value, gain.present),
-         soci::into(distance.value, distance.present));
+         soci::into(distance.value, distance.present), soci::into(one.uuid),
+         soci::into(one.signals_hash));
     select.execute();
     while (select.fetch()) {
       one.display_age_s = age.get();
@@ -229,7 +239,7 @@ Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
       one.status = read_status(status);
       all.push_back(one);
     }
-    for (TrialRecord& trial : all) read_groups(trial);
+    for (TrialRecord& trial : all) trial.groups = groups_of(trial.id);
   });
   if (!done) return done.error();
   return all;

@@ -21,6 +21,7 @@ struct PatientRecord {
   RowId id = 0;
   std::string code;
   std::string created_utc;  ///< ISO 8601
+  std::string uuid{};       ///< the same in every file; empty: formats 1 to 5
 };
 
 struct SessionRecord {
@@ -47,6 +48,8 @@ struct SessionRecord {
   RowId resumes_id = 0;       ///< the interrupted session whose protocol goes on here; 0: none
   std::string allowed;  ///< by the screening: "maximum", "comfortable", "none"; empty: not asked
   std::optional<double> ceiling_N = std::nullopt;  ///< no target exceeds it
+  std::string calibration;  ///< how counts became forces, one line a finger; empty: no counts
+  std::string uuid;         ///< the same in every file; given when it begins
 };
 
 /// Device empty, one second quiet: mean and SD per finger and axis.
@@ -138,6 +141,10 @@ struct TrialRecord {
   std::optional<double> visual_gain_deg_per_N = std::nullopt;
   std::optional<double> viewing_distance_m = std::nullopt;  ///< for that angle
   std::vector<SignalGroup> groups;
+  std::string uuid;  ///< the same in every file; given when it begins
+  /// Of its signals (docs/file_formats.md), 64 hexadecimal digits; empty: still in blocks of a
+  /// second.
+  std::string signals_hash;
 };
 
 struct EventRecord {

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "storage/schema_access.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp::schema {
@@ -235,8 +236,63 @@ const std::array<const char*, 11> kToFormat4{
     "ALTER TABLE trials ADD COLUMN viewing_distance_m REAL CHECK (viewing_distance_m > 0)",
 };
 
-const std::array<std::span<const char* const>, kDatabaseFormat> kFormats{kToFormat1, kToFormat2,
-                                                                         kToFormat3, kToFormat4};
+const std::array<const char*, 3> kToFormat5{
+    R"(CREATE TABLE primary_measures (
+  id INTEGER PRIMARY KEY,
+  patient_id INTEGER NOT NULL REFERENCES patients (id),
+  task_name TEXT NOT NULL CHECK (task_name <> ''),
+  hand TEXT NOT NULL CHECK (hand IN ('right', 'left')),
+  measure TEXT NOT NULL CHECK (measure <> ''),
+  channel TEXT NOT NULL,
+  chosen_utc TEXT NOT NULL,
+  chosen_by TEXT NOT NULL CHECK (chosen_by <> ''),
+  UNIQUE (patient_id, task_name, hand, measure, channel)
+) STRICT)",
+
+    R"(CREATE TABLE stable_periods (
+  id INTEGER PRIMARY KEY,
+  patient_id INTEGER NOT NULL REFERENCES patients (id),
+  from_date TEXT NOT NULL CHECK (date(from_date, '+0 days') IS from_date),
+  until_date TEXT NOT NULL CHECK (date(until_date, '+0 days') IS until_date),
+  judged_utc TEXT NOT NULL,
+  judged_by TEXT NOT NULL CHECK (judged_by <> ''),
+  text TEXT NOT NULL,
+  CHECK (from_date <= until_date)
+) STRICT)",
+
+    "CREATE INDEX stable_periods_of_patient ON stable_periods (patient_id)",
+};
+
+const std::array<const char*, 10> kToFormat6{
+    "ALTER TABLE patients ADD COLUMN uuid TEXT CHECK (length(uuid) = 36)",
+    "ALTER TABLE sessions ADD COLUMN uuid TEXT CHECK (length(uuid) = 36)",
+    "ALTER TABLE trials ADD COLUMN uuid TEXT CHECK (length(uuid) = 36)",
+    "CREATE UNIQUE INDEX patients_by_uuid ON patients (uuid)",
+    "CREATE UNIQUE INDEX sessions_by_uuid ON sessions (uuid)",
+    "CREATE UNIQUE INDEX trials_by_uuid ON trials (uuid)",
+
+    R"(CREATE TABLE patient_aliases (
+  uuid TEXT PRIMARY KEY CHECK (length(uuid) = 36),
+  patient_id INTEGER NOT NULL REFERENCES patients (id)
+) STRICT)",
+
+    "ALTER TABLE sessions ADD COLUMN calibration TEXT NOT NULL DEFAULT ''",
+    "ALTER TABLE trials ADD COLUMN signals_blake2b BLOB CHECK (length(signals_blake2b) = 32)",
+
+    R"(CREATE TABLE signal_packs (
+  trial_id INTEGER NOT NULL,
+  position INTEGER NOT NULL,
+  part INTEGER NOT NULL CHECK (part >= 0),
+  row_count INTEGER NOT NULL CHECK (row_count > 0),
+  values_blake2b BLOB NOT NULL CHECK (length(values_blake2b) = 32),
+  float64_shuffled_zstd BLOB NOT NULL,
+  PRIMARY KEY (trial_id, position, part),
+  FOREIGN KEY (trial_id, position) REFERENCES signal_groups (trial_id, position)
+) STRICT)",
+};
+
+const std::array<std::span<const char* const>, kDatabaseFormat> kFormats{
+    kToFormat1, kToFormat2, kToFormat3, kToFormat4, kToFormat5, kToFormat6, access_statements()};
 
 }  // namespace
 

@@ -12,6 +12,8 @@
 
 #include "core/time.hpp"
 #include "storage/block_codec.hpp"
+#include "storage/content_hash.hpp"
+#include "storage/guarded_store.hpp"
 #include "storage/sqlite_store.hpp"
 
 namespace isograsp {
@@ -84,10 +86,11 @@ Error SqliteStore::refuse(std::string what, std::string remedy) const {
 Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path, Open how) {
   auto database = Database::open(path, how);
   if (!database) return database.error();
-  auto store = std::make_unique<SqliteStore>(std::move(*database));
+  auto store = make_guarded_store(*std::move(database), how != Open::read_only);
+  if (!store) return store.error();
   if (how != Open::read_only)
-    if (const auto repaired = store->repair(); !repaired) return repaired.error();
-  return std::unique_ptr<SessionStore>(std::move(store));
+    if (const auto repaired = (*store)->repair(); !repaired) return repaired.error();
+  return std::unique_ptr<SessionStore>(*std::move(store));
 }
 
 Result<std::unique_ptr<SessionStore>> SessionStore::open_to_read(const std::string& path) {
@@ -98,34 +101,47 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open_to_read(const std::stri
 }
 
 Result<void> SqliteStore::repair() {
-  int running = 0;
-  const auto counted = database_.guard("opening", [&] {
-    database_.sql() << "SELECT count(*) FROM trials WHERE status = 'running'", soci::into(running);
+  std::vector<RowId> running;
+  const auto read = database_.guard("opening", [&] {
+    RowId id = 0;
+    soci::statement select =
+        (database_.sql().prepare << "SELECT id FROM trials WHERE status = 'running'",
+         soci::into(id));
+    select.execute();
+    while (select.fetch()) running.push_back(id);
   });
-  if (!counted) return counted.error();
-  if (running == 0) return {};
+  if (!read) return read.error();
+  if (running.empty()) return {};
   const auto lock = RecordingLock::exclusive_if_free(database_.real_path());
   if (!lock) return lock.error();
   if (!lock->held()) return {};  // somebody records: those trials may be theirs
-  return database_.transact("marking interrupted trials", [&] {
+  const auto marked = database_.transact("marking interrupted trials", [&] {
     database_.sql() << "UPDATE trials SET status = 'interrupted', sample_count = "
                        "(SELECT coalesce(sum(row_count), 0) FROM signal_blocks "
                        "WHERE trial_id = trials.id AND position = 0) WHERE status = 'running'";
   });
+  if (!marked) return marked.error();
+  for (const RowId trial : running) pack_or_say(trial);
+  return {};
+}
+
+std::string SqliteStore::new_uuid(const std::string& name) const {
+  return database_.is_scratch() ? uuid_of(name) : random_uuid();
 }
 
 Result<PatientRecord> SqliteStore::add_patient(const std::string& code,
                                                const std::string& created_utc) {
   if (const auto allowed = check_patient_code(code); !allowed) return allowed.error();
-  PatientRecord patient{0, code, created_utc.empty() ? utc_text(std::time(nullptr)) : created_utc};
+  PatientRecord patient{0, code, created_utc.empty() ? utc_text(std::time(nullptr)) : created_utc,
+                        new_uuid(code + "\n" + created_utc)};
   const auto done = database_.transact("adding a patient", [&] {
     soci::session& sql = database_.sql();
     std::string present;
     sql << "SELECT code FROM patients WHERE code = :code", soci::use(code), soci::into(present);
     if (sql.got_data())
       throw Refusal{refuse("patient " + present + " exists already", "choose another code")};
-    sql << "INSERT INTO patients (code, created_utc) VALUES (:code, :created)",
-        soci::use(patient.code), soci::use(patient.created_utc);
+    sql << "INSERT INTO patients (code, created_utc, uuid) VALUES (:code, :created, :uuid)",
+        soci::use(patient.code), soci::use(patient.created_utc), soci::use(patient.uuid);
     patient.id = last_id(sql, "patients");
   });
   if (!done) return done.error();
@@ -146,13 +162,18 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
   Optional ceiling(session.ceiling_N);
   const auto done = database_.transact("beginning a session", [&] {
     soci::session& sql = database_.sql();
+    std::string patient;
+    int before = 0;
+    sql << "SELECT uuid, (SELECT count(*) FROM sessions) FROM patients WHERE id = :id",
+        soci::use(session.patient_id), soci::into(patient), soci::into(before);
+    const std::string uuid = new_uuid(patient + "\n" + started + "\n" + std::to_string(before));
     sql << "INSERT INTO sessions (patient_id, started_utc, hand, device_uri, device_description, "
            "simulated, recorded, provenance, protocol_name, protocol_text, rate_Hz, "
            "device_delay_s, software_version, cpu_features, seed, device_serials, "
-           "operator_name, realtime, resumes_id, allowed, ceiling_N) "
+           "operator_name, realtime, resumes_id, allowed, ceiling_N, calibration, uuid) "
            "VALUES (:patient, :started, :hand, :uri, :description, :simulated, :recorded, "
            ":provenance, :protocol, :protocol_text, :rate, :delay, :version, :cpu, :seed, "
-           ":serials, :operator, :realtime, :resumes, :allowed, :ceiling)",
+           ":serials, :operator, :realtime, :resumes, :allowed, :ceiling, :calibration, :uuid)",
         soci::use(session.patient_id), soci::use(started), soci::use(hand),
         soci::use(session.device_uri), soci::use(session.device_description), soci::use(simulated),
         soci::use(recorded), soci::use(session.provenance), soci::use(session.protocol_name),
@@ -161,7 +182,7 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
         soci::use(session.cpu_features), soci::use(seed), soci::use(serials),
         soci::use(session.operator_name), soci::use(session.realtime),
         soci::use(session.resumes_id, resumes_present), soci::use(session.allowed),
-        soci::use(ceiling.value, ceiling.present);
+        soci::use(ceiling.value, ceiling.present), soci::use(session.calibration), soci::use(uuid);
     id = last_id(sql, "sessions");
     insert_answers(id, answers);
   });
@@ -266,24 +287,26 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
   auto place_present = trial.place ? soci::i_ok : soci::i_null;
   const auto done = database_.transact("beginning a trial", [&] {
     soci::session& sql = database_.sql();
-    sql << "SELECT rate_Hz FROM sessions WHERE id = :id", soci::use(trial.session_id),
-        soci::into(recording.rate_Hz);
+    std::string of_session;
+    sql << "SELECT rate_Hz, uuid FROM sessions WHERE id = :id", soci::use(trial.session_id),
+        soci::into(recording.rate_Hz), soci::into(of_session);
     if (!sql.got_data())
       throw Refusal{refuse("there is no session " + std::to_string(trial.session_id), "begin one")};
+    const std::string uuid = new_uuid(of_session + "\n" + std::to_string(trial.number));
     sql << "INSERT INTO trials (session_id, number, task_name, task_version, task_text, "
            "scene_text, practice, session_time_s, status, maximum_force_N, resting_force_N, "
            "zero_id, thumb_threshold_N, index_threshold_N, middle_threshold_N, seed, step, "
-           "step_task) "
+           "step_task, uuid) "
            "VALUES (:session, :number, :task, :version, :task_text, :scene_text, "
            ":practice, :time, 'running', :maximum, :resting, :zero, :thumb, :index, :middle, "
-           ":seed, :step, :step_task)",
+           ":seed, :step, :step_task, :uuid)",
         soci::use(trial.session_id), soci::use(trial.number), soci::use(trial.task_name),
         soci::use(trial.task_version), soci::use(trial.task_text), soci::use(trial.scene_text),
         soci::use(practice), soci::use(trial.session_time_s), soci::use(trial.maximum_force_N),
         soci::use(trial.resting_force_N), soci::use(trial.zero_id, zero_present),
         soci::use(thumb.value, thumb.present), soci::use(index.value, index.present),
         soci::use(middle.value, middle.present), soci::use(seed),
-        soci::use(place.step, place_present), soci::use(place.task, place_present);
+        soci::use(place.step, place_present), soci::use(place.task, place_present), soci::use(uuid);
     recording.trial = last_id(sql, "trials");
     for (std::size_t g = 0; g < trial.groups.size(); ++g) {
       const int position = static_cast<int>(g);
@@ -395,6 +418,7 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
   });
   if (!done) return done.error();
   recording_.reset();
+  pack_or_say(end.id);
   return {};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clinic's memory: patients by code, sessions, trials with their signals in blocks of one
-// second, measures, events. One SQLite file (WAL, synchronous=FULL); format: docs/file_formats.md.
+// The clinic's memory: patients by code, sessions, trials with their signals (in blocks of one
+// second while they are recorded, then packed), measures, events. One SQLite file (WAL, synchronous=FULL); format: docs/file_formats.md.
 // A store is used by one thread at a time; several stores may be open on one file.
 #pragma once
 
@@ -18,7 +18,7 @@
 namespace isograsp {
 
 /// Format of the files that this program writes (PRAGMA user_version).
-inline constexpr int kDatabaseFormat = 4;
+inline constexpr int kDatabaseFormat = 7;
 
 /// Patients are codes: letters, digits and '-', 2 to 32 characters, with at least one digit (a code
 /// is generated; names, initials and dates are refused).
@@ -37,9 +37,13 @@ class SessionStore {
   struct Migration {
     int from = kDatabaseFormat;  ///< format that the file had
     std::string copy;            ///< of the file as it was; empty: nothing was to be done
+    int packed = 0;              ///< trials that were in blocks of a second
+    /// Trials that stay in such blocks because they cannot be read, and why.
+    std::vector<std::string> not_packed{};
   };
   /// Brings a file to the format of this program, in one transaction, after a checked copy beside
-  /// it was made. Refused while somebody records into the file.
+  /// it was made; then packs the signals that are not, trial by trial. Refused while somebody records
+  /// into the file.
   [[nodiscard]] static Result<Migration> migrate(const std::string& path);
   /// For reading: like `existing` where the file can be written, so that trials left running are
   /// marked; else read_only. Files of older formats are read as they are.
@@ -71,7 +75,9 @@ class SessionStore {
   [[nodiscard]] virtual Result<void> append_blocks(RowId trial, int second,
                                                    std::span<const std::vector<double>> rows) = 0;
   /// Closes a trial: status, counters, health, timing and screen (display_age_s, visual_gain_*,
-  /// viewing_distance_m) of `end`, and its measures.
+  /// viewing_distance_m) of `end`, and its measures. Then packs its signals, in a transaction of its
+  /// own: if that does not succeed, the trial is stored all the same, in blocks of a second, and an
+  /// event `storage` of the session says why.
   [[nodiscard]] virtual Result<void> end_trial(const TrialRecord& end,
                                                std::span<const Measure> measures) = 0;
   [[nodiscard]] virtual Result<void> add_event(RowId session, const EventRecord& event) = 0;
@@ -90,6 +96,14 @@ class SessionStore {
   [[nodiscard]] virtual Result<RowId> add_clinical_score(RowId patient,
                                                          const ClinicalScore& score) = 0;
   [[nodiscard]] virtual Result<void> remove_clinical_score(RowId id) = 0;
+  /// Uses all fields but id; `chosen_utc` empty: now. Refused: one that is there already, a fifth.
+  [[nodiscard]] virtual Result<RowId> add_primary_measure(RowId patient,
+                                                          const PrimaryMeasure& primary) = 0;
+  [[nodiscard]] virtual Result<void> remove_primary_measure(RowId id) = 0;
+  /// Uses all fields but id; `judged_utc` empty: now. Refused: one that overlaps another.
+  [[nodiscard]] virtual Result<RowId> add_stable_period(RowId patient,
+                                                        const StablePeriod& period) = 0;
+  [[nodiscard]] virtual Result<void> remove_stable_period(RowId id) = 0;
 
   // Reading.
   [[nodiscard]] virtual Result<std::vector<PatientRecord>> patients() = 0;
@@ -101,6 +115,14 @@ class SessionStore {
   [[nodiscard]] virtual Result<std::vector<TreatmentMark>> treatment_marks(RowId patient) = 0;
   /// By date.
   [[nodiscard]] virtual Result<std::vector<ClinicalScore>> clinical_scores(RowId patient) = 0;
+  /// In the order in which they were chosen.
+  [[nodiscard]] virtual Result<std::vector<PrimaryMeasure>> primary_measures(RowId patient) = 0;
+  /// By date.
+  [[nodiscard]] virtual Result<std::vector<StablePeriod>> stable_periods(RowId patient) = 0;
+  /// One measure of the assessments of all people on the days on which they are judged stable:
+  /// completed trials, neither practice nor helped. By person, then oldest first.
+  [[nodiscard]] virtual Result<std::vector<StableValue>> stable_values(
+      const StableQuery& query) = 0;
   [[nodiscard]] virtual Result<std::vector<SessionRecord>> sessions(RowId patient) = 0;
   /// Of all patients, newest first.
   [[nodiscard]] virtual Result<std::vector<SessionRecord>> recent_sessions(int most) = 0;
@@ -118,14 +140,10 @@ class SessionStore {
   [[nodiscard]] virtual Result<std::vector<RestingForceRecord>> resting_forces(RowId session) = 0;
   [[nodiscard]] virtual Result<std::vector<RatingRecord>> ratings(RowId session) = 0;
   /// All groups of a trial side by side, in the order of trial.groups. Fails on a damaged block,
-  /// naming it.
+  /// naming it. With fewer groups or samples than the trial has: the first ones.
   [[nodiscard]] virtual Result<Signals> signals(const TrialRecord& trial) = 0;
   /// Every measure of a patient's completed trials, oldest first.
   [[nodiscard]] virtual Result<std::vector<MeasurePoint>> progress(RowId patient) = 0;
-
-  /// Adds all that another file of the same format holds, in its order, behind what is here.
-  /// Refused, and nothing is added, if a patient of it has a code that is here already.
-  [[nodiscard]] virtual Result<void> absorb(const std::string& other) = 0;
 
   // Care.
   /// integrity_check, foreign keys, every block readable, dates and scores possible. The list of

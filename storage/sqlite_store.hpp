@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The session store on SQLite. Internal to this folder; open one with SessionStore::open().
-// Writing is in session_store.cpp and absorb.cpp, reading in read_records.cpp and read_signals.cpp,
-// both for what is known of a person in profile_records.cpp, care in maintenance.cpp and
-// migration.cpp.
+// The session store on SQLite. Internal to this folder; SessionStore::open() gives one behind the
+// rules of access (guarded_store.hpp).
+// Writing is in session_store.cpp and packing.cpp, reading in read_records.cpp and
+// read_signals.cpp,
+// both for what is known of a person in profile_records.cpp and change_records.cpp, care in
+// maintenance.cpp and migration.cpp.
 #pragma once
 
 #include <functional>
@@ -11,12 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "storage/content_hash.hpp"
 #include "storage/database.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp {
 
-class SqliteStore final : public SessionStore {
+class SqliteStore : public SessionStore {
  public:
   explicit SqliteStore(Database database);
   ~SqliteStore() override;
@@ -46,12 +49,20 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<RowId> add_clinical_score(RowId patient,
                                                  const ClinicalScore& score) override;
   [[nodiscard]] Result<void> remove_clinical_score(RowId id) override;
+  [[nodiscard]] Result<RowId> add_primary_measure(RowId patient,
+                                                  const PrimaryMeasure& primary) override;
+  [[nodiscard]] Result<void> remove_primary_measure(RowId id) override;
+  [[nodiscard]] Result<RowId> add_stable_period(RowId patient, const StablePeriod& period) override;
+  [[nodiscard]] Result<void> remove_stable_period(RowId id) override;
 
   [[nodiscard]] Result<std::vector<PatientRecord>> patients() override;
   [[nodiscard]] Result<std::optional<PatientRecord>> find_patient(const std::string& code) override;
   [[nodiscard]] Result<PatientProfile> profile(RowId patient) override;
   [[nodiscard]] Result<std::vector<TreatmentMark>> treatment_marks(RowId patient) override;
   [[nodiscard]] Result<std::vector<ClinicalScore>> clinical_scores(RowId patient) override;
+  [[nodiscard]] Result<std::vector<PrimaryMeasure>> primary_measures(RowId patient) override;
+  [[nodiscard]] Result<std::vector<StablePeriod>> stable_periods(RowId patient) override;
+  [[nodiscard]] Result<std::vector<StableValue>> stable_values(const StableQuery& query) override;
   [[nodiscard]] Result<std::vector<SessionRecord>> sessions(RowId patient) override;
   [[nodiscard]] Result<std::vector<SessionRecord>> recent_sessions(int most) override;
   [[nodiscard]] Result<std::vector<SessionAnswer>> answers(RowId session) override;
@@ -66,12 +77,21 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<Signals> signals(const TrialRecord& trial) override;
   [[nodiscard]] Result<std::vector<MeasurePoint>> progress(RowId patient) override;
 
-  [[nodiscard]] Result<void> absorb(const std::string& other) override;
   [[nodiscard]] Result<std::vector<std::string>> check() override;
   [[nodiscard]] Result<void> backup(const std::string& to) override;
 
-  /// Marks trials that nobody records any more as interrupted.
+  /// Marks trials that nobody records any more as interrupted, and packs them.
   [[nodiscard]] Result<void> repair();
+  /// Closed trials whose signals are in blocks of a second.
+  [[nodiscard]] Result<std::vector<RowId>> unpacked();
+  /// Puts the blocks of a closed trial together, in one transaction; if it fails they stay.
+  [[nodiscard]] Result<void> pack_trial(RowId trial);
+  /// The same; why it failed becomes an event of the session.
+  void pack_or_say(RowId trial);
+
+ protected:
+  [[nodiscard]] Error refuse(std::string what, std::string remedy) const;
+  Database database_;
 
  private:
   /// The trial that this store records now.
@@ -85,12 +105,25 @@ class SqliteStore final : public SessionStore {
   };
   struct BlockInsert;  ///< the prepared statement of append_blocks and its variables
 
-  [[nodiscard]] Error refuse(std::string what, std::string remedy) const;
   [[nodiscard]] Result<void> check_blocks(int second,
                                           std::span<const std::vector<double>> rows) const;
-  void read_groups(TrialRecord& trial);
+  /// Of a trial, in order. Throws.
+  [[nodiscard]] std::vector<SignalGroup> groups_of(RowId trial);
+  [[nodiscard]] Refusal damaged(const TrialRecord& trial, const std::string& where,
+                                const std::string& what) const;
+  /// Appends the blocks of a group from second `from` on, at most `most` and until the trial's
+  /// samples are there; how many blocks. Throws a refusal that names what is missing or damaged.
+  int read_blocks(const TrialRecord& trial, std::size_t group, int from, int most,
+                  std::span<std::vector<double>> columns);
+  /// The same of packs, and what they say to the hash of the trial; the last one may hold more.
+  void read_packs(const TrialRecord& trial, std::size_t group,
+                  std::span<std::vector<double>> columns, ContentHasher& whole);
+  void pack_group(const TrialRecord& trial, std::size_t group, ContentHasher& whole);
   /// Throws a refusal if the table has no such row; `one`: what a row is called.
   void require(const char* table, const char* one, RowId id);
+  /// A new one; in a scratch file that of `name`: what is made of simulated people for a moment is
+  /// the same each time.
+  [[nodiscard]] std::string new_uuid(const std::string& name) const;
   void insert_answers(RowId session, std::span<const SessionAnswer> answers);
   /// Adds what makes no sense in what is known of persons.
   [[nodiscard]] Result<void> check_told(std::vector<std::string>& problems);
@@ -101,10 +134,15 @@ class SqliteStore final : public SessionStore {
   /// `where` stands behind FROM instrument_zeros z JOIN sessions s.
   [[nodiscard]] std::vector<InstrumentZeroRecord> read_zeros(const std::string& where);
 
-  Database database_;
   std::optional<Recording> recording_;
   std::unique_ptr<BlockInsert> block_insert_;
 };
+
+/// Of a packed block. A minute would save another 2 %, and damage would cost a minute.
+inline constexpr int kSecondsPerPart = 10;
+
+/// The part of a trial's hash that says what its columns are.
+void add_group(const SignalGroup& group, ContentHasher& whole);
 
 /// Of the row that was inserted last.
 [[nodiscard]] RowId last_id(soci::session& sql, const char* table);

@@ -102,6 +102,12 @@ std::optional<double> Record::constant(std::string_view column) const {
   return std::nullopt;
 }
 
+std::optional<double> Record::known_delay_s() const {
+  const auto device_s = constant("device_delay_s");
+  if (!device_s) return std::nullopt;
+  return *device_s + constant("display_delay_s").value_or(0.0);
+}
+
 Measure make_measure(std::string name, std::string channel, std::string unit,
                      const Section& section, Computed computed) {
   Measure measure;

@@ -61,6 +61,9 @@ class Record {
                                         TimeAxis axis = TimeAxis::task) const;
   /// First value of a column that is constant over the trial.
   [[nodiscard]] std::optional<double> constant(std::string_view column) const;
+  /// From what happens to what is recorded, and from the target to the eye where that was measured:
+  /// `device_delay_s` + `display_delay_s` [s]. Nothing: that of the device is not known.
+  [[nodiscard]] std::optional<double> known_delay_s() const;
 
  private:
   const Signals& signals_;

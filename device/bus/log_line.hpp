@@ -27,7 +27,7 @@ namespace isograsp {
 void append_hex_byte(std::string& text, std::uint8_t byte);
 
 /// Reads a log entry by entry, in constant memory. Parse reads one line without its end; lines that
-/// give nullopt are skipped.
+/// give nullopt are skipped. A line that is longer than any datagram in digits is an error.
 template <class Entry, Result<std::optional<Entry>> (*Parse)(std::string_view)>
 class LogReader {
  public:
@@ -42,9 +42,10 @@ class LogReader {
   }
   /// False at the end. Errors name file and line.
   [[nodiscard]] Result<bool> next(Entry& entry) {
-    while (std::getline(in_, text_)) {
+    while (in_.getline(text_.data(), static_cast<std::streamsize>(text_.size()))) {
       ++line_;
-      auto parsed = Parse(text_);
+      const auto count = static_cast<std::size_t>(in_.gcount());  // with the end, if it has one
+      auto parsed = Parse(std::string_view(text_.data(), in_.eof() ? count : count - 1));
       if (!parsed) {
         Error error = parsed.error();
         error.file = path_;
@@ -55,6 +56,13 @@ class LogReader {
       entry = std::move(**parsed);
       return true;
     }
+    if (!in_.bad() && !in_.eof())
+      return Error{Error::Code::bad_input,
+                   "this line is longer than 256 KiB",
+                   "check that it is a log",
+                   path_,
+                   line_ + 1,
+                   ""};
     if (in_.bad())
       return Error{
           Error::Code::failed, "the log cannot be read", "check the disk", path_, line_, ""};
@@ -64,7 +72,7 @@ class LogReader {
  private:
   std::string path_;
   std::ifstream in_;
-  std::string text_;
+  std::string text_ = std::string(std::size_t{256} << 10, '\0');
   int line_ = 0;
 };
 

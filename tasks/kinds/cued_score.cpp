@@ -19,12 +19,12 @@ double resolution_in(const Record& record, const Part& part) {
   return std::isnan(resolution_N) ? 0.0 : resolution_N;
 }
 
-/// Times of an event that may be censored, and the same without the delay of the device: their
+/// Times of an event that may be censored, and the same without the known delay: their
 /// median, as NAME_corrected.
 void add_delayed_times(const std::string& name, const std::string& channel, const Record& record,
                        const Section& section, const std::vector<EventTime>& times, double limit_s,
                        MeasureList& list) {
-  const auto delay_s = record.constant("device_delay_s");
+  const auto delay_s = record.known_delay_s();
   std::vector<EventTime> corrected = times;
   for (EventTime& time : corrected)
     if (time.time_s.value) time.time_s = without_delay(time.time_s, delay_s).corrected_s;

@@ -104,8 +104,7 @@ class TrackingScore {
                                             : lag(on_uniform_grid(section.t_s, target),
                                                   on_uniform_grid(section.t_s, actual));
     add("lag", channel, "s", late);
-    add("lag_corrected", channel, "s",
-        without_delay(late, record_.constant("device_delay_s")).corrected_s);
+    add("lag_corrected", channel, "s", without_delay(late, record_.known_delay_s()).corrected_s);
     const bool sines = axis.waveform.shape == Waveform::Shape::sine ||
                        axis.waveform.shape == Waveform::Shape::multi_sine;
     if (!sines) return;

@@ -23,10 +23,6 @@ namespace {
 
 constexpr const char* kTooShort = "fewer than two samples";
 
-std::optional<double> known_delay_s(const Record& record) {
-  return record.constant("device_delay_s");
-}
-
 /// Errors of the whole target.
 void add_errors(const Record& record, const Trace& trace, double band_fraction,
                 const std::string& channel, MeasureList& list) {
@@ -42,7 +38,7 @@ void add_errors(const Record& record, const Trace& trace, double band_fraction,
   add("time_in_range", "%", time_in_band(target_N, force_N, weight_s, band_fraction, noise_N));
 }
 
-/// Lag with the raw value beside the one without the delay of the device.
+/// Lag with the raw value beside the one without the known delay.
 void add_lag(const Record& record, const Trace& trace, const std::string& channel,
              MeasureList& list) {
   const Computed raw = trace.t_s.size() < 2 ? Computed(kTooShort)
@@ -50,7 +46,7 @@ void add_lag(const Record& record, const Trace& trace, const std::string& channe
                                                   on_uniform_grid(trace.t_s, trace.force_N));
   list.add("lag", channel, "s", trace.section, raw);
   list.add("lag_corrected", channel, "s", trace.section,
-           without_delay(raw, known_delay_s(record)).corrected_s);
+           without_delay(raw, record.known_delay_s()).corrected_s);
 }
 
 /// Gain and phase of every sine in the target; one alone keeps the plain channel.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp db and isograsp export, as a user calls them.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
@@ -48,11 +49,67 @@ TEST_F(DatabaseCommands, VerifyNamesAMeasureThatItsSignalsDoNotGive) {
 TEST_F(DatabaseCommands, CheckFindsADamagedBlock) {
   record("T-01");
   EXPECT_EQ(isograsp("db check " + db).status, 0);
-  execute("UPDATE signal_blocks SET crc32 = crc32 + 1 WHERE trial_id = 2 AND second = 1");
+  execute("UPDATE signal_packs SET values_blake2b = zeroblob(32) WHERE trial_id = 2 AND part = 0");
   const auto check = isograsp("db check " + db);
   EXPECT_EQ(check.status, 1);
-  EXPECT_NE(check.out.find("trial 2 of session 1, group task, second 1"), std::string::npos)
+  EXPECT_NE(check.out.find("trial 2 of session 1, group task, seconds 0 to 9"), std::string::npos)
       << check.out;
+}
+
+TEST_F(DatabaseCommands, RestoreStatsAndScheduledBackups) {
+  record("T-01");
+  const auto stats = isograsp("db stats --json " + db);
+  ASSERT_EQ(stats.status, 0) << stats.err;
+  EXPECT_NE(stats.out.find("\"trials_not_packed\": 0"), std::string::npos) << stats.out;
+  EXPECT_NE(isograsp("db stats " + db).out.find("MB per minute"), std::string::npos);
+  EXPECT_EQ(isograsp("db backup " + db).status, 2) << "where to";
+  const auto made = isograsp("db backup --scheduled " + db);
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(isograsp("db backup --scheduled " + db).out.find("of today already"),
+            std::string::npos);
+  const std::string backup = made.out.substr(0, made.out.find(": copied"));
+  execute("DELETE FROM measures");
+  const auto restored = isograsp("db restore " + db + " --from " + backup);
+  EXPECT_EQ(restored.status, 0) << restored.err;
+  EXPECT_TRUE(fs::exists(db + ".before-restore"));
+  EXPECT_EQ(isograsp("db verify " + db).status, 0);
+  const auto counts = [](const std::string& json) {
+    auto all = nlohmann::json::parse(json);
+    for (const char* size : {"file_bytes", "free_bytes", "bytes_per_minute"}) all.erase(size);
+    return all;
+  };
+  EXPECT_EQ(counts(isograsp("db stats --json " + db).out), counts(stats.out));
+}
+
+TEST_F(DatabaseCommands, MergeTakesInAnotherStationOnce) {
+  record("T-01");
+  const std::string here = db;
+  db = folder.path("other.db");
+  record("T-02");
+  record("t-01");
+  const auto refused = isograsp("db merge " + here + " --from " + db);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.out.find("--same-patient t-01"), std::string::npos) << refused.out;
+  const auto merged = isograsp("db merge " + here + " --from " + db + " --same-patient T-01");
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  EXPECT_NE(merged.out.find("1 patients, 2 sessions"), std::string::npos) << merged.out;
+  EXPECT_NE(isograsp("db merge " + here + " --from " + db).out.find("0 patients, 0 sessions, 0"),
+            std::string::npos);
+  EXPECT_EQ(isograsp("db check " + here).status, 0);
+  EXPECT_EQ(isograsp("db verify " + here).status, 0);
+}
+
+TEST_F(DatabaseCommands, AClockThatWasSetBackIsToldInTheSession) {
+  record("T-01");
+  execute("UPDATE sessions SET started_utc = '2099-01-01T00:00:00Z'");
+  record("T-01");
+  soci::session sql(soci::sqlite3, db);
+  std::string kind;
+  sql << "SELECT kind FROM events WHERE session_id = 2 ORDER BY id LIMIT 1", soci::into(kind);
+  EXPECT_EQ(kind, "clock");
+  int told = -1;
+  sql << "SELECT count(*) FROM events WHERE kind = 'clock' AND session_id = 1", soci::into(told);
+  EXPECT_EQ(told, 0);
 }
 
 TEST_F(DatabaseCommands, InitAndBackupNeverOverwrite) {
@@ -61,11 +118,6 @@ TEST_F(DatabaseCommands, InitAndBackupNeverOverwrite) {
   EXPECT_EQ(isograsp("db backup " + db + " --to " + folder.path("copy.db")).status, 0);
   EXPECT_EQ(isograsp("db backup " + db + " --to " + folder.path("copy.db")).status, 2);
   EXPECT_EQ(isograsp("db migrate " + folder.path("copy.db")).status, 0);
-  const auto sealed = isograsp("db init --protected " + folder.path("sealed.db"));
-  EXPECT_EQ(sealed.status, 2);
-  EXPECT_NE(sealed.err.find("--protected: protected databases are not available"),
-            std::string::npos);
-  EXPECT_FALSE(fs::exists(folder.path("sealed.db")));
 }
 
 TEST_F(DatabaseCommands, AnOldFileIsVerifiedAsItIsAndWrittenOnlyAfterMigration) {
@@ -167,15 +219,15 @@ TEST_F(DatabaseCommands, ExportHoldsNoDateNoteOrAddress) {
 TEST_F(DatabaseCommands, ExportOverwritesNothingAndLeavesNothingHalfWritten) {
   record("T-01");
   const std::string out = folder.path("study");
-  for (const char* wrong : {"--session 9", "--session 0", "--patient T-99", "--format hdf5"}) {
+  for (const char* wrong : {"--session 9", "--session 0", "--patient T-99", "--format edf"}) {
     const auto refused = isograsp("export --db " + db + " --out " + out + " " + wrong);
     EXPECT_EQ(refused.status, 2) << wrong;
     EXPECT_FALSE(fs::exists(out)) << wrong;
   }
-  execute("UPDATE signal_blocks SET crc32 = crc32 + 1 WHERE trial_id = 4 AND second = 1");
+  execute("UPDATE signal_packs SET part = part + 1000 WHERE trial_id = 4 AND position = 1");
   EXPECT_EQ(isograsp("export --db " + db + " --out " + out).status, 1);
   EXPECT_FALSE(fs::exists(out)) << "three sound trials come before the damaged one";
-  execute("UPDATE signal_blocks SET crc32 = crc32 - 1 WHERE trial_id = 4 AND second = 1");
+  execute("UPDATE signal_packs SET part = part - 1000 WHERE trial_id = 4 AND position = 1");
   EXPECT_EQ(isograsp("export --db " + db + " --out " + out).status, 0);
   EXPECT_EQ(isograsp("export --db " + db + " --out " + out).status, 2) << "the files exist";
 }

@@ -255,6 +255,120 @@ TEST(Import, TheReportOfAPatientSaysThatItIsARecording) {
     EXPECT_NE(html.find(words), std::string::npos) << words;
 }
 
+/// Forces that differ in every row and finger.
+std::string forces_of_a_hand() {
+  std::string text =
+      "t_s,thumb_fz_N,index_fz_N,middle_fz_N,thumb_fx_N,index_fx_N,middle_fx_N,"
+      "thumb_fy_N,index_fy_N,middle_fy_N\n";
+  for (int k = 0; k < 300; ++k) {
+    text += format_number(0.01 * k);
+    for (int value = 0; value < 9; ++value)
+      text += "," + format_number((value < 3 ? 5.0 : 0.1) + std::sin(0.02 * k + value));
+    text += "\n";
+  }
+  return text;
+}
+const std::string kFreeHandling =
+    " --task " ISOGRASP_SOURCE_DIR "/library/tasks/free_handling.toml --patient T-01 --db ";
+
+TEST(Import, ForcesBecomeAStoredScoredTrialOfAPatient) {
+  const TemporaryFolder folder;
+  const std::string forces = folder.write("forces.csv", forces_of_a_hand());
+  const auto done =
+      isograsp("import --hand left --forces " + forces + kFreeHandling + folder.path("c.db"));
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto store = opened(folder.path("c.db"));
+  const auto patients = all_of(*store);
+  ASSERT_EQ(patients.size(), 1u);
+  const Session& session = patients[0].sessions.at(0);
+  EXPECT_EQ(patients[0].code, "T-01");
+  EXPECT_TRUE(session.record.recorded);
+  EXPECT_EQ(session.record.hand, Hand::left);
+  ASSERT_EQ(session.trials.size(), 1u);
+  EXPECT_EQ(session.trials[0].status, TrialStatus::completed);
+  EXPECT_GT(session.measures[0].size(), 0u);
+  const auto signals = store->signals(session.trials[0]).value();
+  const auto given = read_signals(forces).value();
+  ASSERT_EQ(signals.rows(), given.rows());
+  for (std::size_t c = 1; c < given.names().size(); ++c)
+    for (std::size_t row = 0; row < given.rows(); ++row)
+      ASSERT_EQ(signals.column(given.names()[c])[row], given.column(c)[row]) << given.names()[c];
+  EXPECT_TRUE(signals.has("actual_x_m"));
+  EXPECT_EQ(isograsp("db verify " + folder.path("c.db")).status, 0);
+}
+
+/// candump of three RFT sensors at 100 Hz: every fz begins at 10 N and grows by a count (20 mN)
+/// with every sample; all else is zero.
+constexpr int kLogged = 200;
+constexpr double kFirst_N = 10.0;
+constexpr double kStep_N = 0.02;
+std::string log_of_rising_forces() {
+  std::string text;
+  char line[80];
+  for (int k = 0; k < kLogged; ++k)
+    for (int finger = 0; finger < 3; ++finger) {
+      const double t_s = 0.01 * k + 0.001 * finger;
+      const int count = static_cast<int>(std::lround(kFirst_N / kStep_N)) + k;
+      std::snprintf(line, sizeof line, "(%.6f) can0 %03X#0B00000000%04X00\n", 1.7e9 + t_s,
+                    2 * finger + 1, static_cast<unsigned>(count));
+      text += line;
+      std::snprintf(line, sizeof line, "(%.6f) can0 %03X#0000000000000000\n", 1.7e9 + t_s + 0.0002,
+                    2 * finger + 2);
+      text += line;
+    }
+  return text;
+}
+
+TEST(Import, ARawLogBecomesATrialToo) {
+  const TemporaryFolder folder;
+  const auto done = isograsp("import --protocol rft --forces " +
+                             folder.write("frames.log", log_of_rising_forces()) + kFreeHandling +
+                             folder.path("c.db"));
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto store = opened(folder.path("c.db"));
+  const auto patients = all_of(*store);
+  const TrialRecord& trial = patients.at(0).sessions.at(0).trials.at(0);
+  EXPECT_EQ(trial.status, TrialStatus::completed);
+  const auto signals = store->signals(trial).value();
+  EXPECT_GE(signals.rows(), static_cast<std::size_t>(kLogged) - 2);
+  for (const std::string finger : {"thumb", "index", "middle"}) {
+    // Mounting turns a force; its size stays.
+    double before_N = kFirst_N;
+    std::size_t valid = 0;
+    for (std::size_t row = 0; row < signals.rows(); ++row) {
+      const Vec3 force_C(signals.column(finger + "_fx_N")[row],
+                         signals.column(finger + "_fy_N")[row],
+                         signals.column(finger + "_fz_N")[row]);
+      if (!std::isfinite(force_C[2])) continue;
+      ++valid;
+      constexpr double kRounding_N = 1e-9;
+      EXPECT_GE(force_C.norm(), before_N - kRounding_N) << finger << " row " << row;
+      before_N = force_C.norm();
+    }
+    EXPECT_GE(valid, static_cast<std::size_t>(kLogged) - 3) << finger;
+    EXPECT_NEAR(before_N, kFirst_N + kStep_N * (kLogged - 1), 2.0 * kStep_N) << finger;
+  }
+}
+
+TEST(Import, WhatIsMissingOnTheCommandLineIsNamed) {
+  const TemporaryFolder folder;
+  const std::string forces = folder.write("forces.csv", forces_of_a_hand());
+  const std::string to = " --db " + folder.path("c.db");
+  for (const auto& [arguments, field] :
+       {std::pair<std::string, std::string>{"", "give one of --recording, --forces, --signals"},
+        {"--recording maximum_push", "--from"},
+        {"--forces " + forces, "--task"},
+        {"--signals " + forces + " --task t.toml", "--patient"},
+        {"--signals " + forces + " --forces " + forces, "give one of"},
+        {"--signals " + forces + " --task t.toml --patient T-01 --hand both", "--hand"},
+        {"--signals " + forces + " --task none.toml --patient T-01", "none.toml"}}) {
+    const auto refused = isograsp("import " + arguments + to);
+    EXPECT_EQ(refused.status, 2) << arguments;
+    EXPECT_NE(refused.err.find(field), std::string::npos) << arguments << ": " << refused.err;
+    EXPECT_FALSE(fs::exists(folder.path("c.db"))) << arguments;
+  }
+}
+
 /// Imports a shipped recording; false: the data are not on this machine.
 bool import_shipped(const TemporaryFolder& folder, const std::string& name,
                     const std::string& data) {

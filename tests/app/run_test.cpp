@@ -103,6 +103,7 @@ TEST(CommandLine, ASessionIsRecordedScoredExportedAndReported) {
   const auto report =
       isograsp("report --db " + db + " --patient T-01 --out " + folder.path("r.pdf"));
   EXPECT_EQ(report.status, 0) << report.err;
+  EXPECT_EQ(report.err, "") << "no word of the libraries below";
   EXPECT_GT(fs::file_size(folder.path("r.pdf")), 10000u);
 
   const auto exported = isograsp("export --db " + db + " --format csv --out " + folder.path("x"));

@@ -115,5 +115,24 @@ TEST(CandumpLog, NamesFileAndLineOfADamagedEntry) {
   EXPECT_FALSE(CandumpReader::open(folder.path("absent.log")).ok());
 }
 
+TEST(CandumpLog, RefusesALineWithoutAnEnd) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("x.log", "(1.000000) can0 123#11\r\n(1.000000) can0 123#12");
+  auto log = CandumpReader::open(path);
+  CandumpEntry entry;
+  EXPECT_TRUE(log->next(entry).value());
+  EXPECT_TRUE(log->next(entry).value()) << "the last line has no end";
+  EXPECT_EQ(entry.frame.data[0], 0x12);
+  EXPECT_FALSE(log->next(entry).value());
+  // Two gibibytes of zeros that take no room on the disk.
+  std::filesystem::resize_file(path, std::uintmax_t{2} << 30);
+  auto endless = CandumpReader::open(path);
+  EXPECT_TRUE(endless->next(entry).value());
+  const auto refused = endless->next(entry);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().line, 2);
+  EXPECT_NE(refused.error().message().find("longer than 256 KiB"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace isograsp

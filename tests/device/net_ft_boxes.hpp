@@ -25,12 +25,19 @@ inline constexpr std::uint32_t kLoopback = 0x7F000001;
 
 class Boxes {
  public:
-  explicit Boxes(EmulatorOptions options) : emulator_(std::move(options), counting_play(100'000)) {
+  explicit Boxes(EmulatorOptions options)
+      : Boxes(std::move(options), counting_play(100'000)) {}
+  Boxes(EmulatorOptions options, FingerPlay play)
+      : emulator_rate_Hz_(options.config.rate_Hz),
+        emulator_(std::move(options), std::move(play)) {
     NetFtServerOptions server;
     for (std::uint32_t f = 0; f < kFingerCount; ++f) {
       server.boxes[f].records = {kLoopback + f, 0};
       server.boxes[f].pages = {kLoopback + f, 0};
     }
+    server.set_rate = [rate_Hz = emulator_rate_Hz_](std::size_t, double wanted_Hz) {
+      return wanted_Hz == rate_Hz;
+    };
     server_ = NetFtServer::open(server).value();
     EXPECT_TRUE(server_->start(clock_));
     thread_ = std::thread([this] { run(); });
@@ -47,6 +54,10 @@ class Boxes {
   }
   [[nodiscard]] std::string address(std::size_t finger) const {
     return server_->records(finger).text();
+  }
+  /// As a device file writes it: with the port of its pages.
+  [[nodiscard]] std::string full_address(std::size_t finger) const {
+    return address(finger) + ":" + std::to_string(server_->pages(finger).port);
   }
   /// @pre finished or ended
   [[nodiscard]] const EmulatorCounters& counters(std::size_t finger) const {
@@ -69,6 +80,7 @@ class Boxes {
       while (emulator_.take(clock_.now(), out)) server_->send(out);
     }
   }
+  double emulator_rate_Hz_;
   Emulator emulator_;
   SteadyClock clock_;
   std::unique_ptr<NetFtServer> server_;

@@ -390,14 +390,14 @@ TEST(SensorDevice, OverSampledForcesComeSmoothAndLateByTheDelayThatItTells) {
   options.config = config;
   options.clock_error = 0.0;
   FingerPlay step;
-  constexpr double kStep_s = 0.3;  // soon: forces that stand still for longer look frozen
+  constexpr double kStep_s = 0.12;  // soon: forces that stand still for longer look frozen
   step.t_s = {0.0, kStep_s};
   step.wrench_C.resize(2);
   for (auto& wrench : step.wrench_C[1]) wrench.force.z() = 10.0;
   test::SensorBench bench(options, config, step);
   ASSERT_TRUE(bench.device->start(bench.clock).ok());
   EXPECT_NEAR(bench.device->info().delay_s, 0.032, 1e-12);
-  const auto samples = bench.read_for(700ms);
+  const auto samples = bench.read_for(250ms);
   std::optional<Timestamp> raw_step;
   std::optional<Timestamp> half;
   for (const auto& sample : samples) {
@@ -408,6 +408,30 @@ TEST(SensorDevice, OverSampledForcesComeSmoothAndLateByTheDelayThatItTells) {
   ASSERT_TRUE(raw_step && half);
   EXPECT_NEAR(to_seconds(*half - *raw_step), bench.device->info().delay_s, 1.0 / config.rate_Hz);
   EXPECT_NEAR(samples.back().wrench_C.force.z(), 10.0, 1e-9);
+}
+
+TEST(SensorDevice, AFrozenSensorIsKnownWithinAFifthOfASecond) {
+  constexpr Timestamp kSoon = 200ms;
+  EmulatorOptions options;
+  options.noise_counts = 3;
+  options.faults.push_back(*Fault::parse("freeze=thumb:2s@1s"));
+  FingerPlay play;
+  play.t_s = {0.0};
+  play.wrench_C.resize(1);
+  test::SensorBench bench(options, options.config, play);
+  ASSERT_TRUE(bench.device->start(bench.clock).ok());
+  std::optional<SensorSample> last;
+  Timestamp same_since{0};
+  bool known = false;
+  for (const auto& sample : bench.read_for(2s)) {
+    if (sample.finger != Finger::thumb) continue;
+    if (!last || sample.raw_counts != last->raw_counts) same_since = sample.stamp;
+    EXPECT_TRUE(sample.valid || sample.stamp - same_since > 100ms) << "dither is no freeze";
+    known = known || !sample.valid;
+    EXPECT_FALSE(sample.valid && sample.stamp - same_since > kSoon);
+    last = sample;
+  }
+  EXPECT_TRUE(known);
 }
 
 TEST(SensorDevice, AClinicsCalibrationActsInTheSensorFrame) {

@@ -257,5 +257,68 @@ TEST(Flow, AReasonToStopIsSaidBeforeWhatComesNext) {
   EXPECT_EQ(decide(facts).mood, Mood::attention);
 }
 
+TEST(Flow, StrapsThatAreDueComeBeforeTheNextTaskAndCanBeConfirmed) {
+  FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
+  facts.strapped = facts.rest_done = true;
+  EXPECT_FALSE(decide(facts).may_strap);
+  facts.straps_due = true;
+  const FlowView view = decide(facts);
+  EXPECT_TRUE(view.may_strap);
+  EXPECT_TRUE(view.must_stand_by);
+  EXPECT_EQ(view.next(), Step::rest);
+  EXPECT_NE(view.sentence.find("look at the skin"), std::string::npos);
+  facts.stage = Stage::trial;
+  EXPECT_EQ(decide(facts).mood, Mood::busy) << "a trial that runs is not interrupted";
+}
+
+TEST(Flow, ASessionThatBreaksOffSaysWhyWhileItIsStillBeingSaved) {
+  FlowFacts facts = fresh();
+  facts.connection_error = "the disk is full";
+  for (const auto connection : {Connection::closing, Connection::none}) {
+    facts.connection = connection;
+    EXPECT_EQ(decide(facts).mood, Mood::fault);
+    EXPECT_EQ(decide(facts).device_mood, Mood::fault);
+    EXPECT_NE(decide(facts).sentence.find("disk"), std::string::npos);
+  }
+}
+
+TEST(Flow, AfterAFaultATrialGoesOnFromRestOnly) {
+  FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
+  facts.stage = Stage::paused;
+  for (const auto cause : {PauseCause::missing_samples, PauseCause::device_fault}) {
+    facts.pause_cause = cause;
+    facts.at_rest = false;
+    EXPECT_FALSE(decide(facts).may_resume);
+    EXPECT_NE(decide(facts).sentence.find("lets go"), std::string::npos);
+    facts.at_rest = true;
+    EXPECT_TRUE(decide(facts).may_resume);
+  }
+  facts.at_rest = false;
+  facts.pause_cause = PauseCause::therapist;
+  EXPECT_TRUE(decide(facts).may_resume) << "a pause of the therapist";
+}
+
+TEST(Flow, AfterAFaultNothingBeginsByItself) {
+  FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
+  facts.protocol.goes_on = true;
+  EXPECT_FALSE(decide(facts).must_stand_by);
+  facts.health.state = DeviceState::faulted;
+  facts.health.fault = DeviceFault::silence;
+  EXPECT_TRUE(decide(facts).must_stand_by);
+  EXPECT_FALSE(decide(facts).may_begin);
+}
+
+TEST(Flow, ConnectsOnlyWhenItIsKnownWhetherAProtocolWasInterrupted) {
+  FlowFacts facts = fresh();
+  facts.patient_chosen = facts.hand_chosen = facts.screened = facts.device_chosen = true;
+  facts.earlier_sought = true;
+  EXPECT_FALSE(decide(facts).may_connect);
+  facts.earlier_sought = false;
+  facts.earlier_undecided = true;
+  EXPECT_FALSE(decide(facts).may_connect);
+  facts.earlier_undecided = false;
+  EXPECT_TRUE(decide(facts).may_connect);
+}
+
 }  // namespace
 }  // namespace isograsp

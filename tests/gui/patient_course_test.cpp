@@ -148,9 +148,11 @@ TEST_F(PatientCourseTest, OnlyLikeIsComparedWithLike) {
   other.hand = Hand::left;
   add_session(*store_, "P-1", other);
   other = {};
+  other.date = "2026-03-10";
   other.simulated = true;
   add_session(*store_, "P-1", other);
   other = {};
+  other.date = "2026-03-11";
   other.task_version = 2;
   add_session(*store_, "P-1", other);
   const auto all = course();
@@ -199,14 +201,14 @@ TEST_F(PatientCourseTest, AWaitInVainDoesNotDropOutOfAMean) {
 
 TEST_F(PatientCourseTest, ADamagedTrialIsReadUpToTheDamage) {
   add_session(*store_, "P-1", {});
-  execute("UPDATE signal_blocks SET crc32 = crc32 + 1 WHERE trial_id = 5 AND second = 7");
+  execute("UPDATE signal_packs SET values_blake2b = zeroblob(32) WHERE trial_id = 5 AND part = 1");
   const auto all = course();
   const auto& session = all.sessions[0];
   const auto opened = open_trial(*store_, session.record, session.trials[4].record);
   ASSERT_TRUE(opened.ok());
-  EXPECT_EQ(opened->signals.rows(), 700U);
-  EXPECT_NE(opened->damage.find("second 7"), std::string::npos) << opened->damage;
-  EXPECT_NE(opened->damage.find("first 700 of 3200"), std::string::npos) << opened->damage;
+  EXPECT_EQ(opened->signals.rows(), 1000U);
+  EXPECT_NE(opened->damage.find("seconds 10 to 19"), std::string::npos) << opened->damage;
+  EXPECT_NE(opened->damage.find("first 1000 of 3200"), std::string::npos) << opened->damage;
   EXPECT_FALSE(opened->measures.empty()) << "measures were stored apart";
   const auto sound = open_trial(*store_, session.record, session.trials[5].record);
   EXPECT_EQ(sound->signals.rows(), 3200U);
@@ -230,7 +232,7 @@ TEST_F(PatientCourseTest, ADamagedGroupLeavesTheChannelsBeforeIt) {
   trial.samples = 100;
   trial.status = TrialStatus::completed;
   ASSERT_TRUE(store_->end_trial(trial, {}).ok());
-  execute("UPDATE signal_blocks SET crc32 = crc32 + 1 WHERE position = 1 AND trial_id = " +
+  execute("UPDATE signal_packs SET values_blake2b = zeroblob(32) WHERE position = 1 AND trial_id = " +
           std::to_string(trial.id));
   const auto all = course();
   const auto& session = all.sessions[0];

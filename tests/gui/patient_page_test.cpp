@@ -3,6 +3,7 @@
 #include "gui/patient_page.hpp"
 
 #include <QComboBox>
+#include <QDir>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -96,6 +97,41 @@ TEST_F(PatientPageTest, NothingOfOnePatientStaysForTheNext) {
   EXPECT_FALSE(find<QWidget>("trial_plot").isVisible());
   show("P-9");
   EXPECT_TRUE(find<QLabel>("patient_summary").text().contains("no patient P-9"));
+}
+
+TEST_F(PatientPageTest, APrimaryMeasureSaysItsVerdictOnItsTileAndInTheLargePicture) {
+  {
+    auto store = SessionStore::open(path_, SessionStore::Open::existing).value();
+    const RowId id = store->find_patient("P-1").value()->id;
+    ASSERT_TRUE(
+        store
+            ->add_primary_measure(id, {0, "Maximum grip force", Hand::right, "maximum_force",
+                                       "grip", "2026-03-01T00:00:00Z", "T7"})
+            .ok());
+    ASSERT_TRUE(store->set_profile(id, {Side::right, {}, "", "", ""}).ok());
+  }
+  show("P-1");
+  auto& grid = page_->trend_grid();
+  if (const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES"); !folder.isEmpty()) {
+    QDir().mkpath(folder);
+    EXPECT_TRUE(page_->grab().save(folder + "/patient_verdict.png"));
+  }
+  int with_verdict = 0;
+  for (std::size_t i = 0; i < grid.trends().size(); ++i) {
+    const auto& trend = grid.trends()[i];
+    if (trend.remark.isEmpty()) continue;
+    ++with_verdict;
+    EXPECT_EQ(i, 0U) << "what is judged comes first";
+    EXPECT_EQ(trend.source.measure, "maximum_force");
+    EXPECT_EQ(trend.remark, "Cannot be judged yet: 0 of 10 stable people");
+    EXPECT_TRUE(grid.tile(i)->accessibleName().contains(trend.remark));
+    grid.open_large(i);
+    bool said = false;
+    for (const auto* label : grid.findChildren<QLabel*>())
+      said = said || (label->isVisible() && label->text().contains(trend.remark));
+    EXPECT_TRUE(said);
+  }
+  EXPECT_EQ(with_verdict, 1);
 }
 
 TEST_F(PatientPageTest, ALaterWishOvertakesAnEarlierOne) {

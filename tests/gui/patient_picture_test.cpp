@@ -70,6 +70,46 @@ TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
   }
 }
 
+TEST(PatientPicture, WhatMovesIsShownWhereItIsNow) {
+  PatientFacts facts = with_object();
+  ObjectState& object = facts.snapshot.object;
+  object.v_WO_W = Vec3(0.2, 0.0, -0.1);
+  object.w_WO_W = Vec3(0.0, 0.0, 2.0);
+  facts.snapshot.task.task_time_s = 3.0;
+  facts.ahead_s = 0.015;
+  const auto picture = picture_for(facts);
+  EXPECT_NEAR((picture.object.p_WO - Vec3(0.003, 0.0, -0.0015)).norm(), 0.0, kRounding_m);
+  const Quat turned(Eigen::AngleAxisd(0.03, Vec3::UnitZ()));
+  EXPECT_NEAR(picture.object.q_WO.angularDistance(turned), 0.0, 1e-7);  // acos near 1
+  EXPECT_EQ(picture.task_time_s, 3.015);
+  const Contact& thumb = *facts.scene->contact_of(Finger::thumb);
+  facts.snapshot.grasp.contact[0] = true;
+  EXPECT_NEAR((picture_for(facts).fingers[0].tip_W -
+               (picture.object.p_WO + picture.object.q_WO * thumb.p_OC))
+                  .norm(),
+              0.0, kRounding_m)
+      << "fingers go with it";
+}
+
+TEST(PatientPicture, OnACalmScreenNoFingerApproaches) {
+  PatientFacts facts = with_object();
+  facts.calm = true;
+  const auto away = picture_for(facts).fingers[0].tip_W;
+  facts.snapshot.forces.wrench_C[0].force.z() = 0.4;
+  EXPECT_EQ(picture_for(facts).fingers[0].tip_W, away);
+}
+
+TEST(PatientPicture, TargetsThatWereNotReachedAreAGoodTryAndNoFailure) {
+  PatientFacts facts = with_object();
+  facts.snapshot.stage = Stage::idle;
+  facts.just_completed = true;
+  EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::good);
+  EXPECT_FALSE(picture_for(facts).missed);
+  facts.just_missed = true;
+  EXPECT_TRUE(picture_for(facts).missed);
+  EXPECT_EQ(picture_for(facts).headline, "Good try");
+}
+
 TEST(PatientPicture, PullingNeverLooksLikePressing) {
   PatientFacts facts = with_object();
   const auto at_rest = picture_for(facts).fingers[0].tip_W;

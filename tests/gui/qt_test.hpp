@@ -17,6 +17,9 @@ inline void fail_on_warning(QtMsgType type, const QMessageLogContext&, const QSt
   if (type == QtDebugMsg || type == QtInfoMsg) return;
   // A remark on the machine: nobody is logged in.
   if (text.contains("XDG_RUNTIME_DIR")) return;
+  // So is this one: without a window manager a new window may not be there yet when it is to get
+  // the focus.
+  if (text.contains("SetInputFocus")) return;
   ADD_FAILURE() << "Qt: " << text.toStdString();
 }
 

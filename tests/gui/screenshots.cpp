@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gui_screenshots FOLDER: runs a session with the simulated patient and makes pictures of both
-// windows in their states. Needs a display with OpenGL (scripts/screenshots gives it Xvfb).
+// gui_screenshots FOLDER [LANGUAGE]: runs a session with the simulated patient and makes pictures
+// of both windows in their states. Needs a display with OpenGL (scripts/screenshots gives it Xvfb).
 #include <QDir>
 #include <QTabWidget>
 #include <cstdio>
 
+#include "gui/language.hpp"
+#include "gui/page_view.hpp"
+#include "gui/texts.hpp"
 #include "operator.hpp"
 #include "session/protocol_run.hpp"
 #include "short_library.hpp"
@@ -106,6 +109,10 @@ void photograph(const QString& output) {
   ASSERT_TRUE(wait_until([&] { return presenter.snapshot().zeroed; }));
   QTest::qWait(200);
   photographer.take_both("zeroed");
+  therapist.press("posture_edit");
+  QTest::qWait(100);
+  photographer.take_therapist("therapist_posture");
+  therapist.press("posture_edit");
   therapist.press("start");
   ASSERT_TRUE(wait_until([&] { return presenter.view().may_stop; }));
   QTest::qWait(800);
@@ -116,18 +123,27 @@ void photograph(const QString& output) {
         [&] {
           const auto& now = presenter.snapshot();
           return now.stage == Stage::trial && now.task.task_time_s > task_time_s &&
-                 presenter.view().sentence.find(name) != std::string::npos;
+                 presenter.view().sentence.find(shown(name).toStdString()) != std::string::npos;
         },
         180);
   };
   ASSERT_TRUE(wait_until([&] { return presenter.view().may_stand_by; }, 60));
   QTest::qWait(1500);
   photographer.take_both("next");
-  ASSERT_TRUE(wait_for("Maximum grip", 2.6));
+  ASSERT_TRUE(wait_for("Maximum grip force", 2.6));
   photographer.take_both("maximum");
   ASSERT_TRUE(wait_for("Grip force, sine", 11.2));
   photographer.take_therapist("therapist");
   photographer.take_patient("patient_force");
+  Presentation presentation;
+  presentation.half = Presentation::Half::left;
+  presenter.seating().say_presentation(presentation);
+  photographer.take_patient("patient_half");
+  presentation = {};
+  presentation.calm = true;
+  presenter.seating().say_presentation(presentation);
+  photographer.take_patient("patient_calm");
+  presenter.seating().say_presentation({});
   therapist.press("pause");
   QTest::qWait(300);
   photographer.take_both("paused");
@@ -139,6 +155,10 @@ void photograph(const QString& output) {
     return task.target_index == 1 && task.hold_fraction > 0.4;
   }));
   photographer.take_patient("patient_object");
+  presentation.half = Presentation::Half::right;
+  presenter.seating().say_presentation(presentation);
+  photographer.take_patient("patient_object_half");
+  presenter.seating().say_presentation({});
   photographer.take_therapist("therapist_object");
   windows.therapist().resize(1920, 1080);
   QTest::qWait(300);
@@ -170,10 +190,22 @@ void photograph(const QString& output) {
   photographer.take_therapist("therapist_check");
   therapist.press("check_begin");  // now Stop
   windows.therapist().show_page(TherapistWindow::Page::reports);
-  auto& report = windows.clinic().report();
-  report.start("P-7M2H5", folder.path("report.pdf"));
-  ASSERT_TRUE(wait_until([&] { return !report.running(); }));
+  auto& pages = therapist.find<PageView>("report_pages");
+  ASSERT_TRUE(wait_until([&] { return pages.isVisible() && pages.complete(); }));
   photographer.take_therapist("therapist_reports");
+  therapist.find<QTabWidget>("report_tabs").setCurrentIndex(1);
+  ASSERT_TRUE(wait_until([&] { return therapist.find<QListWidget>("export_files").count() > 0; }));
+  photographer.take_therapist("therapist_export");
+  windows.therapist().show_page(TherapistWindow::Page::library);
+  auto& files = therapist.find<QListWidget>("library_list");
+  ASSERT_TRUE(wait_until([&] { return files.count() > 30; }));
+  for (int row = 0; row < files.count(); ++row)
+    if (files.item(row)->text().trimmed() == "Grip force, trapezoid") files.setCurrentRow(row);
+  QTest::qWait(800);
+  photographer.take_therapist("therapist_library");
+  windows.therapist().show_page(TherapistWindow::Page::settings);
+  QTest::qWait(200);
+  photographer.take_therapist("therapist_settings");
   windows.therapist().show_page(TherapistWindow::Page::session);
   therapist.disconnect();
 
@@ -188,18 +220,30 @@ void photograph(const QString& output) {
   photographer.take_both("fault");
   presenter.end_session();
   ASSERT_TRUE(wait_until([&] { return !presenter.busy(); }));
+
+  // Every page with letters of twice the size.
+  Settings settings;
+  settings.font_percent = limits::kLargestFont_percent;
+  windows.settings().change(settings);
+  QTest::qWait(300);
+  for (int page = 0; page <= static_cast<int>(TherapistWindow::Page::settings); ++page) {
+    windows.therapist().show_page(static_cast<TherapistWindow::Page>(page));
+    QTest::qWait(500);
+    photographer.take_therapist(qPrintable(QStringLiteral("letters_200_%1").arg(page + 1)));
+  }
 }
 
 }  // namespace
 }  // namespace isograsp::test
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: gui_screenshots FOLDER\n");
+  if (argc != 2 && argc != 3) {
+    std::fprintf(stderr, "usage: gui_screenshots FOLDER [LANGUAGE]\n");
     return 2;
   }
   ::testing::InitGoogleTest();
   isograsp::test::application();
+  if (argc == 3) isograsp::speak(argv[2]);
   QDir().mkpath(argv[1]);
   isograsp::test::photograph(argv[1]);
   return ::testing::Test::HasFailure() ? 1 : 0;

@@ -12,7 +12,8 @@
 
 namespace isograsp::test {
 
-/// Copies scenes and tasks into `folder` and shortens rest (1.5 s) and sine (`sine_s`).
+/// Copies scenes and tasks into `folder` and shortens rest (1.5 s) and sine (`sine_s`). "First
+/// session" is a protocol of these alone, and of a maximum.
 inline std::string make_short_library(const TemporaryFolder& folder, const char* sine_s = "5") {
   namespace fs = std::filesystem;
   const fs::path library = folder.path("library");
@@ -26,6 +27,12 @@ inline std::string make_short_library(const TemporaryFolder& folder, const char*
   };
   shorten("resting_force.toml", "1.5");
   shorten("grip_sine.toml", sine_s);
+  std::ofstream(library / "protocols" / "first_session.toml")
+      << "format = \"isograsp-protocol-1\"\nname = \"First session\"\n"
+         "[[step]]\nkind = \"instrument_zero\"\n"
+         "[[step]]\nkind = \"task\"\ntask = \"resting_force.toml\"\n"
+         "[[step]]\nkind = \"task\"\ntask = \"maximum_grip.toml\"\n"
+         "[[step]]\nkind = \"task\"\ntask = \"grip_sine.toml\"\n";
   return library;
 }
 

@@ -3,13 +3,17 @@
 // and the first steps of a session. Pages of the patient's screen are painted into pictures.
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QDateTime>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QTabWidget>
+#include <QToolButton>
 #include <set>
 
 #include "gui/patient_canvas.hpp"
@@ -107,6 +111,62 @@ TEST_F(TherapistWindowTest, AHandThatIsNotTheAffectedOneMustBeConfirmed) {
   operator_.open_section(Step::hand);
   operator_.press("hand_left");
   EXPECT_EQ(presenter.view().next(), Step::screening) << "the affected one needs no word";
+  profile.affected = Side::right;
+  windows_.clinic().save_profile(presenter.patient(), profile);
+  ASSERT_TRUE(wait_until([&] { return presenter.hand_to_confirm(); }))
+      << "also if it is told, or read, after the hand was chosen";
+}
+
+TEST_F(TherapistWindowTest, WhatWasTypedIsStoredWhenTheWindowCloses) {
+  operator_.add_patient();
+  const auto code = windows_.presenter().patient();
+  windows_.therapist().show_page(TherapistWindow::Page::patient);
+  operator_.find<QTabWidget>("patient_tabs").setCurrentIndex(1);
+  auto& goals = operator_.find<QPlainTextEdit>("goals");
+  ASSERT_TRUE(wait_until([&] { return goals.isEnabled(); }));
+  goals.setPlainText("Hold a cup.");
+  windows_.therapist().close();  // before the second after the last key is over
+  ASSERT_TRUE(wait_until([&] {
+    const auto& file = windows_.clinic().file();
+    return file && windows_.clinic().file_of() == code && file->profile.goals == "Hold a cup.";
+  }));
+}
+
+TEST_F(TherapistWindowTest, ADemonstrationThatCouldNotBeMadeIsOfferedAgain) {
+  int asked = 0;
+  windows_.therapist().open_demonstration = [&] { ++asked; };
+  operator_.press("demonstration");
+  EXPECT_EQ(asked, 1);
+  EXPECT_FALSE(operator_.find<QPushButton>("demonstration").isEnabled());
+  windows_.therapist().demonstration_failed("the disk is full");
+  EXPECT_TRUE(operator_.find<QPushButton>("demonstration").isEnabled());
+  EXPECT_TRUE(operator_.find<QLabel>("message").text().contains("disk is full"));
+}
+
+TEST_F(TherapistWindowTest, ANumberIsAnsweredFromTheKeyboard) {
+  operator_.add_patient();
+  operator_.press("hand_right");
+  auto& zero = operator_.find<QToolButton>("screening_pain_0");
+  zero.setFocus();
+  for (int value = 0; value < 3; ++value)
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+  EXPECT_FALSE(windows_.presenter().screening().pain.has_value()) << "moving answers nothing";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  EXPECT_EQ(windows_.presenter().screening().pain, 3);
+}
+
+TEST_F(TherapistWindowTest, ARecordingFollowsNoProtocol) {
+  auto& presenter = windows_.presenter();
+  ASSERT_NE(presenter.protocol(), SessionPresenter::kByHand) << "one is proposed";
+  operator_.prepare_person();
+  presenter.choose_device("replay://" + write_recording_with_gap(folder_));
+  EXPECT_FALSE(presenter.has_protocol());
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
+  EXPECT_FALSE(presenter.follows());
+  operator_.disconnect();
+  auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::read_only);
+  EXPECT_EQ((*store)->recent_sessions(1)->front().protocol_name, "");
 }
 
 TEST_F(TherapistWindowTest, ExactlyTheNextButtonIsHighlighted) {
@@ -124,7 +184,8 @@ TEST_F(TherapistWindowTest, ExactlyTheNextButtonIsHighlighted) {
   EXPECT_EQ(highlighted(), QStringList{"screening_clear"});
   operator_.press("screening_clear");
   operator_.choose_device("sim://healthy?seed=7");
-  EXPECT_EQ(highlighted(), QStringList{"connect"});
+  // It is looked up whether the protocol was interrupted today.
+  EXPECT_TRUE(wait_until([&] { return highlighted() == QStringList{"connect"}; }));
 }
 
 TEST_F(TherapistWindowTest, SearchFindsAPatientByAnyPartOfTheCode) {
@@ -136,6 +197,38 @@ TEST_F(TherapistWindowTest, SearchFindsAPatientByAnyPartOfTheCode) {
   EXPECT_EQ(list.count(), 1);
   search.setText("nobody");
   EXPECT_EQ(list.count(), 0);
+}
+
+TEST_F(TherapistWindowTest, WhoIsHereTodayStandsFirstAndSaysSo) {
+  const auto database = folder_.path("earlier.db");
+  {
+    auto store = *SessionStore::open(database, SessionStore::Open::create);
+    for (const auto* code : {"P-0001", "P-0002", "P-0003"})
+      ASSERT_TRUE(store->add_patient(code, "2026-01-02T10:00:00Z").ok());
+    const auto add_session = [&](const char* code, const char* started_utc) {
+      SessionRecord session;
+      session.patient_id = store->find_patient(code).value()->id;
+      session.started_utc = started_utc;
+      session.hand = Hand::left;
+      session.device_uri = "sim://healthy";
+      ASSERT_TRUE(store->begin_session(session).ok());
+    };
+    add_session("P-0001", "2026-02-03T10:00:00Z");
+    const auto now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    add_session("P-0002", now.c_str());
+  }
+  Windows windows({database, "", folder_.path("library"), "test"});
+  windows.therapist().show();
+  const auto& list = Operator(windows).find<QListWidget>("patient_list");
+  ASSERT_TRUE(wait_until(
+      [&] { return list.count() == 3 && list.item(1)->toolTip().contains("Last session"); }));
+  EXPECT_EQ(list.item(0)->text(), "P-0002");
+  EXPECT_TRUE(list.item(0)->toolTip().contains("TODAY"));
+  EXPECT_EQ(list.item(1)->text(), "P-0001");
+  EXPECT_TRUE(list.item(1)->toolTip().contains("left hand"))
+      << list.item(1)->toolTip().toStdString();
+  EXPECT_TRUE(list.item(2)->toolTip().contains("No session yet"));
+  for (int row : {1, 2}) EXPECT_FALSE(list.item(row)->toolTip().contains("TODAY"));
 }
 
 TEST_F(TherapistWindowTest, KeysAndClicksPassOverTheHeadingsOfTheTaskList) {
@@ -269,6 +362,32 @@ TEST(PatientCanvas, EveryPageLooksDifferent) {
       EXPECT_TRUE(pages[a] != pages[b]) << a << " and " << b;
 }
 
+TEST(PatientCanvas, OnACalmScreenTheTargetStandsStill) {
+  auto preview = std::make_shared<TargetPreview>();
+  preview->period_s = 0.1;
+  preview->ahead_s = 4.0;
+  for (int k = 0; k < 200; ++k) preview->target_N.push_back(5.0 + 4.0 * std::sin(0.2 * k));
+  preview->axis = {0.0, 10.0};
+  PatientPicture picture;
+  picture.page = PatientPicture::Page::tracking;
+  picture.line_shown = true;
+  picture.preview = preview;
+  picture.axis = preview->axis;
+  for (const bool calm : {false, true}) {
+    picture.calm = calm;
+    // Right of the present on both pictures, and of the dashed line that marks it.
+    const QRect future(160, 110, 80, 210);
+    picture.task_time_s = 1.0;
+    const auto before = paint(picture).copy(future);
+    picture.task_time_s = 1.3;
+    EXPECT_EQ(paint(picture).copy(future) == before, calm);
+  }
+  picture.preview = nullptr;  // nothing moves there that could stand still
+  const auto as_usual = paint(picture);
+  picture.calm = false;
+  EXPECT_EQ(paint(picture), as_usual);
+}
+
 TEST(PatientCanvas, TheDotOnTheTargetIsMarkedByShapeToo) {
   PatientPicture picture;
   picture.page = PatientPicture::Page::tracking;
@@ -277,6 +396,7 @@ TEST(PatientCanvas, TheDotOnTheTargetIsMarkedByShapeToo) {
   picture.target_N = 10.0;
   const auto whites_near_dot = [&](double force_N) {
     picture.force_N = force_N;
+    picture.on_target = force_N == picture.target_N;
     const QImage image = paint(picture);
     const int x = 640 / 2;
     const int y = static_cast<int>(360 * (0.90 - 0.60 * picture.axis.share(force_N)));

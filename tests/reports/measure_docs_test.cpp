@@ -10,6 +10,7 @@
 
 #include "core/files.hpp"
 #include "reports/measure_words.hpp"
+#include "tasks/kind_name.hpp"
 #include "tests/reports/emitted_measures.hpp"
 
 namespace isograsp {
@@ -105,30 +106,11 @@ TEST(MeasureDocs, EverySectionIsAboutAMeasureThatSomeTaskGives) {
   }
 }
 
-/// In the order of TaskSpec::kind.
-constexpr std::array<std::string_view, 16> kKinds{"rest",
-                                                  "maximum",
-                                                  "force_tracking",
-                                                  "pose_targets",
-                                                  "observe",
-                                                  "directional_maxima",
-                                                  "steadiness",
-                                                  "step_response",
-                                                  "grip_release",
-                                                  "force_sense",
-                                                  "fatigue",
-                                                  "individuation",
-                                                  "force_direction",
-                                                  "pose_tracking",
-                                                  "pick_place",
-                                                  "recorded"};
-
 TEST(MeasureDocs, TheTableNamesEveryMeasureOfATask) {
-  static_assert(kKinds.size() == std::variant_size_v<decltype(TaskSpec::kind)>);
   const std::string text = text_of_docs();
   const std::set<std::string> below_the_table{"net_push", "net_push_time", "force_of_maximum"};
   for (const Emitted& task : emitted()) {
-    const std::string kind(kKinds[task.spec.kind.index()]);
+    const std::string kind(kind_name(task.spec));
     const auto begin = text.find("\n| " + kind + " |");
     ASSERT_NE(begin, std::string::npos) << kind;
     const std::string row = text.substr(begin, text.find('\n', begin + 1) - begin);

@@ -119,5 +119,14 @@ TEST(MeasureWords, ATitleSaysTheChannel) {
   EXPECT_EQ(title("rmse", "rz"), "Tracking error (RMS), turn about z");
 }
 
+TEST(MeasureWords, ErrorsOfSizesGrowWithTheirMeanThoseOfSharesAndSignedOnesDoNot) {
+  for (const char* size : {"maximum_force", "rmse", "relative_rmse", "cv", "release_time"})
+    EXPECT_TRUE(words_for(size, "grip").error_grows) << size;
+  for (const char* steady : {"time_in_range", "release_time_share", "targets_reached", "lag",
+                             "constant_error", "individuation_index", "sparc", "resting_force",
+                             "pauses", "anticipations", "drops", "net_push_time", "slip"})
+    EXPECT_FALSE(words_for(steady, "grip").error_grows) << steady;
+}
+
 }  // namespace
 }  // namespace isograsp

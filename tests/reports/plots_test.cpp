@@ -57,14 +57,14 @@ TEST(OverlayPlot, OfALongTrialKeepsItsExtremesAndADetailForEachPointOfItsWidth) 
   }
   force[12345] = 25.0;  // a peak of a single sample
   TaskSection section;
-  section.last = LastTrial{};
+  section.last = DrawnTrial{};
   section.last->curves.add_column("t_s", t_s);
   section.last->curves.add_column("phase", std::vector<double>(kRows, 0.0));
   section.last->curves.add_column("target_force_N", std::vector<double>(kRows, 10.0));
   section.last->curves.add_column("actual_force_N", force);
 
   constexpr double kWidth = 400.0;
-  PlotView view = overlay_plot(section, QSizeF(kWidth, 100.0), 1.0);
+  PlotView view = overlay_plot(section, *section.last, QSizeF(kWidth, 100.0), 1.0);
   const QCPGraph* actual = view.plot().graph(view.plot().graphCount() - 1);
   ASSERT_NE(actual, nullptr);
   double low = std::numeric_limits<double>::infinity();
@@ -77,6 +77,64 @@ TEST(OverlayPlot, OfALongTrialKeepsItsExtremesAndADetailForEachPointOfItsWidth) 
   EXPECT_EQ(high, 25.0);
   EXPECT_GT(actual->dataCount(), static_cast<int>(kWidth / 2.0));
   EXPECT_LE(actual->dataCount(), static_cast<int>(4.0 * kWidth));
+}
+
+/// A series that is judged: `baseline`, and changes from -2 to 3 that are no larger than the error.
+MeasureSeries judged(const std::string& name, double baseline) {
+  MeasureSeries series;
+  series.name = name;
+  series.verdict = ChangeVerdict{};
+  series.verdict->change.baseline = baseline;
+  series.verdict->change.mdc_down = -2.0;
+  series.verdict->change.mdc_up = 3.0;
+  return series;
+}
+std::vector<std::pair<double, double>> bands_of(const MeasureSeries& series) {
+  std::vector<std::pair<double, double>> bands;
+  for (const auto& band : error_bands(series)) bands.emplace_back(band.low, band.high);
+  return bands;
+}
+
+TEST(ErrorBands, OfMeasuresThatAreBestNearZeroStandOnBothSidesOfIt) {
+  using Bands = std::vector<std::pair<double, double>>;
+  EXPECT_EQ(bands_of(judged("maximum_force", 10.0)), (Bands{{8.0, 13.0}}));
+  EXPECT_EQ(bands_of(judged("lag", 10.0)), (Bands{{8.0, 13.0}, {-13.0, -8.0}}));
+  EXPECT_EQ(bands_of(judged("lag", -10.0)), (Bands{{-13.0, -8.0}, {8.0, 13.0}}));
+  EXPECT_EQ(bands_of(judged("lag", 1.0)), (Bands{{-4.0, 4.0}})) << "they meet at zero";
+  EXPECT_TRUE(error_bands(MeasureSeries{}).empty());
+}
+
+TEST(TrendPlot, OfAPartHasItsSessionsOnItsAxisAndTreatmentsBetweenThem) {
+  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  ensure_qt_application();
+  ReportContent content;
+  MeasureSeries series;
+  series.name = "maximum_force";
+  series.unit = "N";
+  for (int number = 11; number <= 15; ++number) {
+    ReportSession session;
+    session.number = number;
+    session.date = "2026-03-" + std::to_string(number);
+    content.sessions.push_back(session);
+    series.values.push_back({static_cast<std::size_t>(number - 11), {10.0}, 0, 10.0, false});
+  }
+  const auto plot = [&] {
+    return trend_plot(series, TaskSection{}, content, QSizeF(200, 100), 1.0);
+  };
+  PlotView plain = plot();
+  const QCPRange range = plain.plot().axisRect(0)->axis(QCPAxis::atBottom)->range();
+  for (const auto& session : content.sessions) EXPECT_TRUE(range.contains(session.number));
+  EXPECT_FALSE(range.contains(1.0));
+  content.treatments = {{1, "2026-03-09", "drug", ""},      // before all that is shown
+                        {2, "2026-03-12", "orthosis", ""},  // on the day of a session: before it
+                        {3, "2026-03-12", "therapy", ""},
+                        {4, "2026-03-20", "other", ""}};
+  PlotView marked = plot();
+  EXPECT_EQ(marked.plot().itemCount(), plain.plot().itemCount() + 2) << "a letter for each";
+  const auto* letter = qobject_cast<QCPItemText*>(marked.plot().item(0));
+  ASSERT_NE(letter, nullptr);
+  EXPECT_EQ(letter->text(), "O");
+  EXPECT_EQ(letter->position->key(), 11.5);
 }
 
 }  // namespace

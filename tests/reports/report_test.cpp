@@ -122,21 +122,10 @@ TEST_F(Report, BaselineIsTheMeanOfTheFirstTwoDays) {
     }
 }
 
-TEST_F(Report, AtMostFourMeasuresGetAVerdictAndItIsThatNothingCanBeJudgedYet) {
+TEST_F(Report, WithoutPrimaryMeasuresNothingGetsAVerdict) {
   test::add_course(*store_, "TK-104", false);
-  test::DemoSession left;
-  left.date = "2026-04-09";
-  left.hand = Hand::left;
-  test::add_session(*store_, "TK-104", left);
-  int verdicts = 0;
   for (const auto& section : gather("TK-104").sections)
-    for (const auto& series : section.series)
-      if (!series.verdict.empty()) {
-        ++verdicts;
-        EXPECT_EQ(series.verdict, "cannot be judged yet");
-        EXPECT_TRUE(series.primary);
-      }
-  EXPECT_EQ(verdicts, 4);
+    for (const auto& series : section.series) EXPECT_FALSE(series.verdict) << series.name;
 }
 
 TEST_F(Report, KeepsHandsApart) {
@@ -208,7 +197,7 @@ TEST_F(Report, EveryPageOfSimulatedDataSaysSo) {
     EXPECT_NE(text.find("SIMULATED DEVICE"), std::string::npos) << "page " << page;
   }
   EXPECT_GE(pages, 1);
-  EXPECT_LE(pages, 3);
+  EXPECT_LE(pages, 6);
 }
 
 TEST_F(Report, MeasuredDataCarryNoWatermarkAndRecordedDataCarryTheirOwn) {

@@ -186,6 +186,34 @@ TEST(Session, WhatWasAskedBeforeStandsWithItFromTheStart) {
   EXPECT_EQ(clinic.store()->answers((*session)->record().id).value(), config.answers);
 }
 
+TEST(Session, WhatIsAnsweredAndShownOnTheWayStandsWithIt) {
+  const Clinic clinic;
+  SessionConfig config = clinic.config("sim://healthy?seed=7");
+  auto session = Session::open(config);
+  ASSERT_TRUE(session) << session.error().message();
+  const std::vector<SessionAnswer> answers{{"posture", "elbow_deg", "90"}};
+  EXPECT_TRUE((*session)->answer(answers));
+  EXPECT_EQ((*session)->answer({{"posture", "", "90"}}).error().field, "item");
+  ASSERT_TRUE((*session)->start_zero({true}));
+  (void)(*session)->wait_for_news();
+  const auto maximum = find_in_library(kLibrary, "tasks", "maximum_grip").value();
+  const auto spec = parse_task(*read_text(maximum), maximum).value();
+  for (const bool seen : {true, false}) {
+    ASSERT_TRUE((*session)->start_trial(spec, false));
+    if (seen) (*session)->shown({0.021, 0.8, 0.6});
+    (void)(*session)->wait_for_news();
+  }
+  const auto id = (*session)->record().id;
+  session->reset();
+  EXPECT_EQ(clinic.store()->answers(id).value(), answers);
+  const auto trials = clinic.store()->trials(id).value();
+  ASSERT_EQ(trials.size(), 2u);
+  EXPECT_EQ(trials[0].display_age_s, 0.021);
+  EXPECT_EQ(trials[0].visual_gain_deg_per_N, 0.8);
+  EXPECT_EQ(trials[0].viewing_distance_m, 0.6);
+  EXPECT_FALSE(trials[1].display_age_s) << "nobody looked at that one";
+}
+
 TEST(Session, AnswersThatMakeNoSenseAreRefusedBeforeAnythingIsWritten) {
   const Clinic clinic;
   SessionConfig config = clinic.config("sim://healthy?seed=7");

@@ -12,9 +12,11 @@ TEST(BlockCodec, EveryBitOfEveryDoubleComesBack) {
     std::vector<double> rows = awkward_doubles();
     while (rows.size() < 100 * columns) rows.push_back(std::bit_cast<double>(random()));
     rows.resize(100 * columns);
-    const auto back = decode_block(encode_block(rows, columns), 100, columns);
-    ASSERT_TRUE(back);
-    for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_TRUE(same_bits(rows[i], (*back)[i])) << i;
+    std::vector<std::vector<double>> back(columns);
+    ASSERT_TRUE(decode_block(encode_block(rows, columns), 100, back));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      EXPECT_TRUE(same_bits(rows[i], back[i % columns][i / columns])) << i;
+    EXPECT_EQ(compress(shuffle_columns(back)), encode_block(rows, columns));
   }
 }
 
@@ -47,9 +49,13 @@ TEST(BlockCodec, ChecksumIsTheOneOfZlib) {
 
 TEST(BlockCodec, WrongSizeOrTornBytesAreNoBlock) {
   const std::string bytes = encode_block(awkward_doubles(), 3);
-  EXPECT_FALSE(decode_block(bytes, 4, 3));
-  EXPECT_FALSE(decode_block(bytes.substr(0, bytes.size() / 2), 3, 3));
-  EXPECT_FALSE(decode_block("", 3, 3));
+  std::vector<std::vector<double>> columns(3);
+  EXPECT_FALSE(decode_block(bytes, 4, columns));
+  EXPECT_FALSE(decode_block(bytes.substr(0, bytes.size() / 2), 3, columns));
+  EXPECT_FALSE(decode_block("", 3, columns));
+  for (const auto huge : {std::numeric_limits<std::size_t>::max(), std::size_t{1} << 61U})
+    EXPECT_FALSE(decode_block(bytes, huge, columns)) << "asks for no memory";
+  for (const auto& column : columns) EXPECT_TRUE(column.empty());
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ inline SessionRecord example_session(RowId patient) {
   session.realtime = "SCHED_FIFO 40, memory locked";
   session.allowed = "comfortable";
   session.ceiling_N = 25.5;
+  session.calibration = "thumb: N or N m per count 0.01 0.01 0.01 0.0001 0.0001 0.0001\n";
   return session;
 }
 

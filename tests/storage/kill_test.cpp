@@ -13,7 +13,9 @@ namespace {
 void expect_recovered(SessionStore& store, const std::string& said, TrialStatus status) {
   const auto patient = must(store.find_patient("P-1"));
   ASSERT_TRUE(patient);
-  const auto session = must(store.sessions(patient->id)).back();
+  const auto sessions = must(store.sessions(patient->id));
+  const auto& session = *std::max_element(sessions.begin(), sessions.end(),
+                                          [](const auto& a, const auto& b) { return a.id < b.id; });
   const auto trials = must(store.trials(session.id));
   ASSERT_EQ(trials.size(), 1u);
   const auto& trial = trials[0];
@@ -33,13 +35,46 @@ void expect_recovered(SessionStore& store, const std::string& said, TrialStatus 
   EXPECT_EQ(must(store.check()), std::vector<std::string>{});
 }
 
+/// scripts/test --long sets it.
+int kills() {
+  return std::getenv("ISOGRASP_LONG") != nullptr ? 100 : 5;
+}
+
+TEST(Kill, WhileTrialsAreClosedAndPackedLosesNone) {
+  constexpr unsigned kLongestLife_ms = 300;
+  constexpr int kSeconds = 3;  // so that most of the time a trial is being closed
+  std::mt19937_64 random(20260303);
+  TemporaryFolder folder;
+  const std::string path = folder.file("clinic.db");
+  for (int run = 0; run < kills(); ++run) {
+    SCOPED_TRACE("run " + std::to_string(run));
+    WriterProcess writer(path, std::to_string(kSeconds), 0, "100000");
+    ASSERT_TRUE(writer.wait_for("closed 1"));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % (1000 * kLongestLife_ms)));
+    const int closed = count_lines(writer.kill_and_read(), "closed ");
+    const auto store = open_store(path, SessionStore::Open::existing);
+    const auto sessions = must(store->sessions(must(store->find_patient("P-1"))->id));
+    const auto& session = *std::max_element(
+        sessions.begin(), sessions.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    const auto trials = must(store->trials(session.id));
+    ASSERT_GE(static_cast<int>(trials.size()), closed);
+    for (int i = 0; i < closed; ++i) {
+      const auto& trial = trials[static_cast<std::size_t>(i)];
+      EXPECT_EQ(trial.status, TrialStatus::completed);
+      EXPECT_EQ(must(store->signals(trial)).rows(), 100u * kSeconds);
+      EXPECT_EQ(trial.signals_hash.size(), 64u);
+    }
+    for (const auto& trial : trials) EXPECT_TRUE(store->signals(trial).ok());
+  }
+  EXPECT_EQ(must(open_store(path)->check()), std::vector<std::string>{});
+}
+
 TEST(Kill, WhatWasConfirmedIsThereAndTheTrialIsMarkedInterrupted) {
-  constexpr int kRuns = 5;
   constexpr unsigned kLongestLife_ms = 300;  // some hundred commits; a kill hits any place of them
   std::mt19937_64 random(20260301);
   TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  for (int run = 0; run < kRuns; ++run) {
+  for (int run = 0; run < kills(); ++run) {
     SCOPED_TRACE("run " + std::to_string(run));
     WriterProcess writer(path);
     ASSERT_TRUE(writer.wait_for("second 0"));

@@ -7,6 +7,7 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "storage/audit_log.hpp"
 #include "storage/database.hpp"
 #include "tests/storage/examples.hpp"
 
@@ -120,11 +121,22 @@ TEST_P(Migration, AnOldFileIsReadAsItIs) {
   EXPECT_EQ(all.trials[1].place, three ? std::optional(TrialPlace{2, 0}) : std::nullopt);
   EXPECT_EQ(all.trials[1].helped, three);
   EXPECT_EQ(must(store->ratings(all.session.id)).size(), three ? 1u : 0u);
-  EXPECT_EQ(must(store->profile(all.session.patient_id)), PatientProfile{});
-  EXPECT_TRUE(must(store->treatment_marks(all.session.patient_id)).empty());
-  EXPECT_TRUE(must(store->clinical_scores(all.session.patient_id)).empty());
-  EXPECT_TRUE(must(store->answers(all.session.id)).empty());
-  EXPECT_FALSE(all.trials[1].display_age_s.has_value());
+  const bool four = GetParam() >= 4;
+  const RowId patient = all.session.patient_id;
+  const PatientProfile told{Side::left, Hand::right, "2025-12-31", "a note", "a goal"};
+  EXPECT_EQ(must(store->profile(patient)), four ? told : PatientProfile{});
+  EXPECT_EQ(must(store->treatment_marks(patient)).size(), four ? 1u : 0u);
+  EXPECT_EQ(must(store->clinical_scores(patient)).size(), four ? 1u : 0u);
+  EXPECT_EQ(must(store->answers(all.session.id)).size(), four ? 1u : 0u);
+  EXPECT_EQ(all.trials[1].display_age_s, four ? std::optional(0.021) : std::nullopt);
+  EXPECT_EQ(all.trials[1].visual_gain_deg_per_N, four ? std::optional(0.5) : std::nullopt);
+  const bool five = GetParam() >= 5;
+  EXPECT_EQ(must(store->primary_measures(patient)).size(), five ? 1u : 0u);
+  EXPECT_EQ(must(store->stable_periods(patient)).size(), five ? 1u : 0u);
+  const bool six = GetParam() >= 6;
+  EXPECT_EQ(all.session.uuid.empty(), !six);
+  EXPECT_EQ(all.trials[1].signals_hash.empty(), !six);
+  EXPECT_TRUE(must(store->stable_values({})).empty());
   EXPECT_EQ(must(store->recent_sessions(5)).size(), 1u);
   EXPECT_FALSE(must(store->progress(all.session.patient_id)).empty());
   EXPECT_TRUE(must(store->check()).empty());
@@ -141,14 +153,66 @@ TEST_P(Migration, KeepsEverythingAndLeavesACheckedCopy) {
   EXPECT_TRUE(must(store->check()).empty());
   must(store->add_patient("P-2"));
   must(store->set_profile(before.session.patient_id, {Side::right, Hand::right, "", "", ""}));
+  must(store->add_stable_period(before.session.patient_id,
+                                {0, "2027-01-01", "2027-01-31", "", "Therapist 7", ""}));
   must(store->add_answers(before.session.id,
                           std::vector<SessionAnswer>{{"posture", "seat", "chair"}}));
+}
+
+TEST_P(Migration, PacksTheSignalsAndGivesNamesThatTwoCopiesShare) {
+  fs::copy_file(path, folder.file("copy.db"));
+  EXPECT_EQ(must(SessionStore::migrate(path)).packed, GetParam() >= 6 ? 0 : 2);
+  must(SessionStore::migrate(folder.file("copy.db")));
+  const auto one = open_store(path);
+  const auto other = open_store(folder.file("copy.db"));
+  const Contents all = contents_of(*one);
+  const Contents copy = contents_of(*other);
+  EXPECT_EQ(all.session.uuid.size(), 36u);
+  EXPECT_EQ(all.session.uuid, copy.session.uuid);
+  EXPECT_EQ(must(one->patients())[0].uuid, must(other->patients())[0].uuid);
+  for (std::size_t i = 0; i < all.trials.size(); ++i) {
+    EXPECT_EQ(all.trials[i].uuid, copy.trials[i].uuid);
+    EXPECT_EQ(all.trials[i].signals_hash.size(), 64u);
+    EXPECT_EQ(all.trials[i].signals_hash, copy.trials[i].signals_hash);
+  }
+  EXPECT_NE(all.trials[0].uuid, all.trials[1].uuid);
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  int blocks = -1;
+  sql << "SELECT count(*) FROM signal_blocks", soci::into(blocks);
+  EXPECT_EQ(blocks, 0);
+}
+
+TEST_P(Migration, OfADamagedTrialPacksTheOthersAndGoesOnLater) {
+  must(SessionStore::migrate(path));
+  const auto store = open_store(path);
+  TrialRecord trial = example_trial(must(store->sessions(1)).at(0).id, 9);
+  trial.id = must(store->begin_trial(trial));
+  must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  sql << "UPDATE trials SET status = 'interrupted', sample_count = 200 WHERE number = 9";
+  const auto damaged = must(SessionStore::migrate(path));
+  EXPECT_EQ(damaged.packed, 0);
+  ASSERT_EQ(damaged.not_packed.size(), 1u);
+  EXPECT_NE(damaged.not_packed[0].find("second 1: the block is missing"), std::string::npos);
+  sql << "UPDATE trials SET sample_count = 100 WHERE number = 9";
+  EXPECT_EQ(must(SessionStore::migrate(path)).packed, 1);
 }
 
 TEST_P(Migration, GivesTheSameTablesAsANewFile) {
   must(SessionStore::migrate(path));
   open_store(folder.file("new.db"));
   EXPECT_EQ(schema_of(path), schema_of(folder.file("new.db")));
+}
+
+TEST_P(Migration, BeginsTheAuditLogWithItself) {
+  must(SessionStore::migrate(path));
+  const auto access = must(Access::open(path));
+  EXPECT_FALSE(access->is_protected());
+  const auto entries = must(read_audit(*access));
+  ASSERT_EQ(entries.size(), 1u);
+  EXPECT_EQ(entries[0].act, "migrate");
+  EXPECT_EQ(entries[0].object, "clinic.db.format-" + format);
+  EXPECT_TRUE(must(check_audit(*access)).empty());
 }
 
 TEST_P(Migration, IsDoneOnceAndNeverOverwritesACopy) {

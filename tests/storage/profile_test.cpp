@@ -3,22 +3,12 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "tests/storage/examples.hpp"
+#include "tests/storage/one_patient.hpp"
 
 namespace isograsp {
 namespace {
 
-struct Profile : testing::Test {
-  TemporaryFolder folder;
-  std::string path = folder.file("clinic.db");
-  std::unique_ptr<SessionStore> store = open_store(path);
-  RowId patient = must(store->add_patient("P-0427")).id;
-
-  void reopen() {
-    store.reset();
-    store = open_store(path, SessionStore::Open::existing);
-  }
-};
+struct Profile : OnePatient {};
 
 TEST_F(Profile, OfAPersonOfWhomNothingWasToldIsEmpty) {
   EXPECT_EQ(must(store->profile(patient)), PatientProfile{});

@@ -44,6 +44,8 @@ TEST_F(Records, SessionKeepsEveryField) {
   EXPECT_TRUE(same_bits(read.rate_Hz, written.rate_Hz));
   EXPECT_TRUE(same_bits(read.device_delay_s, written.device_delay_s));
   EXPECT_EQ(read.software_version, written.software_version);
+  EXPECT_EQ(read.calibration, written.calibration);
+  EXPECT_EQ(read.uuid.size(), 36u);
   EXPECT_EQ(read.cpu_features, written.cpu_features);
   EXPECT_EQ(read.seed, written.seed);
   EXPECT_EQ(read.serial_numbers, written.serial_numbers);
@@ -463,6 +465,43 @@ std::string dump(SessionStore& store) {
   return text;
 }
 
+TEST_F(Records, AClockThatIsSetBackLosesNothingAndSessionsAreReadByTheirTime) {
+  const RowId patient_id = patient();
+  std::vector<RowId> made;
+  for (const char* start : {"2026-03-02T09:00:00Z", "2026-03-01T09:00:00Z"}) {
+    SessionRecord record = example_session(patient_id);
+    record.started_utc = start;
+    const RowId id = must(store->begin_session(record));
+    made.push_back(id);
+    InstrumentZeroRecord zero;
+    zero.session_id = id;
+    zero.mean.fill(Vec6::Zero());
+    zero.sd.fill(Vec6::Zero());
+    zero.recorded_utc = start;
+    TrialRecord trial = example_trial(id);
+    trial.zero_id = must(store->add_zero(zero));
+    trial.id = must(store->begin_trial(trial));
+    must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));
+    trial.status = TrialStatus::completed;
+    must(store->end_trial(trial, std::vector<Measure>{{"rmse", "force", 0.1, "N", 1, 10, 0, ""}}));
+    must(store->end_session(id, "2026-02-01T09:00:00Z"));  // before it began
+  }
+  reopen();
+  const auto sessions = must(store->sessions(patient_id));
+  ASSERT_EQ(sessions.size(), 2u);
+  EXPECT_EQ(sessions[0].id, made[1]);
+  const auto points = must(store->progress(patient_id));
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].session_id, made[1]) << "the same order as that of the sessions";
+  for (const auto& session : sessions) {
+    const auto trials = must(store->trials(session.id));
+    ASSERT_EQ(trials.size(), 1u);
+    EXPECT_EQ(must(store->signals(trials[0])).rows(), 100u);
+    EXPECT_EQ(must(store->zeros(session.id)).size(), 1u);
+  }
+  EXPECT_EQ(must(store->check()), std::vector<std::string>{});
+}
+
 TEST(Determinism, SameCallsMakeTheSameContent) {
   TemporaryFolder folder;
   std::string dumps[2];
@@ -480,6 +519,25 @@ TEST(Determinism, SameCallsMakeTheSameContent) {
   }
   EXPECT_EQ(dumps[0], dumps[1]);
   EXPECT_GT(dumps[0].size(), 1000u);
+}
+
+TEST(Uuids, OfAScratchFileAreTheSameEachTimeAndOfAnyOtherNever) {
+  TemporaryFolder folder;
+  const auto uuids = [&](const std::string& name, SessionStore::Open how) {
+    const auto store = open_store(folder.file(name), how);
+    const auto patient = must(store->add_patient("P-1", "2026-01-02T10:00:00Z"));
+    const RowId session = must(store->begin_session(example_session(patient.id)));
+    must(store->begin_session(example_session(patient.id)));  // at the same moment
+    TrialRecord trial = example_trial(session);
+    trial.id = must(store->begin_trial(trial));
+    return std::vector<std::string>{patient.uuid, must(store->sessions(patient.id)).at(0).uuid,
+                                    must(store->trials(session)).at(0).uuid};
+  };
+  const auto once = uuids("a.db", SessionStore::Open::scratch);
+  EXPECT_EQ(uuids("b.db", SessionStore::Open::scratch), once);
+  const auto real = uuids("c.db", SessionStore::Open::create);
+  const auto again = uuids("d.db", SessionStore::Open::create);
+  for (std::size_t i = 0; i < real.size(); ++i) EXPECT_NE(real[i], again[i]);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// storage_writer FILE [SECONDS]: records without pause and says on standard output what the store
-// has confirmed. The tests end it without warning. Exit status 3: the store refused, as said.
+// storage_writer FILE [SECONDS [TRIALS]]: records without pause, one trial of so many seconds after
+// the other, and says on standard output what the store has confirmed. The tests end it without
+// warning. Exit status 3: the store refused, as said.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -22,12 +23,46 @@ void say(const std::string& line) {
   std::exit(3);
 }
 
+void record(isograsp::SessionStore& store, isograsp::RowId session_id, int number, int seconds) {
+  using namespace isograsp;
+  TrialRecord trial;
+  trial.session_id = session_id;
+  trial.number = number;
+  trial.task_name = "kill test";
+  trial.groups = {{"force", {}}, {"raw", {}}};
+  constexpr std::size_t kColumns = 30;
+  for (auto& group : trial.groups)
+    for (std::size_t c = 0; c < kColumns; ++c)
+      group.columns.push_back(group.name + std::to_string(c) + "_N");
+  const auto trial_id = store.begin_trial(trial);
+  if (!trial_id) give_up(trial_id.error());
+  say("trial " + std::to_string(session_id));
+  for (int second = 0; second < seconds; ++second) {
+    // Value = place in the trial, so that the test can tell every sample.
+    std::vector<std::vector<double>> rows(2);
+    for (auto& block : rows)
+      for (std::size_t i = 0; i < 100 * kColumns; ++i)
+        block.push_back(static_cast<double>(second) * 100.0 * kColumns + static_cast<double>(i));
+    if (const auto done = store.append_blocks(*trial_id, second, rows); !done)
+      give_up(done.error());
+    say("second " + std::to_string(second));
+    if (const auto done = store.add_event(session_id, {*trial_id, 1.0 * second, "note", "x"});
+        !done)
+      give_up(done.error());
+    say("event " + std::to_string(second));
+  }
+  trial.id = *trial_id;
+  trial.status = TrialStatus::completed;
+  if (const auto done = store.end_trial(trial, {}); !done) give_up(done.error());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace isograsp;
   if (argc < 2) return 2;
   const int seconds = argc > 2 ? std::atoi(argv[2]) : 1 << 20;
+  const int trials = argc > 3 ? std::atoi(argv[3]) : 1;
   auto opened = SessionStore::open(argv[1], SessionStore::Open::create);
   if (!opened) give_up(opened.error());
   SessionStore& store = **opened;
@@ -45,35 +80,10 @@ int main(int argc, char** argv) {
   session.patient_id = patient_id;
   const auto session_id = store.begin_session(session);
   if (!session_id) give_up(session_id.error());
-  TrialRecord trial;
-  trial.session_id = *session_id;
-  trial.number = 1;
-  trial.task_name = "kill test";
-  trial.groups = {{"force", {}}, {"raw", {}}};
-  constexpr std::size_t kColumns = 30;
-  for (auto& group : trial.groups)
-    for (std::size_t c = 0; c < kColumns; ++c)
-      group.columns.push_back(group.name + std::to_string(c) + "_N");
-  const auto trial_id = store.begin_trial(trial);
-  if (!trial_id) give_up(trial_id.error());
-  say("trial " + std::to_string(*session_id));
-  for (int second = 0; second < seconds; ++second) {
-    // Value = place in the trial, so that the test can tell every sample.
-    std::vector<std::vector<double>> rows(2);
-    for (auto& block : rows)
-      for (std::size_t i = 0; i < 100 * kColumns; ++i)
-        block.push_back(static_cast<double>(second) * 100.0 * kColumns + static_cast<double>(i));
-    if (const auto done = store.append_blocks(*trial_id, second, rows); !done)
-      give_up(done.error());
-    say("second " + std::to_string(second));
-    if (const auto done = store.add_event(*session_id, {*trial_id, 1.0 * second, "note", "x"});
-        !done)
-      give_up(done.error());
-    say("event " + std::to_string(second));
+  for (int number = 1; number <= trials; ++number) {
+    record(store, *session_id, number, seconds);
+    say("closed " + std::to_string(number));
   }
-  trial.id = *trial_id;
-  trial.status = TrialStatus::completed;
-  if (const auto done = store.end_trial(trial, {}); !done) give_up(done.error());
   say("done");
   return 0;
 }

@@ -18,7 +18,7 @@ class WriterProcess {
  public:
   /// `largest_file`: no file may grow beyond this many bytes (0: no limit), as on a full disk.
   explicit WriterProcess(const std::string& database, const std::string& seconds = "1000000",
-                         rlim_t largest_file = 0) {
+                         rlim_t largest_file = 0, const std::string& trials = "1") {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
     process_ = fork();
@@ -29,7 +29,8 @@ class WriterProcess {
         setrlimit(RLIMIT_FSIZE, &limit);
       }
       dup2(ends[1], STDOUT_FILENO);
-      execl(STORAGE_WRITER, STORAGE_WRITER, database.c_str(), seconds.c_str(), nullptr);
+      execl(STORAGE_WRITER, STORAGE_WRITER, database.c_str(), seconds.c_str(),
+            trials.c_str(), nullptr);
       _exit(127);
     }
     close(ends[1]);

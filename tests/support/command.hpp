@@ -21,11 +21,11 @@ struct CommandResult {
   std::string err;
 };
 
-/// `arguments` go to the shell behind the executable: quote what needs it.
-inline CommandResult isograsp(const std::string& arguments) {
+/// A command line for the shell: quote what needs it.
+inline CommandResult run(const std::string& line) {
   const TemporaryFolder folder;
-  const std::string command = std::string("\"" ISOGRASP_EXECUTABLE "\" ") + arguments + " >" +
-                              folder.path("out") + " 2>" + folder.path("err") + " </dev/null";
+  const std::string command =
+      line + " >" + folder.path("out") + " 2>" + folder.path("err") + " </dev/null";
   const int status = std::system(command.c_str());
   const auto text = [&folder](const char* name) {
     std::ifstream in(folder.path(name));
@@ -34,6 +34,11 @@ inline CommandResult isograsp(const std::string& arguments) {
     return all.str();
   };
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text("out"), text("err")};
+}
+
+/// `arguments` go to the shell behind the executable.
+inline CommandResult isograsp(const std::string& arguments) {
+  return run(std::string("\"" ISOGRASP_EXECUTABLE "\" ") + arguments);
 }
 
 }  // namespace isograsp::test

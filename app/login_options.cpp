@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/login_options.hpp"
+
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+#include "storage/audit_log.hpp"
+#include "storage/session_store.hpp"
+
+namespace isograsp {
+
+namespace {
+
+Error wrong(std::string field, std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::move(field)};
+}
+
+Result<void> log_in_to(Access& access, const LoginOptions& options) {
+  if (options.user.empty() != options.password_file.empty())
+    return wrong("--user", "a name and a password belong together",
+                 "give --user and --password-file");
+  const bool by_passphrase = !options.passphrase_file.empty();
+  const bool by_recovery = !options.recovery_key_file.empty();
+  if (by_passphrase && by_recovery)
+    return wrong("--recovery-key-file", "stands beside a passphrase", "give one of them");
+  if (by_passphrase || by_recovery) {
+    const auto secret =
+        Secret::from_file(by_passphrase ? options.passphrase_file : options.recovery_key_file);
+    if (!secret) return secret.error();
+    auto done = by_passphrase ? access.log_in_with_passphrase(*secret)
+                              : access.log_in_with_recovery_key(*secret);
+    if (!done || options.user.empty()) return done;
+  }
+  // A name given beside the passphrase is who acts: the log names people.
+  const auto password = Secret::from_file(options.password_file);
+  if (!password) return password.error();
+  return access.log_in(options.user, *password);
+}
+
+}  // namespace
+
+void LoginOptions::add_to(CLI::App& command) {
+  command.add_option("--passphrase-file", passphrase_file,
+                     "File with the clinic's passphrase (protected databases)");
+  command.add_option("--user", user, "Account that works (protected databases)");
+  command.add_option("--password-file", password_file, "File with the password of --user");
+  command.add_option("--recovery-key-file", recovery_key_file,
+                     "File with the printed recovery key, in place of the passphrase");
+}
+
+bool LoginOptions::given() const noexcept {
+  return !passphrase_file.empty() || !user.empty() || !password_file.empty() ||
+         !recovery_key_file.empty();
+}
+
+Result<std::unique_ptr<Access>> log_in(const std::string& database, const LoginOptions& options) {
+  if (is_protected_database(database)) return open_access(database, options);
+  std::error_code ignored;
+  if (options.given())
+    return Error{Error::Code::bad_input,
+                 std::filesystem::exists(database, ignored)
+                     ? "is not protected: it asks for no login"
+                     : "does not exist, and is not made with protection here",
+                 std::filesystem::exists(database, ignored)
+                     ? "leave the login out, or check the name of the file"
+                     : "make it with isograsp db init --protected",
+                 database,
+                 0,
+                 ""};
+  return std::unique_ptr<Access>();
+}
+
+Result<std::unique_ptr<Access>> open_access(const std::string& database,
+                                            const LoginOptions& options) {
+  auto access = Access::open(database);
+  if (!access) return access.error();
+  const bool asks = (*access)->is_protected();
+  if (asks && !options.given())
+    return Error{Error::Code::bad_input,
+                 "is protected",
+                 "give --passphrase-file, or --user and --password-file",
+                 database,
+                 0,
+                 ""};
+  if (!asks && options.given())
+    return Error{Error::Code::bad_input,
+                 "is not protected: it asks for no login",
+                 "leave the login out",
+                 database,
+                 0,
+                 ""};
+  if (asks)
+    if (const auto done = log_in_to(**access, options); !done) return done.error();
+  return access;
+}
+
+Result<void> log_act_of(const std::string& database, Access* access, const std::string& act,
+                        const std::string& object, bool done, const std::string& detail) {
+  std::unique_ptr<Access> open;
+  if (access == nullptr) {
+    auto opened = Access::open(database);
+    if (!opened) return {};
+    open = *std::move(opened);
+    access = open.get();
+  }
+  if (!access->can_log()) return {};
+  // What is no code may be a name.
+  return log_act(*access, act, check_patient_code(object) ? object : "", done, detail);
+}
+
+}  // namespace isograsp

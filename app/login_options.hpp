@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options by which a command logs in to a protected database. Secrets come from files, never from
+// the command line, where every program on the machine can read them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/result.hpp"
+#include "storage/access.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace isograsp {
+
+struct LoginOptions {
+  std::string passphrase_file;
+  std::string recovery_key_file;
+  std::string user;
+  std::string password_file;
+
+  void add_to(CLI::App& command);
+  [[nodiscard]] bool given() const noexcept;
+};
+
+/// Logs in; keep it while the command works. Nothing: the database is not protected, or does not
+/// exist yet. Refused: a protected one without a login, a login where none is asked for.
+[[nodiscard]] Result<std::unique_ptr<Access>> log_in(const std::string& database,
+                                                     const LoginOptions& options);
+/// The same for commands that are about access itself: the database must exist and be of the
+/// current format.
+[[nodiscard]] Result<std::unique_ptr<Access>> open_access(const std::string& database,
+                                                          const LoginOptions& options);
+
+/// Writes into the audit log what the storage cannot see. Files that cannot be written, or of an
+/// older format, have none. No identity in any text.
+[[nodiscard]] Result<void> log_act_of(const std::string& database, Access* access,
+                                      const std::string& act, const std::string& object, bool done,
+                                      const std::string& detail);
+
+}  // namespace isograsp

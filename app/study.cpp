@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp study: a group report of the clinic's patients (docs/statistics.md).
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/console.hpp"
+#include "app/login_options.hpp"
+#include "core/files.hpp"
+#include "reports/qt_application.hpp"
+#include "reports/study_report.hpp"
+#include "reports/study_writer.hpp"
+#include "storage/session_store.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct StudyOptions {
+  std::string database;
+  std::string study;
+  std::string out;
+  bool json = false;
+  LoginOptions login;
+};
+
+Result<void> check_out(const StudyOptions& options) {
+  if (options.out.empty() && !options.json)
+    return Error{
+        Error::Code::bad_input, "nothing is asked for", "give --out or --json", "", 0, "--out"};
+  for (const char* ending : {".html", ".pdf", ".csv"})
+    if (options.out.empty() || options.out.ends_with(ending)) return {};
+  return Error{Error::Code::bad_input,
+               "group reports are HTML, PDF or CSV files",
+               "let the name end in .html, .pdf or .csv",
+               options.out,
+               0,
+               "--out"};
+}
+
+Result<void> run_study(const StudyOptions& options) {
+  if (auto done = check_out(options); !done) return done;
+  const auto text = read_text(options.study);
+  if (!text) return text.error();
+  const auto study = parse_study(*text, options.study);
+  if (!study) return study.error();
+  if (auto done = check_different(options.study, options.out); !done) return done;
+  if (auto done = check_different(options.database, options.out); !done) return done;
+  const auto access = log_in(options.database, options.login);
+  if (!access) return access.error();
+  const auto store = SessionStore::open_to_read(options.database);
+  if (!store) return store.error();
+  ProgressBar bar("Study");
+  const auto data =
+      gather_study(**store, *study, options.study, [&bar](double done, const std::string& subject) {
+        bar.show(done, subject);
+        return true;
+      });
+  if (!data) return data.error();
+  std::vector<GroupAnalysis> analyses;
+  for (const auto& group : data->groups) analyses.push_back(analyse(*study, group));
+  if (options.out.ends_with(".csv")) {
+    if (auto done = write_text(options.out, study_csv(*study, *data)); !done) return done;
+  } else if (!options.out.empty()) {
+    ensure_qt_application();
+    const auto report = study_report(*study, *data, analyses);
+    const auto page = options.out.ends_with(".html") ? study_html(report) : study_pdf(report);
+    if (auto done = write_text(options.out, page); !done) return done;
+  }
+  if (auto logged = log_act_of(options.database, access->get(), "study", "", true, ""); !logged)
+    return logged;
+  bar.show(1.0);
+  if (options.json) std::fputs(study_json(*study, *data, analyses).c_str(), stdout);
+  return {};
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, Action& action) {
+  auto options = std::make_shared<StudyOptions>();
+  auto* command = app.add_subcommand(
+      "study", "Group report: conditions of a study compared within people, pseudonymous");
+  command->add_option("--db", options->database, "Database of the clinic")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--study", options->study,
+                   "What is compared: groups, factors, measure, analyses (isograsp-study-1)")
+      ->required()
+      ->type_name("FILE.toml");
+  command
+      ->add_option("--out", options->out,
+                   "Report (FILE.html, FILE.pdf) or the values of all people (FILE.csv)")
+      ->type_name("FILE");
+  command->add_flag("--json", options->json, "Print every figure as one JSON document");
+  options->login.add_to(*command);
+  command->footer("Example:\n  isograsp study --db clinic.db --study weeks.toml --out weeks.pdf");
+  command->callback([options, &action] { action = [options] { return run_study(*options); }; });
+}
+
+}  // namespace isograsp

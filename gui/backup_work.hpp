@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checked copies of the database in time: one a day, made when the program starts or the day
+// begins, never while a session is open. Own worker; GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <string>
+
+#include "gui/background.hpp"
+#include "storage/backups.hpp"
+
+namespace isograsp {
+
+class BackupWork final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit BackupWork(const std::string& database, QObject* parent = nullptr);
+
+  void begin();  ///< the database is open: looks now, then every quarter of an hour
+  /// A session is open: a copy would disturb the disk.
+  void hold(bool wait);
+
+ Q_SIGNALS:
+  void made(const QString& path);
+  void failed(const QString& why);  ///< said once for each reason
+
+ private:
+  void look();
+
+  Backups backups_;
+  bool held_ = false;
+  bool running_ = false;
+  QString said_;
+  QTimer again_;
+  Background worker_;  ///< last: its job ends before anything else goes away
+};
+
+}  // namespace isograsp

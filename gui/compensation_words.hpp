@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "session/compensation.hpp"
+
+namespace isograsp {
+
+/// What spoils the trial, with what to do, in plain sentences; empty: nothing.
+[[nodiscard]] QString compensation_words(const Compensation& compensation);
+
+}  // namespace isograsp

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What leaves the program: the progress report with its preview, the research export; and the
+// stored values as a table.
+#pragma once
+
+#include <QTabWidget>
+
+#include "gui/clinic.hpp"
+#include "gui/session_presenter.hpp"
+
+namespace isograsp {
+
+class ReportPanel;
+
+class ReportsPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  ReportsPage(Clinic& clinic, SessionPresenter& presenter, QWidget* parent = nullptr);
+
+  [[nodiscard]] bool printing() const;
+
+ Q_SIGNALS:
+  void printed();  ///< nothing is printed any more
+
+ private:
+  ReportPanel* report_;
+};
+
+}  // namespace isograsp

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a session can be made of: tasks and protocols of the shipped and of the clinic's own
+// library.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "session/library.hpp"
+
+namespace isograsp {
+
+struct SessionLibrary {
+  std::vector<TaskSpec> tasks;           ///< in the order of the list
+  std::vector<ReadyProtocol> protocols;  ///< shipped ones first, by file name
+  std::vector<std::string> problems;     ///< files that cannot be used, in words
+};
+
+/// Reads all files; any thread. A name that two files bear belongs to the shipped one.
+[[nodiscard]] SessionLibrary read_session_library(const std::string& shipped,
+                                                  const std::string& own);
+
+/// The place of the element that was read from `file`; -1: there is none.
+[[nodiscard]] int place_of_file(const std::vector<TaskSpec>& tasks, const std::string& file);
+[[nodiscard]] int place_of_file(const std::vector<ReadyProtocol>& protocols,
+                                const std::string& file);
+
+}  // namespace isograsp

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far something is that is being written, and its Cancel.
+#pragma once
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QWidget>
+
+namespace isograsp {
+
+class WorkProgress final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `name` begins the names of its parts: NAME_writing, NAME_doing, NAME_progress, NAME_cancel.
+  WorkProgress(const QString& name, const QString& title, QWidget* parent = nullptr);
+
+  void show_fraction(double fraction);  ///< 0 … 1
+  void say(const QString& words) { doing_->setText(words); }
+  [[nodiscard]] QPushButton& cancel() noexcept { return *cancel_; }
+
+ private:
+  QLabel* doing_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+};
+
+}  // namespace isograsp

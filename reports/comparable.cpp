@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/comparable.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/time.hpp"
+
+namespace isograsp {
+
+Source source_of(const SessionRecord& session) {
+  if (session.simulated) return Source::simulated;
+  return session.recorded ? Source::recorded : Source::device;
+}
+
+bool same_gain(const VisualGain& a, const VisualGain& b) {
+  if (!a.deg_per_N || !b.deg_per_N) return a.deg_per_N == b.deg_per_N;
+  constexpr double kVisible = 0.01;  // relative: a pixel in a hundred
+  const auto alike = [](double x, double y) {
+    return std::abs(x - y) <= kVisible * std::max(std::abs(x), std::abs(y));
+  };
+  return alike(*a.deg_per_N, *b.deg_per_N) ||
+         alike(*a.deg_per_N * a.maximum_force_N, *b.deg_per_N * b.maximum_force_N);
+}
+
+std::string difference(const StoredTrial& a, const StoredTrial& b) {
+  if (source_of(*a.session_record) != source_of(*b.session_record)) return "other source of forces";
+  if (a.trial.task_version != b.trial.task_version) return "other version of the task";
+  if (a.trial.task_text != b.trial.task_text) return "other task parameters";
+  if (a.trial.scene_text != b.trial.scene_text) return "other object or scene";
+  if (a.session_record->device_delay_s != b.session_record->device_delay_s)
+    return "other filter delay of the device";
+  if (a.session_record->rate_Hz != b.session_record->rate_Hz) return "other frame rate";
+  if (!same_gain({a.trial.visual_gain_deg_per_N, a.trial.maximum_force_N},
+                 {b.trial.visual_gain_deg_per_N, b.trial.maximum_force_N}))
+    return "other visual gain";
+  return "";
+}
+
+double DayCounter::day_of(const std::string& started_utc) {
+  const auto started = time_of_utc(started_utc);
+  if (started && !first_) first_ = day_ = *started;
+  if (!first_) return 0.0;
+  constexpr double kSecondsPerHour = 3600.0;
+  if (started && std::difftime(*started, day_) >= kDayLength_h * kSecondsPerHour) day_ = *started;
+  return std::difftime(day_, *first_) / (24.0 * kSecondsPerHour);
+}
+
+bool counts(const TrialRecord& trial) {
+  return trial.status == TrialStatus::completed && !trial.practice && !trial.helped;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is exported: finds the trials that are asked for and takes from the database what may leave
+// the clinic. The only place of the export that sees the rest. The thread of the store.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "reports/export_trial.hpp"
+#include "storage/session_store.hpp"
+
+namespace isograsp {
+
+struct ExportRequest {
+  std::string patient;    ///< code; empty: all
+  int first_session = 1;  ///< of each patient
+  int last_session = 0;   ///< 0: up to the newest
+};
+
+/// A trial of the database that is asked for.
+struct ExportSource {
+  ExportPlace place;
+  const PatientRecord* patient = nullptr;
+  const PatientProfile* profile = nullptr;
+  const SessionRecord* session = nullptr;
+  const TrialRecord* trial = nullptr;
+  std::string first_started_utc;  ///< of the patient's first session
+};
+
+/// Calls `visit` for each trial asked for, by patient, session and trial. Those being recorded now
+/// are not among them. Errors: bad_input for a patient who is not there.
+[[nodiscard]] Result<void> for_each_trial(
+    SessionStore& store, const ExportRequest& request,
+    const std::function<Result<void>(const ExportSource&)>& visit);
+
+/// Reads it, without all that could tell who, when or where.
+[[nodiscard]] Result<ExportTrial> load_trial(SessionStore& store, const ExportSource& source);
+
+}  // namespace isograsp

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/work_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isograsp {
+
+void WorkLimits::begin(bool numb_skin) {
+  *this = {};
+  numb_skin_ = numb_skin;
+}
+
+void WorkLimits::tried_maximum(std::span<const Measure> measures) {
+  for (const auto& measure : measures) {
+    if (measure.name != "maximum_force" || !measure.value) continue;
+    auto& maximum = maxima_[measure.channel];
+    maximum.last_N = *measure.value;
+    maximum.best_N = std::max(maximum.best_N, maximum.last_N);
+  }
+}
+
+bool WorkLimits::straps_due(double session_time_s) const noexcept {
+  return numb_skin_ && straps_s_ && session_time_s - *straps_s_ >= kStrapsLookedAtEvery_s;
+}
+
+std::optional<std::string> WorkLimits::reason_to_stop() const {
+  for (const auto& [channel, maximum] : maxima_) {
+    if (maximum.best_N <= 0.0 || maximum.last_N > (1.0 - kMostForceLost) * maximum.best_N) continue;
+    const double lost = 1.0 - maximum.last_N / maximum.best_N;
+    return "The maximum has fallen by " + std::to_string(std::lround(100.0 * lost)) +
+           " % in this session: stop the work of this hand for today.";
+  }
+  if (work_s_ >= kMostWork_s)
+    return std::to_string(std::lround(work_s_ / 60.0)) +
+           " minutes of work are done: end the session for today.";
+  return std::nullopt;
+}
+
+}  // namespace isograsp

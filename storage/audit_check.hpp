@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Proving the chain of the audit log on any connection. Internal to this folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/login.hpp"
+
+namespace isograsp {
+
+/// In a guard of the caller; throws as SOCI does.
+[[nodiscard]] std::vector<std::string> audit_problems(Database& database, const LoginState& state);
+
+}  // namespace isograsp

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/audit_head_file.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "storage/audit_chain.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr const char* kFormat = "isograsp-audit-head-1";
+
+std::string path_of(const std::string& database) {
+  return database + "-audit";
+}
+
+}  // namespace
+
+HeadFile read_head_file(const std::string& database, const Secret* key,
+                        const std::string& database_id) {
+  std::ifstream in(path_of(database));
+  if (!in) return {};
+  HeadFile file;
+  file.present = true;
+  std::string format;
+  std::string id;
+  std::string proof;
+  AuditHead head;
+  if (in >> format >> id >> head.count >> head.hash >> proof && format == kFormat &&
+      id == database_id && proof == head_proof(key, database_id, head))
+    file.head = head;
+  return file;
+}
+
+void write_head_file(const std::string& database, const Secret* key, const std::string& database_id,
+                     const AuditHead& head) {
+  const std::string temporary = path_of(database) + ".part" + std::to_string(getpid());
+  {
+    std::ofstream out(temporary);
+    out << kFormat << ' ' << database_id << ' ' << head.count << ' ' << head.hash << ' '
+        << head_proof(key, database_id, head) << '\n';
+    if (!out.flush()) {
+      std::remove(temporary.c_str());
+      return;
+    }
+  }
+  std::rename(temporary.c_str(), path_of(database).c_str());
+}
+
+}  // namespace isograsp

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/audit_log.hpp"
+
+#include <soci/soci.h>
+
+#include "storage/audit_chain.hpp"
+#include "storage/audit_check.hpp"
+#include "storage/audit_head_file.hpp"
+
+namespace isograsp {
+
+namespace {
+
+std::vector<AuditEntry> read_entries(soci::session& sql) {
+  std::vector<AuditEntry> all;
+  AuditEntry one;
+  soci::statement select =
+      (sql.prepare << "SELECT id, at_utc, actor, role, act, object, result, detail, hash "
+                      "FROM audit_log ORDER BY id",
+       soci::into(one.number), soci::into(one.at_utc), soci::into(one.actor), soci::into(one.role),
+       soci::into(one.act), soci::into(one.object), soci::into(one.result), soci::into(one.detail),
+       soci::into(one.hash));
+  select.execute();
+  while (select.fetch()) all.push_back(one);
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> audit_problems(Database& database, const LoginState& state) {
+  const Login login = state.login();
+  const Secret* const key = audit_key(login);
+  std::vector<std::string> problems;
+  const std::vector<AuditEntry> entries = read_entries(database.sql());
+  std::string before = first_hash(key, state.database_id());
+  std::int64_t expected = 1;
+  for (const AuditEntry& entry : entries) {
+    const std::string number = std::to_string(entry.number);
+    if (entry.number != expected)
+      problems.push_back("audit log: entries " + std::to_string(expected) + " to " +
+                         std::to_string(entry.number - 1) + " are missing");
+    else if (entry_hash(key, before, entry) != entry.hash)
+      problems.push_back("audit log: entry " + number + " or what stood before it was changed");
+    before = entry.hash;
+    expected = entry.number + 1;
+  }
+  AuditHead anchor;
+  std::string proof;
+  long long count = 0;
+  database.sql() << "SELECT count, hash, proof FROM audit_anchor", soci::into(count),
+      soci::into(anchor.hash), soci::into(proof);
+  const bool anchored = database.sql().got_data();
+  anchor.count = count;
+  const std::int64_t last = entries.empty() ? 0 : entries.back().number;
+  if (!anchored && !entries.empty()) problems.push_back("audit log: its anchor is missing");
+  if (anchored && proof != head_proof(key, state.database_id(), anchor))
+    problems.push_back("audit log: its anchor was changed");
+  else if (anchored && (anchor.count != last || anchor.hash != before))
+    problems.push_back("audit log: it ends with entry " + std::to_string(last) +
+                       ", its anchor says " + std::to_string(anchor.count));
+  if (!state.is_protected()) return problems;
+  if (!anchored) problems.push_back("audit log: it is empty, though the database was made");
+  const HeadFile file = read_head_file(database.real_path(), key, state.database_id());
+  if (file.present && !file.head)
+    problems.push_back("audit log: the file -audit beside the database was changed");
+  if (file.head) {
+    const auto at = static_cast<std::size_t>(file.head->count);
+    if (file.head->count > last)
+      problems.push_back("audit log: it ends with entry " + std::to_string(last) +
+                         ", the file -audit beside it says " + std::to_string(file.head->count) +
+                         ": the database was put back or cut");
+    else if (at == 0 || at > entries.size() || entries[at - 1].hash != file.head->hash)
+      problems.push_back("audit log: entry " + std::to_string(file.head->count) +
+                         " is not the one that the file -audit beside it tells of");
+  }
+  return problems;
+}
+
+Result<std::vector<AuditEntry>> read_audit(Access& access, const AuditFilter& filter) {
+  if (access.is_protected())
+    if (const auto allowed = access.require(Right::manage, "read audit log", ""); !allowed)
+      return allowed.error();
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  std::vector<AuditEntry> all;
+  const auto done = parts.database.guard("reading the audit log", [&] {
+    for (AuditEntry& entry : read_entries(parts.database.sql()))
+      if ((filter.act.empty() || entry.act == filter.act) &&
+          (filter.object.empty() || entry.object == filter.object))
+        all.push_back(std::move(entry));
+  });
+  if (!done) return done.error();
+  return all;
+}
+
+Result<AuditHead> audit_head(Access& access) {
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  AuditHead head;
+  const auto done = parts.database.guard("reading the audit log", [&] {
+    long long count = 0;
+    parts.database.sql() << "SELECT count, hash FROM audit_anchor", soci::into(count),
+        soci::into(head.hash);
+    head.count = count;
+  });
+  if (!done) return done.error();
+  return head;
+}
+
+Result<void> log_act(Access& access, const std::string& act, const std::string& object, bool done,
+                     const std::string& detail) {
+  AuditEntry entry = entry_of(act, object, detail);
+  if (!done) entry.result = "failed";
+  return log_entry(access, entry);
+}
+
+Result<std::vector<std::string>> check_audit(Access& access) {
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  if (access.is_protected() && !parts.login->login().keys)
+    return refusal_of(*parts.login, Right::read_records, access.path());
+  std::vector<std::string> problems;
+  const auto done = parts.database.guard(
+      "checking the audit log", [&] { problems = audit_problems(parts.database, *parts.login); });
+  if (!done) return done.error();
+  return problems;
+}
+
+Result<bool> audit_contains(Access& access, const AuditHead& head) {
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  bool same = false;
+  const auto done = parts.database.guard("reading the audit log", [&] {
+    std::string hash;
+    parts.database.sql() << "SELECT hash FROM audit_log WHERE id = :id", soci::use(head.count),
+        soci::into(hash);
+    same = parts.database.sql().got_data() && hash == head.hash;
+  });
+  if (!done) return done.error();
+  return same;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/erasure.hpp"
+
+#include <array>
+#include <ctime>
+#include <set>
+#include <string_view>
+
+#include <soci/soci.h>
+
+#include "core/date.hpp"
+#include "storage/audit_chain.hpp"
+#include "storage/person_rows.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr const char* kOfPatient = "patient_id = :id";
+constexpr const char* kOfSession = "session_id IN (SELECT id FROM sessions WHERE patient_id = :id)";
+constexpr const char* kOfTrial =
+    "trial_id IN (SELECT t.id FROM trials t JOIN sessions s ON s.id = t.session_id "
+    "WHERE s.patient_id = :id)";
+
+struct PersonalTable {
+  const char* name;
+  const char* rows;  ///< of a person
+};
+/// In an order in which nothing refers to what is gone. A test compares it with the tables of the
+/// database.
+constexpr std::array<PersonalTable, 21> kPersonal{{
+    {"ratings", kOfSession},          {"resting_forces", kOfSession},
+    {"events", kOfSession},           {"measures", kOfTrial},
+    {"signal_packs", kOfTrial},       {"signal_blocks", kOfTrial},
+    {"signal_groups", kOfTrial},      {"trials", kOfSession},
+    {"instrument_zeros", kOfSession}, {"session_answers", kOfSession},
+    {"sessions", kOfPatient},         {"stable_periods", kOfPatient},
+    {"primary_measures", kOfPatient}, {"clinical_scores", kOfPatient},
+    {"treatment_marks", kOfPatient},  {"patient_profiles", kOfPatient},
+    {"identities", kOfPatient},       {"consents", kOfPatient},
+    {"restrictions", kOfPatient},     {"patient_aliases", kOfPatient},
+    {"patients", "id = :id"},
+}};
+
+Date today() {
+  return *date_from_iso(utc_text(std::time(nullptr)).substr(0, 10));
+}
+
+/// 29 February becomes 1 March.
+Date years_later(Date day, int years) {
+  const Date later = day + std::chrono::years(years);
+  return later.ok() ? later : later.year() / std::chrono::March / 1;
+}
+
+/// Backups, copies, exports and reports since the person was added.
+std::vector<std::string> remains_of(Access& access, const PersonRow& person) {
+  std::vector<std::string> remains;
+  std::string act;
+  std::string object;
+  std::string detail;
+  std::string at_utc;
+  soci::statement select =
+      (access.parts().database.sql().prepare
+           << "SELECT at_utc, act, object, detail FROM audit_log WHERE result = 'done' AND "
+              "((act IN ('backup', 'migrate') AND at_utc >= :created) OR "
+              "(act IN ('export', 'report', 'export person') AND object IN (:code, ''))) "
+              "ORDER BY id",
+       soci::use(person.created_utc), soci::use(person.code), soci::into(at_utc), soci::into(act),
+       soci::into(object), soci::into(detail));
+  select.execute();
+  while (select.fetch()) {
+    const std::string& file = act == "backup" || act == "migrate" ? object : detail;
+    remains.push_back(act + " of " + at_utc + (file.empty() ? "" : ": " + file));
+  }
+  return remains;
+}
+
+/// The freed pages were overwritten with zeros; now the file is written anew without them, and the
+/// journal that held them is emptied.
+Result<void> sweep(Access::Parts& parts) {
+  return parts.database.guard("rewriting the file", [&] {
+    soci::session& sql = parts.database.sql();
+    const auto checkpoint = [&] {
+      int busy = 0;
+      int unused = 0;
+      sql << "PRAGMA wal_checkpoint(TRUNCATE)", soci::into(busy), soci::into(unused),
+          soci::into(unused);
+      if (busy != 0)
+        throw Refusal{{Error::Code::failed,
+                       "the rows are erased, but another program still reads the journal that "
+                       "holds them",
+                       "close it, then run the erasure again", parts.database.path(), 0, ""}};
+    };
+    checkpoint();
+    sql << "VACUUM";
+    checkpoint();
+  });
+}
+
+}  // namespace
+
+Result<ErasurePlan> plan_erasure(Access& access, const std::string& code) {
+  if (const auto allowed = access.require(Right::manage, "plan erasure", loggable(code)); !allowed)
+    return allowed.error();
+  const auto person = find_person(access, code);
+  if (!person) return person.error();
+  const auto policy = access.policy();
+  if (!policy) return policy.error();
+  ErasurePlan plan;
+  plan.code = person->code;
+  plan.restricted = !person->restricted_until.empty();
+  const std::lock_guard lock(access.parts().mutex);
+  std::string last;
+  const auto read =
+      access.parts().database.guard("reading sessions", [&] {
+        access.parts().database.sql()
+            << "SELECT coalesce(max(max(started_utc, ended_utc)), '') FROM sessions "
+               "WHERE patient_id = :id",
+            soci::use(person->id), soci::into(last);
+      });
+  if (!read) return read.error();
+  const auto day = date_from_iso((last.empty() ? person->created_utc : last).substr(0, 10));
+  if (!day)
+    return Error{Error::Code::failed,
+                 "the day of the last record of " + person->code + " cannot be read",
+                 "run isograsp db check",
+                 access.path(),
+                 0,
+                 ""};
+  const Date keep_until = years_later(*day, policy->retention_years);
+  plan.last_record_date = iso_text(*day);
+  plan.keep_until_date = iso_text(keep_until);
+  plan.may_erase = policy->retention_years == 0 || days_between(keep_until, today()) > 0;
+  return plan;
+}
+
+Result<ErasureDone> erase_patient(Access& access, const std::string& code,
+                                  const std::string& reason) {
+  if (const auto good = check_reason(reason); !good) return good.error();
+  const auto plan = plan_erasure(access, code);
+  if (!plan) return plan.error();
+  const auto person = find_person(access, code);
+  if (!person) return person.error();
+  ErasureDone erasure;
+  erasure.plan = *plan;
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  const auto user = access.user();
+  const std::string by = user ? user->name : "";
+  const std::string now = utc_text(std::time(nullptr));
+  if (!plan->may_erase) {
+    const auto done =
+        audited(
+            access, "restricting records",
+            entry_of("restrict", person->code, "until " + plan->keep_until_date + ": " + reason),
+            [&](AuditEntry&) {
+              parts.database.sql()
+                  << "INSERT INTO restrictions (patient_id, since_utc, until_date, requested_by) "
+                     "VALUES (:id, :utc, :until, :by) ON CONFLICT (patient_id) DO UPDATE SET "
+                     "until_date = excluded.until_date",
+                  soci::use(person->id), soci::use(now), soci::use(plan->keep_until_date),
+                  soci::use(by);
+              erasure.remains = remains_of(access, *person);
+            });
+    if (!done) return done.error();
+    erasure.plan.restricted = true;
+    return erasure;
+  }
+  const auto recording = RecordingLock::exclusive_if_free(parts.database.real_path());
+  if (!recording) return recording.error();
+  if (!recording->held())
+    return Error{Error::Code::failed,
+                 "another program records into the file now",
+                 "end that session, then erase",
+                 access.path(),
+                 0,
+                 ""};
+  const auto secured =
+      parts.database.guard("erasing", [&] { parts.database.sql() << "PRAGMA secure_delete=ON"; });
+  if (!secured) return secured.error();
+  const auto done = audited(
+      access, "erasing a person", entry_of("erase", person->code, reason), [&](AuditEntry& entry) {
+        soci::session& sql = parts.database.sql();
+        erasure.remains = remains_of(access, *person);
+        std::int64_t all = 0;
+        for (const PersonalTable& table : kPersonal) {
+          const std::string query =
+              "DELETE FROM " + std::string(table.name) + " WHERE " + table.rows;
+          soci::statement remove = (sql.prepare << query, soci::use(person->id));
+          remove.execute(true);
+          const auto count = static_cast<std::int64_t>(remove.get_affected_rows());
+          if (count > 0) erasure.rows[table.name] = count;
+          all += count;
+        }
+        sql << "INSERT INTO tombstones (code, erased_utc, erased_by) VALUES (:code, :utc, :by)",
+            soci::use(person->code), soci::use(now), soci::use(by);
+        entry.detail = std::to_string(all) + " rows: " + reason;
+      });
+  if (!done) return done.error();
+  if (const auto swept = sweep(parts); !swept) return swept.error();
+  erasure.erased = true;
+  return erasure;
+}
+
+Result<void> lift_restriction(Access& access, const std::string& code, const std::string& reason) {
+  if (auto allowed = access.require(Right::manage, "lift restriction", loggable(code)); !allowed)
+    return allowed;
+  if (auto good = check_reason(reason); !good) return good;
+  const auto person = find_person(access, code);
+  if (!person) return person.error();
+  return audited(access, "lifting a restriction",
+                 entry_of("lift restriction", person->code, reason), [&](AuditEntry&) {
+                   access.parts().database.sql()
+                       << "DELETE FROM restrictions WHERE patient_id = :id",
+                       soci::use(person->id);
+                 });
+}
+
+Result<bool> is_restricted(Access& access, const std::string& code) {
+  const auto person = find_person(access, code);
+  if (!person) return person.error();
+  return !person->restricted_until.empty();
+}
+
+Result<std::vector<Tombstone>> tombstones(Access& access) {
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  std::vector<Tombstone> all;
+  const auto done = parts.database.guard("reading erased codes", [&] {
+    Tombstone one;
+    soci::statement select =
+        (parts.database.sql().prepare
+             << "SELECT code, erased_utc, erased_by FROM tombstones ORDER BY id",
+         soci::into(one.code), soci::into(one.erased_utc), soci::into(one.erased_by));
+    select.execute();
+    while (select.fetch()) all.push_back(one);
+  });
+  if (!done) return done.error();
+  return all;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/guarded_store.hpp"
+
+#include <filesystem>
+
+#include <soci/soci.h>
+
+#include "storage/audit_chain.hpp"
+#include "storage/audit_check.hpp"
+#include "storage/schema_access.hpp"
+#include "storage/sealed_text.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr const char* kNotes = "patient_profiles.notes";
+constexpr const char* kGoals = "patient_profiles.goals";
+constexpr const char* kMarkText = "treatment_marks.text";
+constexpr const char* kScoreText = "clinical_scores.text";
+constexpr const char* kChosenBy = "primary_measures.chosen_by";
+constexpr const char* kJudgedBy = "stable_periods.judged_by";
+constexpr const char* kPeriodText = "stable_periods.text";
+constexpr const char* kEventText = "events.text";
+/// Other kinds hold the program's own words.
+constexpr std::string_view kSealedEvent = "note";
+
+}  // namespace
+
+Result<std::unique_ptr<SqliteStore>> make_guarded_store(Database database, bool writable) {
+  std::shared_ptr<LoginState> state;
+  const auto read = database.guard("opening", [&] { state = login_state_of(database); });
+  if (!read) return read.error();
+  if (state->is_protected()) {
+    const auto user = state->login().user;
+    if (!user) return refusal_of(*state, Right::read_records, database.path());
+    if (writable && !may(user->role, Right::write_records))
+      return refusal_of(*state, Right::write_records, database.path());
+  }
+  return std::unique_ptr<SqliteStore>(
+      std::make_unique<GuardedStore>(std::move(database), std::move(state), writable));
+}
+
+GuardedStore::GuardedStore(Database database, std::shared_ptr<LoginState> state, bool writable)
+    : SqliteStore(std::move(database)), state_(std::move(state)), writable_(writable) {}
+
+template <class Work>
+auto GuardedStore::logged(const char* act, const std::string& object, std::string detail, Work work,
+                          const std::function<void(AuditEntry&)>& complete) -> decltype(work()) {
+  AuditEntry entry = entry_of(act, object, std::move(detail));
+  return audited(database_, *state_, entry, work, complete);
+}
+
+std::string GuardedStore::text_of(const std::string& query, RowId id) {
+  std::string text;
+  const auto read = database_.guard("reading a code", [&] {
+    database_.sql() << query, soci::use(id), soci::into(text);
+    if (!database_.sql().got_data()) text.clear();
+  });
+  return read ? text : "";  // what follows fails then, and says why
+}
+
+std::string GuardedStore::code_of(RowId patient) {
+  return text_of("SELECT code FROM patients WHERE id = :id", patient);
+}
+
+std::string GuardedStore::code_of_session(RowId session) {
+  return text_of(
+      "SELECT p.code FROM sessions s JOIN patients p ON p.id = s.patient_id WHERE s.id = :id",
+      session);
+}
+
+Result<void> GuardedStore::close(std::string& text, const char* column, const std::string& code) {
+  return seal_text(*state_, text, column, code);
+}
+
+Result<void> GuardedStore::open(std::string& text, const char* column, const std::string& code) {
+  return open_text(*state_, text, column, code, path());
+}
+
+Result<PatientRecord> GuardedStore::add_patient(const std::string& code,
+                                                const std::string& created_utc) {
+  // What is no code may be a name: it does not reach the log.
+  if (const auto allowed = check_patient_code(code); !allowed) return allowed.error();
+  std::string erased;
+  const auto read = database_.guard("reading erased codes", [&] {
+    database_.sql() << "SELECT code FROM tombstones WHERE code = :code", soci::use(code),
+        soci::into(erased);
+  });
+  if (!read) return read.error();
+  if (!erased.empty())
+    return refuse("patient " + erased + " was erased: the code is not given again",
+                  "choose another code");
+  return logged("add patient", code, "",
+                [&] { return SqliteStore::add_patient(code, created_utc); });
+}
+
+Result<RowId> GuardedStore::begin_session(const SessionRecord& session,
+                                          std::span<const SessionAnswer> answers) {
+  const std::string code = code_of(session.patient_id);
+  const std::string until =
+      text_of("SELECT until_date FROM restrictions WHERE patient_id = :id", session.patient_id);
+  if (!until.empty())
+    return refuse("the records of " + code + " are restricted until " + until +
+                      ": the person asked for erasure",
+                  "lift the restriction if the person wishes to go on");
+  return logged(
+      "begin session", code, "", [&] { return SqliteStore::begin_session(session, answers); },
+      [&](AuditEntry& entry) {
+        int id = 0;
+        database_.sql() << "SELECT max(id) FROM sessions", soci::into(id);
+        entry.detail = "session " + std::to_string(id) + ", " + std::string(name_of(session.hand)) +
+                       " hand" + (session.simulated ? ", simulated" : "");
+      });
+}
+
+Result<void> GuardedStore::end_session(RowId session, const std::string& ended_utc) {
+  return logged("end session", code_of_session(session), "session " + std::to_string(session),
+                [&] { return SqliteStore::end_session(session, ended_utc); });
+}
+
+Result<void> GuardedStore::add_event(RowId session, const EventRecord& event) {
+  if (event.kind != kSealedEvent) return SqliteStore::add_event(session, event);
+  EventRecord sealed = event;
+  if (auto done = close(sealed.text, kEventText, code_of_session(session)); !done) return done;
+  return SqliteStore::add_event(session, sealed);
+}
+
+Result<std::vector<EventRecord>> GuardedStore::events(RowId session) {
+  auto all = SqliteStore::events(session);
+  if (!all || !state_->is_protected()) return all;
+  const std::string code = code_of_session(session);
+  for (EventRecord& event : *all)
+    if (event.kind == kSealedEvent)
+      if (const auto done = open(event.text, kEventText, code); !done) return done.error();
+  return all;
+}
+
+Result<void> GuardedStore::set_profile(RowId patient, const PatientProfile& profile) {
+  const std::string code = code_of(patient);
+  PatientProfile sealed = profile;
+  if (auto done = close(sealed.notes, kNotes, code); !done) return done;
+  if (auto done = close(sealed.goals, kGoals, code); !done) return done;
+  return logged("change profile", code, "profile",
+                [&] { return SqliteStore::set_profile(patient, sealed); });
+}
+
+Result<PatientProfile> GuardedStore::profile(RowId patient) {
+  auto profile = SqliteStore::profile(patient);
+  if (!profile || !state_->is_protected()) return profile;
+  const std::string code = code_of(patient);
+  if (const auto done = open(profile->notes, kNotes, code); !done) return done.error();
+  if (const auto done = open(profile->goals, kGoals, code); !done) return done.error();
+  return profile;
+}
+
+Result<RowId> GuardedStore::add_treatment_mark(RowId patient, const TreatmentMark& mark) {
+  const std::string code = code_of(patient);
+  TreatmentMark sealed = mark;
+  if (const auto done = close(sealed.text, kMarkText, code); !done) return done.error();
+  return logged("change profile", code, "treatment mark added",
+                [&] { return SqliteStore::add_treatment_mark(patient, sealed); });
+}
+
+Result<std::vector<TreatmentMark>> GuardedStore::treatment_marks(RowId patient) {
+  auto all = SqliteStore::treatment_marks(patient);
+  if (!all || !state_->is_protected()) return all;
+  const std::string code = code_of(patient);
+  for (TreatmentMark& mark : *all)
+    if (const auto done = open(mark.text, kMarkText, code); !done) return done.error();
+  return all;
+}
+
+Result<RowId> GuardedStore::add_clinical_score(RowId patient, const ClinicalScore& score) {
+  const std::string code = code_of(patient);
+  ClinicalScore sealed = score;
+  if (const auto done = close(sealed.text, kScoreText, code); !done) return done.error();
+  return logged("change profile", code, "clinical score added",
+                [&] { return SqliteStore::add_clinical_score(patient, sealed); });
+}
+
+Result<std::vector<ClinicalScore>> GuardedStore::clinical_scores(RowId patient) {
+  auto all = SqliteStore::clinical_scores(patient);
+  if (!all || !state_->is_protected()) return all;
+  const std::string code = code_of(patient);
+  for (ClinicalScore& score : *all)
+    if (const auto done = open(score.text, kScoreText, code); !done) return done.error();
+  return all;
+}
+
+Result<RowId> GuardedStore::add_primary_measure(RowId patient, const PrimaryMeasure& primary) {
+  const std::string code = code_of(patient);
+  PrimaryMeasure sealed = primary;
+  if (const auto done = close(sealed.chosen_by, kChosenBy, code); !done) return done.error();
+  return logged("change profile", code, "primary measure added",
+                [&] { return SqliteStore::add_primary_measure(patient, sealed); });
+}
+
+Result<std::vector<PrimaryMeasure>> GuardedStore::primary_measures(RowId patient) {
+  auto all = SqliteStore::primary_measures(patient);
+  if (!all || !state_->is_protected()) return all;
+  const std::string code = code_of(patient);
+  for (PrimaryMeasure& primary : *all)
+    if (const auto done = open(primary.chosen_by, kChosenBy, code); !done) return done.error();
+  return all;
+}
+
+Result<RowId> GuardedStore::add_stable_period(RowId patient, const StablePeriod& period) {
+  const std::string code = code_of(patient);
+  StablePeriod sealed = period;
+  if (const auto done = close(sealed.judged_by, kJudgedBy, code); !done) return done.error();
+  if (const auto done = close(sealed.text, kPeriodText, code); !done) return done.error();
+  return logged("change profile", code, "stable time added",
+                [&] { return SqliteStore::add_stable_period(patient, sealed); });
+}
+
+Result<std::vector<StablePeriod>> GuardedStore::stable_periods(RowId patient) {
+  auto all = SqliteStore::stable_periods(patient);
+  if (!all || !state_->is_protected()) return all;
+  const std::string code = code_of(patient);
+  for (StablePeriod& period : *all) {
+    if (const auto done = open(period.judged_by, kJudgedBy, code); !done) return done.error();
+    if (const auto done = open(period.text, kPeriodText, code); !done) return done.error();
+  }
+  return all;
+}
+
+template <class Work>
+Result<void> GuardedStore::removed(const char* table, const char* what, RowId id, Work work) {
+  const std::string code = text_of("SELECT p.code FROM " + std::string(table) +
+                                       " x JOIN patients p ON p.id = x.patient_id WHERE x.id = :id",
+                                   id);
+  return logged("change profile", code, std::string(what) + " removed", work);
+}
+
+Result<void> GuardedStore::remove_treatment_mark(RowId id) {
+  return removed("treatment_marks", "treatment mark", id,
+                 [&] { return SqliteStore::remove_treatment_mark(id); });
+}
+
+Result<void> GuardedStore::remove_clinical_score(RowId id) {
+  return removed("clinical_scores", "clinical score", id,
+                 [&] { return SqliteStore::remove_clinical_score(id); });
+}
+
+Result<void> GuardedStore::remove_primary_measure(RowId id) {
+  return removed("primary_measures", "primary measure", id,
+                 [&] { return SqliteStore::remove_primary_measure(id); });
+}
+
+Result<void> GuardedStore::remove_stable_period(RowId id) {
+  return removed("stable_periods", "stable time", id,
+                 [&] { return SqliteStore::remove_stable_period(id); });
+}
+
+Result<std::vector<std::string>> GuardedStore::check() {
+  auto problems = SqliteStore::check();
+  if (!problems || database_.format() < schema::kAccessFormat) return problems;
+  const auto read = database_.guard("checking the audit log", [&] {
+    for (auto& problem : audit_problems(database_, *state_))
+      problems->push_back(std::move(problem));
+  });
+  if (!read) return read.error();
+  return problems;
+}
+
+Result<void> GuardedStore::backup(const std::string& to) {
+  const auto copied = SqliteStore::backup(to);
+  if (!writable_ || database_.format() < schema::kAccessFormat) return copied;
+  AuditEntry entry = entry_of("backup", std::filesystem::path(to).filename());
+  if (!copied) entry.result = "failed";
+  const auto written = audited(database_, *state_, entry,
+                               [&] { return database_.transact("writing the audit log", [] {}); });
+  return copied ? written : copied;
+}
+
+}  // namespace isograsp

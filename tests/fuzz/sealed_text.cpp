@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sealed texts, wrapped keys and typed recovery keys from a file that somebody has changed: nothing
+// but what was sealed can be opened.
+#include "storage/seal.hpp"
+#include "storage/vault.hpp"
+#include "tests/fuzz/support.hpp"
+
+using namespace isograsp;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Secret key = derived_key(Secret(kKeySize), 1);
+  static const std::string sealed = seal(key, "place", "text");
+  const auto text = fuzz::text_of(data, size);
+  const auto opened = unseal(key, "place", text);
+  fuzz::require(!opened || text == sealed, "nobody without the key makes a sealed text");
+  fuzz::require(unseal(key, "place", seal(key, "place", text))->text() == text,
+                "every text comes back");
+  if (text.find('\0') == std::string_view::npos) {
+    const auto digits = read_recovery_key(Secret(text));
+    constexpr std::size_t kDigits = 52;
+    fuzz::require(!digits || digits->size() == kDigits, "a recovery key has 52 digits");
+  }
+  SlotOwner owner;
+  owner.database_id = "id";
+  KeySlot slot;
+  slot.salt = std::string(text.substr(0, text.size() / 2));
+  slot.cost = kCheapKeyCost;
+  slot.wrapped = std::string(text.substr(text.size() / 2));
+  fuzz::require(!open_slot(slot, owner, Secret(std::string_view("password"))),
+                "nobody without the password makes a slot");
+  return 0;
+}

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faults during a trial, with real datagrams of emulated boxes and a disk that is full: both
+// screens say so with the same look at the session, nothing is lost, and the work goes on.
+#include <csignal>
+#include <filesystem>
+
+#include <sys/resource.h>
+
+#include "operator.hpp"
+#include "tests/device/net_ft_boxes.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A hand that is not there: sensors dither round zero.
+FingerPlay at_rest() {
+  FingerPlay play;
+  play.t_s = {0.0};
+  play.wrench_C = {FingerWrenches{}};
+  return play;
+}
+
+class FaultDuringATrial : public QtTest {
+ protected:
+  FaultDuringATrial()
+      : windows_({folder_.path("clinic.db"), "", ISOGRASP_SOURCE_DIR "/library", "test"}),
+        operator_(windows_) {
+    windows_.show();
+    EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
+  }
+  ~FaultDuringATrial() override {
+    presenter_.end_session();
+    EXPECT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+  }
+
+  /// A trial of free handling with three boxes, one of which will have that fault.
+  void start_trial(const std::string& fault) {
+    EmulatorOptions options;
+    options.config = DeviceConfig::standard(Protocol::net_ft);
+    constexpr int kDither = 3;  // counts
+    options.noise_counts = kDither;
+    if (!fault.empty()) options.faults.push_back(*Fault::parse(fault));
+    boxes_ = std::make_unique<Boxes>(options, at_rest());
+    operator_.prepare_person();
+    presenter_.choose_protocol(SessionPresenter::kByHand);
+    presenter_.choose_device("udp://" + boxes_->full_address(0) + "," + boxes_->full_address(1) +
+                             "," + boxes_->full_address(2) + "?protocol=net-ft");
+    operator_.press("connect");
+    operator_.set_zero();
+    operator_.choose_task(TaskKind::observe);
+    operator_.start_task();
+  }
+
+  /// The fault has come when the first snapshot tells it: both screens must say so with that look.
+  void expect_both_screens_say_so(const char* word) {
+    bool late = false;
+    const auto watch = QObject::connect(&presenter_, &SessionPresenter::frame, [&] {
+      const bool told = presenter_.snapshot().stage == Stage::paused;
+      const bool shown = presenter_.view().mood == Mood::fault &&
+                         presenter_.picture().notice == PatientPicture::Notice::fault;
+      late = late || (told && !shown);
+    });
+    ASSERT_TRUE(wait_until([&] { return presenter_.view().mood == Mood::fault; }, 30));
+    QObject::disconnect(watch);
+    EXPECT_FALSE(late);
+    EXPECT_TRUE(wait_until(
+        [&] { return presenter_.view().device_words.find(word) != std::string::npos; }, 5))
+        << presenter_.view().device_words;
+    EXPECT_NE(presenter_.picture().notice_words.find("You did nothing wrong"), std::string::npos);
+  }
+
+  std::vector<TrialRecord> stored_trials() {
+    auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::read_only);
+    return *(*store)->trials((*store)->recent_sessions(1)->front().id);
+  }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<Boxes> boxes_;
+  Windows windows_;
+  Operator operator_;
+  SessionPresenter& presenter_ = windows_.presenter();
+};
+
+TEST_F(FaultDuringATrial, AnUnpluggedSensorIsSaidAndTheTrialGoesOnWhenItIsBack) {
+  start_trial("silence=index:2s@10s");
+  expect_both_screens_say_so("index");
+  ASSERT_TRUE(wait_until(
+      [&] {
+        return presenter_.view().may_resume && presenter_.view().device_mood != Mood::fault;
+      },
+      30))
+      << presenter_.view().sentence;
+  operator_.press("pause");  // now Resume
+  ASSERT_TRUE(wait_until([&] { return presenter_.snapshot().stage == Stage::trial; }));
+  operator_.press("stop");
+  operator_.finish_task();
+  const auto trials = stored_trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials[0].dropped, 0);
+}
+
+TEST_F(FaultDuringATrial, AFrozenSensorIsSaid) {
+  start_trial("freeze=middle:30s@10s");
+  expect_both_screens_say_so("middle");
+  operator_.press("stop");
+  operator_.finish_task();
+  EXPECT_EQ(stored_trials().size(), 1U) << "what there was is kept";
+  EXPECT_TRUE(presenter_.faults().size() >= 1) << "and the fault stands in the history";
+}
+
+TEST_F(FaultDuringATrial, AnOverloadIsSaid) {
+  start_trial("saturate=thumb:2s@10s");
+  ASSERT_TRUE(wait_until(
+      [&] { return presenter_.view().device_words.find("thumb") != std::string::npos; }, 30))
+      << presenter_.view().device_words;
+  EXPECT_NE(presenter_.view().device_mood, Mood::ready);
+  operator_.press("stop");
+  operator_.finish_task();
+}
+
+/// Files of this process cannot grow beyond that while it lives: as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t most_bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = most_bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) {
+  start_trial("");
+  ASSERT_TRUE(wait_until([&] { return presenter_.snapshot().task.task_time_s > 2.5; }));
+  {
+    std::uintmax_t largest = 0;
+    for (const auto& entry : fs::directory_iterator(folder_.path("")))
+      if (entry.is_regular_file()) largest = std::max(largest, entry.file_size());
+    const FullDisk full(largest);
+    ASSERT_TRUE(wait_until([&] { return !presenter_.session_open(); }, 30));
+    EXPECT_EQ(presenter_.view().mood, Mood::fault);
+    EXPECT_EQ(presenter_.picture().notice, PatientPicture::Notice::fault)
+        << presenter_.picture().headline;
+    ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+  }
+  EXPECT_NE(presenter_.view().sentence.find("disk"), std::string::npos)
+      << presenter_.view().sentence;
+  const auto trials = stored_trials();
+  ASSERT_EQ(trials.size(), 1U);
+  auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::existing);
+  ASSERT_TRUE(store.ok());
+  const auto signals = (*store)->signals(trials[0]);
+  ASSERT_TRUE(signals.ok()) << signals.error().message();
+  EXPECT_GT(signals->rows(), 150U) << "the seconds before";
+}
+
+}  // namespace
+}  // namespace isograsp::test

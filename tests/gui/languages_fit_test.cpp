@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The therapist's window in every language on the smallest screen: no text is cut off, mnemonics
+// are told apart, and tooltips name the keys that there are.
+#include <QAbstractButton>
+#include <QLabel>
+#include <QPointer>
+#include <QRegularExpression>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QTabWidget>
+
+#include "gui/patient_page.hpp"
+#include "gui/section.hpp"
+#include "operator.hpp"
+#include "short_library.hpp"
+#include "spoken.hpp"
+#include "tests/reports/demo_clinic.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::test {
+namespace {
+
+class EveryPage : public QtTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+  EveryPage() : spoken_(GetParam()) {
+    auto store = SessionStore::open(path_, SessionStore::Open::create);
+    EXPECT_TRUE(store.ok());
+    add_course(**store, "P-1", true);
+    store->reset();
+    GuiConfig config{path_, "", ISOGRASP_SOURCE_DIR "/library", "test"};
+    config.settings =
+        folder_.write("isograsp.ini", std::string("[General]\nlanguage=") + GetParam());
+    windows_ = std::make_unique<Windows>(config);
+    windows_->therapist().resize(1280, 720);
+    windows_->therapist().show();
+    EXPECT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
+    windows_->presenter().choose_patient("P-1");
+  }
+
+  /// Every page with all that may appear on it: steps opened, questions asked.
+  void on_every_page(const std::function<void(QWidget&, const std::string&)>& look) {
+    auto& window = windows_->therapist();
+    auto& pages = *window.findChild<QStackedWidget*>("pages");
+    for (int i = 0; i < pages.count(); ++i) {
+      window.show_page(static_cast<TherapistWindow::Page>(i));
+      if (i == static_cast<int>(TherapistWindow::Page::patient)) {
+        auto* course = window.findChild<PatientPage*>();
+        EXPECT_TRUE(wait_until([&] { return !course->loading(); }));
+      }
+      const auto name = "page " + std::to_string(i + 1);
+      look(window, name);
+      for (auto* tabs : pages.widget(i)->findChildren<QTabWidget*>())
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+          tabs->setCurrentIndex(tab);
+          settle();
+          look(window, name + ", tab " + std::to_string(tab + 1));
+        }
+      for (auto* section : pages.widget(i)->findChildren<Section*>()) {
+        section->open(true);
+        settle();
+        look(window,
+             name + ", " + section->findChild<QAbstractButton*>()->objectName().toStdString());
+        section->open(false);
+      }
+    }
+  }
+  static void settle() { QTest::qWait(20); }
+
+  TemporaryFolder folder_;
+  std::string path_ = folder_.path("clinic.db");
+  Spoken spoken_;
+  std::unique_ptr<Windows> windows_;
+};
+INSTANTIATE_TEST_SUITE_P(, EveryPage, ::testing::Values("en", "de", "fr"),
+                         [](const auto& language) { return std::string(language.param); });
+
+/// What a text in one line needs; the numbers of a score stand close, without the air of a button.
+int needed_px(const QWidget& widget) {
+  const auto text = widget.property("text").toString();
+  if (widget.property("score").toBool()) return widget.fontMetrics().horizontalAdvance(text) + 4;
+  return widget.sizeHint().width();
+}
+
+/// Questions and acts that appear only at times take their place.
+void show_hidden_controls(QWidget& page) {
+  for (auto* widget : page.findChildren<QWidget*>()) {
+    const bool control = qobject_cast<QAbstractButton*>(widget) != nullptr ||
+                         qobject_cast<QLabel*>(widget) != nullptr ||
+                         widget->property("confirm").toBool();
+    if (control && widget->isHidden() && widget->parentWidget()->isVisible()) widget->show();
+  }
+}
+
+TEST_P(EveryPage, CutsNoTextOff) {
+  std::set<std::string> cut;
+  int seen = 0;
+  on_every_page([&](QWidget& window, const std::string& page) {
+    show_hidden_controls(*window.findChild<QStackedWidget*>("pages")->currentWidget());
+    settle();
+    EXPECT_LE(window.width(), 1280) << page;
+    QList<QPointer<QWidget>> widgets;
+    for (auto* widget : window.findChildren<QWidget*>()) widgets << widget;
+    for (const auto& widget : widgets) {
+      if (widget == nullptr || !widget->isVisible()) continue;
+      const auto* label = qobject_cast<QLabel*>(widget.data());
+      const auto* button = qobject_cast<QAbstractButton*>(widget.data());
+      if (label != nullptr && (label->wordWrap() || label->text().isEmpty())) continue;
+      if (button != nullptr && button->text().isEmpty()) continue;
+      if (label == nullptr && button == nullptr) continue;
+      if (widget->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;  // elided
+      ++seen;
+      // What a page reads in the background may just have made a text bold.
+      constexpr int kLaidOutWithin_s = 2;
+      const bool fits =
+          wait_until([&] { return widget == nullptr || needed_px(*widget) <= widget->width(); },
+                     kLaidOutWithin_s);
+      if (!fits)
+        cut.insert(page + ": " + widget->property("text").toString().toStdString() + " (" +
+                   std::to_string(widget->width()) + " of " + std::to_string(needed_px(*widget)) +
+                   " px)");
+    }
+  });
+  EXPECT_GE(seen, 200);
+  for (const auto& text : cut) ADD_FAILURE() << text;
+}
+
+TEST_P(EveryPage, GivesEachMnemonicOnceAndNamesItInTheTooltip) {
+  static const QRegularExpression kAlt("Alt\\+([A-Z0-9])\\b");
+  int named = 0;
+  on_every_page([&](QWidget& window, const std::string& page) {
+    std::map<QString, std::string> used;
+    const auto take = [&](const QString& key, const std::string& by) {
+      const auto [other, once] = used.emplace(key, by);
+      EXPECT_TRUE(once) << page << ": " << key.toStdString() << " of " << by << " and "
+                        << other->second;
+    };
+    const auto visible_or_ready = [](const QWidget& widget) {
+      // A hidden question belongs to the page as soon as it is asked.
+      return widget.isVisible() ||
+             (widget.parentWidget() != nullptr && widget.parentWidget()->isVisible());
+    };
+    for (auto* widget : window.findChildren<QWidget*>()) {
+      if (!visible_or_ready(*widget)) continue;
+      const auto key = QKeySequence::mnemonic(widget->property("text").toString());
+      if (key.isEmpty()) continue;
+      take(key.toString(), widget->property("text").toString().toStdString());
+    }
+    // Fields without a label of their own have a fixed key.
+    auto* shown_page = window.findChild<QStackedWidget*>("pages")->currentWidget();
+    for (const auto* shortcut : shown_page->findChildren<QShortcut*>()) {
+      const auto key = shortcut->key().toString();
+      const auto* owner = qobject_cast<QWidget*>(shortcut->parent());
+      if (kAlt.match(key).hasMatch() && owner != nullptr && visible_or_ready(*owner))
+        take(key, owner->objectName().toStdString());
+    }
+    for (auto* widget : window.findChildren<QWidget*>()) {
+      const auto found = kAlt.match(widget->toolTip());
+      if (!found.hasMatch() || !widget->isVisible()) continue;
+      const auto key = found.captured();
+      if (key.at(4).isDigit()) continue;  // of a step
+      ++named;
+      EXPECT_TRUE(used.count(key) > 0)
+          << page << ": no " << key.toStdString() << " for " << widget->toolTip().toStdString();
+    }
+  });
+  EXPECT_GE(named, 10);
+}
+
+}  // namespace
+}  // namespace isograsp::test

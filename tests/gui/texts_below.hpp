@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All texts that the layers below give to the windows: scripts/translations hands them to the
+// translators, and a test asks for each of them.
+#pragma once
+
+#include <set>
+#include <string>
+
+namespace isograsp {
+
+/// As gui/texts.hpp looks them up: %1, %2 … stand for numbers. `library`: the shipped one.
+[[nodiscard]] std::set<std::string> texts_below(const std::string& library,
+                                                const std::string& source_folder);
+
+}  // namespace isograsp

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verdicts in the report: whose days make the pool, what breaks a series, what stands on the page.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "reports/comparable.hpp"
+#include "reports/html_writer.hpp"
+#include "reports/patient_verdicts.hpp"
+#include "reports/pdf_writer.hpp"
+#include "reports/progress_report.hpp"
+#include "reports/qt_application.hpp"
+#include "reports/report_text.hpp"
+#include "reports/verdicts.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp {
+namespace {
+
+template <class T>
+T must(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message());
+  return std::move(result).value();
+}
+void must(const Result<void>& result) {
+  if (!result) throw std::runtime_error(result.error().message());
+}
+
+std::string library_task(const std::string& name) {
+  std::ifstream file(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/" + name);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// One session of maxima.
+struct Assessed {
+  std::string date;
+  std::vector<double> grip_N;
+  Hand hand = Hand::left;
+  bool simulated = false;
+  int task_version = 1;
+  std::string task_suffix = {};
+  std::optional<double> gain = 0.5;
+  double maximum_force_N = 10.0;
+  std::string task_file = "maximum_grip.toml";
+  std::string time = "09:30:00";
+  std::string measure = "maximum_force";
+  int without_value = 0;  ///< trials more
+};
+
+class VerdictReport : public testing::Test {
+ protected:
+  void SetUp() override {
+    setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    ensure_qt_application();
+    store_ = must(SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::scratch));
+  }
+
+  RowId person(const std::string& code, std::optional<Side> affected = Side::left,
+               const std::string& onset = "") {
+    const RowId id = must(store_->add_patient(code)).id;
+    must(store_->set_profile(id, {affected, {}, onset, "", ""}));
+    return id;
+  }
+
+  void assess(RowId patient, const Assessed& what) {
+    SessionRecord session;
+    session.patient_id = patient;
+    session.started_utc = what.date + "T" + what.time + "Z";
+    session.hand = what.hand;
+    session.device_uri = "can://can0";
+    session.simulated = what.simulated;
+    session.rate_Hz = 100.0;
+    const RowId id = must(store_->begin_session(session));
+    int number = 0;
+    std::vector<std::optional<double>> values(what.grip_N.begin(), what.grip_N.end());
+    values.resize(values.size() + static_cast<std::size_t>(what.without_value));
+    for (const auto& value : values) {
+      TrialRecord trial;
+      trial.session_id = id;
+      trial.number = ++number;
+      trial.task_name = "Maximum grip";
+      trial.task_version = what.task_version;
+      trial.task_text = library_task(what.task_file) + what.task_suffix;
+      trial.maximum_force_N = what.maximum_force_N;
+      trial.groups = {{"task", {"t_s", "actual_force_N"}}};
+      trial.id = must(store_->begin_trial(trial));
+      const std::vector<std::vector<double>> rows{{0.0, value.value_or(0.0), 0.01, 0.0}};
+      must(store_->append_blocks(trial.id, 0, rows));
+      trial.status = TrialStatus::completed;
+      trial.visual_gain_deg_per_N = what.gain;
+      Measure measure;
+      measure.name = what.measure;
+      measure.channel = "grip";
+      measure.unit = "N";
+      measure.value = value;
+      Measure opposition = measure;
+      opposition.name = "peak_force";
+      must(store_->end_trial(trial, std::vector{measure, opposition}));
+    }
+    must(store_->end_session(id));
+  }
+
+  /// People who are judged stable in February, with a pair of days that differ by about `cv` each.
+  void add_stable(int people, const Assessed& like = {"", {}}, Side affected = Side::left) {
+    for (int i = 0; i < people; ++i) {
+      const RowId id = person("S-" + std::to_string(++stable_), affected);
+      must(store_->add_stable_period(id, {0, "2026-02-01", "2026-02-28", "", "Dr 3", ""}));
+      const double level = 5.0 * std::pow(1.2, i);
+      const double step = 1.0 + (i % 2 == 0 ? 0.1 : -0.1) * std::sqrt(2.0);
+      Assessed day = like;
+      day.date = "2026-02-03";
+      day.grip_N = {level};
+      assess(id, day);
+      day.date = "2026-02-06";
+      day.grip_N = {level * step};
+      assess(id, day);
+    }
+  }
+
+  void choose(RowId patient, const std::string& utc = "2026-03-01T08:00:00Z",
+              const std::string& measure = "maximum_force") {
+    must(store_->add_primary_measure(
+        patient, {0, "Maximum grip", Hand::left, measure, "grip", utc, "Therapist 7"}));
+  }
+
+  /// A patient with these assessments in March, three days apart, and the measure chosen before.
+  RowId patient_with(const std::vector<double>& days, std::optional<Side> affected = Side::left) {
+    const RowId id = person("TK-1", affected);
+    choose(id);
+    for (std::size_t i = 0; i < days.size(); ++i) {
+      const std::size_t day = 2 + 3 * i;
+      assess(id, {"2026-03-" + std::string(day < 10 ? "0" : "") + std::to_string(day), {days[i]}});
+    }
+    return id;
+  }
+
+  ReportContent gather() { return must(gather_progress(*store_, "TK-1")); }
+  ChangeVerdict verdict() {
+    const auto all = must(gather_verdicts(*store_, "TK-1"));
+    const auto content = gather();
+    for (const auto& section : content.sections)
+      for (const auto& series : section.series)
+        if (series.verdict) {
+          EXPECT_EQ(verdict_words(*series.verdict), verdict_words(*all.at(0).verdict));
+          EXPECT_EQ(verdict_basis(*series.verdict), verdict_basis(*all.at(0).verdict));
+        }
+    return all.at(0).verdict.value();
+  }
+
+  test::TemporaryFolder folder_;
+  std::unique_ptr<SessionStore> store_;
+  int stable_ = 0;
+};
+
+TEST_F(VerdictReport, BeyondTheErrorOfStablePeopleIsPossibleThenConfirmed) {
+  add_stable(10);
+  const RowId id = patient_with({10, 10, 10.5});
+  EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error");
+  EXPECT_EQ(verdict_basis(verdict()), "10 stable people");
+  assess(id, {"2026-03-20", {19, 20, 21}});
+  EXPECT_EQ(verdict_words(verdict()), "improved (possible)");
+  EXPECT_EQ(verdict_basis(verdict()), "one assessment so far, 10 stable people");
+  assess(id, {"2026-03-23", {19}});
+  EXPECT_EQ(verdict_words(verdict()), "improved (confirmed)");
+  EXPECT_EQ(verdict_basis(verdict()), "two assessments in a row, 10 stable people");
+  assess(id, {"2026-03-26", {4}});
+  EXPECT_EQ(verdict_words(verdict()), "worsened (possible)");
+}
+
+TEST_F(VerdictReport, TheErrorIsThatOfTheFormula) {
+  add_stable(10);
+  patient_with({10, 10, 10.5});
+  // Logarithms: every pair differs by log(1 +- 0.1 sqrt 2); one trial a day.
+  const double up = std::log(1.0 + 0.1 * std::sqrt(2.0));
+  const double down = std::log(1.0 - 0.1 * std::sqrt(2.0));
+  const double s_day = std::sqrt((up * up + down * down) / 4.0);
+  constexpr double kT975 = 2.53317;  // 5.257 degrees of freedom
+  const double mdc = kT975 * s_day * std::sqrt(1.5);
+  EXPECT_NEAR(*verdict().change.mdc_up, 10.0 * std::expm1(mdc), 1e-4);
+  EXPECT_NEAR(*verdict().change.mdc_down, 10.0 * std::expm1(-mdc), 1e-4);
+}
+
+TEST_F(VerdictReport, NinePeopleAreTooFew) {
+  add_stable(9);
+  patient_with({10, 10, 20, 20});
+  EXPECT_EQ(verdict_words(verdict()), "cannot be judged yet");
+  EXPECT_EQ(verdict_basis(verdict()), "9 of 10 stable people");
+}
+
+TEST_F(VerdictReport, OtherHandsSourcesVersionsAndParametersDoNotCount) {
+  patient_with({10, 10, 20, 20});
+  add_stable(10, {"", {}}, Side::right);
+  EXPECT_EQ(verdict().people, 0) << "their other hand";
+  add_stable(10, {"", {}}, Side::none);
+  EXPECT_EQ(verdict().people, 0) << "healthy people";
+  add_stable(10, {"", {}, Hand::left, true});
+  EXPECT_EQ(verdict().people, 0) << "simulated people";
+  add_stable(10, {"", {}, Hand::left, false, 2});
+  EXPECT_EQ(verdict().people, 0) << "another version of the task";
+  add_stable(10, {"", {}, Hand::left, false, 1, "# changed\n"});
+  EXPECT_EQ(verdict().people, 0) << "other parameters";
+  add_stable(4, {"", {}, Hand::right}, Side::right);
+  EXPECT_EQ(verdict().people, 4) << "the affected hand, whichever it is";
+}
+
+TEST_F(VerdictReport, NobodyIsJudgedByTheirOwnVariation) {
+  add_stable(9);
+  const RowId id = patient_with({10, 11, 20, 20});
+  must(store_->add_stable_period(id, {0, "2026-03-01", "2026-03-06", "", "Dr 3", ""}));
+  EXPECT_EQ(verdict().people, 9);
+  add_stable(1);
+  EXPECT_EQ(verdict().people, 10);
+}
+
+TEST_F(VerdictReport, TwoSessionsEitherSideOfMidnightUtcAreOneDay) {
+  add_stable(10);
+  const RowId id = person("TK-1");
+  choose(id);
+  Assessed evening{"2026-03-02", {10}};
+  evening.time = "21:00:00";
+  Assessed night{"2026-03-03", {10}};
+  night.time = "02:00:00";
+  assess(id, evening);
+  assess(id, night);
+  EXPECT_EQ(verdict_basis(verdict()), "the baseline needs two assessment days");
+  evening.date = night.date;  // 19 hours later, of the same date
+  assess(id, evening);
+  EXPECT_EQ(verdict_basis(verdict()), "no assessment after the baseline");
+}
+
+TEST_F(VerdictReport, AFailedDayNeitherBlocksTheBaselineNorDiffersBetweenTableAndVerdict) {
+  add_stable(10);
+  const RowId id = person("TK-1");
+  must(store_->add_primary_measure(id, {0, "Maximum grip", Hand::left, "release_time", "grip",
+                                        "2026-03-01T08:00:00Z", "Therapist 7"}));
+  const auto on = [&](const std::string& date, std::vector<double> release_s, int without = 0) {
+    Assessed one{date, std::move(release_s)};
+    one.measure = "release_time";
+    one.without_value = without;
+    assess(id, one);
+  };
+  on("2026-03-02", {2.0}, 1);
+  on("2026-03-05", {3.0});
+  on("2026-03-08", {5.0});
+  on("2026-03-11", {4.5});
+  const auto content = gather();
+  const auto& series = content.sections.at(0).series.at(0);
+  EXPECT_EQ(series.baseline, 4.0);
+  EXPECT_EQ(series.baseline_basis, "first two days with a value");
+  EXPECT_EQ(series.verdict.value().change.baseline, 4.0);
+  EXPECT_EQ(series.verdict->reason, "0 of 10 stable people");
+  on("2026-03-14", {}, 2);
+  const auto later = gather();
+  const auto& after = later.sections.at(0).series.at(0);
+  EXPECT_EQ(after.baseline, 4.0) << "two days, though the last one failed";
+  EXPECT_EQ(after.last, std::nullopt);
+  EXPECT_EQ(after.verdict.value().reason, "the last assessment has no value");
+}
+
+TEST_F(VerdictReport, ADayOnWhichNothingCouldBeComputedIsNoAssessment) {
+  add_stable(10);
+  const RowId id = person("TK-1");
+  choose(id);
+  Assessed empty{"2026-03-02", {}};
+  empty.without_value = 2;
+  assess(id, empty);
+  for (const char* date : {"2026-03-05", "2026-03-08", "2026-03-11"}) assess(id, {date, {10}});
+  EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error");
+  empty.date = "2026-03-14";
+  assess(id, empty);
+  EXPECT_EQ(verdict_basis(verdict()), "the last assessment has no value");
+  assess(id, {"2026-03-17", {10}});
+  EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error");
+}
+
+TEST_F(VerdictReport, APartOfTheSessionsSaysNothingOfTheOthers) {
+  const RowId id = patient_with({10, 10, 10});
+  must(store_->add_primary_measure(id, {0, "Let go", Hand::left, "release_time", "grip",
+                                        "2026-03-01T08:00:00Z", "Therapist 7"}));
+  const auto none = must(gather_progress(*store_, "TK-1", {}, {5, 7}));
+  ASSERT_FALSE(none.quality.empty());
+  EXPECT_EQ(none.quality[0].text, "none of the 3 sessions lies in it");
+  const auto part = must(gather_progress(*store_, "TK-1", {}, {2, 3}));
+  EXPECT_NE(part.waiting.at(0).find("no assessment in these sessions"), std::string::npos);
+  EXPECT_NE(gather().waiting.at(0).find("no assessment yet"), std::string::npos);
+  assess(id, {"2026-03-20", {10}, Hand::left, false, 2});
+  const auto later = must(gather_progress(*store_, "TK-1", {}, {2, 4}));
+  EXPECT_EQ(later.sections.at(0).notes.at(0).find("Sessions 2, 3 "), 0u)
+      << later.sections.at(0).notes.at(0);
+}
+
+TEST_F(VerdictReport, ABreakInASeriesOfStableDaysMakesNoPair) {
+  patient_with({10, 10, 20});
+  const RowId id = person("S-1");
+  must(store_->add_stable_period(id, {0, "2026-02-01", "2026-02-04", "", "Dr 3", ""}));
+  must(store_->add_stable_period(id, {0, "2026-02-05", "2026-02-28", "", "Dr 3", ""}));
+  assess(id, {"2026-02-03", {10}});
+  assess(id, {"2026-02-06", {11}});
+  EXPECT_EQ(verdict().people, 0) << "two times, not one";
+  assess(id, {"2026-02-08", {11}, Hand::left, false, 1, "", 1.0, 20.0});
+  EXPECT_EQ(verdict().people, 0) << "another gain";
+  assess(id, {"2026-02-10", {11}, Hand::left, false, 1, "", 2.0, 10.0});
+  EXPECT_EQ(verdict().people, 1) << "the same gain for a share of the maximum";
+}
+
+TEST_F(VerdictReport, AMeasureChosenAfterTheSecondAssessmentIsNotJudged) {
+  add_stable(10);
+  const RowId id = person("TK-1");
+  choose(id, "2026-03-08T09:29:00Z");
+  for (const char* date : {"2026-03-02", "2026-03-05", "2026-03-08"}) assess(id, {date, {10}});
+  EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error") << "a minute before";
+  must(store_->remove_primary_measure(must(store_->primary_measures(id)).at(0).id));
+  choose(id, "2026-03-08T09:31:00Z");
+  EXPECT_EQ(verdict_words(verdict()), "cannot be judged yet");
+  EXPECT_EQ(verdict_basis(verdict()),
+            "chosen on 8\u00a0Mar\u00a02026, after the second assessment");
+  // A new series begins anew, with its own first and second assessment.
+  assess(id, {"2026-03-11", {10}, Hand::left, false, 2});
+  EXPECT_EQ(verdict_basis(verdict()), "the baseline needs two assessment days");
+}
+
+TEST_F(VerdictReport, LevelsThatFollowSuccessAndUnknownSidesAreNotJudged) {
+  add_stable(10);
+  const RowId id = patient_with({10, 10, 20}, std::nullopt);
+  EXPECT_EQ(verdict_basis(verdict()), "the affected side is not known");
+  must(store_->set_profile(id, {Side::both, {}, "", "", ""}));
+  EXPECT_EQ(verdict_words(verdict()), "improved (possible)");
+  Assessed training{"2026-03-20", {10}};
+  training.task_file = "grip_sine_training.toml";
+  training.task_suffix = "\n[chosen]\nlevel = 0.5\n";
+  assess(id, training);
+  EXPECT_EQ(verdict_basis(verdict()), "the level of its trials follows success");
+}
+
+TEST_F(VerdictReport, OnlyPrimaryMeasuresGetOneAndThePageSaysWhoChoseThem) {
+  add_stable(10);
+  const RowId id = person("TK-1");
+  for (const char* date : {"2026-03-02", "2026-03-05", "2026-03-08"}) assess(id, {date, {10}});
+  auto rows = glance_rows(gather());
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_FALSE(rows[0].primary);
+  EXPECT_EQ(rows[0].verdict, "\u2013");
+  EXPECT_NE(verdict_notes(gather()).at(0).find("No primary measure"), std::string::npos);
+  choose(id);
+  choose(id, "2026-03-01T08:00:00Z", "peak_force");  // is drawn in no trend otherwise
+  must(store_->add_primary_measure(id, {0, "Let go", Hand::left, "release_time", "grip",
+                                        "2026-03-01T08:00:00Z", "Therapist 7"}));
+  const auto content = gather();
+  rows = glance_rows(content);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].verdict, "not larger than measurement error");
+  EXPECT_EQ(rows[0].mdc.find("MDC95"), 0u);
+  EXPECT_EQ(rows[1].verdict, "cannot be judged yet");
+  EXPECT_EQ(rows[1].verdict_basis, "more of it is neither better nor worse");
+  std::string notes;
+  for (const auto& note : verdict_notes(content)) notes += note + "\n";
+  EXPECT_NE(notes.find("by Therapist 7, 1\u00a0Mar\u00a02026"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("Release time (Let go, left hand), no assessment yet"), std::string::npos);
+}
+
+TEST_F(VerdictReport, EarlyAfterTheOnsetTheCauseOfAChangeIsLeftOpen) {
+  const RowId id = patient_with({10, 10, 10});  // the last one on 8 March
+  const auto says_so = [&](const std::string& onset) {
+    must(store_->set_profile(id, {Side::left, {}, onset, "", ""}));
+    const auto notes = verdict_notes(gather());
+    return std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("change does not show what caused it") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says_so("2025-09-09"));
+  EXPECT_FALSE(says_so("2025-09-08"));
+  EXPECT_FALSE(says_so(""));
+}
+
+TEST_F(VerdictReport, PdfAndHtmlSayTheSame) {
+  add_stable(12);
+  const RowId id = patient_with({10, 10, 10.5, 20});
+  assess(id, {"2026-03-20", {19, 21}});
+  must(store_->set_profile(id, {Side::left, {}, "2025-12-01", "", ""}));
+  const auto content = gather();
+  const std::string pdf = folder_.path("verdict.pdf");
+  const std::string html = folder_.path("verdict.html");
+  must(write_pdf(content, pdf));
+  must(write_html(content, html));
+  if (const char* keep = std::getenv("ISOGRASP_KEEP_REPORTS"); keep != nullptr)
+    for (const auto& file : {pdf, html})
+      std::filesystem::copy_file(
+          file, std::filesystem::path(keep) / std::filesystem::path(file).filename(),
+          std::filesystem::copy_options::overwrite_existing);
+  const auto plain = [](std::string text) {  // without spaces of any kind: lines are broken
+    for (const std::string space : {"\u00a0", "\n", "\f", " "})
+      for (auto at = text.find(space); at != std::string::npos; at = text.find(space))
+        text.erase(at, space.size());
+    for (const auto& [ligature, letters] :
+         {std::pair<std::string, std::string>{"\ufb01", "fi"}, {"\ufb00", "ff"}})
+      for (auto at = text.find(ligature); at != std::string::npos; at = text.find(ligature))
+        text.replace(at, ligature.size(), letters);
+    return text;
+  };
+  std::vector<std::string> said;
+  for (const auto& row : glance_rows(content))
+    for (const auto& text : {row.baseline, row.last, row.change, row.mdc, row.verdict})
+      said.push_back(text);
+  const std::string page = plain(test::read_file(html));
+  for (const auto& text : said) EXPECT_NE(page.find(plain(text)), std::string::npos) << text;
+  for (const auto& note : verdict_notes(content))
+    EXPECT_NE(page.find(plain(note)), std::string::npos) << note;
+  const std::string command =
+      "pdftotext -layout '" + pdf + "' '" + folder_.path("text.txt") + "' 2>&1";
+  if (std::system(command.c_str()) != 0) GTEST_SKIP() << "pdftotext is not installed";
+  const std::string paper = plain(test::read_file(folder_.path("text.txt")));
+  for (const auto& text : said) EXPECT_NE(paper.find(plain(text)), std::string::npos) << text;
+  EXPECT_NE(paper.find(plain("two assessments in a row")), std::string::npos);
+  EXPECT_NE(paper.find(plain("change does not show what caused it")), std::string::npos);
+}
+
+TEST(SameGain, HoldsPerNewtonOrPerShareOfTheMaximum) {
+  EXPECT_TRUE(same_gain({0.5, 10.0}, {0.5, 20.0}));
+  EXPECT_TRUE(same_gain({0.5, 20.0}, {1.0, 10.0}));
+  EXPECT_FALSE(same_gain({0.5, 20.0}, {1.0, 20.0}));
+}
+
+TEST(SameGain, OneThatIsNotKnownEqualsNoneThatIsKnown) {
+  // Else 0.5 and 1.0 would stand in one series with it.
+  EXPECT_FALSE(same_gain({0.5, 20.0}, {std::nullopt, 20.0}));
+  EXPECT_FALSE(same_gain({std::nullopt, 20.0}, {0.5, 20.0}));
+  EXPECT_TRUE(same_gain({std::nullopt, 20.0}, {std::nullopt, 10.0}));
+}
+
+TEST(DayCounter, ADayIsTheSessionsWithinTwelveHoursWhateverTheirDates) {
+  DayCounter auckland;  // 10:00 and 15:00 there, then 10:00 on the next day
+  EXPECT_EQ(auckland.day_of("2026-03-01T21:00:00Z"), 0.0);
+  EXPECT_EQ(auckland.day_of("2026-03-02T02:00:00Z"), 0.0) << "another date in UTC, the same day";
+  EXPECT_EQ(auckland.day_of("2026-03-02T21:00:00Z"), 1.0) << "the same date in UTC, another day";
+  EXPECT_EQ(auckland.day_of("tomorrow"), 1.0);
+  DayCounter europe;
+  EXPECT_EQ(europe.day_of("2026-03-01T16:00:00Z"), 0.0);
+  EXPECT_EQ(europe.day_of("2026-03-02T06:00:00Z"), 14.0 / 24.0) << "the next morning";
+  EXPECT_EQ(europe.day_of("2026-03-02T18:00:00Z"), 26.0 / 24.0);
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The chain of the audit log: complete, and every change, move and cut noticed.
+#include "storage/audit_log.hpp"
+
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+
+#include "storage/consent.hpp"
+#include "storage/identity.hpp"
+#include "tests/storage/protected_clinic.hpp"
+
+namespace isograsp {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What somebody with an SQL program does to the file, triggers out of the way.
+void attack(const std::string& path, const std::vector<std::string>& statements) {
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  for (const char* trigger :
+       {"audit_log_is_not_changed", "audit_log_is_not_cut", "audit_log_is_not_replaced"})
+    sql << "DROP TRIGGER IF EXISTS " + std::string(trigger);
+  for (const auto& statement : statements) sql << statement;
+}
+
+std::vector<std::string> acts_of(Access& access) {
+  std::vector<std::string> acts;
+  for (const auto& entry : must(read_audit(access)))
+    acts.push_back(entry.act + " " + entry.object + " " + entry.result + " by " + entry.actor);
+  return acts;
+}
+
+struct Audit : ProtectedClinic {
+  Audit() {
+    as("Theo");
+    {
+      const auto store = open_store(path);
+      const RowId patient = must(store->add_patient("P-1")).id;
+      const RowId session = must(store->begin_session(example_session(patient)));
+      must(store->end_session(session));
+    }
+    must(set_identity(*access, "P-1", {"Vera", "", ""}));
+    as("Ada");
+  }
+  [[nodiscard]] std::vector<std::string> problems() { return must(check_audit(*access)); }
+};
+
+TEST_F(Audit, TellsWhoDidWhatToWhatWithWhichResult) {
+  as("Rita");
+  EXPECT_FALSE(read_identity(*access, "P-1").ok());
+  EXPECT_FALSE(access->log_in("Theo", secret("not his password")).ok());
+  EXPECT_FALSE(access->log_in("my secret typed as a name", secret("anything")).ok());
+  as("Theo");
+  EXPECT_FALSE(open_store(path)->add_patient("P-1").ok());
+  EXPECT_FALSE(open_store(path)->add_patient("Vera Novak").ok());
+  must(read_identity(*access, "P-1"));
+  must(open_store(path)->backup(folder.file("monday.db")));
+  as("Ada");
+  const auto acts = acts_of(*access);
+  const std::vector<std::string> expected{"login clinic passphrase done by clinic passphrase",
+                                          "create clinic.db done by clinic passphrase",
+                                          "add user Ada done by clinic passphrase",
+                                          "add user Theo done by clinic passphrase",
+                                          "add user Rita done by clinic passphrase",
+                                          "login Theo done by Theo",
+                                          "add patient P-1 done by Theo",
+                                          "begin session P-1 done by Theo",
+                                          "end session P-1 done by Theo",
+                                          "change identity P-1 done by Theo",
+                                          "login Ada done by Ada",
+                                          "login Rita done by Rita",
+                                          "read identity P-1 refused by Rita",
+                                          "login Theo refused by ",
+                                          "login unknown user refused by ",
+                                          "login Theo done by Theo",
+                                          "add patient P-1 refused by Theo",
+                                          "read identity P-1 done by Theo",
+                                          "backup monday.db done by Theo",
+                                          "login Ada done by Ada"};
+  EXPECT_EQ(acts, expected);
+  EXPECT_TRUE(problems().empty());
+  for (const auto& entry : must(read_audit(*access)))
+    for (const std::string& text : {entry.object, entry.detail})
+      for (const char* told : {"Vera", "Novak", "typed", "password"})
+        EXPECT_TRUE(text.find(told) == std::string::npos || text == "wrong password") << text;
+}
+
+TEST_F(Audit, IsReadByAdministratorsOnly) {
+  as("Theo");
+  EXPECT_FALSE(read_audit(*access).ok());
+  as("Rita");
+  EXPECT_FALSE(read_audit(*access).ok());
+}
+
+TEST_F(Audit, IsNotChangedCutOrReplacedThroughSql) {
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  for (const char* statement :
+       {"UPDATE audit_log SET actor = 'nobody' WHERE id = 3", "DELETE FROM audit_log WHERE id = 3",
+        "DELETE FROM audit_log",
+        "INSERT OR REPLACE INTO audit_log SELECT id, at_utc, 'nobody', role, act, object, result, "
+        "detail, hash FROM audit_log WHERE id = 3"})
+    EXPECT_THROW(sql << statement, soci::soci_error) << statement;
+  EXPECT_TRUE(problems().empty());
+}
+
+TEST_F(Audit, NoticesAChangeOfAnyFieldOfAnyEntry) {
+  const auto count = must(audit_head(*access)).count;
+  const std::string good = folder.file("good.db");
+  must(open_store(path)->backup(good));
+  for (std::int64_t id = 1; id <= count; ++id)
+    for (const char* field : {"at_utc", "actor", "role", "act", "object", "detail"}) {
+      const std::string bad = folder.file("bad.db");
+      fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
+      attack(bad, {"UPDATE audit_log SET " + std::string(field) + " = " + field +
+                   " || 'x' WHERE id = " + std::to_string(id)});
+      const auto found = must(check_audit(*must(Access::open(bad))));
+      ASSERT_EQ(found.size(), 1u) << field << " of " << id;
+      EXPECT_NE(found[0].find("entry " + std::to_string(id) + " "), std::string::npos) << found[0];
+    }
+}
+
+TEST_F(Audit, NoticesAnotherOrderAMissingAndAnInventedEntry) {
+  attack(path,
+         {"UPDATE audit_log SET id = 100 WHERE id = 3", "UPDATE audit_log SET id = 3 WHERE id = 4",
+          "UPDATE audit_log SET id = 4 WHERE id = 100"});
+  EXPECT_FALSE(problems().empty());
+}
+
+TEST_F(Audit, NoticesAMissingEntry) {
+  attack(path, {"DELETE FROM audit_log WHERE id = 3"});
+  ASSERT_FALSE(problems().empty());
+  EXPECT_NE(problems()[0].find("entries 3 to 3 are missing"), std::string::npos) << problems()[0];
+}
+
+TEST_F(Audit, NoticesAnInventedEntry) {
+  attack(path, {"INSERT INTO audit_log SELECT id + 1, at_utc, actor, role, act, 'P-2', result, "
+                "detail, hash FROM audit_log ORDER BY id DESC LIMIT 1"});
+  EXPECT_FALSE(problems().empty());
+}
+
+TEST_F(Audit, NoticesACutEvenIfTheAnchorIsCutToo) {
+  attack(path, {"DELETE FROM audit_log WHERE id > 5"});
+  EXPECT_FALSE(problems().empty());
+  attack(path,
+         {"UPDATE audit_anchor SET count = 5, hash = (SELECT hash FROM audit_log WHERE id = 5)"});
+  EXPECT_FALSE(problems().empty()) << "the proof of the anchor was not asked for";
+  // What is done after a cut does not heal it.
+  must(open_store(path)->add_patient("P-2"));
+  EXPECT_FALSE(problems().empty());
+}
+
+TEST_F(Audit, NoticesAFilePutBackToAnEarlierState) {
+  const std::string earlier = folder.file("earlier.db");
+  must(open_store(path)->backup(earlier));
+  must(open_store(path)->add_patient("P-2"));
+  EXPECT_TRUE(problems().empty());
+  const AuditHead noted = must(audit_head(*access));
+  access.reset();
+  for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path + suffix);
+  fs::copy_file(earlier, path);
+  access = must(Access::open(path));
+  as("Ada");
+  ASSERT_FALSE(problems().empty());
+  EXPECT_NE(problems()[0].find("was put back or cut"), std::string::npos) << problems()[0];
+  EXPECT_FALSE(must(audit_contains(*access, noted))) << "a head on paper proves it too";
+  const auto count = must(audit_head(*access)).count;
+  while (must(audit_head(*access)).count < noted.count + 5)
+    must(log_act(*access, "report", "", true));
+  EXPECT_GT(must(audit_head(*access)).count, count);
+  EXPECT_FALSE(problems().empty()) << "forgotten once the log is as long as it was";
+}
+
+TEST_F(Audit, AnotherKeyCannotMakeTheChain) {
+  // An attacker who knows the hash, but not the key, writes a whole chain of their own.
+  access.reset();
+  const std::string other = folder.file("other.db");
+  auto theirs = must(Access::create(other, secret("their passphrase"), &kCheapKeyCost)).access;
+  theirs.reset();
+  attack(path, {"DELETE FROM audit_log", "DELETE FROM audit_anchor",
+                "ATTACH DATABASE '" + other + "' AS other",
+                "INSERT INTO audit_log SELECT * FROM other.audit_log",
+                "INSERT INTO audit_anchor SELECT * FROM other.audit_anchor"});
+  access = must(Access::open(path));
+  as("Ada");
+  EXPECT_FALSE(problems().empty());
+}
+
+TEST_F(Audit, CheckOfTheStoreProvesTheChain) {
+  EXPECT_TRUE(must(open_store(path)->check()).empty());
+  attack(path, {"UPDATE audit_log SET actor = 'x' WHERE id = 2"});
+  const auto found = must(open_store(path)->check());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("entry 2"), std::string::npos);
+}
+
+TEST(UnprotectedAudit, IsChainedToo) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("clinic.db");
+  const auto store = open_store(path);
+  const RowId patient = must(store->add_patient("P-1")).id;
+  must(store->set_profile(patient, {Side::left, {}, "", "", ""}));
+  const auto access = must(Access::open(path));
+  must(add_consent(*access, "P-1", {0, "2026-03-05", "research", "consent", "given", "", "", ""}));
+  EXPECT_EQ(acts_of(*access),
+            (std::vector<std::string>{"add patient P-1 done by ", "change profile P-1 done by ",
+                                      "add consent P-1 done by "}));
+  EXPECT_TRUE(must(store->check()).empty());
+  attack(path, {"DELETE FROM audit_log WHERE id = 3"});
+  EXPECT_FALSE(must(store->check()).empty());
+}
+
+TEST(UnprotectedAudit, AnActAndItsEntryAreStoredTogether) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("clinic.db");
+  const auto store = open_store(path);
+  attack(path, {"CREATE TRIGGER full BEFORE INSERT ON audit_log BEGIN SELECT RAISE(ABORT, 'full'); "
+                "END"});
+  EXPECT_FALSE(store->add_patient("P-1").ok());
+  EXPECT_TRUE(must(store->patients()).empty()) << "done, but not logged";
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Erasure on request: restricted while the law asks for it, then gone to the last byte; consent.
+#include "storage/erasure.hpp"
+
+#include <set>
+
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+
+#include "storage/consent.hpp"
+#include "storage/identity.hpp"
+#include "tests/storage/protected_clinic.hpp"
+
+namespace isograsp {
+namespace {
+
+/// Rows in every table that a person can have rows in.
+void fill(const std::string& path, const std::string& code, const std::string& mark,
+          unsigned seed) {
+  const auto store = open_store(path);
+  const RowId patient = must(store->add_patient(code, "2020-01-01T08:00:00Z")).id;
+  must(store->set_profile(patient, {{}, {}, "", "note " + mark, "goal " + mark}));
+  must(store->add_treatment_mark(patient, {0, "2026-03-01", "drug", "text " + mark}));
+  must(store->add_clinical_score(patient, {0, "2026-03-01", "ARAT", 31.0, "muscle " + mark}));
+  must(store->add_primary_measure(patient,
+                                  {0, "Sine", Hand::left, "rmse", "force", "", "by " + mark}));
+  must(store->add_stable_period(patient,
+                                {0, "2026-01-01", "2026-01-31", "", "judge " + mark, "why"}));
+  SessionRecord session = example_session(patient);
+  session.device_uri = "sim://" + mark;
+  session.started_utc = "2020-02-28T08:00:00Z";
+  const RowId session_id = must(store->begin_session(
+      session, std::vector<SessionAnswer>{{"posture", "seat", "chair " + mark}}));
+  InstrumentZeroRecord zero;
+  zero.session_id = session_id;
+  zero.operator_name = "operator " + mark;
+  zero.mean.fill(Vec6::Constant(1.0));
+  zero.sd.fill(Vec6::Constant(0.1));
+  must(store->add_zero(zero));
+  TrialRecord trial = example_trial(session_id);
+  trial.task_name = "task " + mark;
+  trial.id = must(store->begin_trial(trial));
+  must(store->append_blocks(trial.id, 0, example_rows(trial, 100, seed)));
+  trial.status = TrialStatus::completed;
+  Measure measure;
+  measure.name = "rmse";
+  measure.reason = "reason " + mark;
+  must(store->end_trial(trial, std::vector<Measure>{measure}));
+  RestingForceRecord rest;
+  rest.session_id = session_id;
+  rest.trial_id = trial.id;
+  rest.duration_s = 10.0;
+  rest.samples = 1000;
+  rest.operator_name = "rest " + mark;
+  rest.mean.fill(Vec6::Constant(1.0));
+  rest.sd.fill(Vec6::Constant(0.1));
+  must(store->add_resting_force(rest));
+  must(store->add_event(session_id, {trial.id, 1.0, "note", "event " + mark}));
+  RatingRecord rating;
+  rating.session_id = session_id;
+  rating.recorded_utc = mark;
+  must(store->add_rating(rating));
+  must(store->end_session(session_id, "2020-02-29T08:00:00Z"));
+}
+
+struct Erasure : testing::Test {
+  TemporaryFolder folder;
+  std::string path = folder.file("clinic.db");
+  std::unique_ptr<Access> access;
+  Erasure() {
+    fill(path, "P-1", "FORGETME", 1);
+    fill(path, "P-2", "KEEPME", 2);
+    access = must(Access::open(path));
+    must(add_consent(*access, "P-1",
+                     {0, "2026-03-05", "research", "consent", "given", "FORGETME form", "", ""}));
+  }
+  /// Of both people, in the database and everything beside it.
+  [[nodiscard]] bool anywhere(const std::string& text) const {
+    for (const std::string& name : folder.listing())
+      if (bytes_of(folder.file(name)).find(text) != std::string::npos) return true;
+    return false;
+  }
+};
+
+TEST_F(Erasure, NamesEveryTableThatHangsOnAPerson) {
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  // As after a merge, and while a trial is recorded.
+  sql << "INSERT INTO patient_aliases SELECT substr(uuid, 1, 35) || 'z', id FROM patients";
+  sql << "INSERT INTO signal_blocks SELECT trial_id, position, 0, 1, 0, x'00' FROM signal_groups";
+  std::set<std::string> personal{"patients"};
+  for (std::size_t before = 0; before != personal.size();) {
+    before = personal.size();
+    std::string table;
+    std::string parent;
+    soci::statement select =
+        (sql.prepare << "SELECT t.name, f.\"table\" FROM sqlite_schema t "
+                        "JOIN pragma_foreign_key_list(t.name) f WHERE t.type = 'table'",
+         soci::into(table), soci::into(parent));
+    select.execute();
+    while (select.fetch())
+      if (personal.contains(parent)) personal.insert(table);
+  }
+  const auto rows = [&](const std::string& table) {
+    int count = 0;
+    sql << "SELECT count(*) FROM " + table, soci::into(count);
+    return count;
+  };
+  std::map<std::string, int> before;
+  for (const auto& table : personal) before[table] = rows(table);
+  const std::set<std::string> filled_elsewhere{"identities", "restrictions", "consents"};
+  for (const auto& [table, count] : before) {
+    EXPECT_TRUE(count >= 2 || filled_elsewhere.contains(table))
+        << table << " is not filled by this test: fill it, and see that storage/erasure.cpp erases "
+        << "it";
+  }
+  must(set_policy(*access, {600, 0}));
+  must(erase_patient(*access, "P-1", "asked for it"));
+  for (const auto& [table, count] : before)
+    EXPECT_EQ(rows(table), table == "consents" ? 0 : count / 2) << table;
+}
+
+TEST_F(Erasure, LeavesNoByteInTheFileOrItsJournal) {
+  must(set_policy(*access, {600, 0}));
+  ASSERT_TRUE(anywhere("FORGETME"));
+  const auto done = must(erase_patient(*access, "P-1", "asked for it"));
+  EXPECT_TRUE(done.erased);
+  EXPECT_FALSE(anywhere("FORGETME"));
+  EXPECT_TRUE(anywhere("KEEPME"));
+  const auto store = open_store(path);
+  EXPECT_TRUE(must(store->check()).empty());
+  const auto patients = must(store->patients());
+  ASSERT_EQ(patients.size(), 1u);
+  const auto sessions = must(store->sessions(patients[0].id));
+  EXPECT_EQ(must(store->signals(must(store->trials(sessions.at(0).id)).at(0))).rows(), 100u);
+}
+
+TEST_F(Erasure, LeavesATombstoneAndTheCodeIsNotGivenAgain) {
+  must(set_policy(*access, {600, 0}));
+  must(erase_patient(*access, "P-1", "asked for it"));
+  const auto stones = must(tombstones(*access));
+  ASSERT_EQ(stones.size(), 1u);
+  EXPECT_EQ(stones[0].code, "P-1");
+  EXPECT_NE(refusal(open_store(path)->add_patient("p-1")).find("was erased"), std::string::npos);
+  EXPECT_FALSE(erase_patient(*access, "P-1", "once more").ok());
+}
+
+TEST_F(Erasure, RestrictsWhileTheLawAsksForTheRecords) {
+  const auto plan = must(plan_erasure(*access, "P-1"));
+  EXPECT_EQ(plan.last_record_date, "2020-02-29");
+  EXPECT_EQ(plan.keep_until_date, "2030-03-01");
+  EXPECT_FALSE(plan.may_erase);
+  const auto done = must(erase_patient(*access, "P-1", "asked for it"));
+  EXPECT_FALSE(done.erased);
+  EXPECT_TRUE(must(is_restricted(*access, "P-1")));
+  EXPECT_FALSE(must(may_be_used_for_research(*access, "P-1")));
+  const auto store = open_store(path);
+  const RowId patient = must(store->find_patient("P-1"))->id;
+  EXPECT_NE(refusal(store->begin_session(example_session(patient))).find("restricted until"),
+            std::string::npos);
+  must(lift_restriction(*access, "P-1", "wishes to go on"));
+  must(store->begin_session(example_session(patient)));
+}
+
+TEST_F(Erasure, ErasesAfterTheLastDayThatTheLawAsksFor) {
+  must(set_policy(*access, {600, 1}));
+  const auto plan = must(plan_erasure(*access, "P-1"));
+  EXPECT_EQ(plan.keep_until_date, "2021-03-01");
+  EXPECT_TRUE(plan.may_erase);
+  EXPECT_TRUE(must(erase_patient(*access, "P-1", "asked for it")).erased);
+}
+
+TEST_F(Erasure, SaysWhatRemainsInBackupsAndExports) {
+  must(open_store(path)->backup(folder.file("monday.db")));
+  must(log_act(*access, "export", "", true, "csv"));
+  must(log_act(*access, "report", "P-2", true, "pdf"));
+  must(set_policy(*access, {600, 0}));
+  const auto done = must(erase_patient(*access, "P-1", "asked for it"));
+  ASSERT_EQ(done.remains.size(), 2u);
+  EXPECT_NE(done.remains[0].find("monday.db"), std::string::npos);
+  EXPECT_NE(done.remains[1].find("export"), std::string::npos);
+}
+
+TEST_F(Erasure, WaitsForARecording) {
+  must(set_policy(*access, {600, 0}));
+  const auto store = open_store(path);
+  const RowId patient = must(store->find_patient("P-2"))->id;
+  must(store->begin_trial(example_trial(must(store->begin_session(example_session(patient))))));
+  EXPECT_NE(refusal(erase_patient(*access, "P-1", "asked for it")).find("records into the file"),
+            std::string::npos);
+  EXPECT_TRUE(must(store->find_patient("P-1")).has_value());
+}
+
+TEST_F(Erasure, AsksForAReasonOfOneLine) {
+  EXPECT_FALSE(erase_patient(*access, "P-1", "").ok());
+  EXPECT_FALSE(erase_patient(*access, "P-1", "two\nlines").ok());
+  EXPECT_FALSE(erase_patient(*access, "P-1", std::string(201, 'x')).ok());
+}
+
+TEST_F(ProtectedClinic, ARestrictedIdentityIsSeenInAnEmergencyOnlyAndThatIsLogged) {
+  must(open_store(path)->add_patient("P-1"));
+  must(set_identity(*access, "P-1", {"Vera", "", ""}));
+  must(erase_patient(*access, "P-1", "asked for it"));
+  as("Theo");
+  EXPECT_NE(refusal(read_identity(*access, "P-1")).find("restricted until"), std::string::npos);
+  EXPECT_TRUE(must(all_identities(*access)).empty());
+  EXPECT_EQ(must(read_identity(*access, "P-1", "fell in the corridor"))->name, "Vera");
+  EXPECT_FALSE(erase_patient(*access, "P-1", "a therapist may not").ok());
+  as("Ada");
+  const auto entries = must(read_audit(*access, {"emergency access", ""}));
+  ASSERT_EQ(entries.size(), 1u);
+  EXPECT_EQ(entries[0].actor, "Theo");
+  EXPECT_EQ(entries[0].detail, "fell in the corridor");
+}
+
+TEST_F(ProtectedClinic, ErasureTakesTheIdentityToo) {
+  must(open_store(path)->add_patient("P-1"));
+  must(set_identity(*access, "P-1", {"Vera", "", ""}));
+  std::string sealed;
+  {
+    soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+    sql << "SELECT sealed FROM identities", soci::into(sealed);
+  }
+  must(set_policy(*access, {600, 0}));
+  must(erase_patient(*access, "P-1", "asked for it"));
+  for (const auto& name : folder.listing())
+    EXPECT_EQ(bytes_of(folder.file(name)).find(sealed.substr(20, 40)), std::string::npos) << name;
+  EXPECT_TRUE(must(check_audit(*access)).empty());
+}
+
+TEST_F(ProtectedClinic, TheLastWordOnAPurposeCounts) {
+  must(open_store(path)->add_patient("P-1"));
+  const auto say = [&](const char* purpose, const char* state) {
+    must(add_consent(*access, "P-1",
+                     {0, "2026-03-05", purpose, "consent", state, "SECRETFORM", "", ""}));
+    return must(may_be_used_for_research(*access, "P-1"));
+  };
+  EXPECT_TRUE(must(may_be_used_for_research(*access, "P-1")));
+  EXPECT_TRUE(say("research", "given"));
+  EXPECT_TRUE(say("treatment", "refused"));
+  EXPECT_FALSE(say("research", "withdrawn"));
+  EXPECT_TRUE(say("research", "given"));
+  EXPECT_EQ(must(consents(*access, "P-1")).size(), 4u);
+  EXPECT_EQ(must(consents(*access, "P-1")).at(0).text, "SECRETFORM");
+  EXPECT_EQ(must(consents(*access, "P-1")).at(0).recorded_by, "clinic passphrase");
+  EXPECT_EQ(bytes_of(path + "-wal").find("SECRETFORM"), std::string::npos);
+  for (Consent bad : {Consent{0, "2026-02-30", "research", "consent", "given", "", "", ""},
+                      Consent{0, "2026-03-05", "fun", "consent", "given", "", "", ""},
+                      Consent{0, "2026-03-05", "research", "a nod", "given", "", "", ""},
+                      Consent{0, "2026-03-05", "research", "consent", "maybe", "", "", ""}})
+    EXPECT_FALSE(add_consent(*access, "P-1", bad).ok());
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Laws of merging: what was there stays, twice is once, either way round gives the same.
+#include "storage/merge.hpp"
+
+#include <map>
+#include <set>
+
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+
+#include "tests/storage/examples.hpp"
+
+namespace isograsp {
+namespace {
+
+using Open = SessionStore::Open;
+
+/// Two sessions of two trials with everything that a file can hold of them.
+void add_sessions(SessionStore& store, RowId patient, unsigned seed) {
+  for (int s = 0; s < 2; ++s) {
+    SessionRecord record = example_session(patient);
+    record.started_utc =
+        "2026-03-0" + std::to_string(1 + s) + "T09:30:" + std::to_string(10 + seed) + "Z";
+    const RowId session = must(store.begin_session(
+        record, std::vector<SessionAnswer>{{"screening", "seed", std::to_string(seed)}}));
+    InstrumentZeroRecord zero;
+    zero.session_id = session;
+    zero.mean.fill(Vec6::Constant(seed));
+    zero.sd.fill(Vec6::Constant(0.1));
+    const RowId zero_id = must(store.add_zero(zero));
+    for (int t = 1; t <= 2; ++t) {
+      TrialRecord trial = example_trial(session, t);
+      trial.zero_id = zero_id;
+      trial.id = must(store.begin_trial(trial));
+      must(store.append_blocks(trial.id, 0, example_rows(trial, 50, 100 * seed + 10 * t + s)));
+      trial.status = TrialStatus::completed;
+      Measure measure;
+      measure.name = "rmse";
+      measure.value = seed + 0.5 * t;
+      Measure none;
+      none.name = "lag";
+      none.reason = "too short";
+      must(store.end_trial(trial, std::vector{measure, none}));
+      // The same twice: both are kept.
+      for (int i = 0; i < 2; ++i) must(store.add_event(session, {trial.id, 1.0, "note", "twice"}));
+      must(store.add_rating({0, session, trial.id, 2.0, "2026-03-01T10:00:00Z", 3, t}));
+    }
+    must(store.end_session(session, "2026-03-09T10:00:00Z"));
+  }
+}
+
+void make_station(const std::string& path, const std::string& code, unsigned seed) {
+  const auto store = open_store(path);
+  const RowId patient =
+      must(store->add_patient(code, "2026-01-0" + std::to_string(1 + seed) + "T00:00:00Z")).id;
+  must(store->set_profile(patient, {Side::left, Hand::right, "2025-11-01", "notes", "goals"}));
+  must(store->add_treatment_mark(patient, {0, "2026-02-01", "drug", std::to_string(seed)}));
+  must(store->add_clinical_score(patient, {0, "2026-02-02", "ARAT", seed + 0.5, ""}));
+  must(store->add_primary_measure(
+      patient, {0, "Grip force, sine", Hand::left, "rmse" + std::to_string(seed), "force",
+                "2026-02-03T00:00:00Z", "Therapist 7"}));
+  must(store->add_stable_period(patient, {0, "2026-0" + std::to_string(1 + seed) + "-01",
+                                          "2026-0" + std::to_string(1 + seed) + "-20",
+                                          "2026-05-01T00:00:00Z", "Therapist 7", ""}));
+  add_sessions(*store, patient, seed);
+}
+
+/// All content of a file without the numbers of rows, sorted: a set.
+std::multiset<std::string> content_of(const std::string& path) {
+  std::multiset<std::string> all;
+  const auto opened = open_store(path, Open::read_only);
+  SessionStore& store = *opened;
+  EXPECT_EQ(must(store.check()), std::vector<std::string>{});
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  for (const auto& patient : must(store.patients())) {
+    std::set<std::string> uuids{patient.uuid};
+    std::string uuid;
+    soci::statement select =
+        (sql.prepare << "SELECT uuid FROM patient_aliases WHERE patient_id = :id",
+         soci::use(patient.id), soci::into(uuid));
+    select.execute();
+    while (select.fetch()) uuids.insert(uuid);
+    std::string names = patient.uuid + " of";
+    for (const auto& one : uuids) names += " " + one;
+    const std::string who = patient.code + " ";
+    all.insert(who + patient.created_utc + names);
+    const auto profile = must(store.profile(patient.id));
+    all.insert(who + "profile " + profile.onset_date + profile.notes + profile.goals);
+    for (const auto& one : must(store.treatment_marks(patient.id)))
+      all.insert(who + one.on_date + one.kind + one.text);
+    for (const auto& one : must(store.clinical_scores(patient.id)))
+      all.insert(who + one.on_date + one.scale + std::to_string(one.value));
+    for (const auto& one : must(store.primary_measures(patient.id)))
+      all.insert(who + one.task_name + one.measure + one.chosen_utc);
+    for (const auto& one : must(store.stable_periods(patient.id)))
+      all.insert(who + one.from_date + one.until_date + one.judged_by);
+    for (const auto& session : must(store.sessions(patient.id))) {
+      const std::string of = who + session.uuid + " ";
+      all.insert(of + session.started_utc + session.ended_utc + session.device_uri);
+      for (const auto& one : must(store.answers(session.id)))
+        all.insert(of + one.topic + one.item + one.value);
+      for (const auto& one : must(store.zeros(session.id)))
+        all.insert(of + "zero " + std::to_string(one.mean[0][0]));
+      std::map<RowId, std::string> uuid_of_trial{{0, "none"}};
+      const auto trials = must(store.trials(session.id));
+      for (const auto& trial : trials) uuid_of_trial[trial.id] = trial.uuid;
+      for (const auto& one : must(store.events(session.id)))
+        all.insert(of + one.kind + one.text + uuid_of_trial.at(one.trial_id));
+      for (const auto& one : must(store.ratings(session.id)))
+        all.insert(of + std::to_string(one.pain) + uuid_of_trial.at(one.trial_id));
+      for (const auto& trial : trials) {
+        EXPECT_EQ(trial.zero_id, must(store.zeros(session.id)).front().id);
+        all.insert(of + trial.uuid + std::to_string(trial.number) + trial.signals_hash);
+        EXPECT_EQ(must(store.signals(trial)).rows(), 50u);
+        for (const auto& one : must(store.measures(trial.id)))
+          all.insert(of + trial.uuid + one.name + one.reason +
+                     (one.value ? std::to_string(*one.value) : ""));
+      }
+    }
+  }
+  return all;
+}
+
+struct Merge : testing::Test {
+  TemporaryFolder folder;
+  std::string a = folder.file("a.db");
+  std::string b = folder.file("b.db");
+
+  [[nodiscard]] std::string copy(const std::string& of, const std::string& name) const {
+    const std::string to = folder.file(name);
+    must(open_store(of, Open::read_only)->backup(to));
+    return to;
+  }
+  static void execute(const std::string& path, const std::string& statement) {
+    soci::session(soci::sqlite3, "db=\"" + path + "\"") << statement;
+  }
+  /// Both ways round give the same, and again changes nothing. That content.
+  std::multiset<std::string> expect_laws(const std::vector<std::string>& same = {}) {
+    const std::string ab = copy(a, "ab.db");
+    const std::string ba = copy(b, "ba.db");
+    const auto other = content_of(b);
+    const auto report = must(merge_databases(ab, b, same));
+    EXPECT_EQ(report.conflicts, std::vector<std::string>{});
+    EXPECT_EQ(must(merge_databases(ba, a, same)).conflicts, std::vector<std::string>{});
+    const auto whole = content_of(ab);
+    EXPECT_EQ(content_of(ba), whole);
+    EXPECT_EQ(content_of(b), other) << "the other file stays as it was";
+    for (const auto& [into, from] : {std::pair{ab, b}, {ab, a}, {ba, ab}, {ab, ba}}) {
+      const auto again = must(merge_databases(into, from));  // who is who is known by now
+      EXPECT_EQ(again.conflicts, std::vector<std::string>{});
+      EXPECT_EQ(again.patients_added + again.sessions_added + again.trials_added, 0);
+      EXPECT_EQ(content_of(into), whole);
+    }
+    return whole;
+  }
+};
+
+TEST_F(Merge, OfScratchFilesGivesTheSameBytesEachTime) {
+  const auto whole = [&](const std::string& name) {
+    const std::string into = folder.file(name);
+    open_store(into, Open::scratch);
+    for (const unsigned seed : {1U, 2U}) {
+      const std::string part = folder.file(name + std::to_string(seed));
+      add_sessions(*open_store(part, Open::scratch),
+                   must(open_store(part, Open::scratch)
+                            ->add_patient("A-" + std::to_string(seed), "2026-01-01T00:00:00Z"))
+                       .id,
+                   seed);
+      EXPECT_EQ(must(merge_databases(into, part, {}, Open::scratch)).patients_added, 1);
+    }
+    return bytes_of(into);
+  };
+  EXPECT_EQ(whole("one.db"), whole("two.db"));
+}
+
+TEST_F(Merge, OfDifferentPatientsHoldsBoth) {
+  make_station(a, "A-1", 1);
+  make_station(b, "B-1", 2);
+  auto both = content_of(a);
+  for (const auto& line : content_of(b)) both.insert(line);
+  EXPECT_EQ(expect_laws(), both);
+}
+
+TEST_F(Merge, OfOnePatientThatWasEnteredTwiceJoinsThemOnlyWhenToldSo) {
+  make_station(a, "P-1", 1);
+  make_station(b, "p-1", 2);
+  const auto before = content_of(a);
+  const auto refused = must(merge_databases(a, b));
+  ASSERT_EQ(refused.conflicts.size(), 1u);
+  EXPECT_NE(refused.conflicts[0].find("--same-patient p-1"), std::string::npos);
+  EXPECT_EQ(content_of(a), before);
+  expect_laws({"P-1"});
+  const auto store = open_store(folder.file("ab.db"));
+  ASSERT_EQ(must(store->patients()).size(), 1u);
+  EXPECT_EQ(must(store->patients())[0].created_utc, "2026-01-02T00:00:00Z");
+  const auto sessions = must(store->sessions(must(store->patients())[0].id));
+  ASSERT_EQ(sessions.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(sessions.begin(), sessions.end(), [](const auto& x, const auto& y) {
+    return x.started_utc < y.started_utc;
+  }));
+}
+
+TEST_F(Merge, OfACopyThatWentOnAddsWhatIsNew) {
+  make_station(a, "P-1", 1);
+  b = copy(a, "b.db");
+  {
+    const auto store = open_store(a);
+    add_sessions(*store, must(store->patients())[0].id, 3);
+    must(store->add_patient("Q-1"));
+  }
+  {
+    const auto store = open_store(b);
+    add_sessions(*store, must(store->patients())[0].id, 4);
+    must(store->add_treatment_mark(1, {0, "2026-02-09", "therapy", "at b"}));
+  }
+  const auto whole = expect_laws();
+  for (const auto& station : {content_of(a), content_of(b)})
+    EXPECT_TRUE(std::includes(whole.begin(), whole.end(), station.begin(), station.end()));
+  const auto report = must(merge_databases(a, b));
+  EXPECT_EQ(report.patients_added, 0);
+  EXPECT_EQ(report.sessions_added, 2);
+  EXPECT_EQ(report.trials_added, 4);
+  EXPECT_EQ(report.trials_present, 4);
+}
+
+TEST_F(Merge, OfDifferentContentUnderOneUuidIsReportedAndNothingIsChanged) {
+  struct Change {
+    const char* statement;
+    const char* reported;
+  };
+  make_station(a, "P-1", 1);
+  const std::string sound = copy(a, "sound.db");
+  const auto before = content_of(a);
+  int number = 0;
+  for (const Change& change :
+       {Change{"UPDATE trials SET helped = 1 WHERE id = 2", "trial 2 of the session of P-1"},
+        {"UPDATE trials SET signals_blake2b = zeroblob(32) WHERE id = 3", "(signals_blake2b)"},
+        {"UPDATE sessions SET hand = 'right' WHERE id = 1", "(hand)"},
+        {"UPDATE patient_profiles SET notes = 'other'", "the profile of P-1"},
+        {"UPDATE measures SET value = value + 1 WHERE trial_id = 1", "with different measures"},
+        {"DELETE FROM measures WHERE trial_id = 4", "with different measures"},
+        {"UPDATE patients SET code = 'P-2'", "their codes must agree"},
+        {"UPDATE primary_measures SET chosen_by = 'X'", "was chosen in both files"},
+        {"UPDATE stable_periods SET until_date = '2026-02-19'", "overlap on 2026-02-01"}}) {
+    b = copy(sound, "b" + std::to_string(++number) + ".db");
+    execute(b, change.statement);
+    execute(b,
+            "INSERT INTO patients (code, created_utc, uuid) VALUES ('N-1', '', "
+            "'00000000-0000-4000-8000-000000000000')");
+    const auto report = must(merge_databases(a, b));
+    ASSERT_FALSE(report.conflicts.empty()) << change.statement;
+    EXPECT_NE(report.conflicts[0].find(change.reported), std::string::npos) << report.conflicts[0];
+    EXPECT_EQ(content_of(a), before) << change.statement;
+  }
+}
+
+TEST_F(Merge, IsRefusedWithAFileThatCannotBeMerged) {
+  make_station(a, "P-1", 1);
+  const auto before = content_of(a);
+  EXPECT_FALSE(merge_databases(a, a).ok()) << "with itself";
+  EXPECT_FALSE(merge_databases(a, folder.file("absent.db")).ok());
+  std::filesystem::copy_file(std::string(ISOGRASP_SOURCE_DIR) + "/tests/data/format_5.db", b);
+  const auto old = merge_databases(a, b);
+  ASSERT_FALSE(old.ok());
+  EXPECT_NE(old.error().message().find("isograsp db migrate"), std::string::npos);
+  const std::string c = folder.file("c.db");
+  make_station(c, "C-1", 2);
+  const std::vector<std::string> wrong{"C-9"};
+  EXPECT_FALSE(merge_databases(a, c, wrong).ok());
+  const auto recording = open_store(c);
+  TrialRecord trial = example_trial(1, 9);
+  trial.id = must(recording->begin_trial(trial));
+  const auto running = merge_databases(a, c);
+  ASSERT_FALSE(running.ok());
+  EXPECT_NE(running.error().message().find("is being recorded"), std::string::npos);
+  EXPECT_EQ(content_of(a), before);
+}
+
+}  // namespace
+}  // namespace isograsp

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file with one patient, for tests of what is known of a person.
+#pragma once
+
+#include "tests/storage/examples.hpp"
+
+namespace isograsp {
+
+struct OnePatient : testing::Test {
+  TemporaryFolder folder;
+  std::string path = folder.file("clinic.db");
+  std::unique_ptr<SessionStore> store = open_store(path);
+  RowId patient = must(store->add_patient("P-0427")).id;
+
+  void reopen() {
+    store.reset();
+    store = open_store(path, SessionStore::Open::existing);
+  }
+};
+
+}  // namespace isograsp

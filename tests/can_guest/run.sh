@@ -1,9 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# run.sh INIT TESTS: runs the program TESTS where there is a kernel CAN bus. 77 = skipped.
+# run.sh INIT STATE TESTS: runs the program TESTS where there is a kernel CAN bus. STATE lets the
+# guest kernel run on processors newer than itself. 77 = skipped.
 set -u
 init=$1
-tests=$2
+state=$2
+tests=$3
 
 # A bus of this kernel's own: needs the vcan module and the right to add interfaces.
 own=isograsp-vcan
@@ -32,7 +34,7 @@ processor=$(taskset -cp $$ | sed 's/.*[^0-9]//')
 # where that is allowed.
 passes() {
   nice -n -20 taskset -c "$processor" \
-    "$uml" mem=384M rootfstype=hostfs rootflags=/ ro init="$init" con=null con0=null,fd:1 quiet \
+    env LD_PRELOAD="$state" "$uml" mem=384M rootfstype=hostfs rootflags=/ ro init="$init" con=null con0=null,fd:1 quiet \
     ${ISOGRASP_LONG:+"ISOGRASP_LONG=1"} -- "$tests" </dev/null >"$log" 2>&1
   tr -d '\r' <"$log"
   grep -q '^guest: exit status 77' "$log" && exit 77

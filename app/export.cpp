@@ -43,8 +43,8 @@ Result<void> run_export(const ExportOptions& options) {
   if (!store) return store.error();
   ExportRequest request{options.patient};
   if (options.session != 0) request.first_session = request.last_session = options.session;
-  // Names the patient who is not there.
-  if (const auto listed = list_export(**store, request); !listed) return listed.error();
+  const auto left_out = count_not_released(**store, request);
+  if (!left_out) return left_out.error();
   ProgressBar bar("Exporting");
   const auto written = write_export(**store, request, *format, options.out,
                                     [&](double done, const std::string& code) {
@@ -55,9 +55,14 @@ Result<void> run_export(const ExportOptions& options) {
                                  written.ok(), options.format);
   if (!written) return written.error();
   if (!logged) return logged.error();
-  const std::string text = std::to_string(*written) + (*written == 1 ? " trial" : " trials") +
-                           " written to " + options.out;
-  const nlohmann::ordered_json json{{"out", options.out}, {"trials", *written}};
+  std::string text = std::to_string(*written) + (*written == 1 ? " trial" : " trials") +
+                     " written to " + options.out;
+  if (*left_out > 0)
+    text += "\nleft out: " + std::to_string(*left_out) +
+            (*left_out == 1 ? " patient who is" : " patients who are") +
+            " not released for research";
+  const nlohmann::ordered_json json{
+      {"out", options.out}, {"trials", *written}, {"patients_not_released", *left_out}};
   std::puts(options.json ? json.dump(2).c_str() : text.c_str());
   return {};
 }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
@@ -33,7 +34,7 @@ struct ImportOptions {
   std::string task;
   std::string scene;
   std::string patient;
-  std::string hand = "right";
+  std::string hand;  ///< empty: as the sidecar says, else right
   LoginOptions login;
 };
 
@@ -85,15 +86,58 @@ Result<void> import_forces(const ImportOptions& options) {
   if (!options.config.empty()) run.device += "&config=" + options.config;
   run.database = options.database;
   run.patient = options.patient;
-  run.hand = options.hand;
+  run.hand = options.hand.empty() ? "right" : options.hand;
   run.fast = true;
   return run_session(run);
 }
 
+/// What the JSON file that was exported beside the signals says of them.
+struct Sidecar {
+  std::string hand;  ///< empty: there is no such file
+  bool simulated = false;
+};
+Result<Sidecar> read_sidecar(const std::string& signals) {
+  constexpr std::string_view kEnd = "_signals.csv";
+  std::error_code ignored;
+  if (!signals.ends_with(kEnd)) return Sidecar{};
+  const std::string path = signals.substr(0, signals.size() - kEnd.size()) + ".json";
+  if (!std::filesystem::exists(path, ignored)) return Sidecar{};
+  const auto text = read_text(path);
+  if (!text) return text.error();
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  const auto wrong = [&path](const char* field, const char* what) {
+    return Error{Error::Code::bad_input,
+                 what,
+                 "export the trial again, or move this file away",
+                 path,
+                 0,
+                 field};
+  };
+  if (!json.is_object() || !json.contains("format") || json["format"] != "isograsp-trial-2")
+    return wrong("format", "is no sidecar of an exported trial");
+  const auto session = json.find("session");
+  if (session == json.end() || !session->is_object() || !session->contains("hand") ||
+      !session->at("hand").is_string() || !session->contains("simulated") ||
+      !session->at("simulated").is_boolean())
+    return wrong("session", "tells no hand or not whether the forces were simulated");
+  return Sidecar{session->at("hand").get<std::string>(), session->at("simulated").get<bool>()};
+}
+
 Result<void> import_signals(const ImportOptions& options) {
-  const auto hand = hand_option(options.hand);
+  const auto sidecar = read_sidecar(options.signals);
+  if (!sidecar) return sidecar.error();
+  if (!options.hand.empty() && !sidecar->hand.empty() && options.hand != sidecar->hand)
+    return Error{Error::Code::bad_input,
+                 "these signals are of the " + sidecar->hand + " hand",
+                 "leave --hand out, or move the JSON file beside them away",
+                 options.signals,
+                 0,
+                 "--hand"};
+  const std::string given = options.hand.empty() ? sidecar->hand : options.hand;
+  const auto hand = hand_option(given.empty() ? "right" : given);
   if (!hand) return hand.error();
   RecordedTrial trial;
+  trial.simulated = sidecar->simulated;
   trial.patient_code = options.patient;
   trial.file = std::filesystem::path(options.signals).filename();
   const auto task = load_task(options.task);
@@ -165,7 +209,8 @@ void add_import(CLI::App& app, Action& action) {
   command->add_option("--scene", options->scene, "Scene file (TOML) stored with the signals");
   command->add_option("--patient", options->patient,
                       "Whose forces or signals they are; created if new");
-  command->add_option("--hand", options->hand, "right or left")->capture_default_str();
+  command->add_option("--hand", options->hand,
+                      "right or left; of exported signals as told beside them, else right");
   command->add_option("--db", options->database, "Database; made if it does not exist")->required();
   options->login.add_to(*command);
   command->footer(

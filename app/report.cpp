@@ -60,15 +60,19 @@ struct Options {
   LoginOptions login;
 };
 
-Result<void> write(const Options& options) {
-  if (!options.all) return write_report(options.database, options.patient, options.out);
-  return write_all_reports({options.database, options.out, options.format, options.threads});
-}
-
 Result<void> run(const Options& options) {
-  const auto access = log_in(options.database, options.login);
+  auto access = log_in(options.database, options.login);
   if (!access) return access.error();
-  auto done = write(options);
+  Result<void> done;
+  std::shared_ptr<const void> login;
+  if (options.all) {
+    // The processes that write have no connection in common; they have the login.
+    if (*access) login = (*access)->keep_login();
+    access->reset();
+    done = write_all_reports({options.database, options.out, options.format, options.threads});
+  } else {
+    done = write_report(options.database, options.patient, options.out);
+  }
   const bool pdf = options.all ? options.format == "pdf" : options.out.ends_with(".pdf");
   auto logged = log_act_of(options.database, access->get(), "report", options.patient, done.ok(),
                            pdf ? "pdf" : "html");

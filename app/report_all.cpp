@@ -2,12 +2,14 @@
 #include "app/report_all.hpp"
 
 #include <atomic>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <new>
 #include <vector>
 
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -119,10 +121,13 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
     return problem("no memory for the processes", "close other programs", "");
   Shared& shared = *memory.get();
   std::vector<pid_t> children;
+  const pid_t parent = getpid();
   for (int i = 0; i < options.threads; ++i) {
     const pid_t child = fork();
     if (child < 0) break;
     if (child == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody writes on when the command was killed
+      if (getppid() != parent) _exit(1);
       work(*codes, options, shared);
       _exit(0);  // nothing of the parent is ended twice
     }

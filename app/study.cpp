@@ -40,6 +40,31 @@ Result<void> check_out(const StudyOptions& options) {
                "--out"};
 }
 
+Result<void> write_study(const StudyOptions& options, const Study& study) {
+  const auto store = SessionStore::open_to_read(options.database);
+  if (!store) return store.error();
+  ProgressBar bar("Study");
+  const auto data =
+      gather_study(**store, study, options.study, [&bar](double done, const std::string& subject) {
+        bar.show(done, subject);
+        return true;
+      });
+  if (!data) return data.error();
+  std::vector<GroupAnalysis> analyses;
+  for (const auto& group : data->groups) analyses.push_back(analyse(study, group));
+  if (options.out.ends_with(".csv")) {
+    if (auto done = write_text(options.out, study_csv(study, *data)); !done) return done;
+  } else if (!options.out.empty()) {
+    ensure_qt_application();
+    const auto report = study_report(study, *data, analyses);
+    const auto page = options.out.ends_with(".html") ? study_html(report) : study_pdf(report);
+    if (auto done = write_text(options.out, page); !done) return done;
+  }
+  bar.show(1.0);
+  if (options.json) std::fputs(study_json(study, *data, analyses).c_str(), stdout);
+  return {};
+}
+
 Result<void> run_study(const StudyOptions& options) {
   if (auto done = check_out(options); !done) return done;
   const auto text = read_text(options.study);
@@ -50,30 +75,9 @@ Result<void> run_study(const StudyOptions& options) {
   if (auto done = check_different(options.database, options.out); !done) return done;
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
-  const auto store = SessionStore::open_to_read(options.database);
-  if (!store) return store.error();
-  ProgressBar bar("Study");
-  const auto data =
-      gather_study(**store, *study, options.study, [&bar](double done, const std::string& subject) {
-        bar.show(done, subject);
-        return true;
-      });
-  if (!data) return data.error();
-  std::vector<GroupAnalysis> analyses;
-  for (const auto& group : data->groups) analyses.push_back(analyse(*study, group));
-  if (options.out.ends_with(".csv")) {
-    if (auto done = write_text(options.out, study_csv(*study, *data)); !done) return done;
-  } else if (!options.out.empty()) {
-    ensure_qt_application();
-    const auto report = study_report(*study, *data, analyses);
-    const auto page = options.out.ends_with(".html") ? study_html(report) : study_pdf(report);
-    if (auto done = write_text(options.out, page); !done) return done;
-  }
-  if (auto logged = log_act_of(options.database, access->get(), "study", "", true, ""); !logged)
-    return logged;
-  bar.show(1.0);
-  if (options.json) std::fputs(study_json(*study, *data, analyses).c_str(), stdout);
-  return {};
+  auto done = write_study(options, *study);
+  auto logged = log_act_of(options.database, access->get(), "study", "", done.ok(), "");
+  return done ? logged : done;
 }
 
 }  // namespace

@@ -97,6 +97,13 @@ void append_number(std::string& text, double value) {
   text.append(number.data(), print_number(number.data(), value));
 }
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
 std::string format_number(double value) {
   std::string text;
   append_number(text, value);

@@ -21,6 +21,8 @@ inline constexpr std::size_t kLongestNumber = 24;
 char* print_number(char* at, double value) noexcept;
 void append_number(std::string& text, double value);
 [[nodiscard]] std::string format_number(double value);
+/// A field of words: in quotes if it has to be.
+[[nodiscard]] std::string csv_field(const std::string& text);
 
 /// Reads a whole field as a finite number: no blanks, no trailing characters, no "nan" or "inf".
 [[nodiscard]] bool parse_number(std::string_view field, double& value) noexcept;

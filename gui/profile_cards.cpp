@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::array<Side, 4> kSides{Side::left, Side::right, Side::both, Side::none};
 constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
+constexpr std::array<Sex, 3> kSexes{Sex::female, Sex::male, Sex::other};
 constexpr int kText_px = 76;  // four lines
 
 template <class Values, class Value>
@@ -75,6 +76,7 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
   column_->addWidget(affected_);
   column_->addWidget(caption(tr("Dominant hand"), dominant_));
   column_->addWidget(dominant_);
+  add_sex_and_year();
   column_->addWidget(caption(tr("Onset"), onset_));
   column_->addWidget(onset_);
   column_->addWidget(onset_remark_);
@@ -83,7 +85,7 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
   column_->addWidget(caption(tr("Notes"), notes_));
   column_->addWidget(notes_, 1);
 
-  for (auto* segments : {affected_, dominant_})
+  for (auto* segments : {affected_, dominant_, sex_})
     connect(segments, &Segments::chosen_by_user, this, &PersonCard::left);
   // Half a date may be another one: 2025-02-2 on the way to 2025-02-29. A whole one is taken.
   connect(onset_, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -99,6 +101,61 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
   });
   for (auto* field : {goals_, notes_})
     connect(field, &QPlainTextEdit::textChanged, this, &PersonCard::typed);
+}
+
+/// Side by side: they belong together, to find healthy people of the same kind.
+void PersonCard::add_sex_and_year() {
+  sex_ = new Segments({{"sex_female", tr("Female"), tr("Sex: female"), "Ctrl+7"},
+                       {"sex_male", tr("Male"), tr("Sex: male"), "Ctrl+8"},
+                       {"sex_other", tr("Other"), tr("Sex: other"), "Ctrl+9"}},
+                      this);
+  born_ = new QLineEdit;
+  born_->setObjectName("birth_year");
+  born_->setPlaceholderText(tr("not known"));
+  born_->setMaxLength(4);
+  describe(*born_, tr("Year of birth"),
+           tr("Four digits; empty: not known; the day belongs to the name (Ctrl+Shift+B)"));
+  add_key(this, "Ctrl+Shift+B", [this] { born_->setFocus(); });
+  born_remark_ = new Remark;
+  born_remark_->setObjectName("birth_year_remark");
+  auto* row = new QGridLayout;
+  row->setColumnStretch(0, 2);
+  row->setColumnStretch(1, 1);
+  row->addWidget(caption(tr("Sex"), sex_), 0, 0);
+  row->addWidget(sex_, 1, 0);
+  row->addWidget(caption(tr("Year of birth"), born_), 0, 1);
+  row->addWidget(born_, 1, 1);
+  column_->addLayout(row);
+  column_->addWidget(born_remark_);
+  connect(born_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    born_remark_->say({});
+    if (text.size() < born_->maxLength()) return;
+    finish_year();
+    if (!born_remark_->warns()) Q_EMIT typed();
+  });
+  connect(born_, &QLineEdit::editingFinished, this, [this] {
+    finish_year();
+    Q_EMIT left();
+  });
+}
+
+QString PersonCard::refused() const {
+  if (onset_remark_->warns()) return tr("Saved, but for the onset");
+  return born_remark_->warns() ? tr("Saved, but for the year of birth") : QString();
+}
+
+void PersonCard::finish_year() {
+  const QString text = born_->text().trimmed();
+  bool number = false;
+  const int year = text.toInt(&number);
+  const int now = static_cast<int>(local_today().year());
+  born_remark_->say({});
+  if (text.isEmpty())
+    birth_year_.reset();
+  else if (number && year >= kFirstYear && year <= now)
+    birth_year_ = year;
+  else
+    born_remark_->warn(tr("Not stored. Give a year from %1 to %2.").arg(kFirstYear).arg(now));
 }
 
 QPlainTextEdit* PersonCard::text_field(const QString& name, const QString& title,
@@ -121,6 +178,12 @@ bool PersonCard::eventFilter(QObject* watched, QEvent* event) {
 void PersonCard::show_profile(const PatientProfile& profile) {
   affected_->choose(index_in(kSides, profile.affected));
   dominant_->choose(index_in(kHands, profile.dominant));
+  sex_->choose(index_in(kSexes, profile.sex));
+  birth_year_ = profile.birth_year;
+  {
+    const QSignalBlocker quiet(born_);
+    born_->setText(profile.birth_year ? QString::number(*profile.birth_year) : QString());
+  }
   onset_iso_ = profile.onset_date;
   {
     const QSignalBlocker quiet(onset_);
@@ -136,11 +199,17 @@ void PersonCard::show_profile(const PatientProfile& profile) {
 }
 
 PatientProfile PersonCard::profile() const {
-  return {value_at(kSides, affected_->chosen()), value_at(kHands, dominant_->chosen()), onset_iso_,
-          notes_->toPlainText().toStdString(), goals_->toPlainText().toStdString()};
+  return {value_at(kSides, affected_->chosen()),
+          value_at(kHands, dominant_->chosen()),
+          onset_iso_,
+          notes_->toPlainText().toStdString(),
+          goals_->toPlainText().toStdString(),
+          value_at(kSexes, sex_->chosen()),
+          birth_year_};
 }
 
 void PersonCard::finish() {
+  finish_year();
   const QString text = onset_->text().trimmed();
   const auto onset = onset_->typed();
   if (text.isEmpty()) {

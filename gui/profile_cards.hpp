@@ -12,7 +12,7 @@
 
 namespace isograsp {
 
-/// Affected side, dominant hand, onset; goals and notes.
+/// Affected side, dominant hand, sex, year of birth, onset; goals and notes.
 class PersonCard final : public Card {
   Q_OBJECT
 
@@ -20,11 +20,12 @@ class PersonCard final : public Card {
   explicit PersonCard(QWidget* parent = nullptr);
   /// A new person: nothing that was typed before can come back by Ctrl+Z.
   void show_profile(const PatientProfile& profile);
-  /// Takes the onset as it stands there, or says why it makes no sense.
+  /// Takes onset and year of birth as they stand there, or says why they make no sense.
   void finish();
-  /// As the fields say; an onset that is being typed or makes no sense is left as it was.
+  /// As the fields say; a day or year that is being typed or makes no sense is left as it was.
   [[nodiscard]] PatientProfile profile() const;
-  [[nodiscard]] bool onset_refused() const { return onset_remark_->warns(); }
+  /// What is not stored because it makes no sense, as a sentence; empty: nothing.
+  [[nodiscard]] QString refused() const;
 
  Q_SIGNALS:
   void typed();  ///< more may follow
@@ -34,11 +35,17 @@ class PersonCard final : public Card {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void add_sex_and_year();
+  void finish_year();
   [[nodiscard]] QPlainTextEdit* text_field(const QString& name, const QString& title,
                                            const QString& tooltip, const QString& key);
 
   Segments* affected_;
   Segments* dominant_;
+  Segments* sex_;
+  QLineEdit* born_;
+  Remark* born_remark_;
+  std::optional<int> birth_year_;  ///< the last one that made sense
   DateField* onset_;
   Remark* onset_remark_;
   std::string onset_iso_;  ///< the last one that made sense

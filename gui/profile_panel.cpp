@@ -228,8 +228,8 @@ void ProfilePanel::show_state() {
     words = tr("Reading …");
   else if (delay_.isActive() || under_way_ > 0)
     words = tr("Saving …");
-  else if (person_->onset_refused())
-    words = tr("Saved, but for the onset");
+  else if (const auto refused = person_->refused(); !refused.isEmpty())
+    words = refused;
   else if (changed_)
     words = tr("Saved");
   state_->setText(words);

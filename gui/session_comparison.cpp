@@ -87,6 +87,8 @@ QString difference(const SessionRecord& a, const SessionRecord& b) {
   if (a.rate_Hz != b.rate_Hz) return QObject::tr("The two sessions have different frame rates.");
   if (a.device_delay_s != b.device_delay_s)
     return QObject::tr("The filter delay of the device differs between the two sessions.");
+  if (a.display_delay_s != b.display_delay_s)
+    return QObject::tr("The measured delay of the display differs between the two sessions.");
   return {};
 }
 

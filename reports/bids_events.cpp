@@ -18,6 +18,14 @@ constexpr std::array<const char*, 6> kPhases{"lead_in", "active", "transport",
                                              "hold",    "paused", "done"};
 constexpr std::array<const char*, 8> kCues{"hand_out", "relax",     "squeeze", "press",
                                            "follow",   "reproduce", "let_go",  "move"};
+constexpr std::array<const char*, kCues.size()> kAskedTo{"take the hand out",
+                                                         "relax",
+                                                         "squeeze",
+                                                         "press",
+                                                         "follow the target",
+                                                         "reproduce the force without seeing it",
+                                                         "let go",
+                                                         "move the object"};
 
 struct Row {
   double onset_s = 0.0;
@@ -80,7 +88,8 @@ std::string bids_events_sidecar() {
   Json levels;
   for (const char* phase : kPhases)
     levels[std::string("phase_") + phase] = "the task is in this phase";
-  for (const char* cue : kCues) levels[std::string("cue_") + cue] = "the patient was asked to";
+  for (std::size_t i = 0; i < kCues.size(); ++i)
+    levels[std::string("cue_") + kCues[i]] = std::string("the patient was asked to ") + kAskedTo[i];
   levels["fault"] = "the device had a fault";
   levels["pause"] = "the trial was paused";
   levels["resume"] = "the trial went on";

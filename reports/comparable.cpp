@@ -23,18 +23,47 @@ bool same_gain(const VisualGain& a, const VisualGain& b) {
          alike(*a.deg_per_N * a.maximum_force_N, *b.deg_per_N * b.maximum_force_N);
 }
 
+Conditions conditions_of(const StoredTrial& trial) {
+  const SessionRecord& session = *trial.session_record;
+  return {session.rate_Hz,
+          session.device_delay_s,
+          session.display_delay_s,
+          {trial.trial.visual_gain_deg_per_N, trial.trial.maximum_force_N}};
+}
+
+Conditions conditions_of(const PooledValue& value) {
+  return {value.rate_Hz,
+          value.device_delay_s,
+          value.display_delay_s,
+          {value.visual_gain_deg_per_N, value.maximum_force_N}};
+}
+
+std::string difference(const Conditions& a, const Conditions& b) {
+  if (a.device_delay_s != b.device_delay_s) return "other filter delay of the device";
+  if (a.display_delay_s != b.display_delay_s) return "other delay of the display";
+  if (a.rate_Hz != b.rate_Hz) return "other frame rate";
+  return same_gain(a.gain, b.gain) ? "" : "other visual gain";
+}
+
 std::string difference(const StoredTrial& a, const StoredTrial& b) {
   if (source_of(*a.session_record) != source_of(*b.session_record)) return "other source of forces";
   if (a.trial.task_version != b.trial.task_version) return "other version of the task";
   if (a.trial.task_text != b.trial.task_text) return "other task parameters";
   if (a.trial.scene_text != b.trial.scene_text) return "other object or scene";
-  if (a.session_record->device_delay_s != b.session_record->device_delay_s)
-    return "other filter delay of the device";
-  if (a.session_record->rate_Hz != b.session_record->rate_Hz) return "other frame rate";
-  if (!same_gain({a.trial.visual_gain_deg_per_N, a.trial.maximum_force_N},
-                 {b.trial.visual_gain_deg_per_N, b.trial.maximum_force_N}))
-    return "other visual gain";
-  return "";
+  return difference(conditions_of(a), conditions_of(b));
+}
+
+PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure) {
+  return {like.trial.task_name,
+          like.trial.task_version,
+          like.trial.task_text,
+          like.trial.scene_text,
+          measure.name,
+          measure.channel,
+          measure.unit,
+          measure.version,
+          like.session_record->simulated,
+          like.session_record->recorded};
 }
 
 double DayCounter::day_of(const std::string& started_utc) {

@@ -21,8 +21,23 @@ struct VisualGain {
 };
 [[nodiscard]] bool same_gain(const VisualGain& a, const VisualGain& b);
 
+/// What a trial was measured and shown with.
+struct Conditions {
+  double rate_Hz = 0.0;
+  double device_delay_s = 0.0;
+  std::optional<double> display_delay_s;  ///< lags are corrected by it; nothing: they are not
+  VisualGain gain;
+};
+[[nodiscard]] Conditions conditions_of(const StoredTrial& trial);
+[[nodiscard]] Conditions conditions_of(const PooledValue& value);
+/// Why values measured so must not be compared; empty: they may.
+[[nodiscard]] std::string difference(const Conditions& a, const Conditions& b);
+
 /// Why two trials of one task and hand must not be compared; empty: they may.
 [[nodiscard]] std::string difference(const StoredTrial& a, const StoredTrial& b);
+
+/// What values of other people must equal to be pooled with `measure` of a trial.
+[[nodiscard]] PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure);
 
 /// Days are told apart by the time between sessions, not by dates: a working day of the clinic can
 /// have two dates in UTC, and where the clinic is, is not stored. A session that begins less than

@@ -100,6 +100,7 @@ std::vector<ExportFact> session_facts(const ExportTrial& trial) {
           {"protocol", session.protocol_name},
           {"rate_Hz", session.rate_Hz},
           {"device_delay_s", session.device_delay_s},
+          {"display_delay_s", known(session.display_delay_s)},
           {"software_version", session.software_version},
           {"cpu_features", session.cpu_features},
           {"seed", session.seed},

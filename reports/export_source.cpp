@@ -65,6 +65,28 @@ void add_forces_of_the_hand(ExportTrial& exported) {
 
 }  // namespace
 
+Error not_released(const std::string& code, const std::string& file, const std::string& field) {
+  return {Error::Code::bad_input,
+          "the records of " + code + " are not released for research",
+          "leave this person out, or record the consent that was given",
+          file,
+          0,
+          field};
+}
+
+Result<std::size_t> count_not_released(SessionStore& store, const ExportRequest& request) {
+  const auto patients = store.patients();
+  if (!patients) return patients.error();
+  std::size_t count = 0;
+  for (const auto& patient : *patients) {
+    if (!request.patient.empty() && patient.code != request.patient) continue;
+    const auto released = store.may_be_used_for_research(patient.id);
+    if (!released) return released.error();
+    if (!*released) ++count;
+  }
+  return count;
+}
+
 Result<void> for_each_trial(SessionStore& store, const ExportRequest& request,
                             const std::function<Result<void>(const ExportSource&)>& visit) {
   const auto patients = store.patients();
@@ -75,6 +97,10 @@ Result<void> for_each_trial(SessionStore& store, const ExportRequest& request,
     ++number;
     if (!request.patient.empty() && patient.code != request.patient) continue;
     found = true;
+    const auto released = store.may_be_used_for_research(patient.id);
+    if (!released) return released.error();
+    if (!*released && request.patient.empty()) continue;
+    if (!*released) return not_released(patient.code, store.path(), "--patient");
     const auto sessions = store.sessions(patient.id);
     if (!sessions) return sessions.error();
     const auto profile = store.profile(patient.id);

@@ -27,8 +27,19 @@ struct ExportSource {
   std::string first_started_utc;  ///< of the patient's first session
 };
 
+/// The last word on research was no, or the records are restricted. `field`: of `file` or an
+/// option.
+[[nodiscard]] Error not_released(const std::string& code, const std::string& file,
+                                 const std::string& field);
+
+/// How many of the people asked for are left out: the last word on research was no, or their
+/// records are restricted.
+[[nodiscard]] Result<std::size_t> count_not_released(SessionStore& store,
+                                                     const ExportRequest& request);
+
 /// Calls `visit` for each trial asked for, by patient, session and trial. Those being recorded now
-/// are not among them. Errors: bad_input for a patient who is not there.
+/// are not among them, nor those of people who are not released for research. Errors: bad_input for
+/// a patient who is named and not there, or not released.
 [[nodiscard]] Result<void> for_each_trial(
     SessionStore& store, const ExportRequest& request,
     const std::function<Result<void>(const ExportSource&)>& visit);

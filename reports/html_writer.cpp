@@ -41,7 +41,7 @@ struct HtmlReport::Parts {
       cells.push_back(
           {escaped(row.task) + small(row.hand + " hand"),
            escaped(row.measure) + small(row.direction),
-           escaped(row.baseline) + small(row.baseline_basis), escaped(row.last),
+           escaped(row.baseline) + small(row.baseline_basis), escaped(row.last) + small(row.beside),
            escaped(row.change) + small(row.mdc),
            (row.primary ? "<strong>" + escaped(row.verdict) + "</strong>" : escaped(row.verdict)) +
                small(row.verdict_basis)});
@@ -52,7 +52,7 @@ struct HtmlReport::Parts {
   }
 
   void quality() {
-    if (content_.quality.empty()) return;
+    if (content_.quality.empty() || content_.sessions.empty()) return;
     const auto& last = content_.sessions.back();
     out_ += "<section class=\"quality\"><h2>Was the last measurement valid?</h2>\n<dl>\n";
     out_ += QString("<dt>Session</dt><dd>%1, %2, %3 hand, %4</dd>\n")

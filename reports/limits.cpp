@@ -15,12 +15,17 @@ namespace isograsp {
 
 namespace {
 
-constexpr std::size_t kRecentDays = 3;
-constexpr double kRecent_days = 28.0;       ///< older days are not what the hand does now
-constexpr std::size_t kDaysForOwnBest = 2;  ///< before the newest ones
+constexpr std::size_t kDaysAveraged = 3;
+constexpr double kRecent_days = 28.0;            ///< older days are not what the hand does now
+constexpr double kOldestReference_days = 183.0;  ///< of the other hand: half of a year
+constexpr std::size_t kDaysForOwnBest = 2;       ///< before the newest ones
 
-/// A finger cannot be laid on its support more exactly; smaller direction errors count as this.
+// Smaller values count as these: they cannot be told apart, and nothing is divided by nothing.
+constexpr double kLeastForce_N = 0.1;  ///< within the drift of a zero and the rest of a finger
+/// A finger cannot be laid on its support more exactly.
 constexpr double kLeastAngle_rad = 5.0 * std::numbers::pi / 180.0;
+constexpr double kLeastTime_s = 0.01;        ///< one frame at 100 Hz
+constexpr double kLeastError_percent = 1.0;  ///< of the largest target
 
 /// Where a component is read from: a measure of a kind of task; the mean over these channels.
 struct Candidate {
@@ -37,16 +42,18 @@ bool is_a(const TaskSpec& spec) {
 }
 /// The first one that was measured counts.
 constexpr std::array kCandidates{
-    Candidate{Component::strength, "maximum_force", "grip", Comparison::larger, is_a<MaximumSpec>},
-    Candidate{Component::strength, "maximum_force", "pinch", Comparison::larger, is_a<MaximumSpec>},
-    Candidate{Component::opening, "maximum_force", "opening", Comparison::larger,
-              is_a<MaximumSpec>},
+    Candidate{Component::strength, "maximum_force", "grip", Comparison::larger, is_a<MaximumSpec>,
+              kLeastForce_N},
+    Candidate{Component::strength, "maximum_force", "pinch", Comparison::larger, is_a<MaximumSpec>,
+              kLeastForce_N},
+    Candidate{Component::opening, "maximum_force", "opening", Comparison::larger, is_a<MaximumSpec>,
+              kLeastForce_N},
     Candidate{Component::opening, "maximum_force", "_opening", Comparison::larger,
-              is_a<DirectionalMaximaSpec>},
+              is_a<DirectionalMaximaSpec>, kLeastForce_N},
     Candidate{Component::release, "release_time_restricted", "", Comparison::smaller,
-              is_a<GripReleaseSpec>},
+              is_a<GripReleaseSpec>, kLeastTime_s},
     Candidate{Component::control, "relative_rmse", "force", Comparison::smaller,
-              is_a<ForceTrackingSpec>},
+              is_a<ForceTrackingSpec>, kLeastError_percent},
     Candidate{Component::individuation, "individuation_index", "", Comparison::logarithm,
               is_a<IndividuationSpec>},
     Candidate{Component::direction, "direction_error", "", Comparison::smaller,
@@ -54,19 +61,31 @@ constexpr std::array kCandidates{
     Candidate{Component::direction, "direction_error", "", Comparison::smaller,
               is_a<DirectionalMaximaSpec>, kLeastAngle_rad}};
 
-bool is_meant(const Candidate& candidate, const Measure& measure) {
-  return measure.name == candidate.measure && measure.value &&
-         measure.channel.ends_with(candidate.channel);
+/// What of `trial` the candidate is the mean of.
+std::vector<const Measure*> meant(const StoredTrial& trial, const Candidate& candidate) {
+  std::vector<const Measure*> all;
+  for (const auto& measure : trial.measures)
+    if (measure.name == candidate.measure && measure.value &&
+        measure.channel.ends_with(candidate.channel))
+      all.push_back(&measure);
+  return all;
 }
 
-std::optional<double> value_of(const StoredTrial& trial, const Candidate& candidate) {
+/// Nothing: `trial` has not the same channels in the same version and unit.
+std::optional<double> value_of(const StoredTrial& trial, const StoredTrial& like,
+                               const Candidate& candidate) {
+  const auto same = [](const Measure* a, const Measure* b) {
+    return a->channel == b->channel && a->version == b->version && a->unit == b->unit;
+  };
+  const auto ours = meant(trial, candidate);
+  const auto theirs = meant(like, candidate);
+  if (ours.empty() ||
+      !std::is_permutation(ours.begin(), ours.end(), theirs.begin(), theirs.end(), same))
+    return std::nullopt;
   double sum = 0.0;
-  int count = 0;
-  for (const auto& measure : trial.measures)
-    if (is_meant(candidate, measure)) sum += *measure.value, ++count;
-  if (count == 0) return std::nullopt;
-  const double mean = sum / count;
-  return candidate.comparison == Comparison::smaller ? std::max(mean, candidate.least) : mean;
+  for (const Measure* measure : ours) sum += *measure->value;
+  const double mean = sum / static_cast<double>(ours.size());
+  return candidate.comparison == Comparison::logarithm ? mean : std::max(mean, candidate.least);
 }
 
 /// The days of trials that may be compared with `like`, oldest first.
@@ -77,7 +96,7 @@ std::vector<ComponentDay> days_of(const std::vector<const StoredTrial*>& trials,
   int count = 0;
   for (const StoredTrial* trial : trials) {
     if (!counts(trial->trial) || !difference(*trial, like).empty()) continue;
-    const auto value = value_of(*trial, candidate);
+    const auto value = value_of(*trial, like, candidate);
     if (!value) continue;
     const ReportSession& session = sessions[trial->session];
     if (days.empty() || days.back().day != session.day) {
@@ -89,12 +108,12 @@ std::vector<ComponentDay> days_of(const std::vector<const StoredTrial*>& trials,
   return days;
 }
 
-std::span<const ComponentDay> newest(const std::vector<ComponentDay>& days) {
+std::span<const ComponentDay> newest(std::span<const ComponentDay> days) {
   std::size_t first = days.size() - 1;
-  while (first > 0 && days.size() - first < kRecentDays &&
+  while (first > 0 && days.size() - first < kDaysAveraged &&
          days.back().day - days[first - 1].day <= kRecent_days)
     --first;
-  return std::span(days).subspan(first);
+  return days.subspan(first);
 }
 
 double mean_of(std::span<const ComponentDay> days) {
@@ -128,7 +147,11 @@ std::optional<Measured> measured(const TrialsOfTasks& tasks, Component component
         Measured one{&candidate, &like, days_of(trials, like, candidate, sessions), {}};
         if (const auto both = tasks.find({other, task.second}); both != tasks.end())
           one.other = days_of(both->second, like, candidate, sessions);
-        if (one.hand.empty() || one.other.empty() == with_other) continue;
+        if (one.hand.empty() || sessions.back().day - one.hand.back().day > kRecent_days) continue;
+        if (!one.other.empty() &&
+            one.hand.back().day - one.other.back().day > kOldestReference_days)
+          one.other.clear();
+        if (one.other.empty() == with_other) continue;
         if (!found || found->hand.back().day < one.hand.back().day) found = std::move(one);
       }
       if (found) return found;
@@ -164,17 +187,19 @@ std::string treatment_words(const TreatmentMark& mark) {
   return format_date(mark.on_date) + ", " + kind;
 }
 
-/// The newest mark that lies between two assessments.
+/// The newest mark that lies between two assessments, with the newest days on either side of it.
 std::string since_treatment(std::span<const TreatmentMark> marks,
-                            const std::vector<ComponentDay>& days, double now,
-                            const std::string& unit) {
+                            const std::vector<ComponentDay>& days, const std::string& unit) {
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     const auto after = std::find_if(days.begin(), days.end(), [&](const ComponentDay& day) {
       return day.date >= mark->on_date;
     });
     if (after == days.begin() || after == days.end()) continue;
-    return treatment_words(*mark) + ": " + format_value((after - 1)->value, unit) + " before, " +
-           format_value(now, unit) + " now";
+    const auto value = [&](auto from, auto to) {
+      return format_value(mean_of(newest(std::span(from, to))), unit);
+    };
+    return treatment_words(*mark) + ": " + value(days.begin(), after) + " before, " +
+           value(after, days.end()) + " now";
   }
   return "";
 }
@@ -188,11 +213,10 @@ ComponentResult judged(const Measured& one, Hand other, bool compare_hands) {
   ComponentResult result;
   result.component = candidate.component;
   result.task = one.like->trial.task_name;
-  const auto measure = std::find_if(one.like->measures.begin(), one.like->measures.end(),
-                                    [&](const Measure& m) { return m.name == candidate.measure; });
-  result.unit = measure->unit;
-  result.measure = words_for(measure->name, candidate.channel.starts_with("_") ? std::string_view{}
-                                                                               : candidate.channel)
+  const Measure& measure = *meant(*one.like, candidate).front();
+  result.unit = measure.unit;
+  result.measure = words_for(measure.name, candidate.channel.starts_with("_") ? std::string_view{}
+                                                                              : candidate.channel)
                        .title;
   const auto now = newest(one.hand);
   result.value = mean_of(now);
@@ -216,10 +240,6 @@ ComponentResult judged(const Measured& one, Hand other, bool compare_hands) {
     result.reference_basis = "own best day, " + format_date(best->date);
   }
   result.reference = mean_of(reference);
-  if (*result.reference <= 0.0 && candidate.comparison != Comparison::logarithm) {
-    result.reason = "the reference is not positive";
-    return result;
-  }
   result.share = share_of(now, reference, candidate.comparison);
   result.standing = result.share->high < 1.0  ? Standing::below
                     : result.share->low < 1.0 ? Standing::not_clear
@@ -244,9 +264,6 @@ std::string_view training_for(Component component) noexcept {
 
 Share share_of(std::span<const ComponentDay> hand, std::span<const ComponentDay> reference,
                Comparison comparison) {
-  const auto positive = [](const ComponentDay& day) { return day.value > 0.0; };
-  if (comparison != Comparison::logarithm && !std::all_of(hand.begin(), hand.end(), positive))
-    return {};
   const Logarithms ours = logarithms(hand, comparison);
   const Logarithms theirs = logarithms(reference, comparison);
   const double log_share = ours.mean - theirs.mean;
@@ -274,7 +291,7 @@ LimitsOfHand limits_of(const PatientRecords& records, std::span<const TreatmentM
       continue;
     }
     auto& result = limits.components.emplace_back(judged(*one, other, limits.other_hand));
-    result.treatment = since_treatment(marks, one->hand, *result.value, result.unit);
+    result.treatment = since_treatment(marks, one->hand, result.unit);
   }
   return limits;
 }

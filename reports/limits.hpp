@@ -49,8 +49,8 @@ struct Share {
 /// Day-to-day SD of a logarithm that is taken for granted at least: the upper end of what the
 /// verdicts of change are proven for (docs/change.md).
 inline constexpr double kLeastDaySd = 0.20;
-/// Of means of logarithms over days, each with the SD of its days, kLeastDaySd at least. A force
-/// that is not positive is a share of 0, without an interval. @pre neither is empty
+/// Of means of logarithms over days, each with the SD of its days, kLeastDaySd at least.
+/// @pre neither is empty; values are positive unless they are logarithms
 [[nodiscard]] Share share_of(std::span<const ComponentDay> hand,
                              std::span<const ComponentDay> reference, Comparison comparison);
 

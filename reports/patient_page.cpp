@@ -23,8 +23,10 @@ std::string plain_name(const MeasureSeries& series) {
   };
   constexpr Plain kPlain[] = {{"maximum_force", "opening", "how strongly you open your hand"},
                               {"opening_force", "", "how strongly you open your hand"},
-                              {"maximum_force", "", "how strongly you grip"},
-                              {"maximum_window_mean", "", "how strongly you grip"},
+                              {"maximum_force", "grip", "how strongly you grip"},
+                              {"maximum_force", "pinch", "how strongly you pinch"},
+                              {"maximum_force", "", "how strongly you press"},
+                              {"maximum_window_mean", "", "how strongly you press"},
                               {"release", "", "how soon you let go"},
                               {"residual", "", "how fully you let go"},
                               {"relative_rmse", "", "how closely you follow the line"},
@@ -44,8 +46,8 @@ std::string plain_name(const MeasureSeries& series) {
   return "what we measure together";
 }
 
-std::string in_plain_words(const MeasureSeries& series) {
-  const std::string what = plain_name(series);
+std::string in_plain_words(const MeasureSeries& series, Hand hand) {
+  const std::string what = plain_name(series) + " (" + std::string(name_of(hand)) + " hand)";
   const auto& change = series.verdict->change;
   switch (change.verdict) {
     case Verdict::improved:
@@ -85,12 +87,13 @@ Panel patient_page(const ReportContent& content) {
   for (const auto& section : content.sections)
     for (const auto& series : section.series) {
       if (!series.verdict) continue;
-      auto line = in_plain_words(series);
+      auto line = in_plain_words(series, section.hand);
       if (std::find(panel.lines.begin(), panel.lines.end(), line) == panel.lines.end())
         panel.lines.push_back(std::move(line));
     }
   if (const auto* main = main_limit(content.limits))
-    panel.lines.push_back("Next we practise " + std::string(plain_name(main->component)) + ".");
+    panel.lines.push_back("Next we practise " + std::string(plain_name(main->component)) +
+                          " with the " + std::string(name_of(content.limits.hand)) + " hand.");
   if (!dose.weeks.empty())
     panel.plots.push_back(
         {"Minutes of practice, week by week",

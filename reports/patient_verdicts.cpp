@@ -13,7 +13,7 @@ Result<std::vector<PatientVerdict>> gather_verdicts(SessionStore& store, const s
   auto records = read_patient(store, code);
   if (!records) return records.error();
   const auto tasks = sort_by_task(*records);
-  const VerdictContext context{store, records->primaries, records->profile.affected};
+  const VerdictContext context{store, records->primaries, records->profile};
   std::vector<PatientVerdict> all;
   for (const auto& primary : context.primaries) {
     PatientVerdict one{primary, "", Source::device, 1, {}};

@@ -100,7 +100,7 @@ void add_glance(std::vector<Block>& blocks, const ReportContent& content) {
         {{text_of(row.task), kBody, text_of(row.hand) + " hand"},
          {text_of(row.measure), kBody, text_of(row.direction)},
          {text_of(row.baseline), kBody, text_of(row.baseline_basis)},
-         {text_of(row.last), kStrong, ""},
+         {text_of(row.last), kStrong, text_of(row.beside)},
          {text_of(row.change), kBody, text_of(row.mdc)},
          {text_of(row.verdict), row.primary ? kStrong : kBody, text_of(row.verdict_basis)}},
         false, 0.5, Palette::line()));
@@ -113,7 +113,7 @@ void add_glance(std::vector<Block>& blocks, const ReportContent& content) {
 }
 
 void add_quality(std::vector<Block>& blocks, const ReportContent& content) {
-  if (content.quality.empty()) return;
+  if (content.quality.empty() || content.sessions.empty()) return;
   const auto& last = content.sessions.back();
   blocks.push_back(heading_block("Was the last measurement valid?", kSectionGap));
   constexpr double kPad = 10.0;

@@ -30,6 +30,17 @@ QCPRange range_of(std::initializer_list<const Values*> lists) {
   return {from_zero ? 0.0 : low - air, high + air};
 }
 
+Values scaled(std::span<const double> column, double factor) {
+  Values values;
+  values.reserve(static_cast<int>(column.size()));
+  for (const double value : column) values.push_back(value * factor);
+  return values;
+}
+
+bool any_number(std::span<const double> column) {
+  return std::any_of(column.begin(), column.end(), [](double v) { return std::isfinite(v); });
+}
+
 QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QPen& pen) {
   QCPGraph* graph =
       rect.parentPlot()->addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 
 #include <qcustomplot.h>
 
@@ -14,10 +15,15 @@ inline constexpr double kRight = 6.0;
 inline constexpr double kBelow = 27.0;
 inline constexpr double kAboveWithKey = 14.0;
 
+inline constexpr double kFinest = 1.0;  ///< detail along an axis [points]: the width of a line
+
 using Values = QVector<double>;
 
 /// Smallest range around all numbers, with some air; from zero where the values allow it.
 [[nodiscard]] QCPRange range_of(std::initializer_list<const Values*> lists);
+
+[[nodiscard]] Values scaled(std::span<const double> column, double factor);
+[[nodiscard]] bool any_number(std::span<const double> column);
 
 QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QPen& pen);
 

@@ -87,7 +87,8 @@ Result<PracticeDose> dose_of(SessionStore& store, const PatientRecords& records)
   std::vector<std::size_t> week_of;  // of each session: index into dose.weeks
   for (std::size_t i = 0; i < records.sessions.size(); ++i) {
     const double session_day = records.shown[i].day;
-    const int week = 1 + static_cast<int>(std::floor(session_day / kWeek_days));
+    // The same day of the next week may come an hour earlier.
+    const int week = 1 + static_cast<int>(std::floor(std::round(session_day) / kWeek_days));
     while (dose.weeks.empty() || dose.weeks.back().week < week)
       dose.weeks.push_back({dose.weeks.empty() ? week : dose.weeks.back().week + 1});
     DoseWeek& one = dose.weeks.back();

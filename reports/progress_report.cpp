@@ -159,7 +159,7 @@ Result<ReportContent> gather_progress(SessionStore& store, const std::string& co
                   is_early(records->profile.onset_date, content.sessions.back().date);
 
   const auto tasks = sort_by_task(*records);
-  const VerdictContext context{store, std::move(records->primaries), records->profile.affected,
+  const VerdictContext context{store, std::move(records->primaries), records->profile,
                                period.has_value()};
   const auto watch = between(kSessionsEnd, kTrialsEnd);
   for (const auto& [task, all] : tasks) {

@@ -14,6 +14,7 @@
 #include "reports/change.hpp"
 #include "reports/compass.hpp"
 #include "reports/limits.hpp"
+#include "reports/norm_band.hpp"
 #include "reports/practice_dose.hpp"
 #include "tasks/task_spec.hpp"
 
@@ -73,6 +74,8 @@ struct MeasureSeries {
   std::string trend;  ///< over all days, in words (series_trend.hpp); empty: too few
   std::vector<PracticeValue> practice;
   std::optional<ChangeVerdict> verdict;  ///< of primary measures; all others are shown without
+  std::optional<NormBand> norm =
+      std::nullopt;  ///< of key measures; nothing: nobody is like this person
 };
 
 /// A completed trial with what is needed to draw it.

@@ -113,6 +113,30 @@ std::string mdc_words(const ChangeJudgement& change, const std::string& unit) {
                                      with_unit(format_change(*change.mdc_up, unit), printed));
 }
 
+/// The same measure of the other hand, in the same task.
+std::string other_hand_words(const ReportContent& content, const TaskSection& section,
+                             const MeasureSeries& series) {
+  for (const auto& other : content.sections) {
+    if (other.task != section.task || other.hand == section.hand ||
+        other.version != section.version || other.source != section.source)
+      continue;
+    for (const auto& same : other.series)
+      if (same.name == series.name && same.channel == series.channel && same.last &&
+          same.unit == series.unit && same.version == series.version)
+        return std::string(name_of(other.hand)) + " hand " +
+               with_unit(format_value(*same.last, same.unit), same.unit);
+  }
+  return "";
+}
+
+std::string healthy_words(const MeasureSeries& series) {
+  if (!series.norm) return "";
+  const std::string count = "n\u00a0" + std::to_string(series.norm->values.size());
+  if (!series.norm->low) return "healthy: " + count + ", too few for a band";
+  return "healthy " + format_value(*series.norm->low, series.unit) + " to " +
+         with_unit(format_value(*series.norm->high, series.unit), series.unit) + " (" + count + ")";
+}
+
 std::vector<GlanceRow> glance_rows(const ReportContent& content) {
   std::vector<GlanceRow> rows;
   for (const auto& section : content.sections)
@@ -134,6 +158,9 @@ std::vector<GlanceRow> glance_rows(const ReportContent& content) {
       row.baseline = shown(series.baseline);
       row.baseline_basis = series.baseline ? series.baseline_basis : "";
       row.last = last;
+      row.beside = other_hand_words(content, section, series);
+      if (const auto healthy = healthy_words(series); !healthy.empty())
+        row.beside += (row.beside.empty() ? "" : "; ") + healthy;
       auto change = series.change;
       if (series.verdict && series.verdict->change.change) change = series.verdict->change.change;
       row.change = change ? with_unit(format_change(*change, series.unit),
@@ -262,23 +289,32 @@ std::vector<std::array<std::string, 4>> series_table(const MeasureSeries& series
 }
 
 std::string trend_key(const ReportContent& content) {
+  const bool healthy =
+      std::any_of(content.sections.begin(), content.sections.end(), [](const auto& section) {
+        return std::any_of(section.series.begin(), section.series.end(),
+                           [](const auto& series) { return series.norm.has_value(); });
+      });
   const bool judged =
       std::any_of(content.sections.begin(), content.sections.end(), [](const auto& section) {
         return std::any_of(section.series.begin(), section.series.end(), [](const auto& series) {
           return series.verdict && series.verdict->change.mdc_up;
         });
       });
-  return "In the trends: filled \u25cf mean of a session (\u25a0 left hand) \u00b7 hollow \u25cb "
-         "first day \u00b7 small dots single trials \u00b7 dotted line baseline \u00b7 \u00d7 a "
-         "trial without a value \u00b7 small hollow \u25cb practice \u00b7 double line: other "
-         "conditions from here on \u00b7 dashed upright line: treatment (B botulinum toxin, D "
-         "drug, O "
-         "orthosis, T therapy, X other)" +
-         std::string(judged ? " \u00b7 band: not larger than measurement error." : ".") +
-         " Under the title: trend of all days (Theil and Sen) with its 95 % interval; of times "
-         "that "
-         "did not always come, how often they came and the rank correlation with time (misses tied "
-         "as longest, negative: sooner).";
+  std::string key =
+      "In the trends: filled \u25cf mean of a session (\u25a0 left hand) \u00b7 hollow \u25cb "
+      "first day \u00b7 small dots single trials \u00b7 dotted line baseline \u00b7 \u00d7 a "
+      "trial without a value \u00b7 small hollow \u25cb practice \u00b7 double line: other "
+      "conditions from here on \u00b7 dashed upright line: treatment (B botulinum toxin, D drug, "
+      "O orthosis, T therapy, X other)";
+  if (judged) key += " \u00b7 band: not larger than measurement error";
+  if (healthy)
+    key +=
+        " \u00b7 at the right edge healthy people of the same sex, age decade and dominance: bar "
+        "the middle 90 %, \u25b3 one of fewer than twenty";
+  return key +
+         ". Under the title: trend of all days (Theil and Sen) with its 95 % interval; of times "
+         "that did not always come, how often they came and the rank correlation with time (misses "
+         "tied as longest, negative: sooner).";
 }
 
 std::string footer(const ReportContent& content) {

@@ -31,6 +31,7 @@ struct GlanceRow {
   std::string baseline;
   std::string baseline_basis;
   std::string last;
+  std::string beside;  ///< the other hand, healthy people; empty: neither is known
   std::string change;
   std::string mdc;        ///< "MDC95 −2.1 / +2.9 N"; empty: none
   std::string direction;  ///< "lower is better"

@@ -34,9 +34,16 @@ Result<void> publish(const fs::path& from, const fs::path& to) {
                    to / file,
                    0,
                    ""};
-  for (const auto& file : files) {
-    fs::create_directories((to / file).parent_path());
-    fs::rename(from / file, to / file);
+  std::size_t moved = 0;
+  try {
+    for (; moved < files.size(); ++moved) {
+      fs::create_directories((to / files[moved]).parent_path());
+      fs::rename(from / files[moved], to / files[moved]);
+    }
+  } catch (const fs::filesystem_error& why) {
+    std::error_code ignored;
+    for (std::size_t i = 0; i < moved; ++i) fs::remove(to / files[i], ignored);
+    return not_written(why, to);
   }
   return {};
 }

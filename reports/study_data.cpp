@@ -2,12 +2,14 @@
 #include "reports/study_data.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
 
 #include "reports/comparable.hpp"
+#include "reports/export_source.hpp"
 #include "reports/patient_records.hpp"
 
 namespace isograsp {
@@ -43,8 +45,8 @@ bool selects_session(const TrialSelection& selection, const ReportSession& sessi
   if (!selection.sessions.empty() && std::find(selection.sessions.begin(), selection.sessions.end(),
                                                session.number) == selection.sessions.end())
     return false;
-  if (selection.days && (session.day < selection.days->from || session.day > selection.days->to))
-    return false;
+  const double day = std::round(session.day);  // assessments are on days, not at hours
+  if (selection.days && (day < selection.days->from || day > selection.days->to)) return false;
   return is_hand(*selection.hand, session.hand, profile);
 }
 
@@ -275,6 +277,9 @@ Result<StudyData> gather_study(SessionStore& store, const Study& study, const st
         return cancelled();
       auto records = read_patient(store, codes[number]);
       if (!records) return records.error();
+      const auto released = store.may_be_used_for_research(records->patient.id);
+      if (!released) return released.error();
+      if (!*released) return not_released(codes[number], file, "patients");
       Subject& subject = subjects[number];
       subject.records = *std::move(records);
       choose(study, conditions, subject, group.cells[row], left_out);

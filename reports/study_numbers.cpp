@@ -147,14 +147,6 @@ Json as_json(const StudyGroupData& group, const GroupAnalysis& analysis,
   return json;
 }
 
-/// A field of a CSV file: in quotes if it must be.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
 }  // namespace
 
 std::string study_json(const Study& study, const StudyData& data,
@@ -178,19 +170,22 @@ std::string study_json(const Study& study, const StudyData& data,
 std::string study_csv(const Study& study, const StudyData& data) {
   const auto conditions = conditions_of(study);
   std::string text = "group,subject,condition";
-  for (const auto& factor : study.factors) text += "," + field(factor.name);
-  text += ",value,unit,sessions,trials,reason\n";
+  for (const auto& factor : study.factors) text += "," + csv_field(factor.name);
+  text += ",value,unit,sessions,trials,reason,source\n";
   for (const auto& group : data.groups)
     for (std::size_t s = 0; s < group.subjects.size(); ++s)
       for (std::size_t c = 0; c < conditions.size(); ++c) {
         const auto& cell = group.cells[s][c];
-        text += field(group.name) + "," + group.subjects[s] + "," + field(conditions[c].name);
+        text +=
+            csv_field(group.name) + "," + group.subjects[s] + "," + csv_field(conditions[c].name);
         const auto last = study.factors.back().levels.size();
-        if (study.factors.size() > 1) text += "," + field(study.factors[0].levels[c / last].name);
-        text += "," + field(study.factors.back().levels[c % last].name) + ",";
+        if (study.factors.size() > 1)
+          text += "," + csv_field(study.factors[0].levels[c / last].name);
+        text += "," + csv_field(study.factors.back().levels[c % last].name) + ",";
         if (cell.value) append_number(text, *cell.value);
-        text += "," + field(data.unit) + "," + std::to_string(cell.sessions) + "," +
-                std::to_string(cell.trials) + "," + field(cell.reason) + "\n";
+        text += "," + csv_field(data.unit) + "," + std::to_string(cell.sessions) + "," +
+                std::to_string(cell.trials) + "," + csv_field(cell.reason) + "," +
+                std::string(name_of(study.source)) + "\n";
       }
   return text;
 }

@@ -195,11 +195,14 @@ std::optional<Panel> dose_panel(const ReportContent& content) {
   panel.lines.push_back(std::to_string(dose.days) + (dose.days == 1 ? " day, " : " days, ") +
                         std::to_string(std::lround(dose.active_s / 60.0)) + " active minutes, " +
                         std::to_string(dose.repetitions) + " repetitions.");
-  panel.plots.push_back(
-      {"Active minutes per week", "The table below holds the same numbers.", 1.0, 74.0,
-       [&dose](QSizeF size, double unit) { return dose_plot(dose, false, size, unit); }});
   // Of a long course the table shows the newest weeks, the plot all.
   constexpr std::size_t kMostRows = 8;
+  panel.plots.push_back(
+      {"Active minutes per week",
+       dose.weeks.size() > kMostRows ? "The table below holds the numbers of the newest weeks."
+                                     : "The table below holds the same numbers.",
+       1.0, 74.0,
+       [&dose](QSizeF size, double unit) { return dose_plot(dose, false, size, unit); }});
   PanelTable table{"Practice per week",
                    {"Week", "Sessions", "Active minutes", "Repetitions", "Most effort (0 to 10)",
                     "Most pain (0 to 10)"},

@@ -40,6 +40,22 @@ void add_practice(const std::vector<const StoredTrial*>& practised, MeasureSerie
         series.practice.push_back({trial->session, *measure.value});
 }
 
+/// To the key measures what healthy people do.
+Result<void> add_norms(const VerdictContext& context, const StoredTrial& like,
+                       TaskSection& section) {
+  const PatientProfile& person = context.profile;
+  if (!person.sex || !person.birth_year || !person.dominant) return {};
+  for (auto& series : section.series) {
+    if (!series.key && primary_of(context, section, series.name, series.channel) == nullptr)
+      continue;
+    const auto healthy = context.store.healthy_values(pool_query(like, series));
+    if (!healthy) return healthy.error();
+    series.norm =
+        norm_band(*healthy, like, context.profile, words_for(series.name, series.channel).censored);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<TaskSection> make_section(const VerdictContext& context,
@@ -103,6 +119,8 @@ Result<TaskSection> make_section(const VerdictContext& context,
   std::stable_sort(section.series.begin(), section.series.end(),
                    [&](const auto& a, const auto& b) { return place(a).rank < place(b).rank; });
   for (auto& series : section.series) series.key = place(series).prominence == Prominence::key;
+  if (auto compared_with = add_norms(context, *compared.back(), section); !compared_with)
+    return compared_with.error();
   if (auto judged = judge_section(context, *compared.back(), sessions, section); !judged)
     return judged.error();
   return section;

@@ -64,6 +64,23 @@ void add_word(PlotView& view, QCPAxisRect& rect, double x, double y, const QStri
   label->setColor(Palette::ink());
 }
 
+/// Healthy people at the right edge: a bar of the middle 90 %, or a triangle for each of a few.
+void add_norm(PlotView& view, QCPAxisRect& rect, const NormBand& norm, double x, double factor) {
+  constexpr double kFromEdge = 0.12;  // sessions
+  x -= kFromEdge;
+  if (norm.low) {
+    add_line(rect, {x, x}, {*norm.low * factor, *norm.high * factor},
+             QPen(Palette::quiet(), view.px(2.4), Qt::SolidLine, Qt::FlatCap));
+    return;
+  }
+  Values values;
+  for (const double value : norm.values) values.push_back(value * factor);
+  QCPGraph& marks = add_line(rect, Values(values.size(), x), values, QPen(Qt::NoPen));
+  marks.setLineStyle(QCPGraph::lsNone);
+  marks.setScatterStyle(
+      {QCPScatterStyle::ssTriangle, QPen(Palette::quiet(), view.px(0.6)), Qt::white, view.px(3.4)});
+}
+
 /// Treatments between two sessions, and where the conditions changed.
 void add_marks_of_time(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
                        const ReportContent& content) {
@@ -140,7 +157,13 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
     x_practice.push_back(content.sessions[session].number);
     practice.push_back(value * printed.factor);
   }
-  QCPRange range = range_of({&mean, &trials, &band, &practice});
+  Values norm;
+  if (series.norm) {
+    norm = {series.norm->values.front(), series.norm->values.back()};
+    if (series.norm->low) norm = {*series.norm->low, *series.norm->high};
+    for (double& value : norm) value *= printed.factor;
+  }
+  QCPRange range = range_of({&mean, &trials, &band, &practice, &norm});
   // "of 5": the scale is known.
   if (series.unit.starts_with("of "))
     range = {0.0, 1.08 * std::strtod(series.unit.c_str() + 3, nullptr)};
@@ -181,6 +204,7 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
     add_line(rect, {span.low, span.high}, {base, base},
              dashed(Palette::quiet(), view.px(0.7), {1.5, 2.5}));
   }
+  if (series.norm) add_norm(view, rect, *series.norm, span.high, printed.factor);
   add_marks_of_time(view, rect, section, content);
   add_line(rect, x, mean, QPen(color, view.px(1.0)));
   const auto add_marks = [&](const Values& keys, const Values& values,

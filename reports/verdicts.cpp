@@ -46,19 +46,6 @@ std::string second_assessment_utc(const std::vector<AssessmentDay>& days,
   return "";
 }
 
-StableQuery query_of(const StoredTrial& like, const MeasureSeries& series) {
-  return {like.trial.task_name,
-          like.trial.task_version,
-          like.trial.task_text,
-          like.trial.scene_text,
-          series.name,
-          series.channel,
-          series.unit,
-          series.version,
-          like.session_record->simulated,
-          like.session_record->recorded};
-}
-
 /// Why this patient's data cannot be judged, whatever the pool says; empty: they can.
 std::string obstacle(const VerdictContext& context, const PrimaryMeasure& primary,
                      const TaskSection& section, const std::vector<AssessmentDay>& days,
@@ -69,7 +56,7 @@ std::string obstacle(const VerdictContext& context, const PrimaryMeasure& primar
   const std::string second = second_assessment_utc(days, sessions);
   if (!second.empty() && primary.chosen_utc > second)  // ISO 8601 sorts as text
     return "chosen on " + format_date(primary.chosen_utc) + ", after the second assessment";
-  if (!hand_status(context.affected, section.hand)) return "the affected side is not known";
+  if (!hand_status(context.profile.affected, section.hand)) return "the affected side is not known";
   return "";
 }
 
@@ -84,14 +71,14 @@ Result<ChangeVerdict> judge(const VerdictContext& context, const PrimaryMeasure&
   verdict.reason = obstacle(context, primary, section, days, sessions);
   if (!verdict.reason.empty()) return verdict;
   const auto words = words_for(series.name, series.channel);
-  auto values = context.store.stable_values(query_of(like, series));
+  auto values = context.store.stable_values(pool_query(like, series));
   if (!values) return values.error();
   // Nobody is judged by their own variation.
-  std::erase_if(*values, [&](const StableValue& value) {
+  std::erase_if(*values, [&](const PooledValue& value) {
     return value.patient_id == like.session_record->patient_id;
   });
   const auto stable =
-      stable_days(*values, *hand_status(context.affected, section.hand), words.censored);
+      stable_days(*values, *hand_status(context.profile.affected, section.hand), words.censored);
   const auto pool =
       pool_of(stable, words.error_grows ? ErrorScale::logarithmic : ErrorScale::linear);
   verdict.people = pool.people;
@@ -113,25 +100,20 @@ std::optional<HandStatus> hand_status(std::optional<Side> affected, Hand hand) {
   return std::nullopt;
 }
 
-std::vector<StableDays> stable_days(std::span<const StableValue> values, HandStatus status,
+std::vector<StableDays> stable_days(std::span<const PooledValue> values, HandStatus status,
                                     bool censored) {
   std::vector<StableDays> all;
   using Key = std::tuple<RowId, RowId, Hand>;
   struct Newest {
     std::size_t place = 0;  ///< in `all`
-    const StableValue* value = nullptr;
+    const PooledValue* value = nullptr;
     DayCounter counter;
   };
   std::map<Key, Newest> newest;
-  const auto broken = [](const StableValue& a, const StableValue& b) {
-    return a.rate_Hz != b.rate_Hz || a.device_delay_s != b.device_delay_s ||
-           !same_gain({a.visual_gain_deg_per_N, a.maximum_force_N},
-                      {b.visual_gain_deg_per_N, b.maximum_force_N});
-  };
   for (const auto& value : values) {
     if (hand_status(value.affected, value.hand) != status) continue;
     auto& [place, last, counter] = newest[{value.patient_id, value.period_id, value.hand}];
-    if (last == nullptr || broken(*last, value)) {
+    if (last == nullptr || !difference(conditions_of(*last), conditions_of(value)).empty()) {
       place = all.size();
       all.push_back({value.patient_id, {}});
     }

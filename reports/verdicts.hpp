@@ -19,14 +19,14 @@ enum class HandStatus : std::uint8_t { affected, other, healthy };
 
 /// The days of the hands of that status. Days of different hands, stable times, frame rates, delays
 /// of the device or visual gains make no pair. `censored`: a trial without value fails its day.
-[[nodiscard]] std::vector<StableDays> stable_days(std::span<const StableValue> values,
+[[nodiscard]] std::vector<StableDays> stable_days(std::span<const PooledValue> values,
                                                   HandStatus status, bool censored);
 
 /// What verdicts of one patient are made from.
 struct VerdictContext {
   SessionStore& store;
   std::vector<PrimaryMeasure> primaries;
-  std::optional<Side> affected;
+  PatientProfile profile;
   bool part = false;  ///< only some of the patient's sessions are there: nothing is judged
 };
 

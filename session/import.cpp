@@ -108,6 +108,14 @@ double rate_of(const Signals& signals) {
   return std::abs(rate_Hz - whole_Hz) <= kRounding * rate_Hz ? whole_Hz : rate_Hz;
 }
 
+/// What was stored stays: a second import into the same file would be refused.
+Error stopped_after(const Imported& imported, std::size_t trials, Error error) {
+  error.what += "; " + std::to_string(imported.trials) + " of " + std::to_string(trials) +
+                " trials are stored";
+  error.remedy += "; then import into a new database";
+  return error;
+}
+
 Result<PatientRecord> patient_of(const std::string& code, SessionStore& store) {
   const auto known = store.find_patient(code);
   if (!known) return known.error();
@@ -150,8 +158,10 @@ Result<Imported> store_recording(const RecordingSpec& spec, std::span<const Reco
     if (!id) return id.error();
     int number = 0;
     for (const RecordedTrial& trial : group) {
-      if (const auto done = store_trial(trial, ++number, spec.rate_Hz, *id, store); !done)
-        return done.error();
+      if (const auto done = store_trial(trial, ++number, spec.rate_Hz, *id, store); !done) {
+        static_cast<void>(store.end_session(*id).ok());
+        return stopped_after(imported, trials.size(), done.error());
+      }
       imported.samples += static_cast<std::int64_t>(trial.signals.rows());
       ++imported.trials;
       if (progress) progress(imported.trials);
@@ -172,7 +182,8 @@ Result<std::vector<Measure>> store_signals_trial(const RecordedTrial& trial, Han
   session.hand = hand;
   session.device_uri = "recording://signals";
   session.device_description = "Recorded signals";
-  session.recorded = true;
+  session.simulated = trial.simulated;
+  session.recorded = !trial.simulated;
   session.provenance = "signals of a trial, imported\nfile: " + trial.file + "\n";
   session.protocol_name = "Imported signals";
   session.rate_Hz = rate_of(trial.signals);
@@ -180,9 +191,9 @@ Result<std::vector<Measure>> store_signals_trial(const RecordedTrial& trial, Han
   session.cpu_features = cpu_features();
   const auto id = store.begin_session(session);
   if (!id) return id.error();
-  const auto measures = store_trial(trial, 1, session.rate_Hz, *id, store);
-  if (!measures) return measures;
-  if (auto ended = store.end_session(*id); !ended) return ended.error();
+  auto measures = store_trial(trial, 1, session.rate_Hz, *id, store);
+  const auto ended = store.end_session(*id);
+  if (measures && !ended) return ended.error();
   return measures;
 }
 

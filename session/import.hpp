@@ -31,9 +31,9 @@ struct Imported {
                                                const std::string& software_version,
                                                const std::function<void(int)>& progress = {});
 
-/// Stores one trial as a session of its own, marked as recorded, and scores it. The patient is
-/// created if the code is new. The rate is that of the
-/// signals. Returns the measures.
+/// Stores one trial as a session of its own, marked as recorded (or simulated, if the trial is), and
+/// scores it. The patient is created if the code is new. The rate is that of the signals. Returns
+/// the measures.
 /// @pre signals hold t_s and two rows, increasing, as read_signals() gives them
 [[nodiscard]] Result<std::vector<Measure>> store_signals_trial(const RecordedTrial& trial,
                                                                Hand hand, SessionStore& store,

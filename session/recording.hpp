@@ -67,6 +67,7 @@ struct RecordedTrial {
   TaskSpec task;
   Signals signals;         ///< t_s and the columns
   std::string scene_text;  ///< empty: no object
+  bool simulated = false;  ///< the file says that no person pressed
 };
 
 /// All trials in the files of `folder`, by patient and session, each in the order of the files.

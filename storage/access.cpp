@@ -262,6 +262,10 @@ void Access::lock() {
   parts_->login->lock();
 }
 
+std::shared_ptr<const void> Access::keep_login() const {
+  return parts_->login;
+}
+
 void Access::log_out() {
   if (parts_->writable && user())
     (void)log_entry(*this, entry_of("log out", user()->name));  // the keys go in any case

@@ -102,6 +102,9 @@ class Access {
   /// on.
   void lock();
   void log_out();  ///< wipes the keys
+  /// While it is kept the login stays, even without an Access. For a process that forks: no
+  /// connection may be open then.
+  [[nodiscard]] std::shared_ptr<const void> keep_login() const;
 
   /// Nothing: nobody is logged in, or the database is not protected.
   [[nodiscard]] std::optional<User> user() const;

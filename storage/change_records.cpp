@@ -13,6 +13,7 @@ namespace isograsp {
 namespace {
 
 constexpr int kSinceFormat = 5;
+constexpr int kSinceSexAndAge = 7;
 
 std::string or_now(const std::string& utc) {
   return utc.empty() ? utc_text(std::time(nullptr)) : utc;
@@ -135,49 +136,75 @@ Result<void> SqliteStore::remove_stable_period(RowId id) {
   });
 }
 
-Result<std::vector<StableValue>> SqliteStore::stable_values(const StableQuery& query) {
-  std::vector<StableValue> all;
-  if (database_.format() < kSinceFormat) return all;
+Result<std::vector<PooledValue>> SqliteStore::stable_values(const PoolQuery& query) {
+  if (database_.format() < kSinceFormat) return std::vector<PooledValue>();
+  return pooled_values(query,
+                       "(SELECT patient_id, id, from_date, until_date FROM stable_periods) p "
+                       "CROSS JOIN sessions s ON s.patient_id = p.patient_id "
+                       "AND substr(s.started_utc, 1, 10) BETWEEN p.from_date AND p.until_date ");
+}
+
+Result<std::vector<PooledValue>> SqliteStore::healthy_values(const PoolQuery& query) {
+  if (database_.format() < kSinceSexAndAge) return std::vector<PooledValue>();
+  return pooled_values(query,
+                       "(SELECT patient_id, 0 AS id FROM patient_profiles "
+                       "WHERE affected = 'none') p "
+                       "CROSS JOIN sessions s ON s.patient_id = p.patient_id ");
+}
+
+Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& query,
+                                                            const std::string& people) {
+  std::vector<PooledValue> all;
   const int simulated = query.simulated ? 1 : 0;
   const int recorded = query.recorded ? 1 : 0;
   const auto done =
-      database_.guard("reading values of stable people", [&] {
-        StableValue one;
+      database_.guard("reading values of other people", [&] {
+        PooledValue one;
         std::string hand;
         std::string affected;
+        std::string dominant;
+        std::string sex;
+        std::string display;
+        int birth_year = 0;
         double gain = 0.0;
         double value = 0.0;
         soci::indicator gain_present = soci::i_null;
         soci::indicator present = soci::i_null;
-        // CROSS JOIN: from the few periods down to the trials, never through all measures.
+        // CROSS JOIN: from the few people down to the trials, never through all measures.
         soci::statement select =
             (database_.sql().prepare
                  << "SELECT p.patient_id, p.id, s.id, s.started_utc, s.hand, "
-                    "coalesce((SELECT affected FROM patient_profiles f "
-                    "WHERE f.patient_id = p.patient_id), ''), s.rate_Hz, s.device_delay_s, "
-                    "t.maximum_force_N, t.visual_gain_deg_per_N, m.value "
-                    "FROM stable_periods p CROSS JOIN sessions s ON s.patient_id = p.patient_id "
-                    "AND substr(s.started_utc, 1, 10) BETWEEN p.from_date AND p.until_date "
-                    "CROSS JOIN trials t ON t.session_id = s.id "
-                    "CROSS JOIN measures m ON m.trial_id = t.id "
-                    "WHERE s.simulated = :simulated AND s.recorded = :recorded "
-                    "AND t.task_name = :task AND t.task_version = :task_version "
-                    "AND t.status = 'completed' AND t.practice = 0 AND t.helped = 0 "
-                    "AND t.task_text = :text AND t.scene_text = :scene AND m.name = :measure "
-                    "AND m.channel = :channel AND m.unit = :unit AND m.version = :version "
-                    "ORDER BY p.patient_id, s.started_utc, s.id, t.number",
+                    "coalesce(f.affected, ''), coalesce(f.dominant, ''), " +
+                        since(kSinceSexAndAge, "coalesce(f.sex, ''), coalesce(f.birth_year, 0)",
+                              "'', 0") +
+                        ", s.rate_Hz, s.device_delay_s, " + display_delay_query("s.id") +
+                        ", t.maximum_force_N, t.visual_gain_deg_per_N, m.value FROM " + people +
+                        "LEFT JOIN patient_profiles f ON f.patient_id = p.patient_id "
+                        "CROSS JOIN trials t ON t.session_id = s.id "
+                        "CROSS JOIN measures m ON m.trial_id = t.id "
+                        "WHERE s.simulated = :simulated AND s.recorded = :recorded "
+                        "AND t.task_name = :task AND t.task_version = :task_version "
+                        "AND t.status = 'completed' AND t.practice = 0 AND t.helped = 0 "
+                        "AND t.task_text = :text AND t.scene_text = :scene AND m.name = :measure "
+                        "AND m.channel = :channel AND m.unit = :unit AND m.version = :version "
+                        "ORDER BY p.patient_id, s.started_utc, s.id, t.number",
              soci::use(simulated), soci::use(recorded), soci::use(query.task_name),
              soci::use(query.task_version), soci::use(query.task_text), soci::use(query.scene_text),
              soci::use(query.measure), soci::use(query.channel), soci::use(query.unit),
              soci::use(query.measure_version), soci::into(one.patient_id),
              soci::into(one.period_id), soci::into(one.session_id), soci::into(one.started_utc),
-             soci::into(hand), soci::into(affected), soci::into(one.rate_Hz),
-             soci::into(one.device_delay_s), soci::into(one.maximum_force_N),
-             soci::into(gain, gain_present), soci::into(value, present));
+             soci::into(hand), soci::into(affected), soci::into(dominant), soci::into(sex),
+             soci::into(birth_year), soci::into(one.rate_Hz), soci::into(one.device_delay_s),
+             soci::into(display), soci::into(one.maximum_force_N), soci::into(gain, gain_present),
+             soci::into(value, present));
         select.execute();
         while (select.fetch()) {
           one.hand = hand_from_name(hand).value_or(Hand::right);
           one.affected = side_from_name(affected);
+          one.dominant = hand_from_name(dominant);
+          one.sex = sex_from_name(sex);
+          one.birth_year = birth_year != 0 ? std::optional(birth_year) : std::nullopt;
+          one.display_delay_s = display_delay_from(display);
           one.visual_gain_deg_per_N =
               gain_present == soci::i_ok ? std::optional(gain) : std::nullopt;
           one.value = present == soci::i_ok ? std::optional(value) : std::nullopt;

@@ -100,16 +100,4 @@ Result<std::vector<Consent>> consents(Access& access, const std::string& code) {
   return all;
 }
 
-Result<bool> may_be_used_for_research(Access& access, const std::string& code) {
-  const auto person = find_person(access, code);
-  if (!person) return person.error();
-  if (!person->restricted_until.empty()) return false;
-  const auto all = consents(access, code);
-  if (!all) return all.error();
-  bool may = true;
-  for (const Consent& consent : *all)
-    if (consent.purpose == "research") may = consent.state == "given";
-  return may;
-}
-
 }  // namespace isograsp

@@ -42,7 +42,5 @@ struct Consent {
                                         const Consent& consent);
 /// As they were recorded.
 [[nodiscard]] Result<std::vector<Consent>> consents(Access& access, const std::string& code);
-/// False: the last word on research was no, or the person is restricted.
-[[nodiscard]] Result<bool> may_be_used_for_research(Access& access, const std::string& code);
 
 }  // namespace isograsp

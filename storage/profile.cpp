@@ -12,6 +12,7 @@ namespace isograsp {
 namespace {
 
 constexpr std::array<std::string_view, 4> kSideNames{"right", "left", "both", "none"};
+constexpr std::array<std::string_view, 3> kSexNames{"female", "male", "other"};
 
 Error refused(std::string_view field, std::string what, std::string remedy) {
   return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::string(field)};
@@ -48,6 +49,16 @@ std::optional<Side> side_from_name(std::string_view name) noexcept {
   return static_cast<Side>(found - kSideNames.begin());
 }
 
+std::string_view name_of(Sex sex) noexcept {
+  return kSexNames[static_cast<std::size_t>(sex)];
+}
+
+std::optional<Sex> sex_from_name(std::string_view name) noexcept {
+  const auto* const found = std::find(kSexNames.begin(), kSexNames.end(), name);
+  if (found == kSexNames.end()) return std::nullopt;
+  return static_cast<Sex>(found - kSexNames.begin());
+}
+
 const ClinicalScale* clinical_scale(std::string_view name) noexcept {
   const auto* const found =
       std::find_if(kClinicalScales.begin(), kClinicalScales.end(),
@@ -69,6 +80,9 @@ Result<void> check_date(const std::string& iso_date, std::string_view field) {
 }
 
 Result<void> check_profile(const PatientProfile& profile) {
+  if (profile.birth_year && (*profile.birth_year < kFirstYear || *profile.birth_year > kLastYear))
+    return refused("birth_year", std::to_string(*profile.birth_year) + " is no year of birth",
+                   "give a year from " + std::to_string(kFirstYear) + " on");
   if (profile.onset_date.empty()) return {};
   return check_date(profile.onset_date, "onset_date");
 }

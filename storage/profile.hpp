@@ -21,6 +21,10 @@ enum class Side : std::uint8_t { right, left, both, none };
 [[nodiscard]] std::string_view name_of(Side side) noexcept;
 [[nodiscard]] std::optional<Side> side_from_name(std::string_view name) noexcept;
 
+enum class Sex : std::uint8_t { female, male, other };
+[[nodiscard]] std::string_view name_of(Sex sex) noexcept;
+[[nodiscard]] std::optional<Sex> sex_from_name(std::string_view name) noexcept;
+
 /// Absent: not told.
 struct PatientProfile {
   std::optional<Side> affected = std::nullopt;
@@ -28,6 +32,8 @@ struct PatientProfile {
   std::string onset_date;  ///< ISO 8601 (2026-03-05); empty: not known
   std::string notes;       ///< identifying: never in a research export
   std::string goals;       ///< identifying: never in a research export
+  std::optional<Sex> sex = std::nullopt;
+  std::optional<int> birth_year = std::nullopt;  ///< the day is part of the identity
   bool operator==(const PatientProfile&) const = default;
 };
 
@@ -101,7 +107,7 @@ struct StablePeriod {
 };
 
 /// Which values may be pooled: all fields must be equal.
-struct StableQuery {
+struct PoolQuery {
   std::string task_name;
   int task_version = 1;
   std::string task_text;
@@ -113,16 +119,21 @@ struct StableQuery {
   bool simulated = false;
   bool recorded = false;
 };
-/// One trial of a person who is judged stable, with what else decides what it is compared with.
-struct StableValue {
+/// One trial of a person who is judged stable or is healthy, with what else decides what it is
+/// compared with.
+struct PooledValue {
   RowId patient_id = 0;
-  RowId period_id = 0;
+  RowId period_id = 0;  ///< judged stable; 0: a healthy person
   RowId session_id = 0;
   std::string started_utc;  ///< of the session
   Hand hand = Hand::right;
   std::optional<Side> affected;  ///< of the person; nothing: not told
+  std::optional<Hand> dominant;  ///< of the person, as are the next two
+  std::optional<Sex> sex;
+  std::optional<int> birth_year;
   double rate_Hz = 0.0;
   double device_delay_s = 0.0;
+  std::optional<double> display_delay_s;
   double maximum_force_N = 0.0;
   std::optional<double> visual_gain_deg_per_N;
   std::optional<double> value;  ///< nothing: the trial has none
@@ -140,8 +151,8 @@ struct SessionAnswer {
 inline constexpr int kFirstYear = 1900;
 inline constexpr int kLastYear = 2099;
 
-// Errors name the field (`onset_date`, `on_date`, `kind`, `scale`, `value`, `topic`, `item`,
-// `task_name`, `measure`, `chosen_by`, `from_date`, `until_date`, `judged_by`).
+// Errors name the field (`onset_date`, `birth_year`, `on_date`, `kind`, `scale`, `value`, `topic`,
+// `item`, `task_name`, `measure`, `chosen_by`, `from_date`, `until_date`, `judged_by`).
 /// A day of the calendar, ISO 8601, in these years.
 [[nodiscard]] Result<void> check_date(const std::string& iso_date, std::string_view field);
 [[nodiscard]] Result<void> check_profile(const PatientProfile& profile);

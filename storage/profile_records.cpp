@@ -2,6 +2,8 @@
 // Profiles, treatment marks, clinical scores and answers: written and read.
 #include <soci/soci.h>
 
+#include "core/csv.hpp"
+#include "storage/schema_access.hpp"
 #include "storage/sqlite_store.hpp"
 
 namespace isograsp {
@@ -27,12 +29,19 @@ Result<PatientProfile> SqliteStore::profile(RowId patient) {
   const auto done = database_.guard("reading a profile", [&] {
     std::string affected;
     std::string dominant;
-    database_.sql() << "SELECT affected, dominant, onset_date, notes, goals FROM patient_profiles "
-                       "WHERE patient_id = :patient",
-        soci::use(patient), soci::into(affected), soci::into(dominant),
-        soci::into(profile.onset_date), soci::into(profile.notes), soci::into(profile.goals);
+    std::string sex;
+    int birth_year = 0;
+    database_.sql() << "SELECT affected, dominant, " +
+                           since(7, "sex, coalesce(birth_year, 0)", "'', 0") +
+                           ", onset_date, notes, goals FROM patient_profiles "
+                           "WHERE patient_id = :patient",
+        soci::use(patient), soci::into(affected), soci::into(dominant), soci::into(sex),
+        soci::into(birth_year), soci::into(profile.onset_date), soci::into(profile.notes),
+        soci::into(profile.goals);
     profile.affected = side_from_name(affected);
     profile.dominant = hand_from_name(dominant);
+    profile.sex = sex_from_name(sex);
+    if (birth_year != 0) profile.birth_year = birth_year;
   });
   if (!done) return done.error();
   return profile;
@@ -42,17 +51,37 @@ Result<void> SqliteStore::set_profile(RowId patient, const PatientProfile& profi
   if (auto good = check_profile(profile); !good) return good;
   const std::string affected(profile.affected ? name_of(*profile.affected) : "");
   const std::string dominant(profile.dominant ? name_of(*profile.dominant) : "");
+  const std::string sex(profile.sex ? name_of(*profile.sex) : "");
+  const int birth_year = profile.birth_year.value_or(0);
   return database_.transact("storing a profile", [&] {
     require("patients", "patient", patient);
     database_.sql()
-        << "INSERT INTO patient_profiles (patient_id, affected, dominant, onset_date, notes, goals)"
-           " VALUES (:patient, :affected, :dominant, :onset, :notes, :goals) "
+        << "INSERT INTO patient_profiles (patient_id, affected, dominant, sex, birth_year, "
+           "onset_date, notes, goals) VALUES (:patient, :affected, :dominant, :sex, "
+           "nullif(:born, 0), :onset, :notes, :goals) "
            "ON CONFLICT (patient_id) DO UPDATE SET affected = excluded.affected, "
-           "dominant = excluded.dominant, onset_date = excluded.onset_date, "
-           "notes = excluded.notes, goals = excluded.goals",
-        soci::use(patient), soci::use(affected), soci::use(dominant), soci::use(profile.onset_date),
-        soci::use(profile.notes), soci::use(profile.goals);
+           "dominant = excluded.dominant, sex = excluded.sex, birth_year = excluded.birth_year, "
+           "onset_date = excluded.onset_date, notes = excluded.notes, goals = excluded.goals",
+        soci::use(patient), soci::use(affected), soci::use(dominant), soci::use(sex),
+        soci::use(birth_year), soci::use(profile.onset_date), soci::use(profile.notes),
+        soci::use(profile.goals);
   });
+}
+
+Result<bool> SqliteStore::may_be_used_for_research(RowId patient) {
+  if (database_.format() < schema::kAccessFormat) return true;
+  bool may = true;
+  const auto done = database_.guard("reading a consent", [&] {
+    int restricted = 0;
+    std::string state;
+    database_.sql() << "SELECT (SELECT count(*) FROM restrictions WHERE patient_id = :restricted), "
+                       "coalesce((SELECT state FROM consents WHERE patient_id = :asked "
+                       "AND purpose = 'research' ORDER BY recorded_utc DESC, id DESC LIMIT 1), '')",
+        soci::use(patient), soci::use(patient), soci::into(restricted), soci::into(state);
+    may = restricted == 0 && (state.empty() || state == "given");
+  });
+  if (!done) return done.error();
+  return may;
 }
 
 Result<std::vector<TreatmentMark>> SqliteStore::treatment_marks(RowId patient) {
@@ -165,6 +194,16 @@ Result<std::vector<SessionAnswer>> SqliteStore::answers(RowId session) {
   });
   if (!done) return done.error();
   return all;
+}
+
+std::string display_delay_query(const std::string& session) {
+  return "coalesce((SELECT value FROM session_answers WHERE session_id = " + session +
+         " AND topic = 'screen' AND item = 'display_delay_s' ORDER BY id DESC LIMIT 1), '')";
+}
+
+std::optional<double> display_delay_from(const std::string& answer) {
+  double delay_s = 0.0;
+  return parse_number(answer, delay_s) ? std::optional(delay_s) : std::nullopt;
 }
 
 Result<void> SqliteStore::check_told(std::vector<std::string>& problems) {

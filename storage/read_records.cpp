@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstring>
+#include <unordered_map>
 
 #include <soci/soci.h>
 
@@ -103,6 +104,7 @@ std::vector<SessionRecord> SqliteStore::read_sessions(const std::string& where) 
   std::string hand;
   std::string seed;
   std::string serials;
+  std::string display;
   Nullable ceiling;
   int simulated = 0;
   int recorded = 0;
@@ -113,7 +115,9 @@ std::vector<SessionRecord> SqliteStore::read_sessions(const std::string& where) 
               "protocol_text, rate_Hz, device_delay_s, software_version, cpu_features, seed, " +
                   since(2, "device_serials, operator_name, realtime", "'', '', ''") + ", " +
                   since(3, "coalesce(resumes_id, 0), allowed, ceiling_N", "0, '', NULL") + ", " +
-                  since(6, "calibration, uuid", "'', ''") + " FROM sessions " + where,
+                  since(6, "calibration, uuid", "'', ''") + ", " +
+                  since(4, display_delay_query("sessions.id").c_str(), "''") + " FROM sessions " +
+                  where,
        soci::into(one.id), soci::into(one.patient_id), soci::into(one.started_utc),
        soci::into(one.ended_utc), soci::into(hand), soci::into(one.device_uri),
        soci::into(one.device_description), soci::into(simulated), soci::into(recorded),
@@ -122,9 +126,10 @@ std::vector<SessionRecord> SqliteStore::read_sessions(const std::string& where) 
        soci::into(one.cpu_features), soci::into(seed), soci::into(serials),
        soci::into(one.operator_name), soci::into(one.realtime), soci::into(one.resumes_id),
        soci::into(one.allowed), soci::into(ceiling.value, ceiling.present),
-       soci::into(one.calibration), soci::into(one.uuid));
+       soci::into(one.calibration), soci::into(one.uuid), soci::into(display));
   select.execute();
   while (select.fetch()) {
+    one.display_delay_s = display_delay_from(display);
     one.ceiling_N = ceiling.get();
     one.hand = read_hand(hand);
     one.simulated = simulated != 0;
@@ -407,7 +412,10 @@ Result<std::vector<RatingRecord>> SqliteStore::ratings(RowId session) {
 }
 
 Result<std::vector<MeasurePoint>> SqliteStore::progress(RowId patient) {
-  std::vector<MeasurePoint> all;
+  // The few trials in their order, then their many measures as they lie: nothing large is sorted.
+  std::vector<MeasurePoint> trials;
+  std::unordered_map<RowId, std::vector<Measure>> measures;
+  std::size_t count = 0;
   const auto done =
       database_.guard("reading progress", [&] {
         MeasurePoint one;
@@ -415,38 +423,57 @@ Result<std::vector<MeasurePoint>> SqliteStore::progress(RowId patient) {
         int practice = 0;
         int helped = 0;
         int simulated = 0;
-        double value = 0.0;
-        soci::indicator present = soci::i_ok;
-        Measure& measure = one.measure;
         soci::statement select =
             (database_.sql().prepare
                  << "SELECT s.id, t.id, t.number, s.started_utc, s.hand, t.practice, s.simulated, "
-                    "t.task_name, t.task_version, m.name, m.channel, m.value, m.unit, m.version, "
-                    "m.sample_count, m.excluded_count, m.reason, " +
+                    "t.task_name, t.task_version, " +
                         since(3, "t.helped", "0") +
                         " FROM sessions s JOIN trials t ON t.session_id = s.id "
-                        "JOIN measures m ON m.trial_id = t.id "
                         "WHERE s.patient_id = :patient AND t.status = 'completed' "
-                        "ORDER BY s.started_utc, s.id, t.number, m.id",
+                        "ORDER BY s.started_utc, s.id, t.number",
              soci::use(patient), soci::into(one.session_id), soci::into(one.trial_id),
              soci::into(one.trial_number), soci::into(one.started_utc), soci::into(hand),
              soci::into(practice), soci::into(simulated), soci::into(one.task_name),
-             soci::into(one.task_version), soci::into(measure.name), soci::into(measure.channel),
-             soci::into(value, present), soci::into(measure.unit), soci::into(measure.version),
-             soci::into(measure.samples), soci::into(measure.excluded), soci::into(measure.reason),
-             soci::into(helped));
+             soci::into(one.task_version), soci::into(helped));
         select.execute();
         while (select.fetch()) {
           one.helped = helped != 0;
           one.hand = read_hand(hand);
           one.practice = practice != 0;
           one.simulated = simulated != 0;
+          trials.push_back(one);
+        }
+
+        RowId trial = 0;
+        Measure measure;
+        double value = 0.0;
+        soci::indicator present = soci::i_ok;
+        soci::statement all =
+            (database_.sql().prepare
+                 << "SELECT m.trial_id, m.name, m.channel, m.value, m.unit, m.version, "
+                    "m.sample_count, m.excluded_count, m.reason FROM sessions s "
+                    "CROSS JOIN trials t ON t.session_id = s.id "
+                    "CROSS JOIN measures m ON m.trial_id = t.id "
+                    "WHERE s.patient_id = :patient AND t.status = 'completed'",
+             soci::use(patient), soci::into(trial), soci::into(measure.name),
+             soci::into(measure.channel), soci::into(value, present), soci::into(measure.unit),
+             soci::into(measure.version), soci::into(measure.samples), soci::into(measure.excluded),
+             soci::into(measure.reason));
+        all.execute();
+        for (; all.fetch(); ++count) {
           measure.value = present == soci::i_ok ? std::optional(value) : std::nullopt;
-          all.push_back(one);
+          measures[trial].push_back(measure);
         }
       });
   if (!done) return done.error();
-  return all;
+  std::vector<MeasurePoint> points;
+  points.reserve(count);
+  for (const MeasurePoint& trial : trials)
+    for (Measure& measure : measures[trial.trial_id]) {
+      points.push_back(trial);
+      points.back().measure = std::move(measure);
+    }
+  return points;
 }
 
 }  // namespace isograsp

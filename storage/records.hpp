@@ -39,6 +39,9 @@ struct SessionRecord {
   std::string protocol_text;
   double rate_Hz = 100.0;
   double device_delay_s = 0.0;
+  /// Of the patient's screen, as the answers of the session say it; nothing: not measured. Read
+  /// only.
+  std::optional<double> display_delay_s = std::nullopt;
   std::string software_version;
   std::string cpu_features;  ///< libm picks code by CPU: results carry it
   std::uint64_t seed = 0;

@@ -5,6 +5,7 @@
 #include "storage/schema.hpp"
 
 #include <array>
+#include <vector>
 
 #include "storage/schema_access.hpp"
 #include "storage/session_store.hpp"
@@ -291,8 +292,24 @@ const std::array<const char*, 10> kToFormat6{
 ) STRICT)",
 };
 
+/// Access and privacy; and what healthy people are matched by.
+std::span<const char* const> to_format_7() {
+  static const std::vector<const char*> statements = [] {
+    const auto access = access_statements();
+    std::vector<const char*> all(access.begin(), access.end());
+    all.push_back(
+        "ALTER TABLE patient_profiles ADD COLUMN sex TEXT NOT NULL DEFAULT '' "
+        "CHECK (sex IN ('', 'female', 'male', 'other'))");
+    all.push_back(
+        "ALTER TABLE patient_profiles ADD COLUMN birth_year INTEGER "
+        "CHECK (birth_year BETWEEN 1900 AND 2099)");
+    return all;
+  }();
+  return statements;
+}
+
 const std::array<std::span<const char* const>, kDatabaseFormat> kFormats{
-    kToFormat1, kToFormat2, kToFormat3, kToFormat4, kToFormat5, kToFormat6, access_statements()};
+    kToFormat1, kToFormat2, kToFormat3, kToFormat4, kToFormat5, kToFormat6, to_format_7()};
 
 }  // namespace
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The clinic's memory: patients by code, sessions, trials with their signals (in blocks of one
-// second while they are recorded, then packed), measures, events. One SQLite file (WAL, synchronous=FULL); format: docs/file_formats.md.
-// A store is used by one thread at a time; several stores may be open on one file.
+// second while they are recorded, then packed), measures, events. One SQLite file (WAL,
+// synchronous=FULL); format: docs/file_formats.md. A store is used by one thread at a time; several
+// stores may be open on one file.
 #pragma once
 
 #include <memory>
@@ -42,8 +43,8 @@ class SessionStore {
     std::vector<std::string> not_packed{};
   };
   /// Brings a file to the format of this program, in one transaction, after a checked copy beside
-  /// it was made; then packs the signals that are not, trial by trial. Refused while somebody records
-  /// into the file.
+  /// it was made; then packs the signals that are not, trial by trial. Refused while somebody
+  /// records into the file.
   [[nodiscard]] static Result<Migration> migrate(const std::string& path);
   /// For reading: like `existing` where the file can be written, so that trials left running are
   /// marked; else read_only. Files of older formats are read as they are.
@@ -75,9 +76,9 @@ class SessionStore {
   [[nodiscard]] virtual Result<void> append_blocks(RowId trial, int second,
                                                    std::span<const std::vector<double>> rows) = 0;
   /// Closes a trial: status, counters, health, timing and screen (display_age_s, visual_gain_*,
-  /// viewing_distance_m) of `end`, and its measures. Then packs its signals, in a transaction of its
-  /// own: if that does not succeed, the trial is stored all the same, in blocks of a second, and an
-  /// event `storage` of the session says why.
+  /// viewing_distance_m) of `end`, and its measures. Then packs its signals, in a transaction of
+  /// its own: if that does not succeed, the trial is stored all the same, in blocks of a second,
+  /// and an event `storage` of the session says why.
   [[nodiscard]] virtual Result<void> end_trial(const TrialRecord& end,
                                                std::span<const Measure> measures) = 0;
   [[nodiscard]] virtual Result<void> add_event(RowId session, const EventRecord& event) = 0;
@@ -121,8 +122,11 @@ class SessionStore {
   [[nodiscard]] virtual Result<std::vector<StablePeriod>> stable_periods(RowId patient) = 0;
   /// One measure of the assessments of all people on the days on which they are judged stable:
   /// completed trials, neither practice nor helped. By person, then oldest first.
-  [[nodiscard]] virtual Result<std::vector<StableValue>> stable_values(
-      const StableQuery& query) = 0;
+  [[nodiscard]] virtual Result<std::vector<PooledValue>> stable_values(const PoolQuery& query) = 0;
+  /// The same of the people of whom neither side is affected, of whatever day.
+  [[nodiscard]] virtual Result<std::vector<PooledValue>> healthy_values(const PoolQuery& query) = 0;
+  /// False: the last word on research was no, or the person's records are restricted.
+  [[nodiscard]] virtual Result<bool> may_be_used_for_research(RowId patient) = 0;
   [[nodiscard]] virtual Result<std::vector<SessionRecord>> sessions(RowId patient) = 0;
   /// Of all patients, newest first.
   [[nodiscard]] virtual Result<std::vector<SessionRecord>> recent_sessions(int most) = 0;

@@ -62,7 +62,9 @@ class SqliteStore : public SessionStore {
   [[nodiscard]] Result<std::vector<ClinicalScore>> clinical_scores(RowId patient) override;
   [[nodiscard]] Result<std::vector<PrimaryMeasure>> primary_measures(RowId patient) override;
   [[nodiscard]] Result<std::vector<StablePeriod>> stable_periods(RowId patient) override;
-  [[nodiscard]] Result<std::vector<StableValue>> stable_values(const StableQuery& query) override;
+  [[nodiscard]] Result<std::vector<PooledValue>> stable_values(const PoolQuery& query) override;
+  [[nodiscard]] Result<std::vector<PooledValue>> healthy_values(const PoolQuery& query) override;
+  [[nodiscard]] Result<bool> may_be_used_for_research(RowId patient) override;
   [[nodiscard]] Result<std::vector<SessionRecord>> sessions(RowId patient) override;
   [[nodiscard]] Result<std::vector<SessionRecord>> recent_sessions(int most) override;
   [[nodiscard]] Result<std::vector<SessionAnswer>> answers(RowId session) override;
@@ -131,6 +133,9 @@ class SqliteStore : public SessionStore {
   [[nodiscard]] std::vector<SessionRecord> read_sessions(const std::string& where);
   /// `expression` where the file has the columns of that format, else `instead`.
   [[nodiscard]] std::string since(int format, const char* expression, const char* instead) const;
+  /// `people` gives patient_id and id of the period as p, joined to sessions s.
+  [[nodiscard]] Result<std::vector<PooledValue>> pooled_values(const PoolQuery& query,
+                                                               const std::string& people);
   /// `where` stands behind FROM instrument_zeros z JOIN sessions s.
   [[nodiscard]] std::vector<InstrumentZeroRecord> read_zeros(const std::string& where);
 
@@ -143,6 +148,12 @@ inline constexpr int kSecondsPerPart = 10;
 
 /// The part of a trial's hash that says what its columns are.
 void add_group(const SignalGroup& group, ContentHasher& whole);
+
+/// Text of the measured delay of the patient's screen in a session, as somebody answered last;
+/// empty if nobody did. `session`: an expression for its id.
+[[nodiscard]] std::string display_delay_query(const std::string& session);
+/// Nothing: not measured.
+[[nodiscard]] std::optional<double> display_delay_from(const std::string& answer);
 
 /// Of the row that was inserted last.
 [[nodiscard]] RowId last_id(soci::session& sql, const char* table);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
+#include "core/files.hpp"
 #include "storage/session_store.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/recorded_data.hpp"
@@ -295,6 +296,47 @@ TEST(Import, ForcesBecomeAStoredScoredTrialOfAPatient) {
       ASSERT_EQ(signals.column(given.names()[c])[row], given.column(c)[row]) << given.names()[c];
   EXPECT_TRUE(signals.has("actual_x_m"));
   EXPECT_EQ(isograsp("db verify " + folder.path("c.db")).status, 0);
+}
+
+TEST(Import, ExportedSignalsKeepTheirHandAndWhetherTheyWereSimulated) {
+  const TemporaryFolder folder;
+  const std::string forces = folder.write("forces.csv", forces_of_a_hand());
+  ASSERT_EQ(isograsp("import --hand left --forces " + forces + kFreeHandling + folder.path("c.db"))
+                .status,
+            0);
+  const std::string out = folder.path("out");
+  ASSERT_EQ(isograsp("export --db " + folder.path("c.db") + " --out " + out).status, 0);
+  const std::string stem = out + "/patient_1/session_1/trial_1";
+  const auto import_into = [&](const std::string& name, const std::string& more = "") {
+    return isograsp("import --signals " + stem + "_signals.csv" + more + kFreeHandling +
+                    folder.path(name));
+  };
+  const auto session_in = [&](const std::string& name) {
+    const auto store = opened(folder.path(name));
+    return all_of(*store).at(0).sessions.at(0).record;
+  };
+  ASSERT_EQ(import_into("again.db").status, 0);
+  EXPECT_EQ(session_in("again.db").hand, Hand::left);
+  EXPECT_TRUE(session_in("again.db").recorded);
+  EXPECT_FALSE(session_in("again.db").simulated);
+
+  const auto wrong = import_into("wrong.db", " --hand right");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("of the left hand"), std::string::npos) << wrong.err;
+
+  auto sidecar = read_text(stem + ".json").value();
+  const std::string real = "\"simulated\": false";
+  ASSERT_NE(sidecar.find(real), std::string::npos);
+  sidecar.replace(sidecar.find(real), real.size(), "\"simulated\": true");
+  ASSERT_TRUE(write_text(stem + ".json", sidecar).ok());
+  ASSERT_EQ(import_into("simulated.db").status, 0);
+  EXPECT_TRUE(session_in("simulated.db").simulated);
+  EXPECT_FALSE(session_in("simulated.db").recorded);
+
+  ASSERT_TRUE(write_text(stem + ".json", "{\"format\": 7}").ok());
+  const auto damaged = import_into("damaged.db");
+  EXPECT_EQ(damaged.status, 2);
+  EXPECT_NE(damaged.err.find("trial_1.json"), std::string::npos) << damaged.err;
 }
 
 /// candump of three RFT sensors at 100 Hz: every fz begins at 10 N and grows by a count (20 mN)

@@ -63,8 +63,10 @@ TEST_F(ProtectedCommands, EveryCommandAsksForTheLogin) {
        {"db check " + db, "db verify " + db, "db backup " + db + " --to " + folder.path("b.db"),
         "export --db " + db + " --out " + folder.path("e"),
         "report --db " + db + " --patient T-01 --out " + folder.path("r.html"),
+        "report --db " + db + " --all --threads 2 --out " + folder.path("all"),
         "db check " + folder.path("b.db")})
     must_do(command + clinic);
+  EXPECT_TRUE(fs::exists(folder.path("all/T-01.html"))) << "written by processes of their own";
   must_do("db check " + db + " --recovery-key-file " + folder.write("key", key));
   const Json log = Json::parse(must_do("db audit --json " + db + clinic));
   EXPECT_TRUE(log.at("problems").empty());
@@ -75,7 +77,7 @@ TEST_F(ProtectedCommands, EveryCommandAsksForTheLogin) {
           entry.at("act").get<std::string>() + " " + entry.at("object").get<std::string>() + ";";
   EXPECT_EQ(acts,
             "create clinic.db;add patient T-01;begin session T-01;end session T-01;"
-            "backup b.db;export ;report T-01;");
+            "backup b.db;export ;report T-01;report ;");
   must_do("db audit " + db + clinic + " --contains " + log.at("head").get<std::string>());
   const auto other = isograsp("db audit " + db + clinic + " --contains 3:" + std::string(64, 'a'));
   EXPECT_EQ(other.status, 1);

@@ -126,10 +126,12 @@ class ProfileForm : public QtTest {
 };
 
 TEST_F(ProfileForm, NothingIsToldBeforehand) {
-  for (const char* name : {"affected_left", "affected_right", "affected_both", "affected_none",
-                           "dominant_left", "dominant_right"})
+  for (const char* name :
+       {"affected_left", "affected_right", "affected_both", "affected_none", "dominant_left",
+        "dominant_right", "sex_female", "sex_male", "sex_other"})
     EXPECT_FALSE(find<QPushButton>(name).isChecked()) << name;
   EXPECT_EQ(find<QLineEdit>("onset").text(), "");
+  EXPECT_EQ(find<QLineEdit>("birth_year").text(), "");
   EXPECT_EQ(words("profile_title"), kOne);
   EXPECT_EQ(words("profile_state"), "");
 }
@@ -137,13 +139,16 @@ TEST_F(ProfileForm, NothingIsToldBeforehand) {
 TEST_F(ProfileForm, WhatIsToldIsStoredAndComesBackInAnotherForm) {
   press("affected_left");
   press("dominant_right");
+  press("sex_female");
+  type("birth_year", "1957");
   type("onset", iso_days_ago(10));
   QTest::keyClicks(&find<QPlainTextEdit>("goals"), "button a shirt");
   QTest::keyClicks(&find<QPlainTextEdit>("notes"), "tires soon");
   panel_->store_now();
   ASSERT_TRUE(saved());
-  const PatientProfile told{Side::left, Hand::right, iso_days_ago(10).toStdString(), "tires soon",
-                            "button a shirt"};
+  const PatientProfile told{Side::left,   Hand::right,      iso_days_ago(10).toStdString(),
+                            "tires soon", "button a shirt", Sex::female,
+                            1957};
   EXPECT_EQ(stored(), told);
   EXPECT_EQ(stored(kOther), PatientProfile{});
   EXPECT_EQ(words("onset_remark"), "10 days since the onset.");
@@ -153,9 +158,28 @@ TEST_F(ProfileForm, WhatIsToldIsStoredAndComesBackInAnotherForm) {
   ASSERT_TRUE(wait_until([&] { return second.findChild<QWidget*>("goals")->isEnabled(); }));
   EXPECT_TRUE(second.findChild<QPushButton*>("affected_left")->isChecked());
   EXPECT_TRUE(second.findChild<QPushButton*>("dominant_right")->isChecked());
+  EXPECT_TRUE(second.findChild<QPushButton*>("sex_female")->isChecked());
+  EXPECT_EQ(second.findChild<QLineEdit*>("birth_year")->text(), "1957");
   EXPECT_EQ(second.findChild<QLineEdit*>("onset")->text(), iso_days_ago(10));
   EXPECT_EQ(second.findChild<QPlainTextEdit*>("goals")->toPlainText(), "button a shirt");
   EXPECT_EQ(second.findChild<QPlainTextEdit*>("notes")->toPlainText(), "tires soon");
+}
+
+TEST_F(ProfileForm, AYearThatNobodyWasBornInIsNotStored) {
+  type("birth_year", "1957");
+  ASSERT_TRUE(saved());
+  for (const QString wrong : {"1899", "2999", "57", "soon"}) {
+    type("birth_year", wrong);
+    QTest::keyClick(&find<QLineEdit>("birth_year"), Qt::Key_Return);
+    ASSERT_TRUE(saved());
+    EXPECT_TRUE(words("birth_year_remark").startsWith("⚠ Not stored.")) << wrong.toStdString();
+    EXPECT_EQ(words("profile_state"), "Saved, but for the year of birth");
+    EXPECT_EQ(stored().birth_year, 1957);
+  }
+  type("birth_year", "");
+  QTest::keyClick(&find<QLineEdit>("birth_year"), Qt::Key_Return);
+  ASSERT_TRUE(saved());
+  EXPECT_FALSE(stored().birth_year.has_value()) << "not known is an answer";
 }
 
 TEST_F(ProfileForm, TypingIsStoredByItselfAfterASecond) {

@@ -70,12 +70,6 @@ TEST(ShareOf, DaysThatDifferMoreWidenIt) {
   EXPECT_GT(wild.high / wild.low, 2.0 * calm.high / calm.low);
 }
 
-TEST(ShareOf, AHandWithoutAnyForceHasNone) {
-  const auto none = share_of(days({1.0, -0.1}), days({10}), Comparison::larger);
-  EXPECT_EQ(none.share, 0.0);
-  EXPECT_EQ(none.high, 0.0);
-}
-
 TEST(Training, EveryComponentLeadsToATaskOfTheLibrary) {
   std::set<std::string> names;
   for (const auto& entry :
@@ -196,6 +190,49 @@ TEST_F(Limits, TheComponentFarthestBelowTheOtherHandLimitsMost) {
   EXPECT_EQ(of(all, Component::release).reason, "not assessed");
 }
 
+TEST_F(Limits, AHandWithoutForceIsBelowAndNothingIsDividedByNothing) {
+  maxima("2026-03-02", Hand::right, 30.0, 0.0);
+  maxima("2026-03-03", Hand::left, -0.2, -0.1);
+  maxima("2026-03-04", Hand::left, 0.4, 0.0);
+  const auto all = limits();
+  const auto& strength = of(all, Component::strength);
+  EXPECT_NEAR(*strength.value, 0.25, kRounding) << "mean of 0.1 and 0.4";
+  EXPECT_EQ(strength.standing, Standing::below);
+  EXPECT_LT(strength.share->share, 0.01);
+  EXPECT_NEAR(of(all, Component::opening).share->share, 1.0, kRounding);
+}
+
+TEST_F(Limits, WhatTheHandDidLongAgoIsNotWhatLimitsItNow) {
+  maxima("2025-01-02", Hand::right, 30.0, 20.0);
+  maxima("2025-01-03", Hand::left, 27.0, 4.0);
+  EXPECT_NE(main_limit(limits()), nullptr);
+  session("2026-03-02", Hand::left,
+          {{"maximum_pinch.toml", {measure("maximum_force", "pinch", 10.0, "N")}}});
+  const auto all = limits();
+  EXPECT_EQ(of(all, Component::opening).reason, "not assessed");
+  EXPECT_EQ(of(all, Component::strength).task, "Maximum pinch force");
+  maxima("2026-03-03", Hand::left, 27.0, 4.0);
+  EXPECT_FALSE(of(limits(), Component::opening).share)
+      << "the other hand was measured more than a year ago";
+}
+
+TEST_F(Limits, AMeanOverOtherDigitsOrAnotherVersionIsNotComparedWith) {
+  const auto openings = [&](const std::string& date, Hand hand, std::vector<Measure> measures) {
+    session(date, hand, {{"directional_maxima.toml", std::move(measures)}});
+  };
+  const Measure thumb = measure("maximum_force", "thumb_opening", 9.0, "N");
+  const Measure index = measure("maximum_force", "index_opening", 3.0, "N");
+  openings("2026-03-01", Hand::right, {thumb, index});
+  openings("2026-03-02", Hand::left, {index});
+  EXPECT_FALSE(of(limits(), Component::opening).share);
+  openings("2026-03-03", Hand::right, {index});
+  EXPECT_NEAR(of(limits(), Component::opening).share->share, 1.0, kRounding);
+  Measure newer = index;
+  newer.version = 2;
+  openings("2026-03-04", Hand::left, {newer});
+  EXPECT_FALSE(of(limits(), Component::opening).share);
+}
+
 TEST_F(Limits, AnOverlappingIntervalIsNotToldApart) {
   maxima("2026-03-02", Hand::right, 30.0, 20.0);
   maxima("2026-03-03", Hand::left, 7.0, 4.0);
@@ -235,7 +272,7 @@ TEST_F(Limits, TheNewestTreatmentBetweenAssessmentsStandsBeside) {
   const std::vector<TreatmentMark> marks{{1, "2026-03-10", "botulinum_toxin", ""},
                                          {2, "2026-03-25", "orthosis", ""}};
   EXPECT_EQ(of(limits(marks), Component::strength).treatment,
-            "10\u00a0Mar\u00a02026, botulinum toxin: 10 before, 12 now");
+            "10\u00a0Mar\u00a02026, botulinum toxin: 10 before, 14 now");
 }
 
 TEST_F(Limits, AProfileOfTheCompassHoldsForcesRestAndErrorsInTheAxesOfTheHand) {
@@ -259,6 +296,18 @@ TEST_F(Limits, AProfileOfTheCompassHoldsForcesRestAndErrorsInTheAxesOfTheHand) {
   EXPECT_EQ(index.coflexion_percent, 40.0);
   EXPECT_EQ(index.resting_N, 1.5);
   EXPECT_EQ(compass_range(all), 10.0);
+}
+
+TEST_F(Limits, TheSameDayOfTheNextWeekIsTheNextWeekThoughAnHourEarlier) {
+  session("2026-03-02", Hand::left, {{"let_go.toml", {}}});
+  SessionRecord early;
+  early.patient_id = patient_;
+  early.started_utc = "2026-03-09T08:30:00Z";
+  early.device_uri = "can://can0";
+  must(store_->begin_session(early));
+  const auto dose = must(dose_of(*store_, must(read_patient(*store_, "TK-1"))));
+  ASSERT_EQ(dose.weeks.size(), 2u);
+  EXPECT_EQ(dose.weeks[1].sessions, 1);
 }
 
 TEST_F(Limits, TheDoseCountsWeeksWithoutGapsMinutesRepetitionsAndPain) {

@@ -14,6 +14,7 @@
 #include "reports/qt_application.hpp"
 #include "reports/report_pages.hpp"
 #include "reports/report_text.hpp"
+#include "reports/report_writer.hpp"
 #include "reports/research_export.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/files_below.hpp"
@@ -143,7 +144,14 @@ TEST_F(Pages, OfAPeriodLeaveOutTheOtherSessionsAndSaySo) {
   EXPECT_NE(some.quality.front().text.find("2 to 4 of 6"), std::string::npos);
   EXPECT_TRUE(all.quality.empty() || all.quality.front().label != "Period");
   EXPECT_EQ(content({1, 6}).quality.size(), all.quality.size());
-  EXPECT_EQ(content({9, 0}).sessions.size(), 0U);
+  const auto none = content({9, 0});
+  EXPECT_EQ(none.sessions.size(), 0U);
+  EXPECT_TRUE(
+      write_all(*make_report_writer(none, folder_->path("none.html")), folder_->path("none.html"))
+          .ok());
+  EXPECT_TRUE(
+      write_all(*make_report_writer(none, folder_->path("none.pdf")), folder_->path("none.pdf"))
+          .ok());
 }
 
 TEST_F(Pages, AnExportWritesExactlyTheFilesThatWereListed) {

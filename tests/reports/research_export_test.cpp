@@ -19,6 +19,7 @@
 #include "reports/column_facts.hpp"
 #include "reports/fhir_codes.hpp"
 #include "session/trial_sample.hpp"
+#include "storage/consent.hpp"
 #include "tasks/kind_name.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/reports/emitted_measures.hpp"
@@ -139,6 +140,53 @@ TEST_F(ResearchExport, EveryFormatWritesExactlyTheFilesThatWereListed) {
     EXPECT_FALSE(again.ok()) << "nothing is overwritten";
     EXPECT_EQ(files_below(out), listed) << "and nothing is added";
   }
+}
+
+TEST_F(ResearchExport, WhoIsNotReleasedIsLeftOutCountedAndRefusedByName) {
+  test::TemporaryFolder folder;
+  const auto store = SessionStore::open(folder.path("c.db"), SessionStore::Open::scratch).value();
+  for (const char* code : {"P-1", "P-2"}) {
+    SessionRecord session;
+    session.patient_id = store->add_patient(code).value().id;
+    TrialRecord trial;
+    trial.session_id = store->begin_session(session).value();
+    trial.number = 1;
+    trial.task_name = "Maximum grip";
+    trial.groups = {{"task", {"t_s"}}};
+    trial.id = store->begin_trial(trial).value();
+    trial.status = TrialStatus::completed;
+    ASSERT_TRUE(store->end_trial(trial, {}).ok());
+  }
+  const auto trials = [&] {
+    int count = 0;
+    EXPECT_TRUE(for_each_trial(*store, {}, [&](const ExportSource& source) {
+                  ++count;
+                  EXPECT_EQ(source.place.patient, source.patient->code == "P-1" ? 1 : 2);
+                  return Result<void>();
+                }).ok());
+    return count;
+  };
+  EXPECT_EQ(trials(), 2);
+  const auto access = Access::open(folder.path("c.db")).value();
+  ASSERT_TRUE(
+      add_consent(*access, "P-1", {0, "2026-04-02", "research", "consent", "refused", "", "", ""})
+          .ok());
+  EXPECT_EQ(trials(), 1);
+  EXPECT_EQ(count_not_released(*store, {}).value(), 1u);
+  EXPECT_EQ(count_not_released(*store, {"P-2"}).value(), 0u);
+  const auto named = list_export(*store, {"P-1"}, ExportFormat::csv);
+  ASSERT_FALSE(named.ok());
+  EXPECT_NE(named.error().message().find("not released for research"), std::string::npos);
+}
+
+TEST_F(ResearchExport, AnExportThatCannotBePublishedWholeLeavesNothing) {
+  const auto out = folder_->path("blocked");
+  fs::create_directories(out);
+  // Stands where a folder of the export has to be, behind files that can be moved.
+  ASSERT_TRUE(write_text(out + "/patient_1", "in the way").ok());
+  const auto done = write_export(*store_, {}, ExportFormat::csv, out);
+  ASSERT_FALSE(done.ok());
+  EXPECT_EQ(files_below(out), std::vector<std::string>{"patient_1"});
 }
 
 TEST_F(ResearchExport, NoFormatTellsWhoWhenOrWhere) {

@@ -12,6 +12,7 @@
 #include "reports/qt_application.hpp"
 #include "reports/study_report.hpp"
 #include "reports/study_writer.hpp"
+#include "storage/consent.hpp"
 #include "storage/session_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -112,6 +113,7 @@ struct Attempts {
   double maximum_N = 10.0;
   bool simulated = false;
   int task_version = 1;
+  std::string time = "09:30:00";
 };
 
 class StudyOfClinic : public testing::Test {
@@ -129,7 +131,7 @@ class StudyOfClinic : public testing::Test {
     ASSERT_TRUE(found.ok());
     SessionRecord session;
     session.patient_id = *found ? (*found)->id : store_->add_patient(code)->id;
-    session.started_utc = attempts.date + "T09:30:00Z";
+    session.started_utc = attempts.date + "T" + attempts.time + "Z";
     session.device_uri = "can://can0?protocol=rft";
     session.simulated = attempts.simulated;
     const auto id = store_->begin_session(session);
@@ -232,6 +234,35 @@ TEST_F(StudyOfClinic, SimulatedAndOtherTasksDoNotMix) {
   EXPECT_EQ(data->groups[0].cells[6][2].reason, "other version of the task");
   ASSERT_EQ(data->left_out.size(), 1U);
   EXPECT_EQ(data->left_out[0], "2 trials: other version of the task");
+}
+
+TEST_F(StudyOfClinic, WhoIsNotReleasedForResearchStandsInNone) {
+  fill();
+  const auto access = Access::open(folder_.path("clinic.db"));
+  ASSERT_TRUE(access.ok()) << access.error().message();
+  const auto say = [&](const char* state) {
+    const Consent said{0, "2026-04-02", "research", "consent", state, "", "", ""};
+    EXPECT_TRUE(add_consent(**access, "TK-103", said).ok());
+    return gather(kFile);
+  };
+  EXPECT_TRUE(say("given").ok());
+  const auto data = say("withdrawn");
+  ASSERT_FALSE(data.ok());
+  EXPECT_NE(data.error().message().find("TK-103 are not released for research"), std::string::npos);
+  EXPECT_EQ(data.error().field, "patients");
+}
+
+TEST_F(StudyOfClinic, ADayOfAConditionIsAWholeDayThoughItsSessionIsEarlier) {
+  fill();
+  // A fortnight but an hour after the first session.
+  Attempts early{"2026-03-16"};
+  early.time = "08:30:00";
+  add("TK-108", {"2026-03-02"});
+  add("TK-108", early);
+  add("TK-108", {"2026-03-30"});
+  const auto data = gather(replaced(replaced(kFile, "[12, 16]", "[14, 14]"), "TK-107", "TK-108"));
+  ASSERT_TRUE(data.ok()) << data.error().message();
+  EXPECT_TRUE(data->groups[0].cells[6][1].value) << data->groups[0].cells[6][1].reason;
 }
 
 TEST_F(StudyOfClinic, WhatMakesNoSenseIsRefused) {

@@ -68,6 +68,9 @@ class VerdictReport : public testing::Test {
     must(store_->set_profile(id, {affected, {}, onset, "", ""}));
     return id;
   }
+  void tell(RowId person, Side affected, Sex sex, int birth_year) {
+    must(store_->set_profile(person, {affected, Hand::left, "", "", "", sex, birth_year}));
+  }
 
   void assess(RowId patient, const Assessed& what) {
     SessionRecord session;
@@ -217,6 +220,62 @@ TEST_F(VerdictReport, NobodyIsJudgedByTheirOwnVariation) {
   EXPECT_EQ(verdict().people, 9);
   add_stable(1);
   EXPECT_EQ(verdict().people, 10);
+}
+
+TEST_F(VerdictReport, HealthyPeopleMakeABandFromTwentyOfTheSameKindOn) {
+  const RowId id = patient_with({10, 10});
+  const auto norm = [&] { return gather().sections.at(0).series.at(0).norm; };
+  tell(id, Side::left, Sex::female, 1961);  // 65 in 2026
+  EXPECT_FALSE(norm());
+  auto healthy = [&, number = 0](Sex sex, int birth_year, Assessed how) mutable {
+    const RowId one = must(store_->add_patient("H-" + std::to_string(++number))).id;
+    tell(one, Side::none, sex, birth_year);
+    assess(one, how);
+  };
+  healthy(Sex::male, 1961, {"2026-02-03", {99}});
+  healthy(Sex::female, 1967, {"2026-02-03", {99}});                    // 59
+  healthy(Sex::female, 1961, {"2026-02-03", {99}, Hand::right});       // not dominant
+  healthy(Sex::female, 1961, {"2026-02-03", {99}, Hand::left, true});  // simulated
+  EXPECT_FALSE(norm());
+  for (int i = 1; i < 20; ++i)
+    healthy(Sex::female, 1957 + i % 10, {"2026-02-03", {double(i), i + 2.0}});
+  ASSERT_TRUE(norm());
+  EXPECT_EQ(norm()->values.size(), 19u);
+  EXPECT_FALSE(norm()->low) << "nineteen are too few";
+  EXPECT_NE(glance_rows(gather()).at(0).beside.find("too few for a band"), std::string::npos);
+  healthy(Sex::female, 1961, {"2026-02-03", {20, 22}});
+  ASSERT_TRUE(norm()->low);
+  EXPECT_EQ(norm()->people, "women of 60 to 69, dominant hand");
+  // Means 2, 3 ... 21; positions 0.05 and 0.95 of the way from the first to the last.
+  EXPECT_NEAR(*norm()->low, 2.0 + 0.05 * 19.0, 1e-12);
+  EXPECT_NEAR(*norm()->high, 21.0 - 0.05 * 19.0, 1e-12);
+  EXPECT_EQ(glance_rows(gather()).at(0).beside,
+            "healthy 2.95 to 20.1\u00a0N (n\u00a0"
+            "20)");
+  tell(id, Side::left, Sex::female, 1966);  // 60
+  EXPECT_TRUE(norm());
+  tell(id, Side::left, Sex::other, 1961);
+  EXPECT_FALSE(norm());
+}
+
+TEST_F(VerdictReport, TheOtherHandStandsBesideTheLastValue) {
+  const RowId id = patient_with({10, 10, 12});
+  EXPECT_EQ(glance_rows(gather()).at(0).beside, "");
+  assess(id, {"2026-03-11", {31}, Hand::right});
+  const auto rows = glance_rows(gather());
+  ASSERT_EQ(rows.at(0).hand, "left");
+  EXPECT_EQ(rows.at(0).beside, "right hand 31\u00a0N");
+}
+
+TEST_F(VerdictReport, AChangedDelayOfTheDisplayBeginsANewSeries) {
+  add_stable(10);
+  const RowId id = patient_with({10, 10, 20, 20});
+  EXPECT_EQ(verdict_words(verdict()), "improved (confirmed)");
+  const auto sessions = must(store_->sessions(id));
+  must(store_->add_answers(sessions.back().id,
+                           std::vector<SessionAnswer>{{"screen", "display_delay_s", "0.05"}}));
+  EXPECT_EQ(verdict_basis(verdict()), "the baseline needs two assessment days");
+  EXPECT_EQ(gather().sections.at(0).breaks.at(0).reason, "other delay of the display");
 }
 
 TEST_F(VerdictReport, TwoSessionsEitherSideOfMidnightUtcAreOneDay) {

@@ -154,7 +154,7 @@ void record(SessionStore& store, RowId patient, const Recorded& what) {
   must(store.end_trial(trial, std::vector{measure, other}));
   if (what.helped) must(store.mark_helped(trial.id, true));
 }
-StableQuery query_of_examples() {
+PoolQuery query_of_examples() {
   const TrialRecord like = example_trial(0);
   return {like.task_name, 3, like.task_text, "scene", "rmse", "force", "N", 1, false, false};
 }
@@ -179,6 +179,19 @@ TEST_F(ChangeRecords, OnlyAssessmentsOnStableDaysOfTheSameTaskAndSourceArePooled
   }
   const auto values = must(store->stable_values(query_of_examples()));
   ASSERT_EQ(values.size(), 3u);
+  EXPECT_FALSE(values[0].display_delay_s.has_value());
+  const RowId session = values[0].session_id;
+  must(store->add_answers(
+      session, std::vector<SessionAnswer>{{"screen", "display_delay_s", "not measured"}}));
+  EXPECT_FALSE(must(store->stable_values(query_of_examples()))[0].display_delay_s.has_value());
+  must(store->add_answers(session,
+                          std::vector<SessionAnswer>{{"screen", "display_delay_s", "0.0450"}}));
+  EXPECT_EQ(must(store->stable_values(query_of_examples()))[0].display_delay_s, 0.045);
+  const auto sessions = must(store->sessions(patient));
+  const auto answered =
+      std::find_if(sessions.begin(), sessions.end(), [&](auto& one) { return one.id == session; });
+  ASSERT_NE(answered, sessions.end());
+  EXPECT_EQ(answered->display_delay_s, 0.045) << "as answered last";
   EXPECT_EQ(values[0].patient_id, patient);
   EXPECT_EQ(values[0].started_utc, "2026-03-05T09:30:00Z") << "oldest first";
   EXPECT_EQ(values[1].started_utc, "2026-03-20T09:30:00Z") << "the last day belongs to it";
@@ -189,6 +202,22 @@ TEST_F(ChangeRecords, OnlyAssessmentsOnStableDaysOfTheSameTaskAndSourceArePooled
   EXPECT_EQ(values[2].patient_id, other);
   EXPECT_EQ(values[2].value, 3.0);
   EXPECT_FALSE(values[2].affected.has_value());
+}
+
+TEST_F(ChangeRecords, HealthyValuesAreThoseOfPeopleWithoutAnAffectedSide) {
+  must(store->set_profile(patient, {Side::none, Hand::right, "", "", "", Sex::female, 1961}));
+  record(*store, patient, {"2026-03-04", 2.0});
+  const RowId affected = must(store->add_patient("P-9")).id;
+  must(store->set_profile(affected, {Side::both, Hand::right, "", "", "", Sex::female, 1961}));
+  record(*store, affected, {"2026-03-04", 9.0});
+  record(*store, must(store->add_patient("P-8")).id, {"2026-03-04", 8.0});
+  const auto values = must(store->healthy_values(query_of_examples()));
+  ASSERT_EQ(values.size(), 1u);
+  EXPECT_EQ(values[0].value, 2.0);
+  EXPECT_EQ(values[0].sex, Sex::female);
+  EXPECT_EQ(values[0].birth_year, 1961);
+  EXPECT_EQ(values[0].dominant, Hand::right);
+  EXPECT_EQ(values[0].period_id, 0);
 }
 
 }  // namespace

@@ -152,9 +152,9 @@ TEST_F(Erasure, RestrictsWhileTheLawAsksForTheRecords) {
   const auto done = must(erase_patient(*access, "P-1", "asked for it"));
   EXPECT_FALSE(done.erased);
   EXPECT_TRUE(must(is_restricted(*access, "P-1")));
-  EXPECT_FALSE(must(may_be_used_for_research(*access, "P-1")));
   const auto store = open_store(path);
   const RowId patient = must(store->find_patient("P-1"))->id;
+  EXPECT_FALSE(must(store->may_be_used_for_research(patient)));
   EXPECT_NE(refusal(store->begin_session(example_session(patient))).find("restricted until"),
             std::string::npos);
   must(lift_restriction(*access, "P-1", "wishes to go on"));
@@ -228,13 +228,14 @@ TEST_F(ProtectedClinic, ErasureTakesTheIdentityToo) {
 }
 
 TEST_F(ProtectedClinic, TheLastWordOnAPurposeCounts) {
-  must(open_store(path)->add_patient("P-1"));
+  const auto store = open_store(path);
+  const RowId patient = must(store->add_patient("P-1")).id;
   const auto say = [&](const char* purpose, const char* state) {
     must(add_consent(*access, "P-1",
                      {0, "2026-03-05", purpose, "consent", state, "SECRETFORM", "", ""}));
-    return must(may_be_used_for_research(*access, "P-1"));
+    return must(store->may_be_used_for_research(patient));
   };
-  EXPECT_TRUE(must(may_be_used_for_research(*access, "P-1")));
+  EXPECT_TRUE(must(store->may_be_used_for_research(patient)));
   EXPECT_TRUE(say("research", "given"));
   EXPECT_TRUE(say("treatment", "refused"));
   EXPECT_FALSE(say("research", "withdrawn"));

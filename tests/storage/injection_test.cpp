@@ -78,7 +78,7 @@ TEST_F(ProtectedClinic, SqlInAnyTextStaysText) {
     must(store->add_event(session_id, {trial.id, 0.0, text, text}));
     must(store->add_event(session_id, {trial.id, 0.0, "note", text}));
     EXPECT_EQ(must(store->events(session_id)).back().text, text);
-    StableQuery query;
+    PoolQuery query;
     query.task_name = query.task_text = query.scene_text = query.measure = text;
     query.channel = query.unit = text;
     must(store->stable_values(query));

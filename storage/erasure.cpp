@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/erasure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 #include <set>
@@ -24,22 +25,33 @@ constexpr const char* kOfTrial =
 
 struct PersonalTable {
   const char* name;
-  const char* rows;  ///< of a person
+  const char* rows;           ///< of a person
+  const char* newest = "''";  ///< SQL: the day or time that a row speaks of or was made at
 };
-/// In an order in which nothing refers to what is gone. A test compares it with the tables of the
-/// database.
+/// In an order in which nothing refers to what is gone. Tests compare it with the tables of the
+/// database. What belongs to a session has its time within it.
 constexpr std::array<PersonalTable, 21> kPersonal{{
-    {"ratings", kOfSession},          {"resting_forces", kOfSession},
-    {"events", kOfSession},           {"measures", kOfTrial},
-    {"signal_packs", kOfTrial},       {"signal_blocks", kOfTrial},
-    {"signal_groups", kOfTrial},      {"trials", kOfSession},
-    {"instrument_zeros", kOfSession}, {"session_answers", kOfSession},
-    {"sessions", kOfPatient},         {"stable_periods", kOfPatient},
-    {"primary_measures", kOfPatient}, {"clinical_scores", kOfPatient},
-    {"treatment_marks", kOfPatient},  {"patient_profiles", kOfPatient},
-    {"identities", kOfPatient},       {"consents", kOfPatient},
-    {"restrictions", kOfPatient},     {"patient_aliases", kOfPatient},
-    {"patients", "id = :id"},
+    {"ratings", kOfSession},
+    {"resting_forces", kOfSession},
+    {"events", kOfSession},
+    {"measures", kOfTrial},
+    {"signal_packs", kOfTrial},
+    {"signal_blocks", kOfTrial},
+    {"signal_groups", kOfTrial},
+    {"trials", kOfSession},
+    {"instrument_zeros", kOfSession},
+    {"session_answers", kOfSession},
+    {"sessions", kOfPatient, "max(started_utc, ended_utc)"},
+    {"stable_periods", kOfPatient, "max(until_date, judged_utc)"},
+    {"primary_measures", kOfPatient, "chosen_utc"},
+    {"clinical_scores", kOfPatient, "on_date"},
+    {"treatment_marks", kOfPatient, "on_date"},
+    {"patient_profiles", kOfPatient},
+    {"identities", kOfPatient, "changed_utc"},
+    {"consents", kOfPatient, "recorded_utc"},
+    {"restrictions", kOfPatient},
+    {"patient_aliases", kOfPatient},
+    {"patients", "id = :id", "created_utc"},
 }};
 
 Date today() {
@@ -111,15 +123,17 @@ Result<ErasurePlan> plan_erasure(Access& access, const std::string& code) {
   plan.restricted = !person->restricted_until.empty();
   const std::lock_guard lock(access.parts().mutex);
   std::string last;
-  const auto read =
-      access.parts().database.guard("reading sessions", [&] {
-        access.parts().database.sql()
-            << "SELECT coalesce(max(max(started_utc, ended_utc)), '') FROM sessions "
-               "WHERE patient_id = :id",
-            soci::use(person->id), soci::into(last);
-      });
+  const auto read = access.parts().database.guard("reading the last record", [&] {
+    for (const PersonalTable& table : kPersonal) {
+      std::string newest;
+      access.parts().database.sql() << "SELECT coalesce(max(" + std::string(table.newest) +
+                                           "), '') FROM " + table.name + " WHERE " + table.rows,
+          soci::use(person->id), soci::into(newest);
+      last = std::max(last, newest);
+    }
+  });
   if (!read) return read.error();
-  const auto day = date_from_iso((last.empty() ? person->created_utc : last).substr(0, 10));
+  const auto day = date_from_iso(last.substr(0, 10));
   if (!day)
     return Error{Error::Code::failed,
                  "the day of the last record of " + person->code + " cannot be read",

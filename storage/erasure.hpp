@@ -16,7 +16,7 @@ namespace isograsp {
 /// What happens on request, today.
 struct ErasurePlan {
   std::string code;
-  std::string last_record_date;  ///< the newest session, else when the patient was added
+  std::string last_record_date;  ///< newest of sessions and all that is told of the person
   std::string keep_until_date;   ///< retention_years later
   bool may_erase = false;        ///< that day has passed
   bool restricted = false;       ///< already

@@ -20,12 +20,12 @@ void fill(const std::string& path, const std::string& code, const std::string& m
   const auto store = open_store(path);
   const RowId patient = must(store->add_patient(code, "2020-01-01T08:00:00Z")).id;
   must(store->set_profile(patient, {{}, {}, "", "note " + mark, "goal " + mark}));
-  must(store->add_treatment_mark(patient, {0, "2026-03-01", "drug", "text " + mark}));
-  must(store->add_clinical_score(patient, {0, "2026-03-01", "ARAT", 31.0, "muscle " + mark}));
-  must(store->add_primary_measure(patient,
-                                  {0, "Sine", Hand::left, "rmse", "force", "", "by " + mark}));
-  must(store->add_stable_period(patient,
-                                {0, "2026-01-01", "2026-01-31", "", "judge " + mark, "why"}));
+  must(store->add_treatment_mark(patient, {0, "2020-01-20", "drug", "text " + mark}));
+  must(store->add_clinical_score(patient, {0, "2020-01-20", "ARAT", 31.0, "muscle " + mark}));
+  must(store->add_primary_measure(
+      patient, {0, "Sine", Hand::left, "rmse", "force", "2020-01-20T08:00:00Z", "by " + mark}));
+  must(store->add_stable_period(
+      patient, {0, "2020-01-02", "2020-01-31", "2020-02-01T08:00:00Z", "judge " + mark, "why"}));
   SessionRecord session = example_session(patient);
   session.device_uri = "sim://" + mark;
   session.started_utc = "2020-02-28T08:00:00Z";
@@ -72,7 +72,11 @@ struct Erasure : testing::Test {
     fill(path, "P-2", "KEEPME", 2);
     access = must(Access::open(path));
     must(add_consent(*access, "P-1",
-                     {0, "2026-03-05", "research", "consent", "given", "FORGETME form", "", ""}));
+                     {0, "2020-01-05", "research", "consent", "given", "FORGETME form", "", ""}));
+    execute("UPDATE consents SET recorded_utc = '2020-01-05T08:00:00Z'");
+  }
+  void execute(const std::string& statement) const {
+    soci::session(soci::sqlite3, "db=\"" + path + "\"") << statement;
   }
   /// Of both people, in the database and everything beside it.
   [[nodiscard]] bool anywhere(const std::string& text) const {
@@ -159,6 +163,54 @@ TEST_F(Erasure, RestrictsWhileTheLawAsksForTheRecords) {
             std::string::npos);
   must(lift_restriction(*access, "P-1", "wishes to go on"));
   must(store->begin_session(example_session(patient)));
+}
+
+TEST_F(Erasure, CountsTheYearsFromTheNewestRecordOfAnyKind) {
+  must(set_policy(*access, {600, 1}));
+  for (const auto& [statement, day] : std::vector<std::pair<std::string, std::string>>{
+           {"UPDATE clinical_scores SET on_date = '2020-03-01'", "2020-03-01"},
+           {"UPDATE treatment_marks SET on_date = '2020-03-02'", "2020-03-02"},
+           {"UPDATE stable_periods SET until_date = '2020-03-03'", "2020-03-03"},
+           {"UPDATE stable_periods SET judged_utc = '2020-03-04T08:00:00Z'", "2020-03-04"},
+           {"UPDATE primary_measures SET chosen_utc = '2020-03-05T08:00:00Z'", "2020-03-05"},
+           {"UPDATE consents SET recorded_utc = '2020-03-06T08:00:00Z'", "2020-03-06"},
+           {"INSERT INTO identities SELECT id, '2020-03-07T08:00:00Z', '' FROM patients",
+            "2020-03-07"},
+           {"UPDATE patients SET created_utc = '2020-03-08T08:00:00Z'", "2020-03-08"},
+           {"UPDATE sessions SET started_utc = '2020-03-09T08:00:00Z'", "2020-03-09"}}) {
+    execute(statement);
+    EXPECT_EQ(must(plan_erasure(*access, "P-1")).last_record_date, day) << statement;
+  }
+  execute("UPDATE clinical_scores SET on_date = strftime('%Y-%m-%d', 'now')");
+  EXPECT_FALSE(must(plan_erasure(*access, "P-1")).may_erase) << "a score of today";
+}
+
+/// A column that says when a row was made is not forgotten in the reckoning of the years.
+TEST_F(Erasure, KnowsEveryDateThatIsToldOfAPerson) {
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  std::set<std::string> dates;
+  std::string column;
+  soci::statement select =
+      (sql.prepare
+           << "SELECT t.name || '.' || c.name FROM sqlite_schema t "
+              "JOIN pragma_table_info(t.name) c WHERE t.type = 'table' AND "
+              "(c.name LIKE '%\\_utc' ESCAPE '\\' OR c.name LIKE '%\\_date' ESCAPE '\\') "
+              "AND (t.name = 'patients' OR EXISTS (SELECT 1 FROM pragma_table_info(t.name) p "
+              "WHERE p.name = 'patient_id'))",
+       soci::into(column));
+  select.execute();
+  while (select.fetch()) dates.insert(column);
+  // Not a record: the day of the stroke, when the erasure was asked for, and beginnings of what has
+  // an end; the day of a consent is before it was recorded.
+  EXPECT_EQ(
+      dates,
+      (std::set<std::string>{
+          "clinical_scores.on_date", "consents.on_date", "consents.recorded_utc",
+          "identities.changed_utc", "patient_profiles.onset_date", "patients.created_utc",
+          "primary_measures.chosen_utc", "restrictions.since_utc", "restrictions.until_date",
+          "sessions.ended_utc", "sessions.started_utc", "stable_periods.from_date",
+          "stable_periods.judged_utc", "stable_periods.until_date", "treatment_marks.on_date"}))
+      << "see whether storage/erasure.cpp counts the new one";
 }
 
 TEST_F(Erasure, ErasesAfterTheLastDayThatTheLawAsksFor) {

@@ -48,7 +48,19 @@ template <class Work>
 auto GuardedStore::logged(const char* act, const std::string& object, std::string detail, Work work,
                           const std::function<void(AuditEntry&)>& complete) -> decltype(work()) {
   AuditEntry entry = entry_of(act, object, std::move(detail));
-  return audited(database_, *state_, entry, work, complete);
+  const auto work_if_allowed = [&]() -> decltype(work()) {
+    if (const auto allowed = may_write(); !allowed) return allowed.error();
+    return work();
+  };
+  return audited(database_, *state_, entry, work_if_allowed, complete);
+}
+
+Result<void> GuardedStore::may_write() const {
+  if (!state_->is_protected()) return {};
+  const auto user = state_->login().user;
+  if (!user || !may(user->role, Right::write_records))
+    return refusal_of(*state_, Right::write_records, path());
+  return {};
 }
 
 std::string GuardedStore::text_of(const std::string& query, RowId id) {
@@ -114,9 +126,41 @@ Result<RowId> GuardedStore::begin_session(const SessionRecord& session,
       });
 }
 
+Result<void> GuardedStore::add_answers(RowId session, std::span<const SessionAnswer> answers) {
+  if (auto allowed = may_write(); !allowed) return allowed;
+  return SqliteStore::add_answers(session, answers);
+}
+
+Result<RowId> GuardedStore::add_zero(const InstrumentZeroRecord& zero) {
+  if (const auto allowed = may_write(); !allowed) return allowed.error();
+  return SqliteStore::add_zero(zero);
+}
+
+Result<RowId> GuardedStore::add_resting_force(const RestingForceRecord& rest) {
+  if (const auto allowed = may_write(); !allowed) return allowed.error();
+  return SqliteStore::add_resting_force(rest);
+}
+
+Result<RowId> GuardedStore::begin_trial(const TrialRecord& trial) {
+  if (const auto allowed = may_write(); !allowed) return allowed.error();
+  return SqliteStore::begin_trial(trial);
+}
+
+Result<RowId> GuardedStore::add_rating(const RatingRecord& rating) {
+  if (const auto allowed = may_write(); !allowed) return allowed.error();
+  return SqliteStore::add_rating(rating);
+}
+
+Result<void> GuardedStore::mark_helped(RowId trial, bool helped) {
+  if (auto allowed = may_write(); !allowed) return allowed;
+  return SqliteStore::mark_helped(trial, helped);
+}
+
 Result<void> GuardedStore::end_session(RowId session, const std::string& ended_utc) {
-  return logged("end session", code_of_session(session), "session " + std::to_string(session),
-                [&] { return SqliteStore::end_session(session, ended_utc); });
+  AuditEntry entry =
+      entry_of("end session", code_of_session(session), "session " + std::to_string(session));
+  return audited(database_, *state_, entry,
+                 [&] { return SqliteStore::end_session(session, ended_utc); });
 }
 
 Result<void> GuardedStore::add_event(RowId session, const EventRecord& event) {

@@ -27,6 +27,15 @@ class GuardedStore final : public SqliteStore {
                                                   const std::string& created_utc) override;
   [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session,
                                             std::span<const SessionAnswer> answers) override;
+  [[nodiscard]] Result<void> add_answers(RowId session,
+                                         std::span<const SessionAnswer> answers) override;
+  [[nodiscard]] Result<RowId> add_zero(const InstrumentZeroRecord& zero) override;
+  [[nodiscard]] Result<RowId> add_resting_force(const RestingForceRecord& rest) override;
+  [[nodiscard]] Result<RowId> begin_trial(const TrialRecord& trial) override;
+  [[nodiscard]] Result<RowId> add_rating(const RatingRecord& rating) override;
+  [[nodiscard]] Result<void> mark_helped(RowId trial, bool helped) override;
+  // Who is logged in does not matter to what follows, so that a recording that runs is brought to
+  // its end whoever takes over meanwhile; the same holds for append_blocks() and end_trial().
   [[nodiscard]] Result<void> end_session(RowId session, const std::string& ended_utc) override;
   [[nodiscard]] Result<void> add_event(RowId session, const EventRecord& event) override;
   [[nodiscard]] Result<void> set_profile(RowId patient, const PatientProfile& profile) override;
@@ -52,6 +61,10 @@ class GuardedStore final : public SqliteStore {
   [[nodiscard]] Result<void> backup(const std::string& to) override;
 
  private:
+  /// Of who is logged in now: another one may have taken over since the store was opened. A lock
+  /// does not matter, a session goes on behind it.
+  [[nodiscard]] Result<void> may_write() const;
+  /// may_write(), then `work`, with its entry.
   template <class Work>
   auto logged(const char* act, const std::string& object, std::string detail, Work work,
               const std::function<void(AuditEntry&)>& complete = {}) -> decltype(work());

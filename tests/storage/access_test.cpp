@@ -178,6 +178,43 @@ TEST_F(ProtectedClinic, ALockClosesTextsAndIdentitiesAndKeepsTheRecordingGoing) 
   EXPECT_EQ(must(store->events(session)).at(0).text, "helped him");
 }
 
+TEST_F(ProtectedClinic, AResearcherWhoTakesOverEndsTheRecordingAndWritesNothingElse) {
+  as("Theo");
+  const auto store = open_store(path);
+  const RowId patient = must(store->add_patient("P-1")).id;
+  const RowId mark = must(store->add_treatment_mark(patient, {0, "2026-03-01", "drug", ""}));
+  const RowId session = must(store->begin_session(example_session(patient)));
+  TrialRecord trial = example_trial(session);
+  trial.id = must(store->begin_trial(trial));
+  as("Rita");
+  must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));
+  must(store->add_event(session, {trial.id, 1.0, "stop", "key"}));
+  trial.status = TrialStatus::completed;
+  must(store->end_trial(trial, {}));
+  RestingForceRecord rest;
+  rest.session_id = session;
+  rest.trial_id = trial.id;
+  rest.duration_s = 10.0;
+  rest.samples = 1000;
+  InstrumentZeroRecord zero;
+  zero.session_id = session;
+  const std::vector<SessionAnswer> answers{{"posture", "seat", "chair"}};
+  for (const std::string& why :
+       {refusal(store->add_patient("P-2")), refusal(store->remove_treatment_mark(mark)),
+        refusal(store->set_profile(patient, {})), refusal(store->mark_helped(trial.id, true)),
+        refusal(store->begin_session(example_session(patient))),
+        refusal(store->add_answers(session, answers)), refusal(store->add_zero(zero)),
+        refusal(store->add_resting_force(rest)),
+        refusal(store->begin_trial(example_trial(session, 2))),
+        refusal(store->add_rating({0, session, trial.id, 2.0, "2026-03-01T10:00:00Z", 3, 1}))})
+    EXPECT_NE(why.find("the role researcher may not change records"), std::string::npos) << why;
+  must(store->end_session(session));
+  as("Ada");
+  const auto refused = must(read_audit(*access, {"change profile", "P-1"})).back();
+  EXPECT_EQ(refused.actor + " " + refused.result, "Rita refused");
+  EXPECT_EQ(must(store->treatment_marks(patient)).size(), 1u);
+}
+
 TEST_F(ProtectedClinic, ANewPassphraseWrapsTheSameKeys) {
   must(open_store(path)->add_patient("P-1"));
   must(set_identity(*access, "P-1", kPerson));

@@ -122,6 +122,7 @@ void print_erasure(const PersonOptions& options, const ErasureDone& done) {
   const ErasurePlan& plan = done.plan;
   Json json{{"patient", plan.code},
             {"erased", done.erased},
+            {"swept", done.erased && !done.not_swept},
             {"restricted", plan.restricted},
             {"may_erase", plan.may_erase},
             {"last_record_date", plan.last_record_date},
@@ -168,6 +169,7 @@ Result<void> erase(Access& access, const PersonOptions& options) {
   const auto done = erase_patient(access, options.patient, options.reason);
   if (!done) return done.error();
   print_erasure(options, *done);
+  if (done->not_swept) return *done->not_swept;
   return {};
 }
 

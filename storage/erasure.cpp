@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <ctime>
 #include <set>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "core/date.hpp"
 #include "storage/audit_chain.hpp"
 #include "storage/person_rows.hpp"
+#include "storage/sweep.hpp"
 
 namespace isograsp {
 
@@ -64,21 +66,23 @@ Date years_later(Date day, int years) {
   return later.ok() ? later : later.year() / std::chrono::March / 1;
 }
 
-/// Backups, copies, exports and reports since the person was added.
-std::vector<std::string> remains_of(Access& access, const PersonRow& person) {
+/// Backups, copies, exports and reports of the time in which the person was in the file. In a guard
+/// of the caller.
+std::vector<std::string> remains_of(soci::session& sql, const std::string& code,
+                                    const std::string& since_utc, const std::string& until_utc) {
   std::vector<std::string> remains;
   std::string act;
   std::string object;
   std::string detail;
   std::string at_utc;
   soci::statement select =
-      (access.parts().database.sql().prepare
-           << "SELECT at_utc, act, object, detail FROM audit_log WHERE result = 'done' AND "
-              "((act IN ('backup', 'migrate') AND at_utc >= :created) OR "
-              "(act IN ('export', 'report', 'export person') AND object IN (:code, ''))) "
-              "ORDER BY id",
-       soci::use(person.created_utc), soci::use(person.code), soci::into(at_utc), soci::into(act),
-       soci::into(object), soci::into(detail));
+      (sql.prepare << "SELECT at_utc, act, object, detail FROM audit_log WHERE result = 'done' AND "
+                      "at_utc <= :until AND "
+                      "((act IN ('backup', 'migrate') AND at_utc >= :since) OR "
+                      "(act IN ('export', 'report', 'export person') AND object IN (:code, ''))) "
+                      "ORDER BY id",
+       soci::use(until_utc), soci::use(since_utc), soci::use(code), soci::into(at_utc),
+       soci::into(act), soci::into(object), soci::into(detail));
   select.execute();
   while (select.fetch()) {
     const std::string& file = act == "backup" || act == "migrate" ? object : detail;
@@ -87,26 +91,55 @@ std::vector<std::string> remains_of(Access& access, const PersonRow& person) {
   return remains;
 }
 
-/// The freed pages were overwritten with zeros; now the file is written anew without them, and the
-/// journal that held them is emptied.
-Result<void> sweep(Access::Parts& parts) {
-  return parts.database.guard("rewriting the file", [&] {
-    soci::session& sql = parts.database.sql();
-    const auto checkpoint = [&] {
-      int busy = 0;
-      int unused = 0;
-      sql << "PRAGMA wal_checkpoint(TRUNCATE)", soci::into(busy), soci::into(unused),
-          soci::into(unused);
-      if (busy != 0)
-        throw Refusal{{Error::Code::failed,
-                       "the rows are erased, but another program still reads the journal that "
-                       "holds them",
-                       "close it, then run the erasure again", parts.database.path(), 0, ""}};
-    };
-    checkpoint();
-    sql << "VACUUM";
-    checkpoint();
-  });
+/// The row of `code`, whose capitals do not matter.
+Result<std::optional<Tombstone>> tombstone_of(Access& access, const std::string& code) {
+  const auto all = tombstones(access);
+  if (!all) return all.error();
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  for (const Tombstone& stone : *all)
+    if (std::equal(stone.code.begin(), stone.code.end(), code.begin(), code.end(), same))
+      return std::optional(stone);
+  return std::optional<Tombstone>();
+}
+
+/// Nobody records while it is held.
+Result<RecordingLock> nobody_records(Access& access) {
+  auto recording = RecordingLock::exclusive_if_free(access.parts().database.real_path());
+  if (recording && !recording->held())
+    return Error{Error::Code::failed,
+                 "another program records into the file now",
+                 "end that session, then erase",
+                 access.path(),
+                 0,
+                 ""};
+  return recording;
+}
+
+/// The rows are gone; the file may still hold their bytes.
+Result<ErasureDone> sweep_again(Access& access, const Tombstone& stone, const std::string& reason) {
+  ErasureDone erasure;
+  erasure.erased = true;
+  erasure.plan.code = stone.code;
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  const auto recording = nobody_records(access);
+  if (!recording) return recording.error();
+  const auto done = audited(
+      access, "erasing a person", entry_of("erase", stone.code, "0 rows: " + reason),
+      [&](AuditEntry&) {
+        soci::session& sql = parts.database.sql();
+        std::string since;  // of a person that came with a merge: all of the log
+        sql << "SELECT coalesce(min(at_utc), '') FROM audit_log WHERE act = 'add patient' AND "
+               "result = 'done' AND object = :code COLLATE NOCASE",
+            soci::use(stone.code), soci::into(since);
+        erasure.remains = remains_of(sql, stone.code, since, stone.erased_utc);
+      });
+  if (!done) return done.error();
+  if (const auto swept = sweep(parts.database); !swept) erasure.not_swept = swept.error();
+  return erasure;
 }
 
 }  // namespace
@@ -151,6 +184,11 @@ Result<ErasurePlan> plan_erasure(Access& access, const std::string& code) {
 Result<ErasureDone> erase_patient(Access& access, const std::string& code,
                                   const std::string& reason) {
   if (const auto good = check_reason(reason); !good) return good.error();
+  if (const auto allowed = access.require(Right::manage, "erase", loggable(code)); !allowed)
+    return allowed.error();
+  const auto stone = tombstone_of(access, code);
+  if (!stone) return stone.error();
+  if (*stone) return sweep_again(access, **stone, reason);
   const auto plan = plan_erasure(access, code);
   if (!plan) return plan.error();
   const auto person = find_person(access, code);
@@ -174,28 +212,20 @@ Result<ErasureDone> erase_patient(Access& access, const std::string& code,
                      "until_date = excluded.until_date",
                   soci::use(person->id), soci::use(now), soci::use(plan->keep_until_date),
                   soci::use(by);
-              erasure.remains = remains_of(access, *person);
+              erasure.remains =
+                  remains_of(parts.database.sql(), person->code, person->created_utc, now);
             });
     if (!done) return done.error();
     erasure.plan.restricted = true;
     return erasure;
   }
-  const auto recording = RecordingLock::exclusive_if_free(parts.database.real_path());
+  const auto recording = nobody_records(access);
   if (!recording) return recording.error();
-  if (!recording->held())
-    return Error{Error::Code::failed,
-                 "another program records into the file now",
-                 "end that session, then erase",
-                 access.path(),
-                 0,
-                 ""};
-  const auto secured =
-      parts.database.guard("erasing", [&] { parts.database.sql() << "PRAGMA secure_delete=ON"; });
-  if (!secured) return secured.error();
+  if (const auto wiping = overwrite_what_is_removed(parts.database); !wiping) return wiping.error();
   const auto done = audited(
       access, "erasing a person", entry_of("erase", person->code, reason), [&](AuditEntry& entry) {
         soci::session& sql = parts.database.sql();
-        erasure.remains = remains_of(access, *person);
+        erasure.remains = remains_of(sql, person->code, person->created_utc, now);
         std::int64_t all = 0;
         for (const PersonalTable& table : kPersonal) {
           const std::string query =
@@ -211,8 +241,8 @@ Result<ErasureDone> erase_patient(Access& access, const std::string& code,
         entry.detail = std::to_string(all) + " rows: " + reason;
       });
   if (!done) return done.error();
-  if (const auto swept = sweep(parts); !swept) return swept.error();
   erasure.erased = true;
+  if (const auto swept = sweep(parts.database); !swept) erasure.not_swept = swept.error();
   return erasure;
 }
 

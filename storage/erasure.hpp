@@ -29,6 +29,9 @@ struct ErasureDone {
   /// What this program cannot reach, from the audit log: backups and copies of older formats by
   /// name, exports and reports by day (their names could tell who the person is and are not kept).
   std::vector<std::string> remains;
+  /// The rows are gone, but the file could not be rewritten, so it may still hold their bytes:
+  /// erase the same code again.
+  std::optional<Error> not_swept;
 };
 
 /// What is left of an erased person.
@@ -40,7 +43,8 @@ struct Tombstone {
 
 [[nodiscard]] Result<ErasurePlan> plan_erasure(Access& access, const std::string& code);
 /// Restricts or erases as the plan says. `reason` is logged: no identity in it. Erasing rewrites
-/// the file without the person's rows and empties its journal; refused while somebody records.
+/// the file without the person's rows and empties its journal; refused while somebody records. Of a
+/// code that was erased: only that is done again.
 [[nodiscard]] Result<ErasureDone> erase_patient(Access& access, const std::string& code,
                                                 const std::string& reason);
 /// Ends a restriction (the request was withdrawn).

@@ -9,6 +9,7 @@
 
 #include "storage/consent.hpp"
 #include "storage/identity.hpp"
+#include "storage/login.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
 namespace isograsp {
@@ -145,7 +146,31 @@ TEST_F(Erasure, LeavesATombstoneAndTheCodeIsNotGivenAgain) {
   ASSERT_EQ(stones.size(), 1u);
   EXPECT_EQ(stones[0].code, "P-1");
   EXPECT_NE(refusal(open_store(path)->add_patient("p-1")).find("was erased"), std::string::npos);
-  EXPECT_FALSE(erase_patient(*access, "P-1", "once more").ok());
+}
+
+TEST_F(Erasure, OfACodeThatWasErasedRewritesTheFileThatCouldNotBe) {
+  must(open_store(path)->backup(folder.file("monday.db")));
+  must(set_policy(*access, {600, 0}));
+  soci::session reader(soci::sqlite3, "db=\"" + path + "\"");
+  int count = 0;
+  reader << "BEGIN";
+  reader << "SELECT count(*) FROM patients", soci::into(count);
+  access->parts().database.sql() << "PRAGMA busy_timeout=0";
+  const auto hindered = must(erase_patient(*access, "P-1", "asked for it"));
+  EXPECT_TRUE(hindered.erased);
+  ASSERT_TRUE(hindered.not_swept);
+  EXPECT_NE(hindered.not_swept->message().find("another program reads"), std::string::npos);
+  EXPECT_EQ(hindered.remains.size(), 1u) << "is told in any case";
+  EXPECT_TRUE(anywhere("FORGETME"));
+  reader << "COMMIT";
+  const auto again = must(erase_patient(*access, "p-1", "once more"));
+  EXPECT_TRUE(again.erased);
+  EXPECT_FALSE(again.not_swept);
+  EXPECT_TRUE(again.rows.empty());
+  EXPECT_EQ(again.remains, hindered.remains);
+  std::filesystem::remove(folder.file("monday.db"));
+  EXPECT_FALSE(anywhere("FORGETME"));
+  EXPECT_EQ(must(tombstones(*access)).size(), 1u);
 }
 
 TEST_F(Erasure, RestrictsWhileTheLawAsksForTheRecords) {

@@ -164,8 +164,10 @@ Result<void> restore(const DbOptions& options) {
   // What the audit log of the lost file had come to stays as evidence; the new one begins anew.
   std::error_code ignored;
   std::filesystem::rename(options.file + "-audit", options.file + "-audit.old", ignored);
-  const auto logged = log_act_of(options.file, nullptr, "restore", "", true,
-                                 std::filesystem::path(options.from).filename().string());
+  std::string files = std::filesystem::path(options.from).filename().string();
+  if (!done->kept.empty())
+    files += "; as it was: " + std::filesystem::path(done->kept).filename().string();
+  const auto logged = log_act_of(options.file, nullptr, "restore", "", true, files);
   if (!logged) return logged.error();
   Json json{{"file", options.file}, {"restored_from", options.from}};
   std::string text = options.file + ": restored from " + options.from + " and checked";

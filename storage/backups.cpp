@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "core/time.hpp"
-#include "storage/database.hpp"
+#include "storage/sqlite_store.hpp"
 
 namespace isograsp {
 
@@ -183,7 +183,11 @@ Result<Restored> restore_backup(const std::string& backup, const std::string& da
     const auto store = open_sound(backup);
     if (!store) return store.error();
     fs::remove(copy, failure);
-    if (const auto copied = (*store)->backup(copy); !copied) return copied.error();
+    auto source = Database::open(backup, SessionStore::Open::read_only);
+    if (!source) return source.error();
+    // Not through the store: the backup stays as it is, its audit log too.
+    if (const auto copied = SqliteStore(*std::move(source)).backup(copy); !copied)
+      return copied.error();
   }
   const auto give_up = [&](Error error) {
     fs::remove(copy, failure);

@@ -190,6 +190,12 @@ Result<void> check_file(const std::string& path, const std::string& real_path,
 
 }  // namespace
 
+bool may_be_written(const std::string& path) {
+  std::error_code failure;
+  const fs::path real_path = fs::weakly_canonical(fs::absolute(path), failure);
+  return !failure && writable(real_path) && writable(real_path.parent_path());
+}
+
 bool sync_path(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
@@ -270,8 +276,7 @@ Result<Database> Database::open(const std::string& path, SessionStore::Open how,
   const bool read_only = how == Open::read_only;
   // A reader that may write the file still opens it so (and then promises not to): SQLite can then
   // remove its journal when the last connection closes, instead of leaving it beside the file.
-  const bool sealed =
-      read_only && !(writable(real_path) && writable(fs::path(real_path).parent_path()));
+  const bool sealed = read_only && !may_be_written(real_path);
   const auto opened = database.guard("opening", [&] {
     database.session_ =
         std::make_unique<soci::session>(soci::sqlite3, connection(real_path, sealed));

@@ -71,6 +71,9 @@ class Database {
   std::function<void()> before_commit_;
 };
 
+/// The file and its folder may be written.
+[[nodiscard]] bool may_be_written(const std::string& path);
+
 /// A file, or the names in a folder, are on the disk when it returns true.
 [[nodiscard]] bool sync_path(const std::string& path);
 

@@ -26,8 +26,9 @@ struct ErasureDone {
   bool erased = false;  ///< false: restricted until plan.keep_until_date
   ErasurePlan plan;
   std::map<std::string, std::int64_t> rows;  ///< erased, by table
-  /// What this program cannot reach, from the audit log: backups and copies of older formats by
-  /// name, exports and reports by day (their names could tell who the person is and are not kept).
+  /// What this program cannot reach, from the audit log: backups, copies of older formats, merged
+  /// and replaced files by name, exports, studies and reports by day (their names could tell who
+  /// the person is and are not kept).
   std::vector<std::string> remains;
   /// The rows are gone, but the file could not be rewritten, so it may still hold their bytes:
   /// erase the same code again.

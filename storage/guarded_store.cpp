@@ -38,11 +38,11 @@ Result<std::unique_ptr<SqliteStore>> make_guarded_store(Database database, bool 
       return refusal_of(*state, Right::write_records, database.path());
   }
   return std::unique_ptr<SqliteStore>(
-      std::make_unique<GuardedStore>(std::move(database), std::move(state), writable));
+      std::make_unique<GuardedStore>(std::move(database), std::move(state)));
 }
 
-GuardedStore::GuardedStore(Database database, std::shared_ptr<LoginState> state, bool writable)
-    : SqliteStore(std::move(database)), state_(std::move(state)), writable_(writable) {}
+GuardedStore::GuardedStore(Database database, std::shared_ptr<LoginState> state)
+    : SqliteStore(std::move(database)), state_(std::move(state)) {}
 
 template <class Work>
 auto GuardedStore::logged(const char* act, const std::string& object, std::string detail, Work work,
@@ -310,11 +310,14 @@ Result<std::vector<std::string>> GuardedStore::check() {
 
 Result<void> GuardedStore::backup(const std::string& to) {
   const auto copied = SqliteStore::backup(to);
-  if (!writable_ || database_.format() < schema::kAccessFormat) return copied;
+  if (database_.format() != kDatabaseFormat || !may_be_written(path())) return copied;
+  // On a connection of its own: a store that only reads makes backups, too.
+  auto log = Database::open(path(), Open::existing);
+  if (!log) return log.error();
   AuditEntry entry = entry_of("backup", std::filesystem::path(to).filename());
   if (!copied) entry.result = "failed";
-  const auto written = audited(database_, *state_, entry,
-                               [&] { return database_.transact("writing the audit log", [] {}); });
+  const auto written =
+      audited(*log, *state_, entry, [&] { return log->transact("writing the audit log", [] {}); });
   return copied ? written : copied;
 }
 

@@ -21,7 +21,7 @@ inline constexpr std::string_view kWithheld = "[withheld]";
 
 class GuardedStore final : public SqliteStore {
  public:
-  GuardedStore(Database database, std::shared_ptr<LoginState> state, bool writable);
+  GuardedStore(Database database, std::shared_ptr<LoginState> state);
 
   [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code,
                                                   const std::string& created_utc) override;
@@ -80,7 +80,6 @@ class GuardedStore final : public SqliteStore {
   [[nodiscard]] Result<void> open(std::string& text, const char* column, const std::string& code);
 
   std::shared_ptr<LoginState> state_;
-  bool writable_;
 };
 
 /// Refused where a login is needed and is not there, or has no right to write.

@@ -5,6 +5,7 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "storage/backups.hpp"
 #include "storage/consent.hpp"
 #include "storage/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
@@ -44,6 +45,17 @@ struct Audit : ProtectedClinic {
   }
   [[nodiscard]] std::vector<std::string> problems() { return must(check_audit(*access)); }
 };
+
+TEST_F(Audit, EveryBackupIsInItWhoeverMakesIt) {
+  must(Backups(path).make(std::time(nullptr)));
+  as("Rita");
+  must(must(SessionStore::open_to_read(path))->backup(folder.file("ritas.db")));
+  as("Ada");
+  const auto backups = must(read_audit(*access, {"backup", ""}));
+  ASSERT_EQ(backups.size(), 2u);
+  EXPECT_EQ(backups[1].actor + " " + backups[1].object, "Rita ritas.db");
+  EXPECT_TRUE(problems().empty());
+}
 
 TEST_F(Audit, TellsWhoDidWhatToWhatWithWhichResult) {
   as("Rita");

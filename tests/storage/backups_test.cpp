@@ -116,8 +116,10 @@ TEST_F(Backup, OfADamagedDatabaseIsAnErrorAndNoGoodOneIsRemoved) {
 
 TEST_F(Backup, RestoringBringsBackWhatWasAndKeepsWhatIs) {
   const auto made = must(Backups(path).make(kStart));
+  const std::string before = bytes_of(made.backup.path);
   must(open_store(path)->add_patient("P-2"));
   const auto restored = must(restore_backup(made.backup.path, path));
+  EXPECT_EQ(bytes_of(made.backup.path), before) << "a backup stays as it is";
   EXPECT_EQ(restored.kept, path + ".before-restore");
   EXPECT_EQ(must(open_store(path)->patients()).size(), 1u);
   EXPECT_EQ(must(open_store(restored.kept)->patients()).size(), 2u);

@@ -7,9 +7,11 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "storage/backups.hpp"
 #include "storage/consent.hpp"
 #include "storage/identity.hpp"
 #include "storage/login.hpp"
+#include "storage/merge.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
 namespace isograsp {
@@ -248,13 +250,24 @@ TEST_F(Erasure, ErasesAfterTheLastDayThatTheLawAsksFor) {
 
 TEST_F(Erasure, SaysWhatRemainsInBackupsAndExports) {
   must(open_store(path)->backup(folder.file("monday.db")));
+  const auto scheduled = must(Backups(path).make(std::time(nullptr))).backup.path;
   must(log_act(*access, "export", "", true, "csv"));
   must(log_act(*access, "report", "P-2", true, "pdf"));
+  must(log_act(*access, "report", "p-1", true, "pdf"));
+  must(log_act(*access, "study", "", true));
+  must(log_act(*access, "restore", "", true, "sunday.db; as it was: clinic.db.before-restore"));
+  const std::string station = folder.file("station.db");
+  open_store(station);
+  must(merge_databases(path, station));
   must(set_policy(*access, {600, 0}));
   const auto done = must(erase_patient(*access, "P-1", "asked for it"));
-  ASSERT_EQ(done.remains.size(), 2u);
-  EXPECT_NE(done.remains[0].find("monday.db"), std::string::npos);
-  EXPECT_NE(done.remains[1].find("export"), std::string::npos);
+  const std::vector<std::string> expected{"monday.db", std::filesystem::path(scheduled).filename(),
+                                          "export",    "report",
+                                          "study",     "clinic.db.before-restore",
+                                          "station.db"};
+  ASSERT_EQ(done.remains.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NE(done.remains[i].find(expected[i]), std::string::npos) << done.remains[i];
 }
 
 TEST_F(Erasure, WaitsForARecording) {

@@ -84,7 +84,7 @@ Result<std::vector<Consent>> consents(Access& access, const std::string& code) {
     soci::statement select =
         (parts.database.sql().prepare
              << "SELECT id, on_date, purpose, basis, state, text, recorded_utc, recorded_by "
-                "FROM consents WHERE patient_id = :id ORDER BY id",
+                "FROM consents WHERE patient_id = :id ORDER BY recorded_utc, id",
          soci::use(person->id), soci::into(one.id), soci::into(one.on_date),
          soci::into(one.purpose), soci::into(one.basis), soci::into(one.state),
          soci::into(one.text), soci::into(one.recorded_utc), soci::into(one.recorded_by));

@@ -25,7 +25,8 @@ struct MergeReport {
 /// - what is there already is not added again: merging twice changes nothing;
 /// - a into b and b into a hold the same, up to the numbers of rows.
 /// Conflicts: a UUID that stands for different content (a trial's signals by their hash), one code
-/// that two files gave separately. `same_patients`: codes of which it is known that they mean the
+/// that two files gave separately, a person who was erased in one file and is in the other. Who was
+/// erased in either stays so. `same_patients`: codes of which it is known that they mean the
 /// same person in both files; that person has both UUIDs from then on.
 /// Both files must have the format of this program; nobody may record into either. `into_how`:
 /// existing, or scratch, where nothing is logged and the same files give the same bytes.

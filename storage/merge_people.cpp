@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who of the other file is who here: by UUID, or by a code of which it is said so.
+// Who of the other file is who here: by UUID, or by a code of which it is said so. Who was erased
+// in one of them does not come back.
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -23,6 +24,10 @@ class People {
     auto ours = patients("main");
     RowId next = 0;
     for (const Patient& patient : ours) next = std::max(next, patient.id);
+    for (const Patient& our : ours)
+      if (was_erased("other", our.code))
+        report_.conflicts.push_back("patient " + our.code +
+                                    " was erased in the other file on request: erase it here, too");
     std::set<std::string> used;
     for (const Patient& theirs : patients("other")) {
       std::vector<Patient*> known;
@@ -47,7 +52,7 @@ class People {
       } else if (same != nullptr) {
         join(*same, theirs);
         number(theirs.id, same->id, false);
-      } else if (was_erased(theirs.code)) {
+      } else if (was_erased("main", theirs.code)) {
         report_.conflicts.push_back("patient " + theirs.code +
                                     " was erased here on request and must not come back");
       } else {
@@ -59,6 +64,7 @@ class People {
       if (!used.contains(lower(code)))
         throw Refusal{{Error::Code::bad_input, "patient " + code + " is not in both files",
                        "give a code that both have", "", 0, "--same-patient"}};
+    take_tombstones();
   }
 
  private:
@@ -102,11 +108,21 @@ class People {
     });
   }
 
-  bool was_erased(const std::string& code) {
+  bool was_erased(const std::string& file, const std::string& code) {
     int stones = 0;
-    sql_ << "SELECT count(*) FROM main.tombstones WHERE code = :code COLLATE NOCASE",
+    sql_ << "SELECT count(*) FROM " + file + ".tombstones WHERE code = :code COLLATE NOCASE",
         soci::use(code), soci::into(stones);
     return stones > 0;
+  }
+
+  /// Who was erased in one file is erased in both; the first time counts.
+  void take_tombstones() {
+    sql_ << "INSERT INTO main.tombstones (code, erased_utc, erased_by) "
+            "SELECT code, erased_utc, erased_by FROM other.tombstones WHERE true ORDER BY id "
+            "ON CONFLICT (code) DO UPDATE SET code = excluded.code, "
+            "erased_utc = excluded.erased_utc, erased_by = excluded.erased_by WHERE "
+            "(excluded.erased_utc, excluded.erased_by, excluded.code) < "
+            "(erased_utc, erased_by, code)";
   }
 
   static std::string lower(std::string text) {

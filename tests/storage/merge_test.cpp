@@ -8,6 +8,8 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "storage/consent.hpp"
+#include "storage/erasure.hpp"
 #include "tests/storage/examples.hpp"
 
 namespace isograsp {
@@ -72,6 +74,8 @@ std::multiset<std::string> content_of(const std::string& path) {
   SessionStore& store = *opened;
   EXPECT_EQ(must(store.check()), std::vector<std::string>{});
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+  for (const auto& stone : must(tombstones(*must(Access::open(path)))))
+    all.insert(stone.code + " erased " + stone.erased_utc + stone.erased_by);
   for (const auto& patient : must(store.patients())) {
     std::set<std::string> uuids{patient.uuid};
     std::string uuid;
@@ -252,6 +256,52 @@ TEST_F(Merge, OfDifferentContentUnderOneUuidIsReportedAndNothingIsChanged) {
     EXPECT_NE(report.conflicts[0].find(change.reported), std::string::npos) << report.conflicts[0];
     EXPECT_EQ(content_of(a), before) << change.statement;
   }
+}
+
+/// At another station the person was erased: gone in both files afterwards, or a conflict.
+TEST_F(Merge, NeverBringsBackWhoWasErased) {
+  make_station(a, "A-1", 1);
+  make_station(b, "B-1", 2);
+  execute(a,
+          "INSERT INTO tombstones (code, erased_utc, erased_by) VALUES "
+          "('E-1', '2026-01-02T00:00:00Z', 'Ada'), ('E-2', '2026-01-01T00:00:00Z', 'Ada')");
+  execute(b,
+          "INSERT INTO tombstones (code, erased_utc, erased_by) VALUES "
+          "('e-1', '2026-01-01T00:00:00Z', 'Bob'), ('E-3', '2026-01-01T00:00:00Z', 'Bob')");
+  const auto whole = expect_laws();
+  EXPECT_TRUE(whole.contains("e-1 erased 2026-01-01T00:00:00ZBob")) << "the first time counts";
+  EXPECT_TRUE(whole.contains("E-2 erased 2026-01-01T00:00:00ZAda"));
+  EXPECT_TRUE(whole.contains("E-3 erased 2026-01-01T00:00:00ZBob"));
+  EXPECT_FALSE(open_store(folder.file("ab.db"))->add_patient("E-3").ok());
+  execute(b,
+          "INSERT INTO tombstones (code, erased_utc, erased_by) VALUES "
+          "('a-1', '2026-01-01T00:00:00Z', 'Bob')");
+  const auto before = content_of(a);
+  const auto into = must(merge_databases(a, b));
+  ASSERT_EQ(into.conflicts.size(), 1u);
+  EXPECT_NE(into.conflicts[0].find("patient A-1 was erased in the other file"), std::string::npos);
+  EXPECT_EQ(content_of(a), before);
+  const auto from = must(merge_databases(b, a));
+  ASSERT_EQ(from.conflicts.size(), 1u);
+  EXPECT_NE(from.conflicts[0].find("patient A-1 was erased here"), std::string::npos);
+}
+
+/// Each station has asked; which file is taken into which does not matter.
+TEST_F(Merge, TheLastWordOnAConsentIsTheOneThatWasRecordedLast) {
+  make_station(a, "P-1", 1);
+  b = copy(a, "b.db");
+  const auto say = [](const std::string& path, const std::string& state, const std::string& at) {
+    must(add_consent(*must(Access::open(path)), "P-1",
+                     {0, "2026-03-05", "research", "consent", state, "", "", ""}));
+    execute(path, "UPDATE consents SET recorded_utc = '" + at + "' WHERE id = 1");
+  };
+  say(a, "withdrawn", "2026-03-06T10:00:00Z");
+  say(b, "given", "2026-03-05T10:00:00Z");
+  EXPECT_TRUE(must(may_be_used_for_research(*must(Access::open(b)), "P-1")));
+  expect_laws();
+  for (const char* merged : {"ab.db", "ba.db"})
+    EXPECT_FALSE(must(may_be_used_for_research(*must(Access::open(folder.file(merged))), "P-1")))
+        << merged;
 }
 
 TEST_F(Merge, IsRefusedWithAFileThatCannotBeMerged) {

@@ -4,19 +4,54 @@
 #include "storage/merge.hpp"
 
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include <soci/soci.h>
 
 #include "storage/access.hpp"
 #include "storage/audit_chain.hpp"
 #include "storage/merge_tables.hpp"
+#include "storage/sqlite_store.hpp"
 
 namespace isograsp {
 
 namespace {
 
-MergeReport merge(soci::session& sql, std::span<const std::string> same_patients) {
+using Hashes = std::vector<std::pair<RowId, ContentHash>>;
+
+/// Of the trials that are not packed. One that cannot be read has none, and then differs from one
+/// that has.
+Result<Hashes> hashes_of_unpacked(const std::string& path) {
+  auto database = Database::open(path, SessionStore::Open::read_only);
+  if (!database) return database.error();
+  SqliteStore store(*std::move(database));
+  const auto unpacked = store.unpacked();
+  if (!unpacked) return unpacked.error();
+  Hashes hashes;
+  for (const RowId trial : *unpacked)
+    if (const auto hash = store.hash_of_blocks(trial); hash && *hash)
+      hashes.emplace_back(trial, **hash);
+  return hashes;
+}
+
+void note_hashes(soci::session& sql, const std::string& file, const Hashes& hashes) {
+  for (const auto& [id, hash] : hashes) {
+    soci::blob bytes(sql);
+    bytes.append(bytes_of(hash).data(), hash.size());
+    sql << "INSERT INTO temp.hashes VALUES (:file, :id, :hash)", soci::use(file), soci::use(id),
+        soci::use(bytes);
+  }
+}
+
+MergeReport merge(soci::session& sql, std::span<const std::string> same_patients,
+                  const Hashes& ours, const Hashes& theirs) {
   MergeReport report;
+  sql << "CREATE TEMP TABLE hashes (file TEXT NOT NULL, id INTEGER NOT NULL, blake2b BLOB NOT "
+         "NULL, "
+         "PRIMARY KEY (file, id))";
+  note_hashes(sql, "main", ours);
+  note_hashes(sql, "other", theirs);
   sql << "CREATE TEMP TABLE numbers (name TEXT NOT NULL, there INTEGER NOT NULL, "
          "here INTEGER NOT NULL, added INTEGER NOT NULL, PRIMARY KEY (name, there))";
   merge_people(sql, same_patients, report);
@@ -27,7 +62,10 @@ MergeReport merge(soci::session& sql, std::span<const std::string> same_patients
   }
   find_collisions(sql, report);
   if (!report.conflicts.empty()) return report;
-  for (const MergeTable& table : merge_tables()) copy_rows(sql, table);
+  for (const MergeTable& table : merge_tables()) {
+    take_late_columns(sql, table);
+    copy_rows(sql, table);
+  }
   copy_signals(sql);
   const auto count = [&sql](const char* which) {
     int number = 0;
@@ -38,6 +76,7 @@ MergeReport merge(soci::session& sql, std::span<const std::string> same_patients
   report.trials_added = count("name = 'trials' AND added");
   report.trials_present = count("name = 'trials' AND NOT added");
   sql << "DROP TABLE temp.numbers";
+  sql << "DROP TABLE temp.hashes";
   return report;
 }
 
@@ -94,6 +133,10 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
                  is_protected_database(into) ? into : from,
                  0,
                  ""};
+  const auto ours = hashes_of_unpacked(into);
+  if (!ours) return ours.error();
+  const auto theirs = hashes_of_unpacked(from);
+  if (!theirs) return theirs.error();
   std::shared_ptr<LoginState> state;
   const auto attached = database->guard("opening the other file", [&] {
     state = login_state_of(*database);
@@ -104,7 +147,7 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
   AuditEntry entry = entry_of("merge", std::filesystem::path(from).filename());
   const auto work = [&] {
     return database->transact("merging", [&] {
-      report = merge(database->sql(), same_patients);
+      report = merge(database->sql(), same_patients, *ours, *theirs);
       if (!report.conflicts.empty())
         throw Refusal{{Error::Code::failed, "the files do not agree", "", from, 0, ""}};
     });

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the other file cannot stand beside what is here.
+#include <algorithm>
+
 #include <soci/soci.h>
 
 #include "storage/merge_tables.hpp"
@@ -22,6 +24,12 @@ std::string place(const MergeTable& table) {
          "WHERE s.id = m.session_id)";
 }
 
+/// What the signals of trial `row` hash to, packed or not.
+std::string content_of(const std::string& row, const std::string& file) {
+  return "coalesce(" + row + ".signals_blake2b, (SELECT blake2b FROM temp.hashes WHERE file = '" +
+         file + "' AND id = " + row + ".id))";
+}
+
 /// One conflict for each row of `query`.
 void report_each(soci::session& sql, const std::string& query, MergeReport& report) {
   std::string what;
@@ -35,15 +43,20 @@ void report_each(soci::session& sql, const std::string& query, MergeReport& repo
 void find_conflicts(soci::session& sql, const MergeTable& table, MergeReport& report) {
   if (table.key.empty()) return;
   const std::string name(table.name);
-  for (const auto& column : columns_of(sql, table.name))
-    if (column != "id")
-      report_each(sql,
-                  "SELECT " + place(table) + " || ' is in both files with different content (" +
-                      column + ")' FROM temp.numbers n JOIN other." + name + " o ON o." +
-                      table.id() + " = n.there JOIN main." + name + " m ON m." + table.id() +
-                      " = n.here WHERE n.name = '" + name + "' AND NOT n.added AND m." + column +
-                      " IS NOT " + translated(table, column),
-                  report);
+  for (const auto& column : columns_of(sql, table.name)) {
+    if (column == "id") continue;
+    std::string differ = "m." + column + " IS NOT " + translated(table, column);
+    if (column == "signals_blake2b")
+      differ = content_of("m", "main") + " IS NOT " + content_of("o", "other");
+    if (std::find(table.late.begin(), table.late.end(), column) != table.late.end())
+      differ += " AND " + is_told(table, "m") + " AND " + is_told(table, "o");
+    report_each(sql,
+                "SELECT " + place(table) + " || ' is in both files with different content (" +
+                    column + ")' FROM temp.numbers n JOIN other." + name + " o ON o." + table.id() +
+                    " = n.there JOIN main." + name + " m ON m." + table.id() +
+                    " = n.here WHERE n.name = '" + name + "' AND NOT n.added AND " + differ,
+                report);
+  }
 }
 
 void find_collisions(soci::session& sql, MergeReport& report) {

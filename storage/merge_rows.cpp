@@ -78,6 +78,18 @@ void copy_rows(soci::session& sql, const MergeTable& table) {
              " AND n.added ORDER BY o." + table.id();
 }
 
+void take_late_columns(soci::session& sql, const MergeTable& table) {
+  std::vector<std::string> values;
+  for (const auto late : table.late)
+    if (!late.empty()) values.push_back(std::string(late) + " = o." + std::string(late));
+  if (values.empty()) return;
+  const std::string name(table.name);
+  sql << "UPDATE main." + name + " AS m SET " + joined(values, ", ") +
+             " FROM temp.numbers n JOIN other." + name + " o ON o.id = n.there WHERE n.name = '" +
+             name + "' AND NOT n.added AND n.here = m.id AND " + is_told(table, "o") + " AND NOT " +
+             is_told(table, "m");
+}
+
 void copy_signals(soci::session& sql) {
   for (const auto table : kSignalTables) {
     const MergeTable of_trial{table, "", {{{"trial_id", "trials"}, {}, {}}}};

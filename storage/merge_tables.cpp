@@ -15,10 +15,16 @@ constexpr std::array<MergeTable, 15> kTables{{
     {"stable_periods", "", {{{"patient_id", "patients"}, {}, {}}}},
     {"consents", "", {{{"patient_id", "patients"}, {}, {}}}},
     {"restrictions", "patient_id", {{{"patient_id", "patients"}, {}, {}}}},
-    {"sessions", "uuid", {{{"patient_id", "patients"}, {"resumes_id", "sessions"}, {}}}},
+    {"sessions",
+     "uuid",
+     {{{"patient_id", "patients"}, {"resumes_id", "sessions"}, {}}},
+     {"ended_utc"}},
     {"session_answers", "", {{{"session_id", "sessions"}, {}, {}}}},
     {"instrument_zeros", "", {{{"session_id", "sessions"}, {}, {}}}},
-    {"trials", "uuid", {{{"session_id", "sessions"}, {"zero_id", "instrument_zeros"}, {}}}},
+    {"trials",
+     "uuid",
+     {{{"session_id", "sessions"}, {"zero_id", "instrument_zeros"}, {}}},
+     {"zero_drift_N", "zero_drifted"}},
     {"measures", "", {{{"trial_id", "trials"}, {}, {}}}},
     {"events", "", {{{"session_id", "sessions"}, {"trial_id", "trials"}, {}}}},
     {"resting_forces", "", {{{"session_id", "sessions"}, {"trial_id", "trials"}, {}}}},
@@ -57,6 +63,11 @@ std::string translated(const MergeTable& table, const std::string& column) {
   for (const MergeReference& reference : table.references)
     if (reference.column == column) return number_here(reference.table, "o." + column);
   return "o." + column;
+}
+
+std::string is_told(const MergeTable& table, const std::string& row) {
+  // '' differs from every number.
+  return "coalesce(" + row + "." + std::string(table.late.front()) + ", '') <> ''";
 }
 
 }  // namespace isograsp

@@ -27,6 +27,9 @@ struct MergeTable {
   std::string_view name;
   std::string_view key;  ///< what tells rows apart; empty: all of their content
   std::array<MergeReference, 3> references;
+  /// Columns that are filled in after the row was made. While the first is NULL or empty they say
+  /// nothing, and what the other file knows is taken.
+  std::array<std::string_view, 2> late{};
 
   /// The column that numbers its rows.
   [[nodiscard]] std::string id() const { return key == "patient_id" ? "patient_id" : "id"; }
@@ -41,6 +44,8 @@ struct MergeTable {
 [[nodiscard]] std::string number_here(std::string_view table, const std::string& expression);
 /// SQL: the column of row o of the other file as it is to stand here.
 [[nodiscard]] std::string translated(const MergeTable& table, const std::string& column);
+/// SQL: row `row` knows its late columns.
+[[nodiscard]] std::string is_told(const MergeTable& table, const std::string& row);
 
 // The steps, in their order.
 /// Who is who; people of the other file that are not here are added.
@@ -54,6 +59,8 @@ void find_conflicts(soci::session& sql, const MergeTable& table, MergeReport& re
 /// Added rows that cannot stand beside those that are here.
 void find_collisions(soci::session& sql, MergeReport& report);
 void copy_rows(soci::session& sql, const MergeTable& table);
+/// What only the other file knows of rows that are in both.
+void take_late_columns(soci::session& sql, const MergeTable& table);
 /// Of the trials that are added.
 void copy_signals(soci::session& sql);
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "storage/block_codec.hpp"
 #include "storage/content_hash.hpp"
 #include "storage/database.hpp"
 #include "storage/session_store.hpp"
@@ -90,6 +91,8 @@ class SqliteStore : public SessionStore {
   [[nodiscard]] Result<void> pack_trial(RowId trial);
   /// The same; why it failed becomes an event of the session.
   void pack_or_say(RowId trial);
+  /// The hash that packing would give a closed trial; nothing: it is packed.
+  [[nodiscard]] Result<std::optional<ContentHash>> hash_of_blocks(RowId trial);
 
  protected:
   [[nodiscard]] Error refuse(std::string what, std::string remedy) const;
@@ -120,7 +123,15 @@ class SqliteStore : public SessionStore {
   /// The same of packs, and what they say to the hash of the trial; the last one may hold more.
   void read_packs(const TrialRecord& trial, std::size_t group,
                   std::span<std::vector<double>> columns, ContentHasher& whole);
+  using PartWork =
+      std::function<void(int part, std::size_t rows, const Planes&, const ContentHash& values)>;
+  /// The blocks of a group as the parts that packing makes of them, and what they say to the hash
+  /// of the trial. Throws a refusal that names what is missing or damaged.
+  void read_parts(const TrialRecord& trial, std::size_t group, ContentHasher& whole,
+                  const PartWork& work);
   void pack_group(const TrialRecord& trial, std::size_t group, ContentHasher& whole);
+  /// What packing needs of a trial; nothing: it is packed, runs or does not exist.
+  [[nodiscard]] std::optional<TrialRecord> unpacked_trial(RowId id);
   /// Throws a refusal if the table has no such row; `one`: what a row is called.
   void require(const char* table, const char* one, RowId id);
   /// A new one; in a scratch file that of `name`: what is made of simulated people for a moment is

@@ -258,6 +258,72 @@ TEST_F(Merge, OfDifferentContentUnderOneUuidIsReportedAndNothingIsChanged) {
   }
 }
 
+/// A station is copied between two trials of a session that then goes on.
+TEST_F(Merge, OfASessionThatWasStillOpenTakesItsEnd) {
+  {
+    const auto store = open_store(a);
+    const RowId session =
+        must(store->begin_session(example_session(must(store->add_patient("P-1")).id)));
+    InstrumentZeroRecord zero;
+    zero.session_id = session;
+    zero.mean.fill(Vec6::Constant(1.0));
+    zero.sd.fill(Vec6::Constant(0.1));
+    const RowId zero_id = must(store->add_zero(zero));
+    const auto record = [&](int number) {
+      TrialRecord trial = example_trial(session, number);
+      trial.zero_id = zero_id;
+      trial.id = must(store->begin_trial(trial));
+      must(store->append_blocks(trial.id, 0, example_rows(trial, 50, 7)));
+      trial.status = TrialStatus::completed;
+      must(store->end_trial(trial, {}));
+    };
+    record(1);
+    b = copy(a, "b.db");
+    record(2);
+    zero.drift_N = 0.5;
+    zero.drifted = true;
+    must(store->add_zero(zero));
+    must(store->end_session(session, "2026-03-01T10:00:00Z"));
+  }
+  expect_laws();
+  for (const char* merged : {"ab.db", "ba.db"}) {
+    const auto store = open_store(folder.file(merged));
+    EXPECT_EQ(must(store->sessions(1)).at(0).ended_utc, "2026-03-01T10:00:00Z") << merged;
+    EXPECT_EQ(must(store->trials(1)).at(0).zero_drift_N, 0.5) << merged;
+    EXPECT_TRUE(must(store->trials(1)).at(0).zero_drifted) << merged;
+  }
+  execute(b, "UPDATE sessions SET ended_utc = '2026-03-01T11:00:00Z'");
+  const auto differ = must(merge_databases(a, b));
+  ASSERT_FALSE(differ.conflicts.empty());
+  EXPECT_NE(differ.conflicts[0].find("(ended_utc)"), std::string::npos);
+}
+
+TEST_F(Merge, OfATrialThatIsPackedInOneFileOnlyComparesItsValues) {
+  make_station(a, "P-1", 1);
+  {
+    const auto store = open_store(a);
+    TrialRecord trial = example_trial(1, 9);
+    trial.id = must(store->begin_trial(trial));
+    for (int s = 0; s < 12; ++s)
+      must(store->append_blocks(trial.id, s, example_rows(trial, 100, static_cast<unsigned>(s))));
+    // As if the power had failed before the signals were packed.
+    execute(a, "UPDATE trials SET status = 'completed', sample_count = 1200 WHERE number = 9");
+  }
+  b = copy(a, "b.db");
+  EXPECT_EQ(must(SessionStore::migrate(b)).packed, 1);
+  for (const auto& [into, from] : {std::pair{a, b}, {b, a}}) {
+    const auto report = must(merge_databases(into, from));
+    EXPECT_EQ(report.conflicts, std::vector<std::string>{});
+    EXPECT_EQ(report.trials_present, 5);
+  }
+  execute(b, "UPDATE trials SET signals_blake2b = zeroblob(32) WHERE number = 9");
+  for (const auto& [into, from] : {std::pair{a, b}, {b, a}}) {
+    const auto report = must(merge_databases(into, from));
+    ASSERT_EQ(report.conflicts.size(), 1u);
+    EXPECT_NE(report.conflicts[0].find("trial 9"), std::string::npos);
+  }
+}
+
 /// At another station the person was erased: gone in both files afterwards, or a conflict.
 TEST_F(Merge, NeverBringsBackWhoWasErased) {
   make_station(a, "A-1", 1);
@@ -297,11 +363,13 @@ TEST_F(Merge, TheLastWordOnAConsentIsTheOneThatWasRecordedLast) {
   };
   say(a, "withdrawn", "2026-03-06T10:00:00Z");
   say(b, "given", "2026-03-05T10:00:00Z");
-  EXPECT_TRUE(must(may_be_used_for_research(*must(Access::open(b)), "P-1")));
+  const auto released = [](const std::string& path) {
+    return must(open_store(path)->may_be_used_for_research(1));
+  };
+  EXPECT_TRUE(released(b));
   expect_laws();
   for (const char* merged : {"ab.db", "ba.db"})
-    EXPECT_FALSE(must(may_be_used_for_research(*must(Access::open(folder.file(merged))), "P-1")))
-        << merged;
+    EXPECT_FALSE(released(folder.file(merged))) << merged;
 }
 
 TEST_F(Merge, IsRefusedWithAFileThatCannotBeMerged) {

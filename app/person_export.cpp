@@ -129,7 +129,7 @@ Json session_of(SessionStore& store, const SessionRecord& session) {
 Json access_of(Access& access, const std::string& code) {
   Json json;
   if (access.is_protected())
-    if (const auto identity = need(read_identity(access, code)))
+    if (const auto identity = need(read_identity_for_person(access, code)))
       json["identity"] = {{"name", identity->name},
                           {"birth_date", identity->birth_date},
                           {"contact", identity->contact}};

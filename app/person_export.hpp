@@ -10,7 +10,8 @@
 namespace isograsp {
 
 /// Makes `folder` (refused if it exists) with person.json, measures.csv and session_S/trial_T.csv.
-/// With the identity where the database holds one. Needs Right::identities in a protected database.
+/// With the identity where the database holds one, also of a restricted person. Needs
+/// Right::identities in a protected database.
 [[nodiscard]] Result<int> export_person(Access& access, const std::string& code,
                                         const std::string& folder);
 

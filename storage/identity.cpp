@@ -57,6 +57,40 @@ Result<void> require_log(Access& access) {
                ""};
 }
 
+struct Reading {
+  const char* act;
+  std::string detail;
+  bool though_restricted;
+};
+
+Result<std::optional<Identity>> read_logged(Access& access, const std::string& code,
+                                            const Reading& reading) {
+  if (const auto allowed = access.require(Right::identities, reading.act, loggable(code)); !allowed)
+    return allowed.error();
+  if (const auto log = require_log(access); !log) return log.error();
+  const auto person = find_person(access, code);
+  if (!person) return person.error();
+  AuditEntry entry = entry_of(reading.act, person->code, reading.detail);
+  const bool closed = !person->restricted_until.empty() && !reading.though_restricted;
+  if (closed) entry.result = "refused";
+  std::string sealed;
+  const auto done = audited(access, "reading an identity", entry, [&](AuditEntry&) {
+    access.parts().database.sql() << "SELECT sealed FROM identities WHERE patient_id = :id",
+        soci::use(person->id), soci::into(sealed);
+    if (!access.parts().database.sql().got_data()) sealed.clear();
+  });
+  if (!done) return done.error();
+  if (closed)
+    return refused(
+        "patient code",
+        "the records of " + person->code + " are restricted until " + person->restricted_until,
+        "in an emergency give the reason; it is logged");
+  if (sealed.empty()) return std::optional<Identity>();
+  const auto identity = open_identity(access, sealed, person->code);
+  if (!identity) return identity.error();
+  return std::optional(*identity);
+}
+
 }  // namespace
 
 Result<void> check_identity(const Identity& identity) {
@@ -86,10 +120,12 @@ Result<void> set_identity(Access& access, const std::string& code, const Identit
   const auto person = find_person(access, code);
   if (!person) return person.error();
   std::string text = identity.name + kBetween + identity.birth_date + kBetween + identity.contact;
-  const Login login = access.parts().login->login();
-  const std::string sealed =
-      seal(login.keys->identity, place_of(*access.parts().login, kColumn, person->code), text);
-  (void)Secret::taken_from(text);
+  const Secret secret = Secret::taken_from(text);
+  const Login login = access.parts().login->login();  // another thread may have logged out by now
+  if (!login.keys || login.keys->identity.empty())
+    return refusal_of(*access.parts().login, Right::identities, access.path());
+  const std::string sealed = seal(
+      login.keys->identity, place_of(*access.parts().login, kColumn, person->code), secret.text());
   return audited(access, "storing an identity", entry_of("change identity", person->code),
                  [&](AuditEntry&) {
                    const std::string now = utc_text(std::time(nullptr));
@@ -103,33 +139,13 @@ Result<void> set_identity(Access& access, const std::string& code, const Identit
 
 Result<std::optional<Identity>> read_identity(Access& access, const std::string& code,
                                               const std::string& emergency) {
-  const char* const act = emergency.empty() ? "read identity" : "emergency access";
-  if (const auto allowed = access.require(Right::identities, act, loggable(code)); !allowed)
-    return allowed.error();
-  if (const auto log = require_log(access); !log) return log.error();
-  if (!emergency.empty())
-    if (const auto good = check_reason(emergency); !good) return good.error();
-  const auto person = find_person(access, code);
-  if (!person) return person.error();
-  AuditEntry entry = entry_of(act, person->code, emergency);
-  const bool closed = !person->restricted_until.empty() && emergency.empty();
-  if (closed) entry.result = "refused";
-  std::string sealed;
-  const auto done = audited(access, "reading an identity", entry, [&](AuditEntry&) {
-    access.parts().database.sql() << "SELECT sealed FROM identities WHERE patient_id = :id",
-        soci::use(person->id), soci::into(sealed);
-    if (!access.parts().database.sql().got_data()) sealed.clear();
-  });
-  if (!done) return done.error();
-  if (closed)
-    return refused(
-        "patient code",
-        "the records of " + person->code + " are restricted until " + person->restricted_until,
-        "in an emergency give the reason; it is logged");
-  if (sealed.empty()) return std::optional<Identity>();
-  const auto identity = open_identity(access, sealed, person->code);
-  if (!identity) return identity.error();
-  return std::optional(*identity);
+  if (emergency.empty()) return read_logged(access, code, {"read identity", "", false});
+  if (const auto good = check_reason(emergency); !good) return good.error();
+  return read_logged(access, code, {"emergency access", emergency, true});
+}
+
+Result<std::optional<Identity>> read_identity_for_person(Access& access, const std::string& code) {
+  return read_logged(access, code, {"read identity", "for the person's own copy", true});
 }
 
 Result<std::vector<std::pair<std::string, Identity>>> all_identities(Access& access) {

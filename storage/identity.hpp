@@ -29,6 +29,10 @@ inline constexpr std::size_t kMostIdentityText = 4096;  ///< bytes of a field
 /// is logged.
 [[nodiscard]] Result<std::optional<Identity>> read_identity(Access& access, const std::string& code,
                                                             const std::string& emergency = "");
+/// For the person themself, who may ask what is stored at any time (GDPR Art. 15), also while
+/// restricted; the log says so.
+[[nodiscard]] Result<std::optional<Identity>> read_identity_for_person(Access& access,
+                                                                       const std::string& code);
 /// Code and identity of everybody who is not restricted, to look for a name; one entry in the log.
 [[nodiscard]] Result<std::vector<std::pair<std::string, Identity>>> all_identities(Access& access);
 

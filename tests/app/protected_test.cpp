@@ -118,6 +118,21 @@ TEST_F(ProtectedCommands, RolesDecideWhoSeesIdentities) {
   EXPECT_TRUE(fs::exists(out + "/person.json"));
 }
 
+TEST_F(ProtectedCommands, ARestrictedPersonStillGetsTheirOwnData) {
+  init();
+  must_do(session + clinic);
+  const std::string of = db + " --patient T-01";
+  must_do("db identity set " + of + " --from " +
+          folder.write("person.json", R"({"name": "Vera Novak"})") + clinic);
+  must_do("db erase " + of + " --reason 'letter of 5 March'" + clinic);
+  refused("db identity show " + of + clinic, "restricted until");
+  must_do("db person " + of + " --out " + folder.path("T-01") + clinic);
+  const Json all = Json::parse(*read_text(folder.path("T-01") + "/person.json"));
+  EXPECT_EQ(all.at("identity").at("name"), "Vera Novak");
+  EXPECT_NE(must_do("db audit " + db + clinic + " --object T-01").find("for the person's own copy"),
+            std::string::npos);
+}
+
 TEST_F(ProtectedCommands, ABackupIsPutBackOnPurposeAndThatIsLogged) {
   init();
   must_do(session + clinic);

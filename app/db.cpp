@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp db: care of the database. `init`, `backup`, `restore`, `migrate` and `merge` write
-// files; the others only read. Accounts and the audit log: db_access.cpp; people: db_person.cpp.
+// files; the others only read. Protection: db_protect.cpp; accounts and the audit log:
+// db_access.cpp; people: db_person.cpp.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -47,7 +48,7 @@ Result<std::unique_ptr<SessionStore>> read_store(const std::string& file) {
 }
 
 Result<void> init(const DbOptions& options) {
-  if (options.protected_file) return init_protected(options.file, options.login, options.json);
+  if (options.protected_file) return init_protected({options.file, options.json, options.login});
   if (options.login.given())
     return Error{Error::Code::bad_input,
                  "a database without protection asks for no login",
@@ -325,6 +326,7 @@ void add_db(CLI::App& app, Action& action) {
   merging->add_option("--same-patient", options->same_patients,
                       "Code that means the same person in both files, though each made it itself");
   add("migrate", "Bring the file to the format of this program", "migrate clinic.db", migrate);
+  add_db_protect(*db, action);
   add_db_access(*db, action);
   add_db_person(*db, action);
 }

@@ -105,13 +105,6 @@ Result<void> passphrase(Access& access, const AccountOptions& options) {
   return {};
 }
 
-void print_recovery_key(bool as_json, Json json, const std::string& text, const Secret& key) {
-  json["recovery_key"] = std::string(key.text());
-  print_answer(as_json, json,
-               text + "\nrecovery key: " + std::string(key.text()) +
-                   "\nPrint it and lock it away: it is shown this once and opens everything.");
-}
-
 Result<void> recovery_key(Access& access, const AccountOptions& options) {
   const auto key = new_recovery_key(access);
   if (!key) return key.error();
@@ -209,24 +202,6 @@ Result<void> audit(Access& access, const AuditOptions& options) {
 }
 
 }  // namespace
-
-Result<void> init_protected(const std::string& file, const LoginOptions& login, bool json) {
-  if (login.passphrase_file.empty())
-    return Error{Error::Code::bad_input,
-                 "no passphrase is given",
-                 "write it into a file that only you may read and give --passphrase-file",
-                 "",
-                 0,
-                 "--protected"};
-  const auto passphrase = Secret::from_file(login.passphrase_file);
-  if (!passphrase) return passphrase.error();
-  const auto made = Access::create(file, *passphrase);
-  if (!made) return made.error();
-  print_recovery_key(json, {{"file", file}, {"format", kDatabaseFormat}, {"protected", true}},
-                     file + ": made, format " + std::to_string(kDatabaseFormat) + ", protected",
-                     made->recovery_key);
-  return {};
-}
 
 void print_answer(bool as_json, const Json& json, const std::string& text) {
   std::fputs(((as_json ? json.dump(2) : text) + "\n").c_str(), stdout);

@@ -15,12 +15,10 @@ namespace isograsp {
 
 /// Accounts, passphrase, policy, audit log (app/db_access.cpp).
 void add_db_access(CLI::App& db, Action& action);
+/// Protecting a database that was made without (app/db_protect.cpp).
+void add_db_protect(CLI::App& db, Action& action);
 /// Identity, consent, erasure, export of one person (app/db_person.cpp).
 void add_db_person(CLI::App& db, Action& action);
-
-/// Makes a protected database and prints its recovery key, once.
-[[nodiscard]] Result<void> init_protected(const std::string& file, const LoginOptions& login,
-                                          bool json);
 
 /// What every such command is given.
 struct AccessOptions {
@@ -47,6 +45,11 @@ CLI::App* add_access_command(CLI::App& parent, Action& action, const char* name,
                                            const char* description, const char* example,
                                            AccessOptions& options);
 void set_action(CLI::App& command, Action& action, Action work);
+
+/// Makes a protected database and prints its recovery key, once (app/db_protect.cpp).
+[[nodiscard]] Result<void> init_protected(const AccessOptions& options);
+void print_recovery_key(bool as_json, nlohmann::ordered_json json, const std::string& text,
+                        const Secret& key);
 
 /// Prints one or the other.
 void print_answer(bool as_json, const nlohmann::ordered_json& json, const std::string& text);

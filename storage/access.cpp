@@ -25,15 +25,6 @@ Error refused(const std::string& path, std::string what, std::string remedy,
   return {Error::Code::bad_input, std::move(what), std::move(remedy), path, 0, std::move(field)};
 }
 
-const User& passphrase_holder() {
-  static const User user{0, "clinic passphrase", Role::administrator, false, ""};
-  return user;
-}
-const User& recovery_holder() {
-  static const User user{0, "recovery key", Role::administrator, false, ""};
-  return user;
-}
-
 /// Wrong ones are counted where they can be; what the clock says is not trusted further than the
 /// delay itself.
 std::int64_t seconds_to_wait(const KeySlot& slot, std::int64_t now) {
@@ -60,7 +51,6 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   const std::lock_guard lock(parts.mutex);
   if (!parts.login->is_protected())
     return refused(path, "asks for no login", "leave the login out");
-  owner.database_id = parts.login->database_id();
   std::optional<KeySlot> slot;
   const auto read = parts.database.guard("logging in", [&] {
     soci::session& sql = parts.database.sql();
@@ -169,16 +159,8 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
     auto file = Database::open(part, SessionStore::Open::create);
     if (!file) return file.error();
     return file->transact("protecting the database", [&] {
-      SlotOwner owner;
-      int unused = 0;
-      file->sql() << "SELECT database_id, id FROM access_settings", soci::into(owner.database_id),
-          soci::into(unused);
-      const Keys keys = keys_from(Secret::random(kKeySize));
-      owner.user = passphrase_holder();
-      write_slot(file->sql(), owner, passphrase, cost != nullptr ? *cost : KeyCost{}, keys);
-      owner.kind = SlotKind::recovery;
-      owner.user = recovery_holder();
-      write_slot(file->sql(), owner, *read_recovery_key(recovery_key), kCheapKeyCost, keys);
+      (void)write_first_slots(file->sql(), login_state_of(*file)->database_id(), passphrase,
+                              recovery_key, cost != nullptr ? *cost : KeyCost{});
     });
   }();
   if (!made) {
@@ -234,17 +216,15 @@ Result<AccessPolicy> Access::policy() {
 }
 
 Result<void> Access::log_in(const std::string& user, const Secret& password) {
-  SlotOwner owner;
-  owner.kind = SlotKind::user;
+  SlotOwner owner{parts_->login->database_id(), SlotKind::user, {}};
   owner.user.id = -1;  // nobody's, if there is no such name
   owner.user.name = user;
   return open_for(*parts_, owner, password, path());
 }
 
 Result<void> Access::log_in_with_passphrase(const Secret& passphrase) {
-  SlotOwner owner;
-  owner.user = passphrase_holder();
-  return open_for(*parts_, owner, passphrase, path());
+  return open_for(*parts_, holder_of(parts_->login->database_id(), SlotKind::passphrase),
+                  passphrase, path());
 }
 
 Result<void> Access::log_in_with_recovery_key(const Secret& key) {
@@ -252,10 +232,8 @@ Result<void> Access::log_in_with_recovery_key(const Secret& key) {
   if (!digits)
     return refused(path(), "is no recovery key: a digit is missing or mistyped",
                    "copy all 56 digits from the printed page");
-  SlotOwner owner;
-  owner.kind = SlotKind::recovery;
-  owner.user = recovery_holder();
-  return open_for(*parts_, owner, *digits, path());
+  return open_for(*parts_, holder_of(parts_->login->database_id(), SlotKind::recovery), *digits,
+                  path());
 }
 
 void Access::lock() {

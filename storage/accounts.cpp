@@ -64,7 +64,7 @@ Result<void> manage(Access& access, const std::string& act, const std::string& o
   if (!access.is_protected())
     return Error{Error::Code::bad_input,
                  "is not protected: it has no accounts",
-                 "make a protected one: isograsp db init FILE --protected",
+                 "protect it: isograsp db protect FILE",
                  access.path(),
                  0,
                  ""};
@@ -180,10 +180,9 @@ Result<void> change_passphrase(Access& access, const Secret& passphrase, const K
   if (auto good = check_password(passphrase, "passphrase"); !good) return good;
   return audited(access, "storing the passphrase", entry_of("change passphrase", ""),
                  [&](AuditEntry&) {
-                   SlotOwner owner{access.parts().login->database_id(), SlotKind::passphrase, {}};
-                   owner.user.role = Role::administrator;
-                   write_slot(access.parts().database.sql(), owner, passphrase, cost,
-                              *access.parts().login->login().keys);
+                   write_slot(access.parts().database.sql(),
+                              holder_of(access.parts().login->database_id(), SlotKind::passphrase),
+                              passphrase, cost, *access.parts().login->login().keys);
                  });
 }
 
@@ -192,10 +191,9 @@ Result<Secret> new_recovery_key(Access& access) {
   Secret key = make_recovery_key();
   const auto done =
       audited(access, "storing a recovery key", entry_of("new recovery key", ""), [&](AuditEntry&) {
-        SlotOwner owner{access.parts().login->database_id(), SlotKind::recovery, {}};
-        owner.user.role = Role::administrator;
-        write_slot(access.parts().database.sql(), owner, *read_recovery_key(key), kCheapKeyCost,
-                   *access.parts().login->login().keys);
+        write_slot(access.parts().database.sql(),
+                   holder_of(access.parts().login->database_id(), SlotKind::recovery),
+                   *read_recovery_key(key), kCheapKeyCost, *access.parts().login->login().keys);
       });
   if (!done) return done.error();
   return key;

@@ -13,6 +13,9 @@
 
 namespace isograsp {
 
+/// The act with which the chain goes on under a key.
+inline constexpr const char* kProtectAct = "protect";
+
 /// Key of the chain; nothing: not protected.
 [[nodiscard]] const Secret* audit_key(const Login& login);
 /// What stands before the first entry.

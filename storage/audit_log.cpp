@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/audit_log.hpp"
 
+#include <algorithm>
+
 #include <soci/soci.h>
 
 #include "storage/audit_chain.hpp"
@@ -25,6 +27,15 @@ std::vector<AuditEntry> read_entries(soci::session& sql) {
   return all;
 }
 
+/// A database that was protected later: what stands before that act is chained without a key. Its
+/// entry is chained to it with the key, so nobody else can change what stands there.
+std::size_t first_keyed(const std::vector<AuditEntry>& entries) {
+  const auto protection = std::find_if(entries.begin(), entries.end(), [](const AuditEntry& one) {
+    return one.act == kProtectAct && one.result == "done";
+  });
+  return protection == entries.end() ? 0 : static_cast<std::size_t>(protection - entries.begin());
+}
+
 }  // namespace
 
 std::vector<std::string> audit_problems(Database& database, const LoginState& state) {
@@ -32,14 +43,17 @@ std::vector<std::string> audit_problems(Database& database, const LoginState& st
   const Secret* const key = audit_key(login);
   std::vector<std::string> problems;
   const std::vector<AuditEntry> entries = read_entries(database.sql());
-  std::string before = first_hash(key, state.database_id());
+  const std::size_t keyed = first_keyed(entries);
+  std::string before = first_hash(keyed > 0 ? nullptr : key, state.database_id());
   std::int64_t expected = 1;
-  for (const AuditEntry& entry : entries) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const AuditEntry& entry = entries[i];
+    const Secret* const key_then = i < keyed ? nullptr : key;
     const std::string number = std::to_string(entry.number);
     if (entry.number != expected)
       problems.push_back("audit log: entries " + std::to_string(expected) + " to " +
                          std::to_string(entry.number - 1) + " are missing");
-    else if (entry_hash(key, before, entry) != entry.hash)
+    else if (entry_hash(key_then, before, entry) != entry.hash)
       problems.push_back("audit log: entry " + number + " or what stood before it was changed");
     before = entry.hash;
     expected = entry.number + 1;

@@ -84,15 +84,6 @@ Result<void> close_for_all(const std::string& path) {
   return {};
 }
 
-/// FILE.before-restore, or FILE.before-restore-2 … where that exists.
-std::string name_to_keep(const std::string& path) {
-  const std::string first = path + ".before-restore";
-  std::string name = first;
-  for (int number = 2; fs::exists(fs::symlink_status(name)); ++number)
-    name = first + "-" + std::to_string(number);
-  return name;
-}
-
 }  // namespace
 
 std::vector<bool> kept_by(const BackupRotation& rotation, const std::vector<std::time_t>& backups) {
@@ -201,7 +192,7 @@ Result<Restored> restore_backup(const std::string& backup, const std::string& da
       return give_up(failed(database, "another program records into it now",
                             "end that session, then restore"));
     if (const auto closed = close_for_all(target); !closed) return give_up(closed.error());
-    restored.kept = name_to_keep(target);
+    restored.kept = free_name(target + ".before-restore");
     // The log first: it must never stand beside a file that is not its own.
     if (fs::exists(target + "-wal", failure)) fs::rename(target + "-wal", restored.kept + "-wal");
     fs::remove(target + "-shm", failure);

@@ -14,8 +14,6 @@ namespace isograsp {
 
 namespace {
 
-constexpr const char* kColumn = "consents.text";
-
 template <class Names>
 Result<void> check_word(const std::string& word, const char* field, const Names& names) {
   if (std::find(names.begin(), names.end(), word) != names.end()) return {};
@@ -46,7 +44,9 @@ Result<RowId> add_consent(Access& access, const std::string& code, const Consent
   const auto person = find_person(access, code);
   if (!person) return person.error();
   Consent sealed = consent;
-  if (const auto done = seal_text(*access.parts().login, sealed.text, kColumn, person->code); !done)
+  if (const auto done =
+          seal_text(*access.parts().login, sealed.text, sealed_column::kConsentText, person->code);
+      !done)
     return done.error();
   RowId id = 0;
   const auto done = audited(
@@ -93,8 +93,8 @@ Result<std::vector<Consent>> consents(Access& access, const std::string& code) {
   });
   if (!done) return done.error();
   for (Consent& consent : all)
-    if (const auto opened =
-            open_text(*parts.login, consent.text, kColumn, person->code, access.path());
+    if (const auto opened = open_text(*parts.login, consent.text, sealed_column::kConsentText,
+                                      person->code, access.path());
         !opened)
       return opened.error();
   return all;

@@ -196,6 +196,13 @@ bool may_be_written(const std::string& path) {
   return !failure && writable(real_path) && writable(real_path.parent_path());
 }
 
+std::string free_name(const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; fs::exists(fs::symlink_status(name)); ++number)
+    name = wanted + "-" + std::to_string(number);
+  return name;
+}
+
 bool sync_path(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;

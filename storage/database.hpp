@@ -74,6 +74,9 @@ class Database {
 /// The file and its folder may be written.
 [[nodiscard]] bool may_be_written(const std::string& path);
 
+/// `wanted`, or `wanted-2`, `wanted-3` … where that exists.
+[[nodiscard]] std::string free_name(const std::string& wanted);
+
 /// A file, or the names in a folder, are on the disk when it returns true.
 [[nodiscard]] bool sync_path(const std::string& path);
 

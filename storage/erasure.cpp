@@ -13,6 +13,7 @@
 #include "core/date.hpp"
 #include "storage/audit_chain.hpp"
 #include "storage/person_rows.hpp"
+#include "storage/remains.hpp"
 #include "storage/sweep.hpp"
 
 namespace isograsp {
@@ -64,33 +65,6 @@ Date today() {
 Date years_later(Date day, int years) {
   const Date later = day + std::chrono::years(years);
   return later.ok() ? later : later.year() / std::chrono::March / 1;
-}
-
-/// Backups, copies, exports and reports of the time in which the person was in the file. In a guard
-/// of the caller.
-std::vector<std::string> remains_of(soci::session& sql, const std::string& code,
-                                    const std::string& since_utc, const std::string& until_utc) {
-  std::vector<std::string> remains;
-  std::string act;
-  std::string object;
-  std::string detail;
-  std::string at_utc;
-  // A merge names the other file, a restore the backup and the file that was kept. Who exported all
-  // people named no code.
-  soci::statement select =
-      (sql.prepare << "SELECT at_utc, act, object, detail FROM audit_log WHERE result = 'done' AND "
-                      "at_utc <= :until AND ((act IN ('backup', 'migrate', 'restore', 'merge') AND "
-                      "at_utc >= :since) OR (act IN ('export', 'export person', 'report', 'study') "
-                      "AND (object = '' OR object = :code COLLATE NOCASE))) ORDER BY id",
-       soci::use(until_utc), soci::use(since_utc), soci::use(code), soci::into(at_utc),
-       soci::into(act), soci::into(object), soci::into(detail));
-  select.execute();
-  while (select.fetch()) {
-    const bool named = act == "backup" || act == "migrate" || act == "merge";
-    const std::string& file = named ? object : detail;
-    remains.push_back(act + " of " + at_utc + (file.empty() ? "" : ": " + file));
-  }
-  return remains;
 }
 
 /// The row of `code`, whose capitals do not matter.

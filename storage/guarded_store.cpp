@@ -12,20 +12,7 @@
 
 namespace isograsp {
 
-namespace {
-
-constexpr const char* kNotes = "patient_profiles.notes";
-constexpr const char* kGoals = "patient_profiles.goals";
-constexpr const char* kMarkText = "treatment_marks.text";
-constexpr const char* kScoreText = "clinical_scores.text";
-constexpr const char* kChosenBy = "primary_measures.chosen_by";
-constexpr const char* kJudgedBy = "stable_periods.judged_by";
-constexpr const char* kPeriodText = "stable_periods.text";
-constexpr const char* kEventText = "events.text";
-/// Other kinds hold the program's own words.
-constexpr std::string_view kSealedEvent = "note";
-
-}  // namespace
+using namespace sealed_column;
 
 Result<std::unique_ptr<SqliteStore>> make_guarded_store(Database database, bool writable) {
   std::shared_ptr<LoginState> state;

@@ -16,9 +16,6 @@
 
 namespace isograsp {
 
-/// What stands in place of free text for a role that may not read it.
-inline constexpr std::string_view kWithheld = "[withheld]";
-
 class GuardedStore final : public SqliteStore {
  public:
   GuardedStore(Database database, std::shared_ptr<LoginState> state);

@@ -85,7 +85,7 @@ Error refusal_of(const LoginState& state, Right right, const std::string& path) 
   };
   if (!state.is_protected())
     return refused("identities are not stored in a database without protection",
-                   "make a protected one: isograsp db init FILE --protected");
+                   "protect it: isograsp db protect FILE");
   const Login login = state.login();
   if (!login.user)
     return refused("is protected, and nobody is logged in",

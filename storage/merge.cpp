@@ -122,10 +122,6 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
   std::error_code ignored;
   if (std::filesystem::equivalent(into, from, ignored))
     return Error{Error::Code::bad_input, "is the same file", "name two files", from, 0, "--from"};
-  if (const auto good = check_file(into, into_how); !good) return good.error();
-  if (const auto good = check_file(from, Open::read_only); !good) return good.error();
-  auto database = Database::open(into, into_how);
-  if (!database) return database.error();
   if (is_protected_database(into) || is_protected_database(from))
     return Error{Error::Code::bad_input,
                  "a protected database cannot be merged with another one: their keys differ",
@@ -133,6 +129,10 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
                  is_protected_database(into) ? into : from,
                  0,
                  ""};
+  if (const auto good = check_file(into, into_how); !good) return good.error();
+  if (const auto good = check_file(from, Open::read_only); !good) return good.error();
+  auto database = Database::open(into, into_how);
+  if (!database) return database.error();
   const auto ours = hashes_of_unpacked(into);
   if (!ours) return ours.error();
   const auto theirs = hashes_of_unpacked(from);

@@ -17,16 +17,6 @@ namespace isograsp {
 
 namespace {
 
-/// FILE.format-1, or FILE.format-1-2 … where that exists.
-std::string name_of_copy(const std::string& path, int format) {
-  namespace fs = std::filesystem;
-  const std::string first = path + ".format-" + std::to_string(format);
-  std::string name = first;
-  for (int number = 2; fs::exists(fs::symlink_status(name)); ++number)
-    name = first + "-" + std::to_string(number);
-  return name;
-}
-
 constexpr int kOldest = 1;
 constexpr int kFirstWithUuids = 6;
 
@@ -117,7 +107,7 @@ Result<SessionStore::Migration> SessionStore::migrate(const std::string& path) {
   if (!lock->held())
     return failed(path, "another program records into the file now",
                   "end that session, then migrate");
-  migration.copy = name_of_copy(path, migration.from);
+  migration.copy = free_name(path + ".format-" + std::to_string(migration.from));
   {
     SqliteStore as_it_was(std::move(*opened));
     if (const auto copied = as_it_was.backup(migration.copy); !copied) return copied.error();

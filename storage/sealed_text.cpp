@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/sealed_text.hpp"
 
-#include "storage/guarded_store.hpp"
-
 namespace isograsp {
 
 std::string place_of(const LoginState& state, const char* column, const std::string& code) {

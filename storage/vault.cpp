@@ -97,6 +97,20 @@ std::string_view name_of(SlotKind kind) noexcept {
   return "";
 }
 
+SlotOwner holder_of(const std::string& database_id, SlotKind kind) {
+  const char* const name = kind == SlotKind::passphrase ? "clinic passphrase" : "recovery key";
+  return {database_id, kind, {0, name, Role::administrator, false, ""}};
+}
+
+Keys write_first_slots(soci::session& sql, const std::string& database_id, const Secret& passphrase,
+                       const Secret& recovery_key, const KeyCost& cost) {
+  Keys keys = keys_from(Secret::random(kKeySize));
+  write_slot(sql, holder_of(database_id, SlotKind::passphrase), passphrase, cost, keys);
+  write_slot(sql, holder_of(database_id, SlotKind::recovery), *read_recovery_key(recovery_key),
+             kCheapKeyCost, keys);
+  return keys;
+}
+
 void write_slot(soci::session& sql, const SlotOwner& owner, const Secret& password,
                 const KeyCost& cost, const Keys& keys) {
   const std::string salt = random_hex(kSaltSize);

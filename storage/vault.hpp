@@ -38,6 +38,9 @@ struct SlotOwner {
   User user;  ///< of kind user; else an administrator without an account
 };
 
+/// Of the clinic's passphrase or of the recovery key: an administrator without an account.
+[[nodiscard]] SlotOwner holder_of(const std::string& database_id, SlotKind kind);
+
 struct KeySlot {
   RowId id = 0;
   std::string salt;
@@ -51,6 +54,10 @@ struct KeySlot {
 /// In place of the owner's slot, if there is one.
 void write_slot(soci::session& sql, const SlotOwner& owner, const Secret& password,
                 const KeyCost& cost, const Keys& keys);
+/// A new data key in the two slots that every protected database has; the keys that follow from it.
+[[nodiscard]] Keys write_first_slots(soci::session& sql, const std::string& database_id,
+                                     const Secret& passphrase, const Secret& recovery_key,
+                                     const KeyCost& cost);
 [[nodiscard]] std::optional<KeySlot> read_slot(soci::session& sql, const SlotOwner& owner);
 
 /// Takes the time of Argon2id. Nothing: wrong password, or a changed slot.

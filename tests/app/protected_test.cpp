@@ -148,6 +148,23 @@ TEST_F(ProtectedCommands, ABackupIsPutBackOnPurposeAndThatIsLogged) {
   EXPECT_NE(must_do("db audit " + db + clinic).find("restore  done  (b.db)"), std::string::npos);
 }
 
+TEST_F(ProtectedCommands, ADatabaseMadeWithoutItIsProtectedLater) {
+  must_do("db init " + db);
+  must_do(session);
+  refused("db protect " + db, "no passphrase is given");
+  const Json done = Json::parse(must_do("db protect --json " + db + clinic));
+  EXPECT_EQ(done.at("recovery_key").get<std::string>().size(), 69u);
+  EXPECT_TRUE(done.at("swept"));
+  EXPECT_EQ(done.at("copy"), db + ".before-protection");
+  refused("db verify " + db, "--passphrase-file");
+  for (const std::string command : {"db check ", "db verify ", "db audit "})
+    must_do(command + db + clinic);
+  must_do("db users add " + db + clinic + " --name Ada --new-password-file " + ada_file);
+  must_do(session + ada);
+  must_do("db verify " + done.at("copy").get<std::string>());
+  EXPECT_NE(must_do("db protect " + db + clinic).find("is protected already"), std::string::npos);
+}
+
 TEST_F(ProtectedCommands, SecretsAreChangedByFiles) {
   init();
   must_do("db users add " + db + clinic + " --name Ada --new-password-file " + ada_file);
@@ -169,7 +186,7 @@ TEST_F(ProtectedCommands, AnUnprotectedDatabaseHasConsentErasureAndLogWithoutALo
   must_do(session);
   refused("db check " + db + clinic, "asks for no login");
   refused("db init " + folder.path("other.db") + clinic, "add --protected");
-  refused("db identity show " + db + " --patient T-01", "--protected");
+  refused("db identity show " + db + " --patient T-01", "isograsp db protect");
   refused("db users list " + db + ada, "asks for no login");
   const std::string person = " --patient T-01";
   must_do("db consent add " + db + person +

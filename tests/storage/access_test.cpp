@@ -332,7 +332,7 @@ TEST(Unprotected, AsksForNoLoginAndStoresNoIdentity) {
   const auto access = must(Access::open(path));
   EXPECT_FALSE(access->is_protected());
   EXPECT_FALSE(is_protected_database(path));
-  EXPECT_NE(refusal(set_identity(*access, "P-1", kPerson)).find("db init FILE --protected"),
+  EXPECT_NE(refusal(set_identity(*access, "P-1", kPerson)).find("db protect FILE"),
             std::string::npos);
   EXPECT_NE(refusal(access->log_in_with_passphrase(secret("anything at all"))), "");
   EXPECT_NE(refusal(add_user(*access, "Ada", Role::therapist, secret("ada's password"))), "");

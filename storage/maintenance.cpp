@@ -79,13 +79,13 @@ Result<void> SqliteStore::backup(const std::string& to) {
     tidy();
     return copied.error();
   }
-  auto copy = SessionStore::open(temporary, Open::read_only);
+  auto copy = Database::open(temporary, Open::read_only);
   if (!copy) {
     tidy();
     return copy.error();
   }
-  const auto problems = (*copy)->check();
-  copy->reset();
+  // Not through a store with the rules of access: a copy is sound or not, whoever is logged in.
+  const auto problems = SqliteStore(*std::move(copy)).check();
   if (!problems || !problems->empty()) {
     tidy();
     if (!problems) return problems.error();

@@ -210,29 +210,27 @@ Result<void> SqliteStore::check_told(std::vector<std::string>& problems) {
   const auto all = patients();
   if (!all) return all.error();
   for (const PatientRecord& patient : *all) {
-    const auto note = [&](const Result<void>& good, const std::string& what) {
+    const auto note = [&](const auto& good, const std::string& what) {
       if (!good) problems.push_back(what + " of " + patient.code + ": " + good.error().message());
+      return good.ok();
     };
-    const auto told = profile(patient.id);
-    if (!told) return told.error();
-    note(check_profile(*told), "profile");
-    const auto marks = treatment_marks(patient.id);
-    if (!marks) return marks.error();
-    for (const auto& mark : *marks)
-      note(check_treatment_mark(mark), "treatment mark " + std::to_string(mark.id));
-    const auto scores = clinical_scores(patient.id);
-    if (!scores) return scores.error();
-    for (const auto& score : *scores)
-      note(check_clinical_score(score), "clinical score " + std::to_string(score.id));
-    const auto primaries = primary_measures(patient.id);
-    if (!primaries) return primaries.error();
-    for (const auto& primary : *primaries)
-      note(check_primary_measure(primary), "primary measure " + std::to_string(primary.id));
-    if (primaries->size() > kMostPrimaryMeasures)
-      problems.push_back(patient.code + " has more than " + std::to_string(kMostPrimaryMeasures) +
-                         " primary measures");
+    if (const auto told = profile(patient.id); note(told, "profile"))
+      note(check_profile(*told), "profile");
+    if (const auto marks = treatment_marks(patient.id); note(marks, "treatment marks"))
+      for (const auto& mark : *marks)
+        note(check_treatment_mark(mark), "treatment mark " + std::to_string(mark.id));
+    if (const auto scores = clinical_scores(patient.id); note(scores, "clinical scores"))
+      for (const auto& score : *scores)
+        note(check_clinical_score(score), "clinical score " + std::to_string(score.id));
+    if (const auto primaries = primary_measures(patient.id); note(primaries, "primary measures")) {
+      for (const auto& primary : *primaries)
+        note(check_primary_measure(primary), "primary measure " + std::to_string(primary.id));
+      if (primaries->size() > kMostPrimaryMeasures)
+        problems.push_back(patient.code + " has more than " + std::to_string(kMostPrimaryMeasures) +
+                           " primary measures");
+    }
     const auto periods = stable_periods(patient.id);
-    if (!periods) return periods.error();
+    if (!note(periods, "stable times")) continue;
     for (std::size_t i = 0; i < periods->size(); ++i) {
       const StablePeriod& period = (*periods)[i];
       note(check_stable_period(period), "stable time " + std::to_string(period.id));

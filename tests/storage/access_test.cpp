@@ -310,6 +310,35 @@ TEST_F(ProtectedClinic, ATextOrIdentityCarriedToAnotherPersonIsNoticed) {
             std::string::npos);
 }
 
+TEST_F(ProtectedClinic, ABackupIsMadeBehindTheLock) {
+  {
+    const auto store = open_store(path);
+    const RowId patient = must(store->add_patient("P-1")).id;
+    must(store->set_profile(patient, {{}, {}, "", "a note", ""}));
+    must(store->add_treatment_mark(patient, {0, "2026-03-01", "drug", "a mark"}));
+  }
+  access->lock();
+  const std::string copy = folder.file("copy.db");
+  must(must(SessionStore::open(path, Open::read_only))->backup(copy));
+  as("Ada");
+  EXPECT_EQ(must(open_store(copy, Open::read_only)->profile(1)).notes, "a note");
+}
+
+TEST_F(ProtectedClinic, ACheckNamesATextThatCannotBeOpenedAndGoesOn) {
+  {
+    const auto store = open_store(path);
+    for (const char* code : {"P-1", "P-2"})
+      must(store->set_profile(must(store->add_patient(code)).id, {{}, {}, "", "a note", ""}));
+    must(store->add_clinical_score(2, {0, "2026-03-01", "ARAT", 31.0, "a score"}));
+  }
+  execute(path, "UPDATE patient_profiles SET notes = substr(notes, 1, 40) WHERE patient_id = 1");
+  execute(path, "UPDATE clinical_scores SET text = 'sealed:1:'");
+  const auto problems = must(open_store(path)->check());
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_NE(problems[0].find("patient_profiles.notes of P-1"), std::string::npos) << problems[0];
+  EXPECT_NE(problems[1].find("clinical_scores.text of P-2"), std::string::npos) << problems[1];
+}
+
 TEST_F(ProtectedClinic, ABackupOpensWithTheSamePassphraseAndHoldsEverything) {
   must(open_store(path)->add_patient("P-1"));
   must(set_identity(*access, "P-1", kPerson));

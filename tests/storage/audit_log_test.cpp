@@ -50,9 +50,12 @@ TEST_F(Audit, EveryBackupIsInItWhoeverMakesIt) {
   must(Backups(path).make(std::time(nullptr)));
   as("Rita");
   must(must(SessionStore::open_to_read(path))->backup(folder.file("ritas.db")));
+  access->lock();
+  must(Backups(path).make(std::time(nullptr) + 86400));
   as("Ada");
   const auto backups = must(read_audit(*access, {"backup", ""}));
-  ASSERT_EQ(backups.size(), 2u);
+  ASSERT_EQ(backups.size(), 3u);
+  EXPECT_EQ(backups[2].actor + " " + backups[2].result, "Rita done") << "behind the lock";
   EXPECT_EQ(backups[1].actor + " " + backups[1].object, "Rita ritas.db");
   EXPECT_TRUE(problems().empty());
 }

@@ -158,18 +158,10 @@ Result<void> backup(const DbOptions& options) {
 }
 
 Result<void> restore(const DbOptions& options) {
-  const auto access = log_in(options.from, options.login);
-  if (!access) return access.error();
-  const auto done = restore_backup(options.from, options.file);
+  const auto done = restore_backup(options.from, options.file, [&options](const std::string& copy) {
+    return open_access(copy, options.login);
+  });
   if (!done) return done.error();
-  // What the audit log of the lost file had come to stays as evidence; the new one begins anew.
-  std::error_code ignored;
-  std::filesystem::rename(options.file + "-audit", options.file + "-audit.old", ignored);
-  std::string files = std::filesystem::path(options.from).filename().string();
-  if (!done->kept.empty())
-    files += "; as it was: " + std::filesystem::path(done->kept).filename().string();
-  const auto logged = log_act_of(options.file, nullptr, "restore", "", true, files);
-  if (!logged) return logged.error();
   Json json{{"file", options.file}, {"restored_from", options.from}};
   std::string text = options.file + ": restored from " + options.from + " and checked";
   if (!done->kept.empty()) {

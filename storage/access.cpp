@@ -12,6 +12,7 @@
 
 #include "storage/accounts.hpp"
 #include "storage/audit_chain.hpp"
+#include "storage/audit_head_file.hpp"
 #include "storage/user_rows.hpp"
 
 namespace isograsp {
@@ -175,6 +176,7 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   if (!named)
     return Error{
         Error::Code::failed, "could not be made", "choose another name or folder", database, 0, ""};
+  (void)set_aside_head_file(target);  // of a database of this name that is gone
   auto access = open(database);
   if (!access) return access.error();
   if (auto done = (*access)->log_in_with_passphrase(passphrase); !done) return done.error();

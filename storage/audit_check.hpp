@@ -9,7 +9,8 @@
 
 namespace isograsp {
 
-/// In a guard of the caller; throws as SOCI does.
-[[nodiscard]] std::vector<std::string> audit_problems(Database& database, const LoginState& state);
+/// While others add to the log, too: all is read as of one moment. @pre no transaction is open
+[[nodiscard]] Result<std::vector<std::string>> audit_problems(Database& database,
+                                                              const LoginState& state);
 
 }  // namespace isograsp

@@ -15,15 +15,21 @@ namespace {
 
 constexpr const char* kFormat = "isograsp-audit-head-1";
 
-std::string path_of(const std::string& database) {
+}  // namespace
+
+std::string head_file_of(const std::string& database) {
   return database + "-audit";
 }
 
-}  // namespace
+std::string set_aside_head_file(const std::string& database) {
+  std::string name = free_name(head_file_of(database) + ".old");
+  if (std::rename(head_file_of(database).c_str(), name.c_str()) != 0) name.clear();
+  return name;
+}
 
 HeadFile read_head_file(const std::string& database, const Secret* key,
                         const std::string& database_id) {
-  std::ifstream in(path_of(database));
+  std::ifstream in(head_file_of(database));
   if (!in) return {};
   HeadFile file;
   file.present = true;
@@ -39,17 +45,18 @@ HeadFile read_head_file(const std::string& database, const Secret* key,
 
 void write_head_file(const std::string& database, const Secret* key, const std::string& database_id,
                      const AuditHead& head) {
-  const std::string temporary = path_of(database) + ".part" + std::to_string(getpid());
+  const std::string temporary = head_file_of(database) + ".part" + std::to_string(getpid());
   {
     std::ofstream out(temporary);
     out << kFormat << ' ' << database_id << ' ' << head.count << ' ' << head.hash << ' '
         << head_proof(key, database_id, head) << '\n';
-    if (!out.flush()) {
+    out.flush();
+    if (!out || !sync_path(temporary)) {
       std::remove(temporary.c_str());
       return;
     }
   }
-  std::rename(temporary.c_str(), path_of(database).c_str());
+  std::rename(temporary.c_str(), head_file_of(database).c_str());
 }
 
 }  // namespace isograsp

@@ -10,6 +10,7 @@
 
 namespace isograsp {
 
+/// On the disk when it returns. Problems are ignored: the log itself is stored.
 void write_head_file(const std::string& database, const Secret* key, const std::string& database_id,
                      const AuditHead& head);
 
@@ -19,5 +20,11 @@ struct HeadFile {
 };
 [[nodiscard]] HeadFile read_head_file(const std::string& database, const Secret* key,
                                       const std::string& database_id);
+
+/// One that is left from another file of this name is evidence: it becomes FILE-audit.old (or -2
+/// …). Its new name; empty: there was none, or it could not be renamed.
+[[nodiscard]] std::string set_aside_head_file(const std::string& database);
+/// FILE-audit
+[[nodiscard]] std::string head_file_of(const std::string& database);
 
 }  // namespace isograsp

@@ -38,11 +38,25 @@ std::size_t first_keyed(const std::vector<AuditEntry>& entries) {
 
 }  // namespace
 
-std::vector<std::string> audit_problems(Database& database, const LoginState& state) {
+Result<std::vector<std::string>> audit_problems(Database& database, const LoginState& state) {
   const Login login = state.login();
   const Secret* const key = audit_key(login);
+  // First: a log that grows meanwhile is longer than this file says, never shorter.
+  const HeadFile file = read_head_file(database.real_path(), key, state.database_id());
+  std::vector<AuditEntry> entries;
+  AuditHead anchor;
+  std::string proof;
+  bool anchored = false;
+  const auto read = database.snapshot("checking the audit log", [&] {
+    entries = read_entries(database.sql());
+    long long count = 0;
+    database.sql() << "SELECT count, hash, proof FROM audit_anchor", soci::into(count),
+        soci::into(anchor.hash), soci::into(proof);
+    anchored = database.sql().got_data();
+    anchor.count = count;
+  });
+  if (!read) return read.error();
   std::vector<std::string> problems;
-  const std::vector<AuditEntry> entries = read_entries(database.sql());
   const std::size_t keyed = first_keyed(entries);
   std::string before = first_hash(keyed > 0 ? nullptr : key, state.database_id());
   std::int64_t expected = 1;
@@ -58,13 +72,6 @@ std::vector<std::string> audit_problems(Database& database, const LoginState& st
     before = entry.hash;
     expected = entry.number + 1;
   }
-  AuditHead anchor;
-  std::string proof;
-  long long count = 0;
-  database.sql() << "SELECT count, hash, proof FROM audit_anchor", soci::into(count),
-      soci::into(anchor.hash), soci::into(proof);
-  const bool anchored = database.sql().got_data();
-  anchor.count = count;
   const std::int64_t last = entries.empty() ? 0 : entries.back().number;
   if (!anchored && !entries.empty()) problems.push_back("audit log: its anchor is missing");
   if (anchored && proof != head_proof(key, state.database_id(), anchor))
@@ -74,7 +81,6 @@ std::vector<std::string> audit_problems(Database& database, const LoginState& st
                        ", its anchor says " + std::to_string(anchor.count));
   if (!state.is_protected()) return problems;
   if (!anchored) problems.push_back("audit log: it is empty, though the database was made");
-  const HeadFile file = read_head_file(database.real_path(), key, state.database_id());
   if (file.present && !file.head)
     problems.push_back("audit log: the file -audit beside the database was changed");
   if (file.head) {
@@ -133,11 +139,7 @@ Result<std::vector<std::string>> check_audit(Access& access) {
   const std::lock_guard lock(parts.mutex);
   if (access.is_protected() && !parts.login->login().keys)
     return refusal_of(*parts.login, Right::read_records, access.path());
-  std::vector<std::string> problems;
-  const auto done = parts.database.guard(
-      "checking the audit log", [&] { problems = audit_problems(parts.database, *parts.login); });
-  if (!done) return done.error();
-  return problems;
+  return audit_problems(parts.database, *parts.login);
 }
 
 Result<bool> audit_contains(Access& access, const AuditHead& head) {

@@ -2,18 +2,12 @@
 #include "storage/backups.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <set>
 
-#include <soci/soci.h>
-#include <soci/sqlite3/soci-sqlite3.h>
-#include <unistd.h>
-
 #include "core/time.hpp"
-#include "storage/sqlite_store.hpp"
+#include "storage/session_store.hpp"
 
 namespace isograsp {
 
@@ -56,32 +50,6 @@ std::time_t month_of(std::time_t time) {
   std::tm parts{};
   gmtime_r(&time, &parts);
   return 12 * parts.tm_year + parts.tm_mon;
-}
-
-Result<std::unique_ptr<SessionStore>> open_sound(const std::string& path) {
-  auto store = SessionStore::open(path, SessionStore::Open::read_only);
-  if (!store) return store.error();
-  const auto problems = (*store)->check();
-  if (!problems) return problems.error();
-  if (!problems->empty())
-    return failed(path, "the backup is not sound: " + problems->front(), "take an older backup");
-  return store;
-}
-
-/// No other program has the file open; its log, if it can be read, is in it.
-Result<void> close_for_all(const std::string& path) {
-  constexpr int kPrimary = 0xFF;
-  try {
-    soci::session sql(soci::sqlite3, "db=\"" + path + "\" timeout=0");
-    std::string mode;
-    sql << "PRAGMA journal_mode=DELETE", soci::into(mode);
-  } catch (const soci::sqlite3_soci_error& why) {
-    const int code = why.result() & kPrimary;
-    if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
-      return failed(path, "another program has it open", "close that program, then restore");
-    // Damaged: it is kept with its log, as it is.
-  }
-  return {};
 }
 
 }  // namespace
@@ -160,56 +128,6 @@ Result<std::optional<Backups::Made>> Backups::make_if_due(std::time_t now) const
   auto made = make(now);
   if (!made) return made.error();
   return std::optional(*std::move(made));
-}
-
-Result<Restored> restore_backup(const std::string& backup, const std::string& database) {
-  std::error_code failure;
-  const std::string target = fs::weakly_canonical(fs::absolute(database), failure).string();
-  if (failure || database.empty())
-    return Error{Error::Code::bad_input, "cannot be reached", "check the path", database, 0, ""};
-  if (fs::equivalent(backup, target, failure))
-    return Error{Error::Code::bad_input, "is the backup itself", "name two files", database, 0, ""};
-  const std::string copy = target + ".restored" + std::to_string(getpid());
-  {
-    const auto store = open_sound(backup);
-    if (!store) return store.error();
-    fs::remove(copy, failure);
-    auto source = Database::open(backup, SessionStore::Open::read_only);
-    if (!source) return source.error();
-    // Not through the store: the backup stays as it is, its audit log too.
-    if (const auto copied = SqliteStore(*std::move(source)).backup(copy); !copied)
-      return copied.error();
-  }
-  const auto give_up = [&](Error error) {
-    fs::remove(copy, failure);
-    return error;
-  };
-  Restored restored;
-  if (fs::exists(fs::symlink_status(target))) {
-    const auto lock = RecordingLock::exclusive_if_free(target);
-    if (!lock) return give_up(lock.error());
-    if (!lock->held())
-      return give_up(failed(database, "another program records into it now",
-                            "end that session, then restore"));
-    if (const auto closed = close_for_all(target); !closed) return give_up(closed.error());
-    restored.kept = free_name(target + ".before-restore");
-    // The log first: it must never stand beside a file that is not its own.
-    if (fs::exists(target + "-wal", failure)) fs::rename(target + "-wal", restored.kept + "-wal");
-    fs::remove(target + "-shm", failure);
-    // A second name, so that at no moment there is no file; where there are none, a new one.
-    if (::link(target.c_str(), restored.kept.c_str()) != 0) {
-      fs::rename(target, restored.kept, failure);
-      if (failure)
-        return give_up(failed(database, "cannot be renamed: " + failure.message(),
-                              "make its folder writable"));
-    }
-  }
-  fs::rename(copy, target, failure);
-  if (failure)
-    return give_up(failed(database, "could not be put in place: " + failure.message(),
-                          "rename " + restored.kept + " back"));
-  static_cast<void>(sync_path(fs::path(target).parent_path()));
-  return restored;
 }
 
 }  // namespace isograsp

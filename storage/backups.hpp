@@ -3,11 +3,14 @@
 #pragma once
 
 #include <ctime>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/result.hpp"
+#include "storage/access.hpp"
 
 namespace isograsp {
 
@@ -60,13 +63,19 @@ class Backups {
 [[nodiscard]] std::vector<bool> kept_by(const BackupRotation& rotation,
                                         const std::vector<std::time_t>& backups);
 
+/// Opens a database and logs in where it asks for that.
+using LogIn = std::function<Result<std::unique_ptr<Access>>(const std::string& database)>;
+
 struct Restored {
   std::string kept;  ///< the file that was there, under its new name; empty: there was none
 };
-/// A checked copy of `backup` becomes `database`. A file that is there is kept as
-/// `FILE.before-restore` (or `-2` …) with its log. Refused while a program has the database open
-/// for recording, and if the backup is not sound: then nothing is changed.
-[[nodiscard]] Result<Restored> restore_backup(const std::string& backup,
-                                              const std::string& database);
+/// A checked copy of `backup` becomes `database`, with this act as the last entry of its audit log;
+/// the backup itself is only read. A file that is there is kept as `FILE.before-restore` (or `-2`
+/// …) with its log, and its `FILE-audit` as `FILE-audit.old` (or `-2` …). Refused while a program
+/// has the database open for recording, if the backup is not sound, and to who may not change
+/// records: then all is as it was.
+[[nodiscard]] Result<Restored> restore_backup(
+    const std::string& backup, const std::string& database,
+    const LogIn& log_in = [](const std::string& copy) { return Access::open(copy); });
 
 }  // namespace isograsp

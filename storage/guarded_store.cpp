@@ -287,11 +287,9 @@ Result<void> GuardedStore::remove_stable_period(RowId id) {
 Result<std::vector<std::string>> GuardedStore::check() {
   auto problems = SqliteStore::check();
   if (!problems || database_.format() < schema::kAccessFormat) return problems;
-  const auto read = database_.guard("checking the audit log", [&] {
-    for (auto& problem : audit_problems(database_, *state_))
-      problems->push_back(std::move(problem));
-  });
-  if (!read) return read.error();
+  const auto of_log = audit_problems(database_, *state_);
+  if (!of_log) return of_log.error();
+  problems->insert(problems->end(), of_log->begin(), of_log->end());
   return problems;
 }
 

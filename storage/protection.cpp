@@ -7,6 +7,7 @@
 #include <soci/soci.h>
 
 #include "storage/audit_chain.hpp"
+#include "storage/audit_head_file.hpp"
 #include "storage/remains.hpp"
 #include "storage/sealed_text.hpp"
 #include "storage/sweep.hpp"
@@ -146,6 +147,7 @@ Result<Protection> protect_database(const std::string& database, const Secret& p
       std::filesystem::remove(protection.copy, ignored);
       return head.error();
     }
+    (void)set_aside_head_file(opened->real_path());  // of another database of this name
     note_head(*opened, *state, *head);
     if (const auto swept = sweep(*opened); !swept) protection.not_swept = swept.error();
   }

@@ -2,6 +2,9 @@
 // The chain of the audit log: complete, and every change, move and cut noticed.
 #include "storage/audit_log.hpp"
 
+#include <atomic>
+#include <thread>
+
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
@@ -183,6 +186,67 @@ TEST_F(Audit, NoticesAFilePutBackToAnEarlierState) {
     must(log_act(*access, "report", "", true));
   EXPECT_GT(must(audit_head(*access)).count, count);
   EXPECT_FALSE(problems().empty()) << "forgotten once the log is as long as it was";
+}
+
+TEST_F(Audit, ARestoredFileGoesOnFromItsBackupAndKeepsTheEvidence) {
+  const std::string backup = must(Backups(path).make(std::time(nullptr))).backup.path;
+  const std::string before = bytes_of(backup);
+  fs::create_directory(folder.file("links"));
+  const std::string link = folder.file("links/clinic.db");
+  fs::create_symlink(path, link);
+  for (const char* number : {"", "-2"}) {
+    must(open_store(path)->add_patient(std::string("P-9") + (*number == '\0' ? "1" : "2")));
+    const std::string head = bytes_of(path + "-audit");
+    access.reset();
+    const auto restored = must(restore_backup(backup, link, [this](const std::string& copy) {
+      auto opened = Access::open(copy);
+      if (opened) must((*opened)->log_in("Theo", secret("theo's password")));
+      return opened;
+    }));
+    EXPECT_EQ(restored.kept, path + ".before-restore" + number);
+    EXPECT_EQ(bytes_of(path + "-audit.old" + number), head) << "the head of the file that was kept";
+    access = must(Access::open(path));
+    as("Ada");
+    EXPECT_TRUE(problems().empty());
+    const auto entry = must(read_audit(*access, {"restore", ""})).at(0);
+    EXPECT_EQ(entry.actor, "Theo");
+    EXPECT_EQ(entry.detail, fs::path(backup).filename().string() +
+                                "; as it was: clinic.db.before-restore" + number);
+  }
+  EXPECT_EQ(bytes_of(backup), before) << "asked for the login";
+  for (const std::string& name : folder.listing())
+    EXPECT_EQ(name.find(".restored"), std::string::npos) << "nothing half made: " << name;
+}
+
+TEST_F(Audit, AResearcherRestoresNothing) {
+  const std::string backup = must(Backups(path).make(std::time(nullptr))).backup.path;
+  as("Rita");
+  EXPECT_NE(refusal(restore_backup(backup, folder.file("other.db"))).find("researcher"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.file("other.db")));
+  EXPECT_FALSE(fs::exists(path + ".before-restore"));
+}
+
+TEST_F(Audit, ANewDatabaseOfTheSameNameBeginsItsOwn) {
+  access.reset();
+  for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path + suffix);
+  const std::string head = bytes_of(path + "-audit");
+  access = must(Access::create(path, secret("the clinic's passphrase"), &kCheapKeyCost)).access;
+  EXPECT_TRUE(problems().empty());
+  EXPECT_EQ(bytes_of(path + "-audit.old"), head);
+}
+
+TEST_F(Audit, IsCheckedWhileOthersAddToIt) {
+  std::atomic<bool> done = false;
+  std::thread other([&] {
+    const auto theirs = must(Access::open(path));
+    for (int i = 0; i < 100; ++i) must(log_act(*theirs, "report", "P-1", true));
+    done = true;
+  });
+  std::vector<std::string> found;
+  while (!done && found.empty()) found = problems();
+  other.join();
+  EXPECT_EQ(found, std::vector<std::string>{});
 }
 
 TEST_F(Audit, AnotherKeyCannotMakeTheChain) {

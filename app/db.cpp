@@ -39,10 +39,6 @@ struct DbOptions {
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
-void print(const DbOptions& options, const Json& json, const std::string& text) {
-  std::fputs(((options.json ? json.dump(2) : text) + "\n").c_str(), stdout);
-}
-
 Result<std::unique_ptr<SessionStore>> read_store(const std::string& file) {
   return SessionStore::open_to_read(file);
 }
@@ -61,8 +57,8 @@ Result<void> init(const DbOptions& options) {
     return Error{Error::Code::bad_input, "exists already", "name a new file", options.file, 0, ""};
   const auto store = SessionStore::open(options.file, SessionStore::Open::create);
   if (!store) return store.error();
-  print(options, {{"file", options.file}, {"format", kDatabaseFormat}},
-        options.file + ": made, format " + std::to_string(kDatabaseFormat));
+  print_answer(options.json, {{"file", options.file}, {"format", kDatabaseFormat}},
+               options.file + ": made, format " + std::to_string(kDatabaseFormat));
   return {};
 }
 
@@ -75,7 +71,7 @@ Result<void> check(const DbOptions& options) {
   if (!problems) return problems.error();
   std::string text = problems->empty() ? options.file + ": sound" : "";
   for (const auto& problem : *problems) text += (text.empty() ? "" : "\n") + problem;
-  print(options, {{"file", options.file}, {"problems", *problems}}, text);
+  print_answer(options.json, {{"file", options.file}, {"problems", *problems}}, text);
   if (problems->empty()) return {};
   return Error{Error::Code::failed,
                "the check found " + std::to_string(problems->size()) +
@@ -103,15 +99,15 @@ Result<void> verify(const DbOptions& options) {
     text += "\n" + std::to_string(result.other_version) +
             " measures were made by another version of their definition and are not compared";
   for (const auto& problem : result.problems) text += "\n" + problem;
-  print(options,
-        {{"file", options.file},
-         {"trials", result.trials},
-         {"measures", result.measures},
-         {"identical", result.identical},
-         {"other_version", result.other_version},
-         {"largest_relative_difference", result.largest_relative_difference},
-         {"problems", result.problems}},
-        text);
+  print_answer(options.json,
+               {{"file", options.file},
+                {"trials", result.trials},
+                {"measures", result.measures},
+                {"identical", result.identical},
+                {"other_version", result.other_version},
+                {"largest_relative_difference", result.largest_relative_difference},
+                {"problems", result.problems}},
+               text);
   if (result.problems.empty()) return {};
   return Error{Error::Code::failed,
                std::to_string(result.problems.size()) +
@@ -134,7 +130,7 @@ Result<void> scheduled_backup(const DbOptions& options) {
     text = (*made)->backup.path + ": copied from " + options.file + " and checked";
     for (const auto& old : (*made)->removed) text += "\n" + old + ": removed";
   }
-  print(options, json, text);
+  print_answer(options.json, json, text);
   return {};
 }
 
@@ -152,8 +148,8 @@ Result<void> backup(const DbOptions& options) {
   const auto store = read_store(options.file);
   if (!store) return store.error();
   if (const auto done = (*store)->backup(options.to); !done) return done.error();
-  print(options, {{"file", options.file}, {"backup", options.to}},
-        options.to + ": copied from " + options.file + " and checked");
+  print_answer(options.json, {{"file", options.file}, {"backup", options.to}},
+               options.to + ": copied from " + options.file + " and checked");
   return {};
 }
 
@@ -169,7 +165,7 @@ Result<void> restore(const DbOptions& options) {
     text += "; as it was: " + done->kept;
   }
   text += "\nErase again who has been erased since that backup was made.";
-  print(options, json, text);
+  print_answer(options.json, json, text);
   return {};
 }
 
@@ -201,24 +197,24 @@ Result<void> stats(const DbOptions& options) {
   if (all.trials_not_packed > 0)
     text +=
         "\n" + times(all.trials_not_packed, "trials are not packed; isograsp db migrate does it");
-  print(options,
-        {{"file", options.file},
-         {"format", all.format},
-         {"file_bytes", all.file_bytes},
-         {"free_bytes", all.free_bytes},
-         {"signal_bytes", all.signal_bytes},
-         {"patients", all.patients},
-         {"sessions", all.sessions},
-         {"trials", all.trials},
-         {"trials_not_packed", all.trials_not_packed},
-         {"measures", all.measures},
-         {"events", all.events},
-         {"values", all.values},
-         {"recorded_s", all.recorded_s},
-         {"bytes_per_minute", all.bytes_per_minute()},
-         {"first_session_utc", all.first_session_utc},
-         {"last_session_utc", all.last_session_utc}},
-        text);
+  print_answer(options.json,
+               {{"file", options.file},
+                {"format", all.format},
+                {"file_bytes", all.file_bytes},
+                {"free_bytes", all.free_bytes},
+                {"signal_bytes", all.signal_bytes},
+                {"patients", all.patients},
+                {"sessions", all.sessions},
+                {"trials", all.trials},
+                {"trials_not_packed", all.trials_not_packed},
+                {"measures", all.measures},
+                {"events", all.events},
+                {"values", all.values},
+                {"recorded_s", all.recorded_s},
+                {"bytes_per_minute", all.bytes_per_minute()},
+                {"first_session_utc", all.first_session_utc},
+                {"last_session_utc", all.last_session_utc}},
+               text);
   return {};
 }
 
@@ -232,15 +228,15 @@ Result<void> merge(const DbOptions& options) {
            std::to_string(done->trials_added) + " trials added from " + options.from + "; " +
            std::to_string(done->trials_present) + " trials were there already";
   for (const auto& conflict : done->conflicts) text += (text.empty() ? "" : "\n") + conflict;
-  print(options,
-        {{"file", options.file},
-         {"from", options.from},
-         {"patients_added", done->patients_added},
-         {"sessions_added", done->sessions_added},
-         {"trials_added", done->trials_added},
-         {"trials_present", done->trials_present},
-         {"conflicts", done->conflicts}},
-        text);
+  print_answer(options.json,
+               {{"file", options.file},
+                {"from", options.from},
+                {"patients_added", done->patients_added},
+                {"sessions_added", done->sessions_added},
+                {"trials_added", done->trials_added},
+                {"trials_present", done->trials_present},
+                {"conflicts", done->conflicts}},
+               text);
   if (done->conflicts.empty()) return {};
   return Error{Error::Code::failed,
                "nothing was merged: " + std::to_string(done->conflicts.size()) +
@@ -270,7 +266,7 @@ Result<void> migrate(const DbOptions& options) {
                          : options.file + ": " + format + " is current; nothing to migrate";
   if (done->packed > 0) text += "\nsignals of " + std::to_string(done->packed) + " trials packed";
   for (const auto& problem : done->not_packed) text += "\nnot packed: " + problem;
-  print(options, json, text);
+  print_answer(options.json, json, text);
   return {};
 }
 

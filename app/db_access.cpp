@@ -204,7 +204,11 @@ Result<void> audit(Access& access, const AuditOptions& options) {
 }  // namespace
 
 void print_answer(bool as_json, const Json& json, const std::string& text) {
-  std::fputs(((as_json ? json.dump(2) : text) + "\n").c_str(), stdout);
+  // What is no UTF-8, such as the name of a file, is shown as U+FFFD.
+  constexpr int kIndent = 2;
+  const std::string shown =
+      as_json ? json.dump(kIndent, ' ', false, Json::error_handler_t::replace) : text;
+  std::fputs((shown + "\n").c_str(), stdout);
 }
 
 CLI::App* add_access_options(CLI::App& parent, const char* name, const char* description,

@@ -56,6 +56,13 @@ TEST_F(DatabaseCommands, CheckFindsADamagedBlock) {
       << check.out;
 }
 
+TEST_F(DatabaseCommands, JsonNamesAFileWhoseNameIsNoUtf8) {
+  const auto made = isograsp("db init --json " + folder.path("b\xff.db"));
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto json = nlohmann::json::parse(made.out);
+  EXPECT_NE(json.at("file").get<std::string>().find("b\xef\xbf\xbd.db"), std::string::npos);
+}
+
 TEST_F(DatabaseCommands, RestoreStatsAndScheduledBackups) {
   record("T-01");
   const auto stats = isograsp("db stats --json " + db);

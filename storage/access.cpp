@@ -137,6 +137,8 @@ Result<std::unique_ptr<Access>> Access::open(const std::string& database, UtcClo
   };
   auto opened = Database::open(database, Open::existing);
   if (opened) return with(*std::move(opened), true);
+  // Another program has it locked, or it is damaged: not the same as a file that is only read.
+  if (may_be_written(database)) return opened.error();
   auto reading = Database::open(database, Open::read_only);
   if (!reading || reading->format() != kDatabaseFormat) return opened.error();
   return with(*std::move(reading), false);

@@ -369,6 +369,21 @@ TEST(Unprotected, AsksForNoLoginAndStoresNoIdentity) {
             (std::vector<std::string>{"clinic.db", "clinic.db-shm", "clinic.db-wal"}));
 }
 
+TEST(Unprotected, ThatAnotherProgramHasLockedIsNoFileThatIsOnlyRead) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("clinic.db");
+  open_store(path);
+  soci::session other(soci::sqlite3, "db=\"" + path + "\"");
+  std::string mode;
+  int count = 0;
+  other << "PRAGMA journal_mode=DELETE", soci::into(mode);
+  other << "BEGIN";
+  other << "SELECT count(*) FROM patients", soci::into(count);
+  EXPECT_NE(refusal(Access::open(path)).find("locked by another program"), std::string::npos);
+  other << "COMMIT";
+  EXPECT_TRUE(must(Access::open(path))->can_log());
+}
+
 TEST(Create, RefusesAShortPassphraseAndAnExistingFileAndLeavesNothing) {
   const TemporaryFolder folder;
   EXPECT_FALSE(Access::create(folder.file("a.db"), secret("seven77"), &kCheapKeyCost).ok());

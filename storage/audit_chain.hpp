@@ -41,12 +41,13 @@ template <class Work>
 auto audited(Database& database, const LoginState& state, AuditEntry& entry, Work work,
              const std::function<void(AuditEntry&)>& complete = {}) -> decltype(work()) {
   AuditHead head;
-  database.before_commit([&] {
-    if (complete) complete(entry);
-    head = append_audit(database.sql(), state, entry);
-  });
-  auto done = work();
-  database.before_commit({});
+  auto done = [&] {
+    const AlsoBeforeCommit also(database, [&] {
+      if (complete) complete(entry);
+      head = append_audit(database.sql(), state, entry);
+    });
+    return work();
+  }();
   if (!done) {
     entry.result = done.error().code == Error::Code::bad_input ? "refused" : "failed";
     const auto logged = database.transact(

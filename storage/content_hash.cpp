@@ -3,20 +3,16 @@
 
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
 
 #include <sodium.h>
+
+#include "storage/sodium_start.hpp"
 
 namespace isograsp {
 
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are hashed little-endian");
-
-/// Thread-safe, and quick after the first time.
-void ready() {
-  if (sodium_init() < 0) throw std::runtime_error("libsodium does not start");
-}
 
 const unsigned char* data_of(std::string_view bytes) {
   return reinterpret_cast<const unsigned char*>(bytes.data());
@@ -43,9 +39,10 @@ struct ContentHasher::State {
   crypto_generichash_state blake2b;
 };
 
-ContentHasher::ContentHasher() : state_(std::make_unique<State>()) {
-  ready();
-  crypto_generichash_init(&state_->blake2b, nullptr, 0, ContentHash{}.size());
+ContentHasher::ContentHasher(std::string_view key) : state_(std::make_unique<State>()) {
+  start_sodium();
+  crypto_generichash_init(&state_->blake2b, key.empty() ? nullptr : data_of(key), key.size(),
+                          ContentHash{}.size());
 }
 ContentHasher::~ContentHasher() = default;
 
@@ -69,14 +66,14 @@ ContentHash ContentHasher::hash() {
 }
 
 ContentHash content_hash(std::string_view bytes) {
-  ready();
+  start_sodium();
   ContentHash hash{};
   crypto_generichash(hash.data(), hash.size(), data_of(bytes), bytes.size(), nullptr, 0);
   return hash;
 }
 
 std::string random_uuid() {
-  ready();
+  start_sodium();
   Uuid bytes{};
   randombytes_buf(bytes.data(), bytes.size());
   return uuid_text(bytes, 4);

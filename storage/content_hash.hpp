@@ -18,7 +18,8 @@ using ContentHash = std::array<std::uint8_t, 32>;
 /// Of content that comes in pieces.
 class ContentHasher {
  public:
-  ContentHasher();
+  /// With a key (at most 64 bytes) only its holders can make the hash.
+  explicit ContentHasher(std::string_view key = {});
   ~ContentHasher();
   ContentHasher(const ContentHasher&) = delete;
   ContentHasher& operator=(const ContentHasher&) = delete;

@@ -56,10 +56,9 @@ class Database {
   [[nodiscard]] Result<void> snapshot(const char* doing, const std::function<void()>& work);
   /// The same in one transaction: durable when it returns, or nothing done.
   [[nodiscard]] Result<void> transact(const char* doing, const std::function<void()>& work);
-  /// Runs at the end of every transaction, as a part of it. Empty: nothing.
-  void before_commit(std::function<void()> also) { before_commit_ = std::move(also); }
 
  private:
+  friend class AlsoBeforeCommit;
   Database() = default;
   [[nodiscard]] Result<void> enclose(const char* begin, const char* doing,
                                      const std::function<void()>& work);
@@ -69,6 +68,20 @@ class Database {
   bool scratch_ = false;
   std::unique_ptr<soci::session> session_;
   std::function<void()> before_commit_;
+};
+
+/// While it lives, `also` runs at the end of every transaction of `database`, as a part of it.
+class AlsoBeforeCommit {
+ public:
+  AlsoBeforeCommit(Database& database, std::function<void()> also) : database_(database) {
+    database_.before_commit_ = std::move(also);
+  }
+  AlsoBeforeCommit(const AlsoBeforeCommit&) = delete;
+  AlsoBeforeCommit& operator=(const AlsoBeforeCommit&) = delete;
+  ~AlsoBeforeCommit() { database_.before_commit_ = {}; }
+
+ private:
+  Database& database_;
 };
 
 /// The file and its folder may be written.

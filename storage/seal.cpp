@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <cstring>
-#include <new>
 #include <vector>
 
 #include <sodium.h>
@@ -117,21 +116,10 @@ std::string random_hex(std::size_t count) {
   return hex_of(random.data(), count);
 }
 
-Digest::Digest(const Secret* key) {
-  static_assert(sizeof(State) >= sizeof(crypto_generichash_state));
-  if (sodium_init() < 0) throw std::bad_alloc();
-  auto* const state = reinterpret_cast<crypto_generichash_state*>(&state_);
-  crypto_generichash_init(state, key != nullptr ? key->data() : nullptr,
-                          key != nullptr ? key->size() : 0, crypto_generichash_BYTES);
-}
+Digest::Digest(const Secret* key) : hasher_(key != nullptr ? key->text() : std::string_view()) {}
 
 Digest& Digest::add(std::string_view part) {
-  auto* const state = reinterpret_cast<crypto_generichash_state*>(&state_);
-  std::array<unsigned char, 8> length{};
-  for (std::size_t i = 0; i < length.size(); ++i)
-    length[i] = static_cast<unsigned char>(part.size() >> (8 * i));
-  crypto_generichash_update(state, length.data(), length.size());
-  crypto_generichash_update(state, bytes(part), part.size());
+  hasher_.add_text(part);
   return *this;
 }
 
@@ -140,9 +128,7 @@ Digest& Digest::add(std::int64_t number) {
 }
 
 std::string Digest::hex() {
-  std::array<unsigned char, crypto_generichash_BYTES> hash{};
-  crypto_generichash_final(reinterpret_cast<crypto_generichash_state*>(&state_), hash.data(),
-                           hash.size());
+  const ContentHash hash = hasher_.hash();
   return hex_of(hash.data(), hash.size());
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "storage/content_hash.hpp"
 #include "storage/secret.hpp"
 
 namespace isograsp {
@@ -43,8 +44,8 @@ inline constexpr KeyCost kCheapKeyCost{1, 8192};
 /// `bytes` random bytes as hexadecimal digits.
 [[nodiscard]] std::string random_hex(std::size_t bytes);
 
-/// BLAKE2b-256 over parts, each with its length before it, so that no two lists of parts are alike.
-/// With a key only its holders can make it.
+/// ContentHasher over parts, each with its length before it, so that no two lists of parts are
+/// alike.
 class Digest {
  public:
   explicit Digest(const Secret* key = nullptr);
@@ -53,10 +54,7 @@ class Digest {
   [[nodiscard]] std::string hex();  ///< 64 digits; ends the digest
 
  private:
-  struct State {
-    alignas(64) unsigned char bytes[384];  ///< crypto_generichash_state
-  };
-  State state_;
+  ContentHasher hasher_;
 };
 
 }  // namespace isograsp

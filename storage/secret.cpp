@@ -10,23 +10,16 @@
 #include <sodium.h>
 #include <unistd.h>
 
+#include "storage/sodium_start.hpp"
+
 namespace isograsp {
-
-namespace {
-
-/// libsodium must be told to begin once; that is thread-safe.
-void begin() {
-  if (sodium_init() < 0) throw std::bad_alloc();  // no random bytes on this system
-}
-
-}  // namespace
 
 void Secret::Free::operator()(unsigned char* bytes) const noexcept {
   sodium_free(bytes);
 }
 
 Secret::Secret(std::size_t size) : size_(size) {
-  begin();
+  start_sodium();
   bytes_.reset(static_cast<unsigned char*>(sodium_malloc(size)));
   if (!bytes_) throw std::bad_alloc();
   sodium_memzero(bytes_.get(), size);

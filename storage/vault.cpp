@@ -158,35 +158,37 @@ std::optional<Keys> open_slot(const KeySlot& slot, const SlotOwner& owner, const
 
 Secret make_recovery_key() {
   const Secret random = Secret::random(kRecoveryDigits);
-  Secret digits(kRecoveryDigits);
+  Secret digits(kRecoveryDigits + kCheckDigits);
   for (std::size_t i = 0; i < kRecoveryDigits; ++i)
     digits.data()[i] = static_cast<unsigned char>(kDigits[random.data()[i] % kBase]);
-  std::string shown;
-  const std::string all = std::string(digits.text()) + check_digits(digits.text());
+  const std::string check = check_digits(digits.text().substr(0, kRecoveryDigits));
+  std::memcpy(digits.data() + kRecoveryDigits, check.data(), kCheckDigits);
   constexpr std::size_t kGroup = 4;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0 && i % kGroup == 0) shown += '-';
-    shown += all[i];
+  Secret shown(digits.size() + (digits.size() - 1) / kGroup);
+  for (std::size_t i = 0, at = 0; i < digits.size(); ++i) {
+    if (i > 0 && i % kGroup == 0) shown.data()[at++] = '-';
+    shown.data()[at++] = digits.data()[i];
   }
-  return Secret::taken_from(shown);
+  return shown;
 }
 
 std::optional<Secret> read_recovery_key(const Secret& typed) {
-  std::string digits;
+  Secret digits(kRecoveryDigits + kCheckDigits);
+  std::size_t count = 0;
   for (const char c : typed.text()) {
     if (c == '-' || c == ' ') continue;
     char digit = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     if (digit == 'O') digit = '0';  // Crockford: letters that look like digits
     if (digit == 'I' || digit == 'L') digit = '1';
-    if (kDigits.find(digit) == std::string_view::npos) return std::nullopt;
-    digits += digit;
+    if (kDigits.find(digit) == std::string_view::npos || count == digits.size())
+      return std::nullopt;
+    digits.data()[count++] = static_cast<unsigned char>(digit);
   }
-  if (digits.size() != kRecoveryDigits + kCheckDigits) return std::nullopt;
-  const bool right = std::string_view(digits).substr(kRecoveryDigits) ==
-                     check_digits(std::string_view(digits).substr(0, kRecoveryDigits));
-  Secret key = Secret::taken_from(digits);
-  if (!right) return std::nullopt;
-  return key.part(0, kRecoveryDigits);
+  if (count != digits.size()) return std::nullopt;
+  if (digits.text().substr(kRecoveryDigits) !=
+      check_digits(digits.text().substr(0, kRecoveryDigits)))
+    return std::nullopt;
+  return digits.part(0, kRecoveryDigits);
 }
 
 }  // namespace isograsp

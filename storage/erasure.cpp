@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <ctime>
-#include <set>
 #include <string_view>
 
 #include <soci/soci.h>
@@ -67,18 +65,19 @@ Date years_later(Date day, int years) {
   return later.ok() ? later : later.year() / std::chrono::March / 1;
 }
 
-/// The row of `code`, whose capitals do not matter.
 Result<std::optional<Tombstone>> tombstone_of(Access& access, const std::string& code) {
-  const auto all = tombstones(access);
-  if (!all) return all.error();
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-  };
-  for (const Tombstone& stone : *all)
-    if (std::equal(stone.code.begin(), stone.code.end(), code.begin(), code.end(), same))
-      return std::optional(stone);
-  return std::optional<Tombstone>();
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  std::optional<Tombstone> found;
+  const auto done = parts.database.guard("reading an erased code", [&] {
+    Tombstone stone;  // the column makes no difference of capitals
+    parts.database.sql() << "SELECT code, erased_utc, erased_by FROM tombstones WHERE code = :code",
+        soci::use(code), soci::into(stone.code), soci::into(stone.erased_utc),
+        soci::into(stone.erased_by);
+    if (parts.database.sql().got_data()) found = stone;
+  });
+  if (!done) return done.error();
+  return found;
 }
 
 /// Nobody records while it is held.

@@ -43,7 +43,9 @@ Json known_of(SessionStore& store, const PatientRecord& patient) {
             {"dominant", profile.dominant ? name_of(*profile.dominant) : ""},
             {"onset_date", profile.onset_date},
             {"notes", profile.notes},
-            {"goals", profile.goals}};
+            {"goals", profile.goals},
+            {"sex", profile.sex ? name_of(*profile.sex) : ""},
+            {"birth_year", or_null(profile.birth_year)}};
   for (const auto& mark : need(store.treatment_marks(patient.id)))
     json["treatment_marks"].push_back(
         {{"on_date", mark.on_date}, {"kind", mark.kind}, {"text", mark.text}});
@@ -99,11 +101,11 @@ Json trial_of(SessionStore& store, const TrialRecord& trial) {
 }
 
 Json session_of(SessionStore& store, const SessionRecord& session) {
-  Json json{{"started_utc", session.started_utc},     {"ended_utc", session.ended_utc},
-            {"hand", name_of(session.hand)},          {"device", session.device_description},
-            {"simulated", session.simulated},         {"protocol", session.protocol_name},
-            {"operator", session.operator_name},      {"allowed", session.allowed},
-            {"ceiling_N", or_null(session.ceiling_N)}};
+  Json json{{"started_utc", session.started_utc}, {"ended_utc", session.ended_utc},
+            {"hand", name_of(session.hand)},      {"device", session.device_description},
+            {"simulated", session.simulated},     {"recorded", session.recorded},
+            {"protocol", session.protocol_name},  {"operator", session.operator_name},
+            {"allowed", session.allowed},         {"ceiling_N", or_null(session.ceiling_N)}};
   for (const auto& answer : need(store.answers(session.id)))
     json["answers"].push_back(
         {{"topic", answer.topic}, {"item", answer.item}, {"value", answer.value}});
@@ -144,21 +146,14 @@ Json access_of(Access& access, const std::string& code) {
   return json;
 }
 
-/// Numbers and words of the program only: no field needs quotes but those that hold a comma.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 int write_all_of(Access& access, SessionStore& store, const PatientRecord& patient,
                  const fs::path& folder) {
   Json json{{"code", patient.code}, {"created_utc", patient.created_utc}};
   json.update(access_of(access, patient.code));
   json["profile"] = known_of(store, patient);
   std::string table =
-      "session,started_utc,hand,trial,task,measure,channel,value,unit,version,reason\n";
+      "session,started_utc,hand,simulated,recorded,trial,task,measure,channel,value,unit,version,"
+      "reason\n";
   int trials = 0;
   int number = 0;
   for (const SessionRecord& session : need(store.sessions(patient.id))) {
@@ -175,7 +170,8 @@ int write_all_of(Access& access, SessionStore& store, const PatientRecord& patie
             (folder / session_name / ("trial_" + std::to_string(trial.number) + ".csv")).string()));
       for (const Measure& measure : need(store.measures(trial.id)))
         table += std::to_string(number) + "," + session.started_utc + "," +
-                 std::string(name_of(session.hand)) + "," + std::to_string(trial.number) + "," +
+                 std::string(name_of(session.hand)) + "," + (session.simulated ? "1," : "0,") +
+                 (session.recorded ? "1," : "0,") + std::to_string(trial.number) + "," +
                  csv_field(trial.task_name) + "," + csv_field(measure.name) + "," +
                  csv_field(measure.channel) + "," +
                  (measure.value ? format_number(*measure.value) : "") + "," +

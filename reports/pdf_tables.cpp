@@ -24,7 +24,7 @@ Block block(double gap_above, double height, bool keep_with_next, Draw draw) {
 }
 
 // The table of key measures: shares of the width, space between columns, right-aligned numbers.
-constexpr std::array kShares{0.165, 0.195, 0.11, 0.09, 0.19, 0.25};
+constexpr std::array kShares{0.155, 0.175, 0.105, 0.15, 0.165, 0.25};
 constexpr double kSpace = 6.0;
 constexpr double kVerdictInset = 12.0;
 constexpr double kUnderSize = 6.8;
@@ -33,6 +33,7 @@ bool is_number(std::size_t column) {
   return column >= 2 && column <= 4;
 }
 double inset(std::size_t column) {
+  if (is_number(column)) return kSpace;
   return column + 1 == kShares.size() ? kVerdictInset : 0.0;
 }
 double inner_width(std::size_t column) {

@@ -132,7 +132,7 @@ std::string other_hand_words(const ReportContent& content, const TaskSection& se
 std::string healthy_words(const MeasureSeries& series) {
   if (!series.norm) return "";
   const std::string count = "n\u00a0" + std::to_string(series.norm->values.size());
-  if (!series.norm->low) return "healthy: " + count + ", too few for a band";
+  if (!series.norm->low) return "healthy: " + count + ", no band";
   return "healthy " + format_value(*series.norm->low, series.unit) + " to " +
          with_unit(format_value(*series.norm->high, series.unit), series.unit) + " (" + count + ")";
 }

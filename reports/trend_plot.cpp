@@ -64,10 +64,8 @@ void add_word(PlotView& view, QCPAxisRect& rect, double x, double y, const QStri
   label->setColor(Palette::ink());
 }
 
-/// Healthy people at the right edge: a bar of the middle 90 %, or a triangle for each of a few.
+/// Healthy people at `x`: a bar of the middle 90 %, or a triangle for each of a few.
 void add_norm(PlotView& view, QCPAxisRect& rect, const NormBand& norm, double x, double factor) {
-  constexpr double kFromEdge = 0.12;  // sessions
-  x -= kFromEdge;
   if (norm.low) {
     add_line(rect, {x, x}, {*norm.low * factor, *norm.high * factor},
              QPen(Palette::quiet(), view.px(2.4), Qt::SolidLine, Qt::FlatCap));
@@ -172,7 +170,9 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
       ->setLabel(QString::fromStdString(printed.text.empty() ? "ratio" : printed.text));
 
   const Span span = span_of(content);
-  rect.axis(QCPAxis::atBottom)->setRange(span.low, span.high);
+  constexpr double kRoomForNorm = 0.05;  // of the length
+  const double right = span.high + (series.norm ? kRoomForNorm * (span.high - span.low) : 0.0);
+  rect.axis(QCPAxis::atBottom)->setRange(span.low, right);
   rect.axis(QCPAxis::atBottom)->setLabel("session");
   auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   constexpr int kMostTicks = 12;
@@ -189,7 +189,7 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   rect.axis(QCPAxis::atBottom)->setTicker(ticker);
 
   for (const auto& [low, high] : bands) {
-    const Values ends{span.low, span.high};
+    const Values ends{span.low, right};
     const double factor = printed.factor;
     QCPGraph& lower = add_line(rect, ends, {low * factor, low * factor}, QPen(Qt::NoPen));
     QCPGraph& upper = add_line(rect, ends, {high * factor, high * factor}, QPen(Qt::NoPen));
@@ -201,10 +201,10 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
       section.hand == Hand::right ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare;
   if (series.baseline) {
     const double base = *series.baseline * printed.factor;
-    add_line(rect, {span.low, span.high}, {base, base},
+    add_line(rect, {span.low, right}, {base, base},
              dashed(Palette::quiet(), view.px(0.7), {1.5, 2.5}));
   }
-  if (series.norm) add_norm(view, rect, *series.norm, span.high, printed.factor);
+  if (series.norm) add_norm(view, rect, *series.norm, (span.high + right) / 2.0, printed.factor);
   add_marks_of_time(view, rect, section, content);
   add_line(rect, x, mean, QPen(color, view.px(1.0)));
   const auto add_marks = [&](const Values& keys, const Values& values,

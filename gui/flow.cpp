@@ -142,11 +142,11 @@ void decide_session_sentence(const FlowFacts& facts, FlowView& view) {
   }
   if (!facts.zero_refusal.empty())
     return say(Mood::attention, Words::tr("Zero refused: %1").arg(shown(facts.zero_refusal)));
-  if (!facts.stop_reason.empty()) return say(Mood::attention, shown(facts.stop_reason));
-  if (facts.straps_due)
+  if (facts.straps_due)  // also of a hand whose work is over
     return say(Mood::attention,
                Words::tr("The straps have been on for 20 minutes: look at the skin, then confirm "
                          "that the hand is in and strapped."));
+  if (!facts.stop_reason.empty()) return say(Mood::attention, shown(facts.stop_reason));
   const auto next = view.next();
   if (next == Step::zero)
     return say(Mood::attention, Words::tr("Device connected. Set the zero with the device empty."));

@@ -127,7 +127,7 @@ FlowFacts SessionPresenter::facts() const {
   facts.zero_only_changed = zero_only_changed_;
   facts.zero_remark = zero_remark_;
   facts.strapped = strapped_;
-  facts.straps_due = session_ != nullptr && limits_.straps_due(session_time_s());
+  facts.straps_due = session_ != nullptr && strapped_ && limits_.straps_due(session_time_s());
   facts.rest_words = rest_words_;
   facts.rest_done = rest_done_ || (follows() && !guide_.asks_rest());
   facts.maximum_attempts = maximum_attempts_;
@@ -297,6 +297,7 @@ void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
   faults_.clear();
   compensation_ = {};
   limits_.begin(screening_.applies[static_cast<std::size_t>(Caution::skin)]);
+  take_earlier_work();
   shift_noted_ = {};
   worst_lateness_s_ = 0.0;
   zero_refusal_.clear();
@@ -318,6 +319,16 @@ void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
   stop_reason_.clear();
   select_first(recorded() ? TaskKind::observe : TaskKind::rest);
   begin_protocol();
+}
+
+/// The hand has worked before the session was interrupted.
+void SessionPresenter::take_earlier_work() {
+  for (const auto& [trial, measures, ended_s] : session_->earlier().trials) {
+    const auto spec = parse_task(trial.task_text, trial.task_name);
+    if (spec && kind_of(*spec) != TaskKind::rest)
+      limits_.worked(static_cast<double>(trial.samples) / session_->record().rate_Hz);
+    if (!trial.practice && !trial.helped) limits_.tried(measures);
+  }
 }
 
 void SessionPresenter::disconnect_device() {
@@ -569,8 +580,9 @@ void SessionPresenter::watch_limits(const TrialOutcome& outcome) {
   const bool ended_before = limits_.reason_to_stop().has_value();
   if (kind_of(*running_) != TaskKind::rest) limits_.worked(last_view_.task_time_s);
   last_view_ = {};
-  if (outcome.trial.status == TrialStatus::completed && !helped_)
-    limits_.tried_maximum(outcome.measures);
+  const bool counts = outcome.trial.status == TrialStatus::completed && !outcome.trial.practice;
+  limits_.tried(counts ? outcome.measures : std::vector<Measure>{});
+  limits_.helped(helped_);
   if (!ended_before && limits_.reason_to_stop()) guide_.go_on(false);
 }
 

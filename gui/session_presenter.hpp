@@ -229,6 +229,7 @@ class SessionPresenter final : public QObject {
   void take(const SessionNews& news);
   void take_trial(const TrialOutcome& outcome);
   void begin_session(std::unique_ptr<Session> session);
+  void take_earlier_work();
   void close_session(const std::string& why);
   template <class Closed>
   void close_on_worker(std::unique_ptr<Session> session, Closed closed);

@@ -292,6 +292,7 @@ void SessionPresenter::toggle_helped() {
   if (!may_help()) return;
   helped_ = !helped_;
   session_->mark_helped(helped_);
+  if (running_ == nullptr) limits_.helped(helped_);
   clinic_.load_history(patient_);
   update();
 }

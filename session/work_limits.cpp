@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace isograsp {
 
@@ -11,13 +12,19 @@ void WorkLimits::begin(bool numb_skin) {
   numb_skin_ = numb_skin;
 }
 
-void WorkLimits::tried_maximum(std::span<const Measure> measures) {
+void WorkLimits::tried(std::span<const Measure> measures) {
+  without_last_ = maxima_;
+  helped_ = false;
   for (const auto& measure : measures) {
     if (measure.name != "maximum_force" || !measure.value) continue;
     auto& maximum = maxima_[measure.channel];
     maximum.last_N = *measure.value;
     maximum.best_N = std::max(maximum.best_N, maximum.last_N);
   }
+}
+
+void WorkLimits::helped(bool helped) {
+  if (std::exchange(helped_, helped) != helped) std::swap(maxima_, without_last_);
 }
 
 bool WorkLimits::straps_due(double session_time_s) const noexcept {

@@ -25,8 +25,10 @@ class WorkLimits {
   void straps_seen(double session_time_s) { straps_s_ = session_time_s; }
   /// A trial of work has ended after so many seconds of recording, completed or not.
   void worked(double recorded_s) { work_s_ += recorded_s; }
-  /// The measures of a completed maximum.
-  void tried_maximum(std::span<const Measure> measures);
+  /// The measures of a trial, of which maxima count; none of one that does not count.
+  void tried(std::span<const Measure> measures);
+  /// The therapist helped in the last trial: its maximum is nobody's. False takes that back.
+  void helped(bool helped);
 
   [[nodiscard]] bool straps_due(double session_time_s) const noexcept;
   /// Why work should end for today; nothing: it may go on. A maximum that comes back takes the loss
@@ -41,7 +43,10 @@ class WorkLimits {
   bool numb_skin_ = false;
   std::optional<double> straps_s_;
   double work_s_ = 0.0;
-  std::map<std::string, Maximum> maxima_;  ///< by channel
+  using Maxima = std::map<std::string, Maximum>;  ///< by channel
+  Maxima maxima_;
+  Maxima without_last_;  ///< as if the last trial had not been; with it while helped_
+  bool helped_ = false;
 };
 
 }  // namespace isograsp

@@ -267,6 +267,8 @@ TEST(Flow, StrapsThatAreDueComeBeforeTheNextTaskAndCanBeConfirmed) {
   EXPECT_TRUE(view.must_stand_by);
   EXPECT_EQ(view.next(), Step::rest);
   EXPECT_NE(view.sentence.find("look at the skin"), std::string::npos);
+  facts.stop_reason = "30 minutes of work are done: end the session for today.";
+  EXPECT_EQ(decide(facts).sentence, view.sentence) << "the skin of a hand whose work is over, too";
   facts.stage = Stage::trial;
   EXPECT_EQ(decide(facts).mood, Mood::busy) << "a trial that runs is not interrupted";
 }

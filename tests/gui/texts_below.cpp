@@ -101,7 +101,7 @@ void add_session(Texts& texts) {
   maximum.name = "maximum_force";
   for (const double force_N : {kForce_N, 0.5 * kForce_N}) {
     maximum.value = force_N;
-    tired.tried_maximum({&maximum, 1});
+    tired.tried({&maximum, 1});
   }
   add_sentences(texts, *tired.reason_to_stop());
   WorkLimits long_day;

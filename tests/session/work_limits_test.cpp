@@ -32,27 +32,53 @@ TEST(WorkLimits, HalfAnHourOfWorkIsEnoughHoweverItIsDivided) {
 TEST(WorkLimits, AFifthOfTheForceLostEndsTheWorkAndAForceThatComesBackDoesNot) {
   WorkLimits limits;
   limits.begin(false);
-  limits.tried_maximum(maximum(20.0));
-  limits.tried_maximum(maximum(16.1));
+  limits.tried(maximum(20.0));
+  limits.tried(maximum(16.1));
   EXPECT_FALSE(limits.reason_to_stop());
-  limits.tried_maximum(maximum(15.0, "thumb"));
+  limits.tried(maximum(15.0, "thumb"));
   EXPECT_FALSE(limits.reason_to_stop()) << "another channel has its own best";
-  limits.tried_maximum(maximum(16.0));
+  limits.tried(maximum(16.0));
   EXPECT_EQ(
       limits.reason_to_stop(),
       "The maximum has fallen by 20 % in this session: stop the work of this hand for today.");
-  limits.tried_maximum(maximum(18.0));
+  limits.tried(maximum(18.0));
+  EXPECT_FALSE(limits.reason_to_stop());
+}
+
+TEST(WorkLimits, AMaximumInWhichTheTherapistHelpedIsTakenOutAndComesBack) {
+  WorkLimits limits;
+  limits.begin(false);
+  limits.tried(maximum(20.0));
+  limits.tried(maximum(10.0));
+  EXPECT_TRUE(limits.reason_to_stop());
+  limits.helped(true);
+  EXPECT_FALSE(limits.reason_to_stop());
+  limits.helped(true);
+  EXPECT_FALSE(limits.reason_to_stop()) << "said twice";
+  limits.helped(false);
+  EXPECT_TRUE(limits.reason_to_stop());
+  limits.tried({});
+  limits.helped(true);
+  EXPECT_TRUE(limits.reason_to_stop()) << "only that of the last trial";
+}
+
+TEST(WorkLimits, AHelpedMaximumIsNoBestEither) {
+  WorkLimits limits;
+  limits.begin(false);
+  limits.tried(maximum(30.0));
+  limits.helped(true);
+  limits.tried(maximum(20.0));
   EXPECT_FALSE(limits.reason_to_stop());
 }
 
 TEST(WorkLimits, AMaximumWithoutValueOrForceSaysNothing) {
   WorkLimits limits;
   limits.begin(false);
-  limits.tried_maximum(maximum(0.0));
+  limits.tried(maximum(0.0));
   EXPECT_FALSE(limits.reason_to_stop());
   auto none = maximum(0.0);
   none.front().value.reset();
-  limits.tried_maximum(none);
+  limits.tried(none);
   EXPECT_FALSE(limits.reason_to_stop());
 }
 

@@ -9,6 +9,7 @@
 
 #include "gui/background.hpp"
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 #include "gui/windows.hpp"
 
 namespace isograsp {
@@ -57,15 +58,14 @@ Result<void> run_application(const ApplicationConfig& config) {
   bool again = true;
   while (std::exchange(again, false)) {
     Windows windows({database, device, config.library, config.software_version,
-                     config.operator_name, config.realtime, SettingsFile::usual_path().toStdString()});
+                     config.operator_name, config.realtime,
+                     SettingsFile::usual_path().toStdString()});
     Background maker;
     windows.open_demonstration = [&] {
       if (!config.make_demonstration) return;
       maker.run([make = config.make_demonstration] { return make(); },
                 [&](const Result<std::string>& made) {
-                  if (!made)
-                    return windows.therapist().demonstration_failed(
-                        QString::fromStdString(made.error().message()));
+                  if (!made) return windows.therapist().demonstration_failed(shown(made.error()));
                   database = *made;
                   again = true;
                   windows.therapist().close();

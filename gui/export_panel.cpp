@@ -11,6 +11,7 @@
 #include "gui/card.hpp"
 #include "gui/choice_box.hpp"
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -190,7 +191,7 @@ void ExportPanel::list_files() {
       [this, number = ++lists_](const Files& files) {
         if (number != lists_) return;
         if (!files) {
-          problem_ = QString::fromStdString(files.error().message());
+          problem_ = shown(files.error());
           return refresh();
         }
         int listed = 0;

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "gui/texts.hpp"
+
 namespace isograsp {
 
 ExportWork::ExportWork(std::string database) : database_(std::move(database)) {}
@@ -44,7 +46,7 @@ void ExportWork::start(const ExportRequest& request, ExportFormat format,
         else if (stop.stop_requested())
           Q_EMIT cancelled();
         else
-          Q_EMIT failed(QString::fromStdString(written.error().message()));
+          Q_EMIT failed(shown(written.error()));
       });
   Q_EMIT progress(0.0, "");
 }

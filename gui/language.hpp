@@ -5,6 +5,9 @@
 
 #include <array>
 #include <string>
+#include <vector>
+
+#include "gui/text_patterns.hpp"
 
 namespace isograsp {
 
@@ -25,6 +28,10 @@ inline constexpr const char* kDesktopLanguage = "system";
 /// Texts, numbers and dates on the screen from now on; files never change with it. A code that is
 /// not in kLanguages means kDesktopLanguage. Needs a QApplication.
 void speak(const std::string& code);
+
+/// What the layers below say and the languages know with places in it, the longest first
+/// (gui/translations/patterns.txt). Any thread.
+[[nodiscard]] const std::vector<TextPattern>& patterns_below();
 
 /// The code that speak() settled on; "en" before.
 [[nodiscard]] std::string spoken();

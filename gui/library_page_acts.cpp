@@ -7,6 +7,7 @@
 #include "gui/library_preview.hpp"
 #include "gui/library_use.hpp"
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -28,8 +29,7 @@ QString file_name(const std::string& path) {
   return QString::fromStdString(fs::path(path).filename().string());
 }
 
-QString with_capital(const std::string& words) {
-  auto text = QString::fromStdString(words);
+QString with_capital(QString text) {
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }
@@ -162,10 +162,9 @@ void LibraryPage::show_checked(const std::optional<Error>& error) {
     if (!error->field.empty())
       place += (place.isEmpty() ? QString() : QStringLiteral(", ")) +
                QString::fromStdString(error->field);
-    QString words = place.isEmpty()
-                        ? with_capital(error->what)
-                        : place + QStringLiteral(": ") + QString::fromStdString(error->what);
-    if (!error->remedy.empty()) words += QStringLiteral(". ") + with_capital(error->remedy);
+    QString words = place.isEmpty() ? with_capital(shown(error->what))
+                                    : place + QStringLiteral(": ") + shown(error->what);
+    if (!error->remedy.empty()) words += QStringLiteral(". ") + with_capital(shown(error->remedy));
     words = QStringLiteral("⚠ ") + words + QStringLiteral(".");
     problem_->setText(
         here && error->line > 0
@@ -195,7 +194,7 @@ void LibraryPage::keep_draft_now() {
         return {};
       },
       [this](const Result<void>& kept) {
-        if (!kept) say(tr("Not kept: %1").arg(QString::fromStdString(kept.error().message())));
+        if (!kept) say(tr("Not kept: %1").arg(shown(kept.error())));
       });
 }
 
@@ -206,7 +205,7 @@ void LibraryPage::duplicate() {
   worker_.run([files = files_, entry = *entry_,
                text = text()]() -> Made { return files.duplicate(entry, text); },
               [this](const Made& made) {
-                if (!made) return say(QString::fromStdString(made.error().message()));
+                if (!made) return say(shown(made.error()));
                 search_->clear();
                 presenter_.reload_library();
                 list_files(made->path, true);
@@ -226,7 +225,7 @@ void LibraryPage::save() {
                 [this, entry, now](const Saved& saved) {
                   saving_ = false;
                   if (saved) return show_saved(entry, *saved, now);
-                  say(tr("Not saved: %1").arg(QString::fromStdString(saved.error().message())));
+                  say(tr("Not saved: %1").arg(shown(saved.error())));
                 });
   };
   const bool asked = clinic_.read(
@@ -240,7 +239,7 @@ void LibraryPage::save() {
       [this, save_as](const Result<FileUse>& use) {
         if (use) return save_as(*use);
         saving_ = false;
-        say(tr("Not saved: %1").arg(QString::fromStdString(use.error().message())));
+        say(tr("Not saved: %1").arg(shown(use.error())));
       });
   if (asked) return;
   saving_ = false;
@@ -279,7 +278,7 @@ void LibraryPage::revert() {
   worker_.run([files = files_, entry = *entry_] { return files.read(entry); },
               [this, number = opened_](const Result<std::string>& text) {
                 if (number != opened_) return;
-                if (!text) return say(QString::fromStdString(text.error().message()));
+                if (!text) return say(shown(text.error()));
                 former_ = *text;
                 editor_->replace_text(QString::fromStdString(former_));
                 former_shown_ = this->text();
@@ -294,7 +293,7 @@ void LibraryPage::remove() {
   using Put = Result<std::string>;
   worker_.run([files = files_, entry = *entry_]() -> Put { return files.remove(entry); },
               [this, entry = *entry_](const Put& put) {
-                if (!put) return say(QString::fromStdString(put.error().message()));
+                if (!put) return say(shown(put.error()));
                 removed_ = Removed{entry, *put};
                 entry_.reset();
                 loaded_ = false;
@@ -310,7 +309,7 @@ void LibraryPage::bring_back() {
         return files.bring_back(removed.place, removed.entry);
       },
       [this, entry = removed_->entry](const Result<void>& done) {
-        if (!done) return say(QString::fromStdString(done.error().message()));
+        if (!done) return say(shown(done.error()));
         removed_.reset();
         kind_ = entry.kind;
         presenter_.reload_library();

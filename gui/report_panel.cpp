@@ -13,6 +13,7 @@
 
 #include "gui/choice_box.hpp"
 #include "gui/look.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -225,7 +226,7 @@ void ReportPanel::show_pages(Result<ReportContent> content) {
   } else {
     pages_.reset();
     view_->show_pages(nullptr);
-    remark_->setText(QString::fromStdString(content.error().message()).toHtmlEscaped());
+    remark_->setText(shown(content.error()).toHtmlEscaped());
   }
   refresh();
 }

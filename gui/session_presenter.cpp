@@ -542,7 +542,7 @@ void SessionPresenter::take(const SessionNews& news) {
     Q_EMIT changed();
   }
   if (news.trial) take_trial(*news.trial);
-  if (news.failure) close_session(*news.failure);
+  if (news.failure) close_session(shown(*news.failure).toStdString());
 }
 
 void SessionPresenter::take_trial(const TrialOutcome& outcome) {

@@ -37,7 +37,7 @@ StartPage::StartPage(Clinic& clinic, SessionPresenter& presenter, Staff& staff, 
   connect(&clinic_, &Clinic::patients_changed, this, &StartPage::fill);
   connect(&clinic_, &Clinic::patients_changed, this, &StartPage::load_recent);
   connect(&clinic_, &Clinic::patient_added, this, [this](const QString& code) {
-    search_->clear();
+    search_->setText({});
     presenter_.choose_patient(code.toStdString());
     fill();
     // Whoever adds a patient begins a session with them.
@@ -45,7 +45,7 @@ StartPage::StartPage(Clinic& clinic, SessionPresenter& presenter, Staff& staff, 
   });
   connect(&presenter_, &SessionPresenter::changed, this, &StartPage::refresh);
   connect(&staff_, &Staff::changed, this, [this] {
-    if (staff_.closed()) search_->clear();  // it may be a name
+    if (staff_.closed()) search_->setText({});  // it may be a name
     fill();
   });
   connect(&presenter_, &SessionPresenter::settled, this, &StartPage::load_recent);
@@ -80,8 +80,7 @@ QWidget* StartPage::make_patients() {
   add_ = new QPushButton(tr("&Add patient"));
   add_->setObjectName("add_patient");
   describe(*add_, tr("Add patient"),
-           tr("Add a patient with a generated code and begin a session; names are never stored "
-              "(Alt+A)"));
+           tr("Add a patient with a generated code and begin a session (Alt+A)"));
   begin_ = new QPushButton(tr("&Begin session"));
   begin_->setObjectName("begin_session");
   describe(*begin_, tr("Begin a session"), tr("With the chosen patient (Alt+B)"));

@@ -12,13 +12,12 @@
 namespace isograsp {
 
 /// A text of the layers below in the language of the screen. Its numbers are put in by place: the
-/// translations know "Drifted by 0.2 N." as "Drifted by %1 N.". A text that is not known as a whole
-/// is looked up sentence by sentence; what is not known at all stays as it is.
+/// translations know "Drifted by 0.2 N." as "Drifted by %1 N.". So is what a message names, such as
+/// a path (gui/text_patterns.hpp). A text that is not known as a whole is looked up sentence by
+/// sentence, and those by their parts; what is not known at all stays as it is.
 [[nodiscard]] QString shown(std::string_view english);
 /// As Error::message() has it; what is fixed in it is translated.
 [[nodiscard]] QString shown(const Error& error);
-/// A text with marks instead of its numbers: how the translations know it.
-[[nodiscard]] std::string pattern_of(std::string_view english);
 
 /// Words that begin a sentence, in the middle of one: small, unless nouns of the language are
 /// large.

@@ -23,6 +23,7 @@
 #include "gui/session_page.hpp"
 #include "gui/settings_page.hpp"
 #include "gui/start_page.hpp"
+#include "gui/texts.hpp"
 
 namespace isograsp {
 
@@ -74,7 +75,7 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
   show_page(Page::start);
   refresh();
   const auto say_problems = [this] {
-    for (const auto& problem : presenter_.library_problems()) say(QString::fromStdString(problem));
+    for (const auto& problem : presenter_.library_problems()) say(shown(problem));
   };
   connect(&presenter_, &SessionPresenter::library_changed, this, say_problems);
   say_problems();

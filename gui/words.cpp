@@ -98,7 +98,7 @@ QString timing_details(const TimingSummary& timing, const std::string& realtime)
          line(QObject::tr("Work on a frame"), timing.compute) +
          (realtime.empty()
               ? QObject::tr("Real time was not asked for")
-              : QObject::tr("Acquisition with %1").arg(QString::fromStdString(realtime)));
+              : QObject::tr("Acquisition with %1").arg(shown(realtime)));
 }
 
 QString push_words(const NetPush& push) {

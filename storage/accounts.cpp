@@ -259,7 +259,7 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   });
   if (!read) return read.error();
   if (!user || sealed.empty() || failed_count >= kMostWrongPins)
-    return refused("pin", "cannot be used now", "log in with the password");
+    return refused("pin", "the PIN cannot be used now", "log in with the password");
   if (!before.keys->suffice_for(user->role))
     return refused("pin", "whoever opened the database has fewer rights than this account",
                    "log in with the password");
@@ -286,7 +286,7 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   if (right) return {};
   const int left = kMostWrongPins - failed_count - 1;
   return refused(
-      "pin", "is wrong",
+      "pin", "the PIN is wrong",
       left > 0 ? "try again; " + std::to_string(left) + " left" : "log in with the password");
 }
 

@@ -1614,6 +1614,10 @@
         <source>Cannot be judged yet: %1</source>
         <translation>Noch nicht beurteilbar: %1</translation>
     </message>
+    <message>
+        <source>The measured delay of the display differs between the two sessions.</source>
+        <translation>Die gemessene Verzögerung der Anzeige unterscheidet sich zwischen den beiden Sitzungen.</translation>
+    </message>
 </context>
 <context>
     <name>Screening</name>
@@ -4098,6 +4102,3738 @@
     <message>
         <source>The maximum has fallen by %1 % in this session: stop the work of this hand for today.</source>
         <translation>Das Maximum ist in dieser Sitzung um %1 % gefallen: die Arbeit dieser Hand für heute beenden.</translation>
+    </message>
+    <message>
+        <source>%1 boxes send records, the last is %2</source>
+        <translation>%1 Boxen senden Messdaten, die letzte ist %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1: kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1 does not have the calibration that the configuration names%2</source>
+        <translation>%1 hat nicht die Kalibrierung, die die Konfiguration nennt%2</translation>
+    </message>
+    <message>
+        <source>%1 has the serial number %2, but the configuration says %3</source>
+        <translation>%1 hat die Seriennummer %2, die Konfiguration nennt aber %3</translation>
+    </message>
+    <message>
+        <source>%1 is locked but has an initial velocity</source>
+        <translation>%1 ist gesperrt, hat aber eine Anfangsgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 is no possible length of the filter</source>
+        <translation>%1 ist keine mögliche Länge des Filters</translation>
+    </message>
+    <message>
+        <source>%1 is no score of the %2</source>
+        <translation>%1 ist kein Wert von %2</translation>
+    </message>
+    <message>
+        <source>%1 is no year of birth</source>
+        <translation>%1 ist kein Geburtsjahr</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>%1 not defined: %2.</source>
+        <translation>%1 nicht definiert: %2.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is a primary measure</source>
+        <translation>%1 von %2 ist schon eine Hauptmessgröße</translation>
+    </message>
+    <message>
+        <source>%1 of %2 was changed or is damaged</source>
+        <translation>%1 von %2: geändert oder beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 refused a setting (%2)</source>
+        <translation>%1 hat eine Einstellung abgelehnt (%2)</translation>
+    </message>
+    <message>
+        <source>%1 sensors do not speak over %2://</source>
+        <translation>Sensoren des Typs %1 sprechen nicht über %2://</translation>
+    </message>
+    <message>
+        <source>%1 taps cannot make this cut-off at this rate</source>
+        <translation>%1 Koeffizienten schaffen diese Grenzfrequenz bei dieser Rate nicht</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 Werte</translation>
+    </message>
+    <message>
+        <source>%1, and the bit rate of the interface: boards leave the factory at 250 kbit/s</source>
+        <translation>%1, auch die Bitrate der Schnittstelle: Platinen kommen mit 250 kbit/s aus dem Werk</translation>
+    </message>
+    <message>
+        <source>%1: refused by the database (%2)</source>
+        <translation>%1: von der Datenbank abgelehnt (%2)</translation>
+    </message>
+    <message>
+        <source>%1: the database is damaged</source>
+        <translation>%1: Die Datenbank ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: the database is locked by another program</source>
+        <translation>%1: Die Datenbank ist von einem anderen Programm gesperrt</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full or does not answer</source>
+        <translation>%1: Der Datenträger ist voll oder antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: the file or its folder is not writable</source>
+        <translation>%1: Die Datei oder ihr Ordner ist nicht beschreibbar</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; appears twice</source>
+        <translation>„%1“ kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no difficulty to adapt</source>
+        <translation>„%1“ hat keine Schwierigkeit, die sich anpassen lässt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no digit, so it could be a name or initials</source>
+        <translation>„%1“ hat keine Ziffer, könnte also ein Name oder Initialen sein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds what reads as a date</source>
+        <translation>„%1“ enthält etwas, das wie ein Datum aussieht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is before %2</source>
+        <translation>„%1“ liegt vor %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no address in numbers</source>
+        <translation>„%1“ ist keine Adresse in Zahlen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no day of the calendar</source>
+        <translation>„%1“ ist kein Kalendertag</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no kind of treatment</source>
+        <translation>„%1“ ist keine Art der Behandlung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no scale that is known</source>
+        <translation>„%1“ ist keine bekannte Skala</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a digit</source>
+        <translation>„%1“ ist kein Finger</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a direction</source>
+        <translation>„%1“ ist keine Richtung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>„%1“ ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a force</source>
+        <translation>„%1“ ist keine Kraft</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a hand</source>
+        <translation>„%1“ ist keine Hand</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number that makes sense here</source>
+        <translation>„%1“ ist keine hier sinnvolle Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number that this parameter takes</source>
+        <translation>„%1“ ist keine Zahl, die dieser Parameter annimmt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a positive number</source>
+        <translation>„%1“ ist keine positive Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a unit that is known here</source>
+        <translation>„%1“ ist keine hier bekannte Einheit</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not in the years %2 to %3</source>
+        <translation>„%1“ liegt nicht in den Jahren %2 bis %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not known</source>
+        <translation>„%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not six numbers</source>
+        <translation>„%1“ sind nicht sechs Zahlen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the expected format</source>
+        <translation>„%1“ ist nicht das erwartete Format</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the name of a scene</source>
+        <translation>„%1“ ist nicht der Name einer Szene</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the name of a task file</source>
+        <translation>„%1“ ist nicht der Name einer Aufgabendatei</translation>
+    </message>
+    <message>
+        <source>, group %1, second %2</source>
+        <translation>, Gruppe %1, Sekunde %2</translation>
+    </message>
+    <message>
+        <source>, group %1, seconds %2 to %3</source>
+        <translation>, Gruppe %1, Sekunden %2 bis %3</translation>
+    </message>
+    <message>
+        <source>0 is out of range</source>
+        <translation>0 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>ATI NETCANOEM on %1</source>
+        <translation>ATI NETCANOEM an %1</translation>
+    </message>
+    <message>
+        <source>ATI Net F/T on %1</source>
+        <translation>ATI Net F/T an %1</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>Adresse wird schon verwendet</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>nicht genug Arbeitsspeicher</translation>
+    </message>
+    <message>
+        <source>Cannot assign requested address</source>
+        <translation>die verlangte Adresse kann nicht vergeben werden</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Verbindung verweigert</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenstelle getrennt</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Zeitüberschreitung der Verbindung</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät wird schon verwendet</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>Ordner ist nicht leer</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Speicherplatz des Benutzers ist erschöpft</translation>
+    </message>
+    <message>
+        <source>Error while parsing %1: %2</source>
+        <translation>Fehler beim Lesen (%1): %2</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname ist zu lang</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>ungültige Angabe</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>JR3 PCI on %1</source>
+        <translation>JR3 PCI an %1</translation>
+    </message>
+    <message>
+        <source>JR3 with CAN adaptor on %1</source>
+        <translation>JR3 mit CAN-Adapter an %1</translation>
+    </message>
+    <message>
+        <source>Network is down</source>
+        <translation>Netzwerk ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>Netzwerk ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>kein Weg zum Gerät</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>kein solches Gerät</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>kein solches Gerät und keine solche Adresse</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Vorgang nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Recorded forces, %1</source>
+        <translation>Aufgezeichnete Kräfte, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of ATI NETCANOEM, %1</source>
+        <translation>Aufgezeichnete Telegramme von ATI NETCANOEM, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of ATI Net F/T, %1</source>
+        <translation>Aufgezeichnete Telegramme von ATI Net F/T, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of JR3 PCI, %1</source>
+        <translation>Aufgezeichnete Telegramme von JR3 PCI, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of JR3 with CAN adaptor, %1</source>
+        <translation>Aufgezeichnete Telegramme von JR3 mit CAN-Adapter, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of Robotous RFT, %1</source>
+        <translation>Aufgezeichnete Telegramme von Robotous RFT, %1</translation>
+    </message>
+    <message>
+        <source>Robotous RFT on %1</source>
+        <translation>Robotous RFT an %1</translation>
+    </message>
+    <message>
+        <source>Simulated sensors, %1 patient</source>
+        <translation>Simulierte Sensoren, Patient: %1</translation>
+    </message>
+    <message>
+        <source>Text file busy</source>
+        <translation>Datei wird gerade ausgeführt</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>zu viele verkettete Verweise</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>a &apos;%&apos; without two hexadecimal digits</source>
+        <translation>ein „%“ ohne zwei hexadezimale Ziffern</translation>
+    </message>
+    <message>
+        <source>a calibration belongs to one sensor, and none is named here</source>
+        <translation>eine Kalibrierung gehört zu einem Sensor, hier ist keiner genannt</translation>
+    </message>
+    <message>
+        <source>a comment or whitespace</source>
+        <translation>ein Kommentar oder Leerraum</translation>
+    </message>
+    <message>
+        <source>a course needs a day</source>
+        <translation>ein Verlauf braucht einen Tag</translation>
+    </message>
+    <message>
+        <source>a date or time</source>
+        <translation>ein Datum oder eine Zeit</translation>
+    </message>
+    <message>
+        <source>a frame without &apos;#&apos;</source>
+        <translation>ein Telegramm ohne „#“</translation>
+    </message>
+    <message>
+        <source>a hold of %1 s is not possible</source>
+        <translation>ein Zeitschritt von %1 s ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>a maximum is measured above the resting force, which no earlier step measures</source>
+        <translation>ein Maximum wird über der Ruhekraft gemessen, die kein früherer Schritt misst</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a quaternion of length zero</source>
+        <translation>eine Quaternion der Länge null</translation>
+    </message>
+    <message>
+        <source>a rating that is not positive</source>
+        <translation>ein Nennwert, der nicht positiv ist</translation>
+    </message>
+    <message>
+        <source>a real bus does not run in virtual time</source>
+        <translation>ein echter Bus läuft nicht in virtueller Zeit</translation>
+    </message>
+    <message>
+        <source>a real device cannot run in virtual time</source>
+        <translation>ein echtes Gerät kann nicht in virtueller Zeit laufen</translation>
+    </message>
+    <message>
+        <source>a second follows one that was not full</source>
+        <translation>eine Sekunde folgt auf eine, die nicht voll war</translation>
+    </message>
+    <message>
+        <source>a session in real time is not recorded into a scratch file</source>
+        <translation>eine Sitzung in Echtzeit wird nicht in eine Wegwerfdatei aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>eine Tabelle</translation>
+    </message>
+    <message>
+        <source>a time without &apos;)&apos;</source>
+        <translation>eine Zeit ohne „)“</translation>
+    </message>
+    <message>
+        <source>a travel limit of %1 has no meaning while all three rotations are free</source>
+        <translation>eine Weggrenze von %1 hat keinen Sinn, solange alle drei Drehungen frei sind</translation>
+    </message>
+    <message>
+        <source>a travel limit of %1 while springs or dampers at an angle couple the axes</source>
+        <translation>eine Weggrenze von %1, während schräge Federn oder Dämpfer die Achsen koppeln</translation>
+    </message>
+    <message>
+        <source>a trial cannot end as running</source>
+        <translation>ein Versuch kann nicht als laufend enden</translation>
+    </message>
+    <message>
+        <source>a trial is being recorded</source>
+        <translation>ein Versuch wird gerade aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>add %1 or %2</source>
+        <translation>%1 oder %2 ergänzen</translation>
+    </message>
+    <message>
+        <source>add ?protocol=rft or ?config=FILE</source>
+        <translation>?protocol=rft oder ?config=DATEI ergänzen</translation>
+    </message>
+    <message>
+        <source>add a [[finger]] table for each sensor</source>
+        <translation>für jeden Sensor eine Tabelle [[finger]] ergänzen</translation>
+    </message>
+    <message>
+        <source>add a [[sensor]] with finger = &quot;%1&quot;</source>
+        <translation>[[sensor]] mit finger = &quot;%1&quot; ergänzen</translation>
+    </message>
+    <message>
+        <source>add a [difficulty] table to the task, or leave out adaptive</source>
+        <translation>der Aufgabe eine Tabelle [difficulty] geben oder adaptive weglassen</translation>
+    </message>
+    <message>
+        <source>add at least one [[axis]]</source>
+        <translation>mindestens eine [[axis]] ergänzen</translation>
+    </message>
+    <message>
+        <source>add at least one [[item]]</source>
+        <translation>mindestens ein [[item]] ergänzen</translation>
+    </message>
+    <message>
+        <source>add at least one [[step]]</source>
+        <translation>mindestens einen [[step]] ergänzen</translation>
+    </message>
+    <message>
+        <source>add at least one [[target]]</source>
+        <translation>mindestens ein [[target]] ergänzen</translation>
+    </message>
+    <message>
+        <source>add columns such as thumb_fx_N, thumb_fy_N, thumb_fz_N</source>
+        <translation>Spalten wie thumb_fx_N, thumb_fy_N, thumb_fz_N ergänzen</translation>
+    </message>
+    <message>
+        <source>add e.g. thumb_direction = [0, 0, 1]</source>
+        <translation>z. B. thumb_direction = [0, 0, 1] ergänzen</translation>
+    </message>
+    <message>
+        <source>add it</source>
+        <translation>ergänzen</translation>
+    </message>
+    <message>
+        <source>add the column</source>
+        <translation>die Spalte ergänzen</translation>
+    </message>
+    <message>
+        <source>add the time of each row in seconds</source>
+        <translation>die Zeit jeder Zeile in Sekunden ergänzen</translation>
+    </message>
+    <message>
+        <source>adding a patient</source>
+        <translation>Patienten anlegen</translation>
+    </message>
+    <message>
+        <source>adding an account</source>
+        <translation>Konto anlegen</translation>
+    </message>
+    <message>
+        <source>administrator</source>
+        <translation>Administrator</translation>
+    </message>
+    <message>
+        <source>align them, or write wrench_frame = &quot;hand&quot;</source>
+        <translation>sie ausrichten oder wrench_frame = &quot;hand&quot; schreiben</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an identifier that has neither 3 nor 8 hexadecimal digits</source>
+        <translation>eine Kennung, die weder 3 noch 8 hexadezimale Ziffern hat</translation>
+    </message>
+    <message>
+        <source>an identifier that is too large</source>
+        <translation>eine zu große Kennung</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>another file has this name now</source>
+        <translation>eine andere Datei hat jetzt diesen Namen</translation>
+    </message>
+    <message>
+        <source>another program has changed the file meanwhile</source>
+        <translation>ein anderes Programm hat die Datei inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>another program has changed this file meanwhile</source>
+        <translation>ein anderes Programm hat diese Datei inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>another program has it open</source>
+        <translation>ein anderes Programm hat sie geöffnet</translation>
+    </message>
+    <message>
+        <source>another program records into it now</source>
+        <translation>ein anderes Programm zeichnet jetzt darin auf</translation>
+    </message>
+    <message>
+        <source>another program records into the file now</source>
+        <translation>ein anderes Programm zeichnet jetzt in die Datei auf</translation>
+    </message>
+    <message>
+        <source>append one second at a time</source>
+        <translation>jeweils eine Sekunde anfügen</translation>
+    </message>
+    <message>
+        <source>append the seconds in order</source>
+        <translation>die Sekunden der Reihe nach anfügen</translation>
+    </message>
+    <message>
+        <source>are fewer than two</source>
+        <translation>sind weniger als zwei</translation>
+    </message>
+    <message>
+        <source>are too many</source>
+        <translation>sind zu viele</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>ask an administrator to put you into the group dialout</source>
+        <translation>einen Administrator bitten, Sie in die Gruppe dialout aufzunehmen</translation>
+    </message>
+    <message>
+        <source>asks for more than the whole force</source>
+        <translation>verlangt mehr als die ganze Kraft</translation>
+    </message>
+    <message>
+        <source>asks for no login</source>
+        <translation>verlangt keine Anmeldung</translation>
+    </message>
+    <message>
+        <source>asks no digit</source>
+        <translation>verlangt keinen Finger</translation>
+    </message>
+    <message>
+        <source>attempts can only agree with each other</source>
+        <translation>nur Versuche können miteinander übereinstimmen</translation>
+    </message>
+    <message>
+        <source>bare key starting character or string delimiter</source>
+        <translation>Beginn eines Schlüssels oder Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>base %1</source>
+        <translation>Basis %1</translation>
+    </message>
+    <message>
+        <source>begin a new session</source>
+        <translation>eine neue Sitzung beginnen</translation>
+    </message>
+    <message>
+        <source>begin it first</source>
+        <translation>zuerst damit beginnen</translation>
+    </message>
+    <message>
+        <source>begin one</source>
+        <translation>eine beginnen</translation>
+    </message>
+    <message>
+        <source>beginning a session</source>
+        <translation>Sitzung beginnen</translation>
+    </message>
+    <message>
+        <source>beginning a trial</source>
+        <translation>Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>blocks for %1 instead of %2 groups</source>
+        <translation>Blöcke für %1 statt %2 Gruppen</translation>
+    </message>
+    <message>
+        <source>boolean</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>calibration slot %1 holds a matrix, counts or units that cannot be used</source>
+        <translation>Kalibrierplatz %1 enthält eine Matrix, Zählwerte oder Einheiten, die nicht verwendbar sind</translation>
+    </message>
+    <message>
+        <source>calibration slot %1 was asked for, it chose slot %2</source>
+        <translation>Kalibrierplatz %1 war verlangt, er hat Platz %2 gewählt</translation>
+    </message>
+    <message>
+        <source>cannot be a file here</source>
+        <translation>kann hier keine Datei sein</translation>
+    </message>
+    <message>
+        <source>cannot be locked: %1</source>
+        <translation>kann nicht gesperrt werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>kann nicht gemacht werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be opened for %1</source>
+        <translation>kann nicht geöffnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be reached</source>
+        <translation>kann nicht erreicht werden</translation>
+    </message>
+    <message>
+        <source>cannot be reached: %1</source>
+        <translation>kann nicht erreicht werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be renamed: %1</source>
+        <translation>kann nicht umbenannt werden: %1</translation>
+    </message>
+    <message>
+        <source>the PIN cannot be used now</source>
+        <translation>die PIN kann jetzt nicht verwendet werden</translation>
+    </message>
+    <message>
+        <source>cannot be written, so the reading of an identity could not be logged</source>
+        <translation>kann nicht geschrieben werden, das Lesen einer Identität ließe sich also nicht protokollieren</translation>
+    </message>
+    <message>
+        <source>cannot redefine existing %1 &apos;%2&apos;</source>
+        <translation>schon vorhanden (%1) und nicht noch einmal definierbar: „%2“</translation>
+    </message>
+    <message>
+        <source>cannot redefine existing %1 &apos;%2&apos; as %3</source>
+        <translation>schon vorhanden (%1) und nicht neu definierbar: „%2“ als %3</translation>
+    </message>
+    <message>
+        <source>changes nothing</source>
+        <translation>ändert nichts</translation>
+    </message>
+    <message>
+        <source>changing the user</source>
+        <translation>Person wechseln</translation>
+    </message>
+    <message>
+        <source>check --patient and --session (1 is the patient&apos;s first)</source>
+        <translation>--patient und --session prüfen (1 ist die erste Sitzung des Patienten)</translation>
+    </message>
+    <message>
+        <source>check its cable; after it was plugged in the card needs ten seconds</source>
+        <translation>das Kabel prüfen; nach dem Einstecken braucht die Karte zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>check its name</source>
+        <translation>den Namen prüfen</translation>
+    </message>
+    <message>
+        <source>check its permissions</source>
+        <translation>die Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>check its power, its cable and its address</source>
+        <translation>Stromversorgung, Kabel und Adresse prüfen</translation>
+    </message>
+    <message>
+        <source>check its power, its cable and the 120 ohm at both ends of the bus</source>
+        <translation>Stromversorgung, Kabel und die 120 Ohm an beiden Enden des Busses prüfen</translation>
+    </message>
+    <message>
+        <source>check its power, its cable, its address and the baud rate</source>
+        <translation>Stromversorgung, Kabel, Adresse und Baudrate prüfen</translation>
+    </message>
+    <message>
+        <source>check protocol and addresses of the device file</source>
+        <translation>Protokoll und Adressen der Gerätedatei prüfen</translation>
+    </message>
+    <message>
+        <source>check rate and filter_Hz against the sensor&apos;s model</source>
+        <translation>rate und filter_Hz mit dem Modell des Sensors vergleichen</translation>
+    </message>
+    <message>
+        <source>check that it is a log</source>
+        <translation>prüfen, ob es ein Mitschnitt ist</translation>
+    </message>
+    <message>
+        <source>check that it is a log of this protocol</source>
+        <translation>prüfen, ob es ein Mitschnitt dieses Protokolls ist</translation>
+    </message>
+    <message>
+        <source>check that it is a table of numbers with line ends</source>
+        <translation>prüfen, ob es eine Zahlentabelle mit Zeilenenden ist</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>prüfen, ob es die richtige Datei ist</translation>
+    </message>
+    <message>
+        <source>check that the driver jr3_pci is loaded and that you may read the file</source>
+        <translation>prüfen, ob der Treiber jr3_pci geladen ist und Sie die Datei lesen dürfen</translation>
+    </message>
+    <message>
+        <source>check that the kernel modules can and can_raw are loaded</source>
+        <translation>prüfen, ob die Kernelmodule can und can_raw geladen sind</translation>
+    </message>
+    <message>
+        <source>check the adapter and its cable</source>
+        <translation>Adapter und Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>check the code</source>
+        <translation>den Code prüfen</translation>
+    </message>
+    <message>
+        <source>check the code, or record a session with it first</source>
+        <translation>den Code prüfen oder erst eine Sitzung mit ihm aufzeichnen</translation>
+    </message>
+    <message>
+        <source>check the device&apos;s power, its network cable and its address</source>
+        <translation>Stromversorgung, Netzwerkkabel und Adresse des Geräts prüfen</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>den Datenträger prüfen</translation>
+    </message>
+    <message>
+        <source>check the disk and the folder</source>
+        <translation>Datenträger und Ordner prüfen</translation>
+    </message>
+    <message>
+        <source>check the disk and the permissions</source>
+        <translation>Datenträger und Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>check the disk and the permissions of its folder</source>
+        <translation>Datenträger und Zugriffsrechte des Ordners prüfen</translation>
+    </message>
+    <message>
+        <source>check the name and the permissions</source>
+        <translation>Namen und Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>den Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>check the path and its permissions</source>
+        <translation>Pfad und Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>check the permissions of both, or copy the file to a writable folder</source>
+        <translation>die Zugriffsrechte beider prüfen oder die Datei in einen beschreibbaren Ordner kopieren</translation>
+    </message>
+    <message>
+        <source>check the permissions of the file and its folder</source>
+        <translation>die Zugriffsrechte der Datei und ihres Ordners prüfen</translation>
+    </message>
+    <message>
+        <source>check the permissions of the folder</source>
+        <translation>die Zugriffsrechte des Ordners prüfen</translation>
+    </message>
+    <message>
+        <source>checking the audit log</source>
+        <translation>Zugriffsprotokoll prüfen</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>einen Ordner wählen, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>choose a level of at least %1, or a wider band</source>
+        <translation>ein Niveau von mindestens %1 oder ein breiteres Band wählen</translation>
+    </message>
+    <message>
+        <source>choose a longer one; several words are easy to keep in mind</source>
+        <translation>ein längeres wählen; mehrere Wörter merkt man sich leicht</translation>
+    </message>
+    <message>
+        <source>choose a lower level</source>
+        <translation>ein niedrigeres Niveau wählen</translation>
+    </message>
+    <message>
+        <source>choose a scene in which it can turn about one alone</source>
+        <translation>eine Szene wählen, in der es sich um eine allein drehen kann</translation>
+    </message>
+    <message>
+        <source>choose an empty folder for --out</source>
+        <translation>für --out einen leeren Ordner wählen</translation>
+    </message>
+    <message>
+        <source>choose another code</source>
+        <translation>einen anderen Code wählen</translation>
+    </message>
+    <message>
+        <source>choose another factor</source>
+        <translation>einen anderen Faktor wählen</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>einen anderen Namen oder Ordner wählen</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>etwas anderes wählen</translation>
+    </message>
+    <message>
+        <source>choose another one: the audit log names people</source>
+        <translation>einen anderen wählen: Das Zugriffsprotokoll nennt Personen</translation>
+    </message>
+    <message>
+        <source>choose another task, or read the recording with isograsp import</source>
+        <translation>eine andere Aufgabe wählen oder die Aufzeichnung mit isograsp import lesen</translation>
+    </message>
+    <message>
+        <source>choose one that is there</source>
+        <translation>etwas Vorhandenes wählen</translation>
+    </message>
+    <message>
+        <source>clinical score</source>
+        <translation>klinischer Wert</translation>
+    </message>
+    <message>
+        <source>close it and start again</source>
+        <translation>schließen und neu beginnen</translation>
+    </message>
+    <message>
+        <source>close it, then run the erasure again</source>
+        <translation>es schließen, dann die Löschung wiederholen</translation>
+    </message>
+    <message>
+        <source>close other programs</source>
+        <translation>andere Programme schließen</translation>
+    </message>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>andere Programme schließen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>close that program or wait until it is done</source>
+        <translation>jenes Programm schließen oder warten, bis es fertig ist</translation>
+    </message>
+    <message>
+        <source>close that program, then restore</source>
+        <translation>jenes Programm schließen, dann wiederherstellen</translation>
+    </message>
+    <message>
+        <source>closing a trial</source>
+        <translation>Versuch abschließen</translation>
+    </message>
+    <message>
+        <source>comfortable force</source>
+        <translation>angenehme Kraft</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>Komma</translation>
+    </message>
+    <message>
+        <source>comma or closing &apos;]&apos;</source>
+        <translation>Komma oder „]“</translation>
+    </message>
+    <message>
+        <source>comma or closing &apos;}&apos;</source>
+        <translation>Komma oder „}“</translation>
+    </message>
+    <message>
+        <source>comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>connect the right sensor or correct serial_number</source>
+        <translation>den richtigen Sensor anschließen oder serial_number berichtigen</translation>
+    </message>
+    <message>
+        <source>copy all 56 digits from the printed page</source>
+        <translation>alle 56 Ziffern von der gedruckten Seite abschreiben</translation>
+    </message>
+    <message>
+        <source>copy the file to where you may write</source>
+        <translation>die Datei dorthin kopieren, wo Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>correct or remove the calibration file</source>
+        <translation>die Kalibrierdatei berichtigen oder entfernen</translation>
+    </message>
+    <message>
+        <source>correct subdevice in the configuration: the first sensor is 0</source>
+        <translation>subdevice in der Konfiguration berichtigen: Der erste Sensor ist 0</translation>
+    </message>
+    <message>
+        <source>correct the mapping; the file has: %1</source>
+        <translation>die Zuordnung berichtigen; die Datei hat: %1</translation>
+    </message>
+    <message>
+        <source>correct the number, or the scale of the mapping</source>
+        <translation>die Zahl oder die Skala der Zuordnung berichtigen</translation>
+    </message>
+    <message>
+        <source>correct the syntax</source>
+        <translation>die Syntax berichtigen</translation>
+    </message>
+    <message>
+        <source>could not be made</source>
+        <translation>konnte nicht gemacht werden</translation>
+    </message>
+    <message>
+        <source>could not be made: %1</source>
+        <translation>konnte nicht gemacht werden: %1</translation>
+    </message>
+    <message>
+        <source>could not be put in place: %1</source>
+        <translation>konnte nicht an seinen Platz gebracht werden: %1</translation>
+    </message>
+    <message>
+        <source>could not be written completely</source>
+        <translation>konnte nicht vollständig geschrieben werden</translation>
+    </message>
+    <message>
+        <source>could not determine value type</source>
+        <translation>die Art des Werts ist nicht zu erkennen</translation>
+    </message>
+    <message>
+        <source>damaged (checksum)</source>
+        <translation>beschädigt (Prüfsumme)</translation>
+    </message>
+    <message>
+        <source>damaged (content hash)</source>
+        <translation>beschädigt (Inhalts-Hash)</translation>
+    </message>
+    <message>
+        <source>damaged (content)</source>
+        <translation>beschädigt (Inhalt)</translation>
+    </message>
+    <message>
+        <source>data of a CAN FD frame that cannot be read</source>
+        <translation>Daten eines CAN-FD-Telegramms, die nicht gelesen werden können</translation>
+    </message>
+    <message>
+        <source>data that are not up to 8 bytes of two hexadecimal digits</source>
+        <translation>Daten, die nicht aus bis zu 8 Bytes mit zwei hexadezimalen Ziffern bestehen</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>date-time</source>
+        <translation>Datum und Zeit</translation>
+    </message>
+    <message>
+        <source>date-time offset</source>
+        <translation>Zeitverschiebung</translation>
+    </message>
+    <message>
+        <source>decimal digit</source>
+        <translation>eine Dezimalziffer</translation>
+    </message>
+    <message>
+        <source>differs from the time in %1</source>
+        <translation>weicht von der Zeit in %1 ab</translation>
+    </message>
+    <message>
+        <source>digit</source>
+        <translation>eine Ziffer</translation>
+    </message>
+    <message>
+        <source>do not measure with it: have the sensor checked or correct the configuration</source>
+        <translation>nicht damit messen: den Sensor prüfen lassen oder die Konfiguration berichtigen</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>gibt es nicht</translation>
+    </message>
+    <message>
+        <source>does not increase</source>
+        <translation>nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>does not tell its rate</source>
+        <translation>nennt seine Rate nicht</translation>
+    </message>
+    <message>
+        <source>duplicate it first</source>
+        <translation>zuerst duplizieren</translation>
+    </message>
+    <message>
+        <source>duplicate your text, then Revert shows what stands there</source>
+        <translation>Ihren Text duplizieren; „Zurücksetzen“ zeigt dann, was dort steht</translation>
+    </message>
+    <message>
+        <source>encountered end-of-file</source>
+        <translation>das Ende der Datei kam zu früh</translation>
+    </message>
+    <message>
+        <source>end it before the next one begins</source>
+        <translation>ihn beenden, bevor der nächste beginnt</translation>
+    </message>
+    <message>
+        <source>end that session, then erase</source>
+        <translation>jene Sitzung beenden, dann löschen</translation>
+    </message>
+    <message>
+        <source>end that session, then migrate</source>
+        <translation>jene Sitzung beenden, dann umstellen</translation>
+    </message>
+    <message>
+        <source>end that session, then restore</source>
+        <translation>jene Sitzung beenden, dann wiederherstellen</translation>
+    </message>
+    <message>
+        <source>end the trial after the last second</source>
+        <translation>den Versuch nach der letzten Sekunde beenden</translation>
+    </message>
+    <message>
+        <source>ending a session</source>
+        <translation>Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>ends after %1 rows, before %2</source>
+        <translation>endet nach %1 Zeilen, vor %2</translation>
+    </message>
+    <message>
+        <source>erasing a person</source>
+        <translation>Person löschen</translation>
+    </message>
+    <message>
+        <source>exceeded maximum nested value depth of %1</source>
+        <translation>tiefer geschachtelt als %1</translation>
+    </message>
+    <message>
+        <source>exchange the two</source>
+        <translation>die beiden tauschen</translation>
+    </message>
+    <message>
+        <source>exists already</source>
+        <translation>gibt es schon</translation>
+    </message>
+    <message>
+        <source>expected %1, saw %2</source>
+        <translation>erwartet: %1, gefunden: %2</translation>
+    </message>
+    <message>
+        <source>exponent digit</source>
+        <translation>eine Ziffer des Exponenten</translation>
+    </message>
+    <message>
+        <source>exponent digit or sign</source>
+        <translation>eine Ziffer oder das Vorzeichen des Exponenten</translation>
+    </message>
+    <message>
+        <source>fewer than two rows</source>
+        <translation>weniger als zwei Zeilen</translation>
+    </message>
+    <message>
+        <source>floating-point</source>
+        <translation>Kommazahl</translation>
+    </message>
+    <message>
+        <source>fractional digits</source>
+        <translation>Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>free one rotation or all three</source>
+        <translation>eine oder alle drei Drehungen freigeben</translation>
+    </message>
+    <message>
+        <source>free some disk space and check the permissions of the folder</source>
+        <translation>Speicherplatz freigeben und die Zugriffsrechte des Ordners prüfen</translation>
+    </message>
+    <message>
+        <source>free some space; everything confirmed before is stored</source>
+        <translation>Speicherplatz freigeben; alles zuvor Bestätigte ist gespeichert</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>%1 angeben</translation>
+    </message>
+    <message>
+        <source>give --passphrase-file, or --user and --password-file</source>
+        <translation>--passphrase-file oder --user und --password-file angeben</translation>
+    </message>
+    <message>
+        <source>give 0 (never wait) or 0.01 to 1000</source>
+        <translation>0 (nie warten) oder 0.01 bis 1000 angeben</translation>
+    </message>
+    <message>
+        <source>give 1 or -1</source>
+        <translation>1 oder -1 angeben</translation>
+    </message>
+    <message>
+        <source>give 1 to 64 characters on one line, no blank at either end</source>
+        <translation>1 bis 64 Zeichen in einer Zeile angeben, ohne Leerzeichen am Rand</translation>
+    </message>
+    <message>
+        <source>give a CSV file whose first line names the columns</source>
+        <translation>eine CSV-Datei angeben, deren erste Zeile die Spalten nennt</translation>
+    </message>
+    <message>
+        <source>give a database that is kept</source>
+        <translation>eine Datenbank angeben, die aufbewahrt wird</translation>
+    </message>
+    <message>
+        <source>give a file made by isograsp db init</source>
+        <translation>eine Datei angeben, die isograsp db init gemacht hat</translation>
+    </message>
+    <message>
+        <source>give a file whose first line is: format = &quot;%1&quot;</source>
+        <translation>eine Datei angeben, deren erste Zeile format = &quot;%1&quot; lautet</translation>
+    </message>
+    <message>
+        <source>give a log with lines like %1</source>
+        <translation>einen Mitschnitt mit Zeilen wie %1 angeben</translation>
+    </message>
+    <message>
+        <source>give a lower fir_cutoff_Hz</source>
+        <translation>eine kleinere fir_cutoff_Hz angeben</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>eine Zahl über 0 angeben</translation>
+    </message>
+    <message>
+        <source>give a rate of 50 to 1000 Hz</source>
+        <translation>eine Rate von 50 bis 1000 Hz angeben</translation>
+    </message>
+    <message>
+        <source>give a year from %1 on</source>
+        <translation>ein Jahr ab %1 angeben</translation>
+    </message>
+    <message>
+        <source>give address for each [[sensor]]</source>
+        <translation>address für jeden [[sensor]] angeben</translation>
+    </message>
+    <message>
+        <source>give all groups of the trial at once</source>
+        <translation>alle Gruppen des Versuchs zugleich angeben</translation>
+    </message>
+    <message>
+        <source>give an odd number from 3 to %1</source>
+        <translation>eine ungerade Zahl von 3 bis %1 angeben</translation>
+    </message>
+    <message>
+        <source>give an odd number of taps</source>
+        <translation>eine ungerade Zahl von Koeffizienten angeben</translation>
+    </message>
+    <message>
+        <source>give another name</source>
+        <translation>einen anderen Namen angeben</translation>
+    </message>
+    <message>
+        <source>give at least one group</source>
+        <translation>mindestens eine Gruppe angeben</translation>
+    </message>
+    <message>
+        <source>give at least two moments, or none</source>
+        <translation>mindestens zwei Momente oder keines angeben</translation>
+    </message>
+    <message>
+        <source>give at least two rows</source>
+        <translation>mindestens zwei Zeilen angeben</translation>
+    </message>
+    <message>
+        <source>give at most 1024 characters</source>
+        <translation>höchstens 1024 Zeichen angeben</translation>
+    </message>
+    <message>
+        <source>give each finger once</source>
+        <translation>jeden Finger einmal angeben</translation>
+    </message>
+    <message>
+        <source>give either the rate or the column that holds the time</source>
+        <translation>entweder die Rate oder die Spalte mit der Zeit angeben</translation>
+    </message>
+    <message>
+        <source>give every group one row per sample</source>
+        <translation>jeder Gruppe eine Zeile je Messwert geben</translation>
+    </message>
+    <message>
+        <source>give every line %1 fields</source>
+        <translation>jeder Zeile %1 Felder geben</translation>
+    </message>
+    <message>
+        <source>give every row a time</source>
+        <translation>jeder Zeile eine Zeit geben</translation>
+    </message>
+    <message>
+        <source>give every sensor its own</source>
+        <translation>jedem Sensor seinen eigenen geben</translation>
+    </message>
+    <message>
+        <source>give it damping, or the object mass</source>
+        <translation>Dämpfung oder dem Objekt Masse geben</translation>
+    </message>
+    <message>
+        <source>give it once</source>
+        <translation>einmal angeben</translation>
+    </message>
+    <message>
+        <source>give logs of the same length</source>
+        <translation>Mitschnitte gleicher Länge angeben</translation>
+    </message>
+    <message>
+        <source>give more taps, a higher fir_cutoff_Hz or a lower rate_Hz</source>
+        <translation>mehr Koeffizienten, eine größere fir_cutoff_Hz oder eine kleinere rate_Hz angeben</translation>
+    </message>
+    <message>
+        <source>give one from %1 to %2</source>
+        <translation>eine von %1 bis %2 angeben</translation>
+    </message>
+    <message>
+        <source>give one of: %1</source>
+        <translation>eines davon angeben: %1</translation>
+    </message>
+    <message>
+        <source>give the last day of that time</source>
+        <translation>den letzten Tag dieser Zeit angeben</translation>
+    </message>
+    <message>
+        <source>give the person&apos;s name</source>
+        <translation>den Namen der Person angeben</translation>
+    </message>
+    <message>
+        <source>give the sensor&apos;s serial_number too</source>
+        <translation>auch die serial_number des Sensors angeben</translation>
+    </message>
+    <message>
+        <source>give the value, or leave all fields of the finger empty</source>
+        <translation>den Wert angeben oder alle Felder des Fingers leer lassen</translation>
+    </message>
+    <message>
+        <source>give three numbers above 0</source>
+        <translation>drei Zahlen über 0 angeben</translation>
+    </message>
+    <message>
+        <source>give times that increase</source>
+        <translation>zunehmende Zeiten angeben</translation>
+    </message>
+    <message>
+        <source>give true wrench = matrix * sensor&apos;s wrench, both in N and N m</source>
+        <translation>wahre Kräfte = Matrix * Kräfte des Sensors angeben, beide in N und N m</translation>
+    </message>
+    <message>
+        <source>give two directions that are not parallel</source>
+        <translation>zwei Richtungen angeben, die nicht parallel sind</translation>
+    </message>
+    <message>
+        <source>give values as docs/file_formats.md describes them</source>
+        <translation>Werte angeben, wie docs/file_formats.md sie beschreibt</translation>
+    </message>
+    <message>
+        <source>give w, x, y, z of a rotation</source>
+        <translation>w, x, y, z einer Drehung angeben</translation>
+    </message>
+    <message>
+        <source>give year, month and day, such as 1950-03-05</source>
+        <translation>Jahr, Monat und Tag angeben, etwa 1950-03-05</translation>
+    </message>
+    <message>
+        <source>give year, month and day, such as 2026-03-05</source>
+        <translation>Jahr, Monat und Tag angeben, etwa 2026-03-05</translation>
+    </message>
+    <message>
+        <source>gives too many lines for this duration</source>
+        <translation>ergibt zu viele Linien für diese Dauer</translation>
+    </message>
+    <message>
+        <source>has %1 characters instead of 2 to 32</source>
+        <translation>hat %1 Zeichen statt 2 bis 32</translation>
+    </message>
+    <message>
+        <source>has a format that this program does not know</source>
+        <translation>hat ein Format, das dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>has a key of more than %1 parts</source>
+        <translation>hat einen Schlüssel aus mehr als %1 Teilen</translation>
+    </message>
+    <message>
+        <source>has another length than t_s</source>
+        <translation>hat eine andere Länge als t_s</translation>
+    </message>
+    <message>
+        <source>has fewer than %1 characters</source>
+        <translation>hat weniger als %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>has no direction</source>
+        <translation>hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>has no length</source>
+        <translation>hat keine Länge</translation>
+    </message>
+    <message>
+        <source>has the level that the step begins at</source>
+        <translation>hat das Niveau, bei dem der Sprung beginnt</translation>
+    </message>
+    <message>
+        <source>has the serial number &apos;%1&apos;, but the configuration says &apos;%2&apos;</source>
+        <translation>hat die Seriennummer „%1“, die Konfiguration nennt aber „%2“</translation>
+    </message>
+    <message>
+        <source>has two contacts</source>
+        <translation>hat zwei Kontakte</translation>
+    </message>
+    <message>
+        <source>has two limits</source>
+        <translation>hat zwei Grenzen</translation>
+    </message>
+    <message>
+        <source>hex digit</source>
+        <translation>eine hexadezimale Ziffer</translation>
+    </message>
+    <message>
+        <source>holds %1 that is not a finite number</source>
+        <translation>enthält %1, also keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>holds %1, not a table</source>
+        <translation>enthält %1 statt einer Tabelle</translation>
+    </message>
+    <message>
+        <source>holds %1, not text</source>
+        <translation>enthält %1 statt Text</translation>
+    </message>
+    <message>
+        <source>holds a character other than letters, digits and &apos;-&apos;</source>
+        <translation>enthält ein anderes Zeichen als Buchstaben, Ziffern und „-“</translation>
+    </message>
+    <message>
+        <source>holds a control character</source>
+        <translation>enthält ein Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>holds a zero byte</source>
+        <translation>enthält ein Nullbyte</translation>
+    </message>
+    <message>
+        <source>holds no finger&apos;s forces</source>
+        <translation>enthält von keinem Finger Kräfte</translation>
+    </message>
+    <message>
+        <source>holds no frame</source>
+        <translation>enthält kein Telegramm</translation>
+    </message>
+    <message>
+        <source>holds no header line</source>
+        <translation>enthält keine Kopfzeile</translation>
+    </message>
+    <message>
+        <source>holds no sample of these sensors</source>
+        <translation>enthält keinen Messwert dieser Sensoren</translation>
+    </message>
+    <message>
+        <source>holds no such trial</source>
+        <translation>enthält keinen solchen Versuch</translation>
+    </message>
+    <message>
+        <source>identifier %1</source>
+        <translation>Kennung %1</translation>
+    </message>
+    <message>
+        <source>identities are not stored in a database without protection</source>
+        <translation>in einer Datenbank ohne Schutz werden keine Identitäten gespeichert</translation>
+    </message>
+    <message>
+        <source>in an emergency give the reason; it is logged</source>
+        <translation>im Notfall den Grund angeben; er wird protokolliert</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>Zeigefinger</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>inline table</source>
+        <translation>Tabelle in einer Zeile</translation>
+    </message>
+    <message>
+        <source>install libcomedi-dev and build it again</source>
+        <translation>libcomedi-dev installieren und das Programm neu bauen</translation>
+    </message>
+    <message>
+        <source>install the newer program; report and export still read it if they can</source>
+        <translation>das neuere Programm installieren; Bericht und Export lesen sie noch, wenn sie können</translation>
+    </message>
+    <message>
+        <source>is %1, not a finite number</source>
+        <translation>ist %1, keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>is %1, not a list of tables</source>
+        <translation>ist %1, keine Liste von Tabellen</translation>
+    </message>
+    <message>
+        <source>is %1, not a table</source>
+        <translation>ist %1, keine Tabelle</translation>
+    </message>
+    <message>
+        <source>is %1, not an array of %2 numbers</source>
+        <translation>ist %1, keine Liste aus %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>is %1, not an array of texts</source>
+        <translation>ist %1, keine Liste von Texten</translation>
+    </message>
+    <message>
+        <source>is %1, not an integer</source>
+        <translation>ist %1, keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>is %1, not text</source>
+        <translation>ist %1, kein Text</translation>
+    </message>
+    <message>
+        <source>is %1, not true or false</source>
+        <translation>ist %1, nicht true oder false</translation>
+    </message>
+    <message>
+        <source>is 0 on the free axis %1 that has no %2</source>
+        <translation>ist 0 auf der freien Achse %1, die nichts davon hat: %2</translation>
+    </message>
+    <message>
+        <source>is a database of another program</source>
+        <translation>ist die Datenbank eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is a task of recordings, which nobody can do live</source>
+        <translation>ist eine Aufgabe aus Aufzeichnungen, die niemand live ausführen kann</translation>
+    </message>
+    <message>
+        <source>is above %1</source>
+        <translation>liegt über %1</translation>
+    </message>
+    <message>
+        <source>is below 2</source>
+        <translation>liegt unter 2</translation>
+    </message>
+    <message>
+        <source>is below least_wait_s</source>
+        <translation>liegt unter least_wait_s</translation>
+    </message>
+    <message>
+        <source>is below one cycle in this duration</source>
+        <translation>liegt bei dieser Dauer unter einem Zyklus</translation>
+    </message>
+    <message>
+        <source>is below repetitions</source>
+        <translation>liegt unter repetitions</translation>
+    </message>
+    <message>
+        <source>is driven twice</source>
+        <translation>wird zweimal bewegt</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is larger than 4 MiB</source>
+        <translation>ist größer als 4 MiB</translation>
+    </message>
+    <message>
+        <source>is larger than 64 MiB</source>
+        <translation>ist größer als 64 MiB</translation>
+    </message>
+    <message>
+        <source>is locked</source>
+        <translation>ist gesperrt</translation>
+    </message>
+    <message>
+        <source>is longer than 4096 bytes</source>
+        <translation>ist länger als 4096 Bytes</translation>
+    </message>
+    <message>
+        <source>is longer than push_s</source>
+        <translation>ist länger als push_s</translation>
+    </message>
+    <message>
+        <source>is longer than reproduce_s</source>
+        <translation>ist länger als reproduce_s</translation>
+    </message>
+    <message>
+        <source>is longer than squeeze_s</source>
+        <translation>ist länger als squeeze_s</translation>
+    </message>
+    <message>
+        <source>is mapped twice</source>
+        <translation>ist zweimal zugeordnet</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is negative</source>
+        <translation>ist negativ</translation>
+    </message>
+    <message>
+        <source>is no day of the calendar in the years 1900 to 2099</source>
+        <translation>ist kein Kalendertag in den Jahren 1900 bis 2099</translation>
+    </message>
+    <message>
+        <source>is no name of an account</source>
+        <translation>ist kein Name für ein Konto</translation>
+    </message>
+    <message>
+        <source>is no recovery key: a digit is missing or mistyped</source>
+        <translation>ist kein Wiederherstellungsschlüssel: Eine Ziffer fehlt oder ist falsch</translation>
+    </message>
+    <message>
+        <source>is no window of rows</source>
+        <translation>ist kein Fenster aus Zeilen</translation>
+    </message>
+    <message>
+        <source>is not 4 to 12 digits</source>
+        <translation>hat nicht 4 bis 12 Ziffern</translation>
+    </message>
+    <message>
+        <source>is not a closing force</source>
+        <translation>ist keine Schließkraft</translation>
+    </message>
+    <message>
+        <source>is not a database</source>
+        <translation>ist keine Datenbank</translation>
+    </message>
+    <message>
+        <source>is not a plain file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is not a whole number</source>
+        <translation>ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>is not above the least level</source>
+        <translation>liegt nicht über dem kleinsten Niveau</translation>
+    </message>
+    <message>
+        <source>is not after from_day</source>
+        <translation>liegt nicht nach from_day</translation>
+    </message>
+    <message>
+        <source>is not allowed</source>
+        <translation>ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>is not positive</source>
+        <translation>ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>is not protected: it has no accounts</source>
+        <translation>ist nicht geschützt und hat keine Konten</translation>
+    </message>
+    <message>
+        <source>is nothing that this kind of task has</source>
+        <translation>hat diese Art von Aufgabe nicht</translation>
+    </message>
+    <message>
+        <source>is or was the name of an account</source>
+        <translation>ist oder war der Name eines Kontos</translation>
+    </message>
+    <message>
+        <source>is out of range</source>
+        <translation>liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>is protected, and nobody is logged in</source>
+        <translation>ist geschützt, und niemand ist angemeldet</translation>
+    </message>
+    <message>
+        <source>is read-only</source>
+        <translation>ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>is shipped and stays as it is</source>
+        <translation>wird mitgeliefert und bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>is the backup itself</source>
+        <translation>ist die Sicherung selbst</translation>
+    </message>
+    <message>
+        <source>is the input: it would be lost</source>
+        <translation>ist die Eingabe: Sie ginge verloren</translation>
+    </message>
+    <message>
+        <source>is the name of %1</source>
+        <translation>ist der Name von %1</translation>
+    </message>
+    <message>
+        <source>is too easy to guess</source>
+        <translation>ist zu leicht zu erraten</translation>
+    </message>
+    <message>
+        <source>is too large in SI units</source>
+        <translation>ist in SI-Einheiten zu groß</translation>
+    </message>
+    <message>
+        <source>is too slow</source>
+        <translation>ist zu langsam</translation>
+    </message>
+    <message>
+        <source>the PIN is wrong</source>
+        <translation>die PIN ist falsch</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>ist null</translation>
+    </message>
+    <message>
+        <source>is zero or along the normal</source>
+        <translation>ist null oder liegt entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>it does not answer in time</source>
+        <translation>es antwortet nicht rechtzeitig</translation>
+    </message>
+    <message>
+        <source>it holds no force</source>
+        <translation>sie enthält keine Kraft</translation>
+    </message>
+    <message>
+        <source>it holds no path of an object</source>
+        <translation>sie enthält keinen Weg eines Objekts</translation>
+    </message>
+    <message>
+        <source>it refuses the connection</source>
+        <translation>es verweigert die Verbindung</translation>
+    </message>
+    <message>
+        <source>it says itself that calibration slot %1 is bad</source>
+        <translation>er sagt selbst, dass Kalibrierplatz %1 nicht in Ordnung ist</translation>
+    </message>
+    <message>
+        <source>it says that its sensor is not initialised</source>
+        <translation>er sagt, dass sein Sensor nicht initialisiert ist</translation>
+    </message>
+    <message>
+        <source>its error code is %1</source>
+        <translation>sein Fehlercode ist %1</translation>
+    </message>
+    <message>
+        <source>its first line is empty</source>
+        <translation>ihre erste Zeile ist leer</translation>
+    </message>
+    <message>
+        <source>its first line is too long</source>
+        <translation>ihre erste Zeile ist zu lang</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>der Ordner dazu fehlt</translation>
+    </message>
+    <message>
+        <source>its folder is read-only</source>
+        <translation>der Ordner dazu ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>its own factor is not between 0.5 and 2: this is no correction</source>
+        <translation>der eigene Faktor liegt nicht zwischen 0.5 und 2: Das ist keine Korrektur</translation>
+    </message>
+    <message>
+        <source>keep bandwidth times duration below %1</source>
+        <translation>Bandbreite mal Dauer unter %1 halten</translation>
+    </message>
+    <message>
+        <source>keep it on a local disk</source>
+        <translation>sie auf einem lokalen Datenträger halten</translation>
+    </message>
+    <message>
+        <source>keep one contact per finger</source>
+        <translation>einen Kontakt je Finger behalten</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>eines davon behalten</translation>
+    </message>
+    <message>
+        <source>keep the database on a local disk</source>
+        <translation>die Datenbank auf einem lokalen Datenträger halten</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>key or closing &apos;}&apos;</source>
+        <translation>Schlüssel oder „}“</translation>
+    </message>
+    <message>
+        <source>key-value pair</source>
+        <translation>Schlüssel mit Wert</translation>
+    </message>
+    <message>
+        <source>key-value pair or closing &apos;}&apos;</source>
+        <translation>Schlüssel mit Wert oder „}“</translation>
+    </message>
+    <message>
+        <source>keys, tables, whitespace or comments</source>
+        <translation>Schlüssel, Tabellen, Leerraum oder Kommentare</translation>
+    </message>
+    <message>
+        <source>leading zeroes are prohibited</source>
+        <translation>führende Nullen sind nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>leave it out; the guided check finds exchanged sensors</source>
+        <translation>weglassen; die geführte Prüfung findet vertauschte Sensoren</translation>
+    </message>
+    <message>
+        <source>leave out --fast</source>
+        <translation>--fast weglassen</translation>
+    </message>
+    <message>
+        <source>leave out --fast, or use sim:// or replay://</source>
+        <translation>--fast weglassen oder sim:// oder replay:// verwenden</translation>
+    </message>
+    <message>
+        <source>leave out wrenches that almost coincide</source>
+        <translation>Kräfte weglassen, die fast zusammenfallen</translation>
+    </message>
+    <message>
+        <source>leave protocol out or use another configuration</source>
+        <translation>protocol weglassen oder eine andere Konfiguration verwenden</translation>
+    </message>
+    <message>
+        <source>leave the login out</source>
+        <translation>die Anmeldung weglassen</translation>
+    </message>
+    <message>
+        <source>leave the task out, or repeat the screening</source>
+        <translation>die Aufgabe weglassen oder die Vorab-Fragen wiederholen</translation>
+    </message>
+    <message>
+        <source>leave the value out and give the reason</source>
+        <translation>den Wert weglassen und den Grund angeben</translation>
+    </message>
+    <message>
+        <source>leave this person out, or record the consent that was given</source>
+        <translation>diese Person weglassen oder die gegebene Einwilligung eintragen</translation>
+    </message>
+    <message>
+        <source>leaves no time within time_limit_s</source>
+        <translation>lässt innerhalb von time_limit_s keine Zeit</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>linke</translation>
+    </message>
+    <message>
+        <source>let the target turn about rx, ry or rz alone</source>
+        <translation>das Ziel nur um rx, ry oder rz drehen lassen</translation>
+    </message>
+    <message>
+        <source>libsodium does not start</source>
+        <translation>libsodium startet nicht</translation>
+    </message>
+    <message>
+        <source>lift the restriction if the person wishes to go on</source>
+        <translation>die Beschränkung aufheben, wenn die Person weitermachen möchte</translation>
+    </message>
+    <message>
+        <source>lifting a restriction</source>
+        <translation>Beschränkung aufheben</translation>
+    </message>
+    <message>
+        <source>literal string</source>
+        <translation>Text in einfachen Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>log in again</source>
+        <translation>neu anmelden</translation>
+    </message>
+    <message>
+        <source>log in as a therapist</source>
+        <translation>als Therapeut anmelden</translation>
+    </message>
+    <message>
+        <source>log in as an administrator</source>
+        <translation>als Administrator anmelden</translation>
+    </message>
+    <message>
+        <source>log in as somebody else</source>
+        <translation>als jemand anderes anmelden</translation>
+    </message>
+    <message>
+        <source>log in with a name</source>
+        <translation>mit einem Namen anmelden</translation>
+    </message>
+    <message>
+        <source>log in with the password</source>
+        <translation>mit dem Passwort anmelden</translation>
+    </message>
+    <message>
+        <source>logging in</source>
+        <translation>Anmeldung</translation>
+    </message>
+    <message>
+        <source>look at its measures</source>
+        <translation>die Messgrößen ansehen</translation>
+    </message>
+    <message>
+        <source>make a protected one: isograsp db init FILE --protected</source>
+        <translation>eine geschützte machen: isograsp db init DATEI --protected</translation>
+    </message>
+    <message>
+        <source>make it shorter</source>
+        <translation>kürzer machen</translation>
+    </message>
+    <message>
+        <source>make it shorter, or repeat it less often</source>
+        <translation>kürzer machen oder seltener wiederholen</translation>
+    </message>
+    <message>
+        <source>make it with isograsp db init, or check the path</source>
+        <translation>mit isograsp db init anlegen oder den Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>make it writable, or copy it to where you may write</source>
+        <translation>beschreibbar machen oder dorthin kopieren, wo Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>make its folder writable</source>
+        <translation>den Ordner dazu beschreibbar machen</translation>
+    </message>
+    <message>
+        <source>make the folder</source>
+        <translation>den Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>make the folder %1</source>
+        <translation>den Ordner %1 anlegen</translation>
+    </message>
+    <message>
+        <source>make the folder writable</source>
+        <translation>den Ordner beschreibbar machen</translation>
+    </message>
+    <message>
+        <source>make the folder writable, or copy the file to where you may write</source>
+        <translation>den Ordner beschreibbar machen oder die Datei dorthin kopieren, wo Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>make them all different</source>
+        <translation>alle verschieden machen</translation>
+    </message>
+    <message>
+        <source>making the database</source>
+        <translation>Datenbank anlegen</translation>
+    </message>
+    <message>
+        <source>making the database: %1</source>
+        <translation>Datenbank anlegen: %1</translation>
+    </message>
+    <message>
+        <source>map every finger once</source>
+        <translation>jeden Finger einmal zuordnen</translation>
+    </message>
+    <message>
+        <source>marking a trial</source>
+        <translation>Versuch kennzeichnen</translation>
+    </message>
+    <message>
+        <source>marking interrupted trials</source>
+        <translation>unterbrochene Versuche kennzeichnen</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>maximum force</source>
+        <translation>Maximalkraft</translation>
+    </message>
+    <message>
+        <source>may not be read</source>
+        <translation>darf nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>measure %1 is not a finite number</source>
+        <translation>die Messgröße %1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>measure today&apos;s maximum, or use the task relative to it</source>
+        <translation>das heutige Maximum messen oder die Aufgabe relativ zu ihm verwenden</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mittelfinger</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>missing exponent</source>
+        <translation>der Exponent fehlt</translation>
+    </message>
+    <message>
+        <source>move it while it is recorded</source>
+        <translation>es während der Aufnahme bewegen</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>name a file in it</source>
+        <translation>eine Datei darin nennen</translation>
+    </message>
+    <message>
+        <source>name a new file</source>
+        <translation>eine neue Datei nennen</translation>
+    </message>
+    <message>
+        <source>name a plain file</source>
+        <translation>eine gewöhnliche Datei nennen</translation>
+    </message>
+    <message>
+        <source>name at least one digit</source>
+        <translation>mindestens einen Finger nennen</translation>
+    </message>
+    <message>
+        <source>name at least one direction</source>
+        <translation>mindestens eine Richtung nennen</translation>
+    </message>
+    <message>
+        <source>name at least one task</source>
+        <translation>mindestens eine Aufgabe nennen</translation>
+    </message>
+    <message>
+        <source>name every column</source>
+        <translation>jede Spalte benennen</translation>
+    </message>
+    <message>
+        <source>name it like thumb_fx_N or thumb_tx_Nm, or remove it</source>
+        <translation>sie wie thumb_fx_N oder thumb_tx_Nm nennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>name or password is wrong</source>
+        <translation>Name oder Passwort ist falsch</translation>
+    </message>
+    <message>
+        <source>name the card that the driver jr3_pci serves</source>
+        <translation>die Karte nennen, die der Treiber jr3_pci bedient</translation>
+    </message>
+    <message>
+        <source>name the columns t_s and target</source>
+        <translation>die Spalten t_s und target nennen</translation>
+    </message>
+    <message>
+        <source>name the measure</source>
+        <translation>die Messgröße nennen</translation>
+    </message>
+    <message>
+        <source>name the task</source>
+        <translation>die Aufgabe nennen</translation>
+    </message>
+    <message>
+        <source>name those that have a column X_fz_N</source>
+        <translation>die nennen, die eine Spalte X_fz_N haben</translation>
+    </message>
+    <message>
+        <source>name two files</source>
+        <translation>zwei Dateien nennen</translation>
+    </message>
+    <message>
+        <source>names no column</source>
+        <translation>nennt keine Spalte</translation>
+    </message>
+    <message>
+        <source>needs at least 2 levels of each factor</source>
+        <translation>braucht mindestens 2 Stufen jedes Faktors</translation>
+    </message>
+    <message>
+        <source>neither 1 nor -1</source>
+        <translation>weder 1 noch -1</translation>
+    </message>
+    <message>
+        <source>no body has one principal moment alone: each is at most the sum of the others</source>
+        <translation>kein Körper hat nur ein Hauptträgheitsmoment: Jedes ist höchstens die Summe der anderen</translation>
+    </message>
+    <message>
+        <source>no convex hull of these wrenches: %1</source>
+        <translation>keine konvexe Hülle dieser Kräfte: %1</translation>
+    </message>
+    <message>
+        <source>no database file is given</source>
+        <translation>keine Datenbankdatei ist angegeben</translation>
+    </message>
+    <message>
+        <source>no datagram of this log holds records of a Net F/T box</source>
+        <translation>kein Datagramm dieses Mitschnitts enthält Messdaten einer Net-F/T-Box</translation>
+    </message>
+    <message>
+        <source>no device is called %1://</source>
+        <translation>kein Gerät heißt %1://</translation>
+    </message>
+    <message>
+        <source>no file for the backup is given</source>
+        <translation>keine Datei für die Sicherung ist angegeben</translation>
+    </message>
+    <message>
+        <source>no file is named</source>
+        <translation>keine Datei ist genannt</translation>
+    </message>
+    <message>
+        <source>no finger is mapped</source>
+        <translation>kein Finger ist zugeordnet</translation>
+    </message>
+    <message>
+        <source>no interface is named</source>
+        <translation>keine Schnittstelle ist genannt</translation>
+    </message>
+    <message>
+        <source>no patient is named</source>
+        <translation>kein Patient ist genannt</translation>
+    </message>
+    <message>
+        <source>no protocol is called &apos;%1&apos;</source>
+        <translation>kein Protokoll heißt „%1“</translation>
+    </message>
+    <message>
+        <source>no row id</source>
+        <translation>keine Zeilennummer</translation>
+    </message>
+    <message>
+        <source>nobody has an account of this name</source>
+        <translation>niemand hat ein Konto dieses Namens</translation>
+    </message>
+    <message>
+        <source>nobody has opened the database with a password yet</source>
+        <translation>noch niemand hat die Datenbank mit einem Passwort geöffnet</translation>
+    </message>
+    <message>
+        <source>nobody is logged in with an account</source>
+        <translation>niemand ist mit einem Konto angemeldet</translation>
+    </message>
+    <message>
+        <source>nobody presses the simulated device</source>
+        <translation>niemand drückt auf das simulierte Gerät</translation>
+    </message>
+    <message>
+        <source>node %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>normal and tangent do not span a plane</source>
+        <translation>normal und tangent spannen keine Ebene auf</translation>
+    </message>
+    <message>
+        <source>not a device URI</source>
+        <translation>keine Geräte-URI</translation>
+    </message>
+    <message>
+        <source>not a finite wrench</source>
+        <translation>keine endlichen Kräfte</translation>
+    </message>
+    <message>
+        <source>not a parameter of the form key=value</source>
+        <translation>kein Parameter der Form key=value</translation>
+    </message>
+    <message>
+        <source>not a time in seconds with 6 or 9 fraction digits</source>
+        <translation>keine Zeit in Sekunden mit 6 oder 9 Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>not above first_id: the bus could turn a pair of frames around</source>
+        <translation>nicht größer als first_id: Der Bus könnte zwei Telegramme vertauschen</translation>
+    </message>
+    <message>
+        <source>not an IPv4 address with a port</source>
+        <translation>keine IPv4-Adresse mit Port</translation>
+    </message>
+    <message>
+        <source>not an address in numbers</source>
+        <translation>keine Adresse in Zahlen</translation>
+    </message>
+    <message>
+        <source>not an identifier of this sensor family</source>
+        <translation>keine Kennung dieser Sensorfamilie</translation>
+    </message>
+    <message>
+        <source>not enough memory</source>
+        <translation>nicht genug Arbeitsspeicher</translation>
+    </message>
+    <message>
+        <source>not enough memory for the key of a password</source>
+        <translation>nicht genug Arbeitsspeicher für den Schlüssel eines Passworts</translation>
+    </message>
+    <message>
+        <source>not positive</source>
+        <translation>nicht positiv</translation>
+    </message>
+    <message>
+        <source>not the addresses of three sensors</source>
+        <translation>nicht die Adressen von drei Sensoren</translation>
+    </message>
+    <message>
+        <source>not valid TOML: %1</source>
+        <translation>kein gültiges TOML: %1</translation>
+    </message>
+    <message>
+        <source>not whole bytes of two hexadecimal digits</source>
+        <translation>keine ganzen Bytes aus zwei hexadezimalen Ziffern</translation>
+    </message>
+    <message>
+        <source>one of its full scales is not positive</source>
+        <translation>einer seiner Messbereiche ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>one of its full scales is zero</source>
+        <translation>einer seiner Messbereiche ist null</translation>
+    </message>
+    <message>
+        <source>only what is held can be let go</source>
+        <translation>nur was gehalten wird, kann losgelassen werden</translation>
+    </message>
+    <message>
+        <source>open it in a session, which brings the simulated patient</source>
+        <translation>in einer Sitzung öffnen, die den simulierten Patienten mitbringt</translation>
+    </message>
+    <message>
+        <source>open the box&apos;s web page and check its configuration</source>
+        <translation>die Webseite der Box öffnen und ihre Konfiguration prüfen</translation>
+    </message>
+    <message>
+        <source>overlaps the stable time from %1 to %2</source>
+        <translation>überschneidet sich mit der stabilen Zeit von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>packing signals</source>
+        <translation>Signale packen</translation>
+    </message>
+    <message>
+        <source>patient %1 exists already</source>
+        <translation>den Patienten %1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>patient %1 was erased: the code is not given again</source>
+        <translation>der Patient %1 wurde gelöscht: Der Code wird nicht noch einmal vergeben</translation>
+    </message>
+    <message>
+        <source>patient code</source>
+        <translation>Patientencode</translation>
+    </message>
+    <message>
+        <source>plug in the CAN adapter and load its driver</source>
+        <translation>den CAN-Adapter einstecken und seinen Treiber laden</translation>
+    </message>
+    <message>
+        <source>plug in the adapter and check the name of the port</source>
+        <translation>den Adapter einstecken und den Namen des Anschlusses prüfen</translation>
+    </message>
+    <message>
+        <source>plug in the network cable and give this computer an address in the same network</source>
+        <translation>das Netzwerkkabel einstecken und diesem Rechner eine Adresse im selben Netz geben</translation>
+    </message>
+    <message>
+        <source>press while it is recorded</source>
+        <translation>während der Aufnahme drücken</translation>
+    </message>
+    <message>
+        <source>primary measure</source>
+        <translation>Hauptmessgröße</translation>
+    </message>
+    <message>
+        <source>program the sensor so that first_id is the smaller one</source>
+        <translation>den Sensor so programmieren, dass first_id die kleinere ist</translation>
+    </message>
+    <message>
+        <source>protecting the database</source>
+        <translation>Datenbank schützen</translation>
+    </message>
+    <message>
+        <source>put a resting-force task before it</source>
+        <translation>davor eine Ruhekraft-Aufgabe einfügen</translation>
+    </message>
+    <message>
+        <source>put a task that measures it before</source>
+        <translation>davor eine Aufgabe einfügen, die sie misst</translation>
+    </message>
+    <message>
+        <source>put it into %1</source>
+        <translation>sie in %1 ablegen</translation>
+    </message>
+    <message>
+        <source>put the file beside the task</source>
+        <translation>die Datei neben die Aufgabe legen</translation>
+    </message>
+    <message>
+        <source>raise it, or make the target longer</source>
+        <translation>erhöhen oder das Ziel verlängern</translation>
+    </message>
+    <message>
+        <source>read what there is again</source>
+        <translation>neu lesen, was vorhanden ist</translation>
+    </message>
+    <message>
+        <source>reading a code</source>
+        <translation>Code lesen</translation>
+    </message>
+    <message>
+        <source>reading a consent</source>
+        <translation>Einwilligung lesen</translation>
+    </message>
+    <message>
+        <source>reading a profile</source>
+        <translation>Profil lesen</translation>
+    </message>
+    <message>
+        <source>reading accounts</source>
+        <translation>Konten lesen</translation>
+    </message>
+    <message>
+        <source>reading an identity</source>
+        <translation>Identität lesen</translation>
+    </message>
+    <message>
+        <source>reading answers</source>
+        <translation>Antworten lesen</translation>
+    </message>
+    <message>
+        <source>reading clinical scores</source>
+        <translation>klinische Werte lesen</translation>
+    </message>
+    <message>
+        <source>reading consents</source>
+        <translation>Einwilligungen lesen</translation>
+    </message>
+    <message>
+        <source>reading erased codes</source>
+        <translation>gelöschte Codes lesen</translation>
+    </message>
+    <message>
+        <source>reading events</source>
+        <translation>Ereignisse lesen</translation>
+    </message>
+    <message>
+        <source>reading identities</source>
+        <translation>Identitäten lesen</translation>
+    </message>
+    <message>
+        <source>reading instrument zeros</source>
+        <translation>Nullabgleiche lesen</translation>
+    </message>
+    <message>
+        <source>reading measures</source>
+        <translation>Messgrößen lesen</translation>
+    </message>
+    <message>
+        <source>reading patients</source>
+        <translation>Patienten lesen</translation>
+    </message>
+    <message>
+        <source>reading primary measures</source>
+        <translation>Hauptmessgrößen lesen</translation>
+    </message>
+    <message>
+        <source>reading progress</source>
+        <translation>Verlauf lesen</translation>
+    </message>
+    <message>
+        <source>reading ratings</source>
+        <translation>Bewertungen lesen</translation>
+    </message>
+    <message>
+        <source>reading resting forces</source>
+        <translation>Ruhekräfte lesen</translation>
+    </message>
+    <message>
+        <source>reading sessions</source>
+        <translation>Sitzungen lesen</translation>
+    </message>
+    <message>
+        <source>reading stable times</source>
+        <translation>stabile Zeiten lesen</translation>
+    </message>
+    <message>
+        <source>reading the audit log</source>
+        <translation>Zugriffsprotokoll lesen</translation>
+    </message>
+    <message>
+        <source>reading the last instrument zero</source>
+        <translation>letzten Nullabgleich lesen</translation>
+    </message>
+    <message>
+        <source>reading the newest sessions</source>
+        <translation>neueste Sitzungen lesen</translation>
+    </message>
+    <message>
+        <source>reading the policy</source>
+        <translation>Richtlinie lesen</translation>
+    </message>
+    <message>
+        <source>reading treatment marks</source>
+        <translation>Behandlungen lesen</translation>
+    </message>
+    <message>
+        <source>reading trials</source>
+        <translation>Versuche lesen</translation>
+    </message>
+    <message>
+        <source>reading values of other people</source>
+        <translation>Werte anderer Personen lesen</translation>
+    </message>
+    <message>
+        <source>real time is required, but the system gives %1</source>
+        <translation>Echtzeit ist verlangt, das System gibt aber %1</translation>
+    </message>
+    <message>
+        <source>record it again, slower</source>
+        <translation>langsamer noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>record one</source>
+        <translation>eine aufnehmen</translation>
+    </message>
+    <message>
+        <source>record raw frames of a bus only</source>
+        <translation>Rohtelegramme nur von einem Bus aufzeichnen</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>entfernen</translation>
+    </message>
+    <message>
+        <source>remove it or correct its spelling</source>
+        <translation>entfernen oder die Schreibweise berichtigen</translation>
+    </message>
+    <message>
+        <source>remove one of them first</source>
+        <translation>zuerst eine davon entfernen</translation>
+    </message>
+    <message>
+        <source>remove that one first, or give other days</source>
+        <translation>zuerst jene entfernen oder andere Tage angeben</translation>
+    </message>
+    <message>
+        <source>remove the limit, or align springs and dampers with the world</source>
+        <translation>die Grenze entfernen oder Federn und Dämpfer an der Welt ausrichten</translation>
+    </message>
+    <message>
+        <source>remove the limit, or free one rotation only</source>
+        <translation>die Grenze entfernen oder nur eine Drehung freigeben</translation>
+    </message>
+    <message>
+        <source>removing a clinical score</source>
+        <translation>klinischen Wert entfernen</translation>
+    </message>
+    <message>
+        <source>removing a primary measure</source>
+        <translation>Hauptmessgröße entfernen</translation>
+    </message>
+    <message>
+        <source>removing a stable time</source>
+        <translation>stabile Zeit entfernen</translation>
+    </message>
+    <message>
+        <source>removing a treatment mark</source>
+        <translation>Behandlung entfernen</translation>
+    </message>
+    <message>
+        <source>removing an account</source>
+        <translation>Konto entfernen</translation>
+    </message>
+    <message>
+        <source>rename %1 back</source>
+        <translation>%1 zurückbenennen</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>umbenennen</translation>
+    </message>
+    <message>
+        <source>rename that one, or take this one from %1</source>
+        <translation>jene umbenennen oder diese aus %1 holen</translation>
+    </message>
+    <message>
+        <source>resample the files to one time axis first</source>
+        <translation>die Dateien zuerst auf eine Zeitachse bringen</translation>
+    </message>
+    <message>
+        <source>researcher</source>
+        <translation>Forscher</translation>
+    </message>
+    <message>
+        <source>restore the last backup</source>
+        <translation>die letzte Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>restore the last backup; other trials can still be read</source>
+        <translation>die letzte Sicherung wiederherstellen; andere Versuche sind weiter lesbar</translation>
+    </message>
+    <message>
+        <source>restricting records</source>
+        <translation>Aufzeichnungen beschränken</translation>
+    </message>
+    <message>
+        <source>rewriting the file</source>
+        <translation>Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechte</translation>
+    </message>
+    <message>
+        <source>root table</source>
+        <translation>oberste Tabelle</translation>
+    </message>
+    <message>
+        <source>run isograsp db check</source>
+        <translation>isograsp db check ausführen</translation>
+    </message>
+    <message>
+        <source>run isograsp db check, then restore the last backup</source>
+        <translation>isograsp db check ausführen, dann die letzte Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>run isograsp db migrate on it; a copy of the file as it is now is kept</source>
+        <translation>isograsp db migrate darauf ausführen; eine Kopie der jetzigen Datei bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>run: sudo ip link set %1 up type can bitrate 1000000 restart-ms 100</source>
+        <translation>ausführen: sudo ip link set %1 up type can bitrate 1000000 restart-ms 100</translation>
+    </message>
+    <message>
+        <source>say completed or aborted</source>
+        <translation>„completed“ oder „aborted“ angeben</translation>
+    </message>
+    <message>
+        <source>say what was asked</source>
+        <translation>angeben, was gefragt wurde</translation>
+    </message>
+    <message>
+        <source>say what was asked about</source>
+        <translation>angeben, wonach gefragt wurde</translation>
+    </message>
+    <message>
+        <source>say which clinician judged the person stable</source>
+        <translation>angeben, wer die Person als stabil beurteilt hat</translation>
+    </message>
+    <message>
+        <source>say who chose the measure</source>
+        <translation>angeben, wer die Messgröße gewählt hat</translation>
+    </message>
+    <message>
+        <source>say with --config which three are under the fingers</source>
+        <translation>mit --config angeben, welche drei unter den Fingern sind</translation>
+    </message>
+    <message>
+        <source>scale the target to 0 … 1</source>
+        <translation>das Ziel auf 0 … 1 skalieren</translation>
+    </message>
+    <message>
+        <source>second %1 came instead of %2</source>
+        <translation>Sekunde %1 kam statt %2</translation>
+    </message>
+    <message>
+        <source>second %1 holds %2 rows, more than one second</source>
+        <translation>Sekunde %1 enthält %2 Zeilen, mehr als eine Sekunde</translation>
+    </message>
+    <message>
+        <source>see isograsp db users list</source>
+        <translation>siehe isograsp db users list</translation>
+    </message>
+    <message>
+        <source>see: isograsp devices</source>
+        <translation>siehe: isograsp devices</translation>
+    </message>
+    <message>
+        <source>sends at %1 Hz, not at %2</source>
+        <translation>sendet mit %1 Hz, nicht mit %2</translation>
+    </message>
+    <message>
+        <source>serial lines</source>
+        <translation>seriellen Anschlüssen</translation>
+    </message>
+    <message>
+        <source>set it to 0, or free %1</source>
+        <translation>auf 0 setzen oder %1 freigeben</translation>
+    </message>
+    <message>
+        <source>set the tool transformation to zero on the box&apos;s page Configurations</source>
+        <translation>die Werkzeugtransformation auf der Seite Configurations der Box auf null setzen</translation>
+    </message>
+    <message>
+        <source>shifts or turns its forces before it sends them</source>
+        <translation>verschiebt oder dreht seine Kräfte, bevor er sie sendet</translation>
+    </message>
+    <message>
+        <source>shorten it</source>
+        <translation>kürzen</translation>
+    </message>
+    <message>
+        <source>signal group &apos;%1&apos; has no columns or one without a name</source>
+        <translation>die Signalgruppe „%1“ hat keine Spalten oder eine ohne Namen</translation>
+    </message>
+    <message>
+        <source>sort the rows and remove repeats</source>
+        <translation>die Zeilen sortieren und Wiederholungen entfernen</translation>
+    </message>
+    <message>
+        <source>sort the times</source>
+        <translation>die Zeiten sortieren</translation>
+    </message>
+    <message>
+        <source>stable time</source>
+        <translation>stabile Zeit</translation>
+    </message>
+    <message>
+        <source>stands in a read-only folder</source>
+        <translation>liegt in einem schreibgeschützten Ordner</translation>
+    </message>
+    <message>
+        <source>start from an attitude about the free axes, or free more rotations</source>
+        <translation>von einer Lage um die freien Achsen ausgehen oder mehr Drehungen freigeben</translation>
+    </message>
+    <message>
+        <source>start inside the limit, or widen it</source>
+        <translation>innerhalb der Grenze beginnen oder sie erweitern</translation>
+    </message>
+    <message>
+        <source>start it from a desktop, or run a session without windows: isograsp run</source>
+        <translation>auf einem Desktop starten oder eine Sitzung ohne Fenster ausführen: isograsp run</translation>
+    </message>
+    <message>
+        <source>starts outside the limit of %1</source>
+        <translation>beginnt außerhalb der Grenze von %1</translation>
+    </message>
+    <message>
+        <source>starts outside the limit of the rotation</source>
+        <translation>beginnt außerhalb der Grenze der Drehung</translation>
+    </message>
+    <message>
+        <source>storing a PIN</source>
+        <translation>PIN speichern</translation>
+    </message>
+    <message>
+        <source>storing a clinical score</source>
+        <translation>klinischen Wert speichern</translation>
+    </message>
+    <message>
+        <source>storing a consent</source>
+        <translation>Einwilligung speichern</translation>
+    </message>
+    <message>
+        <source>storing a password</source>
+        <translation>Passwort speichern</translation>
+    </message>
+    <message>
+        <source>storing a primary measure</source>
+        <translation>Hauptmessgröße speichern</translation>
+    </message>
+    <message>
+        <source>storing a profile</source>
+        <translation>Profil speichern</translation>
+    </message>
+    <message>
+        <source>storing a rating</source>
+        <translation>Bewertung speichern</translation>
+    </message>
+    <message>
+        <source>storing a recovery key</source>
+        <translation>Wiederherstellungsschlüssel speichern</translation>
+    </message>
+    <message>
+        <source>storing a resting force</source>
+        <translation>Ruhekraft speichern</translation>
+    </message>
+    <message>
+        <source>storing a second of signals</source>
+        <translation>eine Sekunde Signale speichern</translation>
+    </message>
+    <message>
+        <source>storing a stable time</source>
+        <translation>stabile Zeit speichern</translation>
+    </message>
+    <message>
+        <source>storing a treatment mark</source>
+        <translation>Behandlung speichern</translation>
+    </message>
+    <message>
+        <source>storing an event</source>
+        <translation>Ereignis speichern</translation>
+    </message>
+    <message>
+        <source>storing an identity</source>
+        <translation>Identität speichern</translation>
+    </message>
+    <message>
+        <source>storing an instrument zero</source>
+        <translation>Nullabgleich speichern</translation>
+    </message>
+    <message>
+        <source>storing answers</source>
+        <translation>Antworten speichern</translation>
+    </message>
+    <message>
+        <source>storing the passphrase</source>
+        <translation>Passphrase speichern</translation>
+    </message>
+    <message>
+        <source>storing the policy</source>
+        <translation>Richtlinie speichern</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>subdevice %1</source>
+        <translation>Untergerät %1</translation>
+    </message>
+    <message>
+        <source>subdevice %1 is no JR3 sensor</source>
+        <translation>Untergerät %1 ist kein JR3-Sensor</translation>
+    </message>
+    <message>
+        <source>table header</source>
+        <translation>Kopf einer Tabelle</translation>
+    </message>
+    <message>
+        <source>tables with blank bare keys are explicitly prohibited</source>
+        <translation>Tabellen ohne Namen sind nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>take an older backup</source>
+        <translation>eine ältere Sicherung nehmen</translation>
+    </message>
+    <message>
+        <source>takes longer than two hours</source>
+        <translation>dauert länger als zwei Stunden</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>text after the bytes of the datagram</source>
+        <translation>Text hinter den Bytes des Datagramms</translation>
+    </message>
+    <message>
+        <source>text after the frame that is not R or T</source>
+        <translation>Text hinter dem Telegramm, der nicht R oder T ist</translation>
+    </message>
+    <message>
+        <source>the CAN interface cannot be opened: %1</source>
+        <translation>die CAN-Schnittstelle kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>the CAN interface is switched off</source>
+        <translation>die CAN-Schnittstelle ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the address of a sensor is missing</source>
+        <translation>die Adresse eines Sensors fehlt</translation>
+    </message>
+    <message>
+        <source>the backup is not sound: %1</source>
+        <translation>die Sicherung ist nicht in Ordnung: %1</translation>
+    </message>
+    <message>
+        <source>the block is %1</source>
+        <translation>der Block ist %1</translation>
+    </message>
+    <message>
+        <source>the box of the %1 has the address &apos;%2&apos;, which is not in numbers</source>
+        <translation>die Box des Fingers (%1) hat die Adresse „%2“, die nicht in Zahlen ist</translation>
+    </message>
+    <message>
+        <source>the box&apos;s page does not have this element</source>
+        <translation>die Seite der Box hat dieses Element nicht</translation>
+    </message>
+    <message>
+        <source>the box&apos;s page has more than a short text here</source>
+        <translation>die Seite der Box hat hier mehr als einen kurzen Text</translation>
+    </message>
+    <message>
+        <source>the box&apos;s page has this element twice</source>
+        <translation>die Seite der Box hat dieses Element zweimal</translation>
+    </message>
+    <message>
+        <source>the bus failed while the sensors were started: %1</source>
+        <translation>der Bus fiel aus, während die Sensoren gestartet wurden: %1</translation>
+    </message>
+    <message>
+        <source>the calibration was made with sensor %1, but this one is %2</source>
+        <translation>die Kalibrierung wurde mit Sensor %1 gemacht, dieser ist aber %2</translation>
+    </message>
+    <message>
+        <source>the card cannot be opened: %1</source>
+        <translation>die Karte kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>the card has no subdevice %1</source>
+        <translation>die Karte hat kein Untergerät %1</translation>
+    </message>
+    <message>
+        <source>the column appears twice</source>
+        <translation>die Spalte kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the column is missing</source>
+        <translation>die Spalte fehlt</translation>
+    </message>
+    <message>
+        <source>the configuration is for %1</source>
+        <translation>die Konfiguration ist für %1</translation>
+    </message>
+    <message>
+        <source>the copy could not be written</source>
+        <translation>die Kopie konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the copy is not sound: %1</source>
+        <translation>die Kopie ist nicht in Ordnung: %1</translation>
+    </message>
+    <message>
+        <source>the cut-off is not below half the rate</source>
+        <translation>die Grenzfrequenz liegt nicht unter der halben Rate</translation>
+    </message>
+    <message>
+        <source>the database cannot be set to durable writing</source>
+        <translation>die Datenbank lässt sich nicht auf sicheres Schreiben einstellen</translation>
+    </message>
+    <message>
+        <source>the day of the last record of %1 cannot be read</source>
+        <translation>der Tag der letzten Aufzeichnung von %1 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the device answers with HTTP status %1</source>
+        <translation>das Gerät antwortet mit HTTP-Status %1</translation>
+    </message>
+    <message>
+        <source>the device cannot be asked: %1</source>
+        <translation>das Gerät kann nicht gefragt werden: %1</translation>
+    </message>
+    <message>
+        <source>the device cannot be reached: %1</source>
+        <translation>das Gerät kann nicht erreicht werden: %1</translation>
+    </message>
+    <message>
+        <source>the device has no raw frames</source>
+        <translation>das Gerät hat keine Rohtelegramme</translation>
+    </message>
+    <message>
+        <source>the device is set up for the %1 hand, the session for the %2</source>
+        <translation>das Gerät ist für die %1 Hand eingerichtet, die Sitzung für die %2</translation>
+    </message>
+    <message>
+        <source>the device&apos;s answer cannot be read: %1</source>
+        <translation>die Antwort des Geräts kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>the field is empty while others of this finger are not</source>
+        <translation>das Feld ist leer, andere dieses Fingers sind es nicht</translation>
+    </message>
+    <message>
+        <source>the file cannot be brought back: %1</source>
+        <translation>die Datei kann nicht zurückgeholt werden: %1</translation>
+    </message>
+    <message>
+        <source>the file cannot be put away: %1</source>
+        <translation>die Datei kann nicht weggelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>the finger has two sensors</source>
+        <translation>der Finger hat zwei Sensoren</translation>
+    </message>
+    <message>
+        <source>the fixed load of %1 N is above half of today&apos;s maximum, or that was not measured</source>
+        <translation>die feste Last von %1 N liegt über der Hälfte des heutigen Maximums, oder dieses wurde nicht gemessen</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>der Ordner kann nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>the force changed by less than 0.5 N</source>
+        <translation>die Kraft hat sich um weniger als 0.5 N geändert</translation>
+    </message>
+    <message>
+        <source>the force turns with the object while springs or dampers stand at an angle to the world&apos;s axes</source>
+        <translation>die Kraft dreht sich mit dem Objekt, während Federn oder Dämpfer schräg zu den Achsen der Welt stehen</translation>
+    </message>
+    <message>
+        <source>the frame period is not positive</source>
+        <translation>die Bildperiode ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>the free rotations cannot reach this attitude</source>
+        <translation>die freien Drehungen erreichen diese Lage nicht</translation>
+    </message>
+    <message>
+        <source>the groups of second %1 do not hold the same number of whole rows</source>
+        <translation>die Gruppen von Sekunde %1 enthalten nicht gleich viele ganze Zeilen</translation>
+    </message>
+    <message>
+        <source>the header has an empty column name</source>
+        <translation>die Kopfzeile hat einen leeren Spaltennamen</translation>
+    </message>
+    <message>
+        <source>the identity of %1 was changed or is damaged</source>
+        <translation>die Identität von %1 wurde geändert oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the index finger&apos;s sensor (%1)</source>
+        <translation>der Sensor des Zeigefingers (%1)</translation>
+    </message>
+    <message>
+        <source>the index&apos;s sensor</source>
+        <translation>der Sensor des Zeigefingers</translation>
+    </message>
+    <message>
+        <source>the last session finished its protocol</source>
+        <translation>die letzte Sitzung hat ihr Protokoll beendet</translation>
+    </message>
+    <message>
+        <source>the last session of this hand began more than four hours ago</source>
+        <translation>die letzte Sitzung dieser Hand begann vor mehr als vier Stunden</translation>
+    </message>
+    <message>
+        <source>the last session of this hand followed the protocol &apos;%1&apos;, or another version of this one</source>
+        <translation>die letzte Sitzung dieser Hand folgte dem Protokoll „%1“ oder einer anderen Fassung von diesem</translation>
+    </message>
+    <message>
+        <source>the limit has no bound</source>
+        <translation>die Grenze hat kein Ende</translation>
+    </message>
+    <message>
+        <source>the line does not begin with a time in parentheses</source>
+        <translation>die Zeile beginnt nicht mit einer Zeit in Klammern</translation>
+    </message>
+    <message>
+        <source>the line ends before the bytes of the datagram</source>
+        <translation>die Zeile endet vor den Bytes des Datagramms</translation>
+    </message>
+    <message>
+        <source>the line ends before the frame</source>
+        <translation>die Zeile endet vor dem Telegramm</translation>
+    </message>
+    <message>
+        <source>the line ends before this column</source>
+        <translation>die Zeile endet vor dieser Spalte</translation>
+    </message>
+    <message>
+        <source>the line has more fields than the header</source>
+        <translation>die Zeile hat mehr Felder als die Kopfzeile</translation>
+    </message>
+    <message>
+        <source>the log cannot be opened</source>
+        <translation>der Mitschnitt kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>the log cannot be read</source>
+        <translation>der Mitschnitt kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the middle finger&apos;s sensor (%1)</source>
+        <translation>der Sensor des Mittelfingers (%1)</translation>
+    </message>
+    <message>
+        <source>the middle&apos;s sensor</source>
+        <translation>der Sensor des Mittelfingers</translation>
+    </message>
+    <message>
+        <source>the movement lasted less than a second</source>
+        <translation>die Bewegung dauerte weniger als eine Sekunde</translation>
+    </message>
+    <message>
+        <source>the name of a database may not hold a quotation mark</source>
+        <translation>der Name einer Datenbank darf kein Anführungszeichen enthalten</translation>
+    </message>
+    <message>
+        <source>the network</source>
+        <translation>dem Netzwerk</translation>
+    </message>
+    <message>
+        <source>the new backup is made, but this old one cannot be removed</source>
+        <translation>die neue Sicherung ist gemacht, aber diese alte lässt sich nicht entfernen</translation>
+    </message>
+    <message>
+        <source>the object moved by less than 5 mm and 5 degrees</source>
+        <translation>das Objekt hat sich um weniger als 5 mm und 5 Grad bewegt</translation>
+    </message>
+    <message>
+        <source>the object turned about more than one axis</source>
+        <translation>das Objekt hat sich um mehr als eine Achse gedreht</translation>
+    </message>
+    <message>
+        <source>the parameter is given twice</source>
+        <translation>der Parameter ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>the points of %1 were not loaded</source>
+        <translation>die Punkte von %1 wurden nicht geladen</translation>
+    </message>
+    <message>
+        <source>the protocol is missing</source>
+        <translation>das Protokoll fehlt</translation>
+    </message>
+    <message>
+        <source>the records of %1 are not released for research</source>
+        <translation>die Aufzeichnungen von %1 sind nicht für die Forschung freigegeben</translation>
+    </message>
+    <message>
+        <source>the records of %1 are restricted until %2</source>
+        <translation>die Aufzeichnungen von %1 sind bis %2 beschränkt</translation>
+    </message>
+    <message>
+        <source>the records of %1 are restricted until %2: the person asked for erasure</source>
+        <translation>die Aufzeichnungen von %1 sind bis %2 beschränkt: Die Person hat um Löschung gebeten</translation>
+    </message>
+    <message>
+        <source>the role %1 has no PIN</source>
+        <translation>die Rolle %1 hat keine PIN</translation>
+    </message>
+    <message>
+        <source>the role %1 may not change records</source>
+        <translation>die Rolle %1 darf keine Aufzeichnungen ändern</translation>
+    </message>
+    <message>
+        <source>the role %1 may not do this</source>
+        <translation>die Rolle %1 darf das nicht</translation>
+    </message>
+    <message>
+        <source>the role %1 may not see who people are</source>
+        <translation>die Rolle %1 darf nicht sehen, wer die Personen sind</translation>
+    </message>
+    <message>
+        <source>the rows are erased, but another program still reads the journal that holds them</source>
+        <translation>die Zeilen sind gelöscht, aber ein anderes Programm liest noch das Journal, das sie enthält</translation>
+    </message>
+    <message>
+        <source>the screening allows this hand comfortable force only</source>
+        <translation>die Vorab-Fragen erlauben dieser Hand nur angenehme Kraft</translation>
+    </message>
+    <message>
+        <source>the screening allows this hand no effort</source>
+        <translation>die Vorab-Fragen erlauben dieser Hand keine Anstrengung</translation>
+    </message>
+    <message>
+        <source>the sensor has no such filter</source>
+        <translation>der Sensor hat kein solches Filter</translation>
+    </message>
+    <message>
+        <source>the sensors have no such rate</source>
+        <translation>die Sensoren haben keine solche Rate</translation>
+    </message>
+    <message>
+        <source>the sensors have no such speed</source>
+        <translation>die Sensoren haben keine solche Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>the serial port cannot be opened: %1</source>
+        <translation>der serielle Anschluss kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>the session does not answer</source>
+        <translation>die Sitzung antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the signals are not those that were recorded (content hash)</source>
+        <translation>die Signale sind nicht die aufgezeichneten (Inhalts-Hash)</translation>
+    </message>
+    <message>
+        <source>the signals cannot be packed without loss</source>
+        <translation>die Signale lassen sich nicht verlustfrei packen</translation>
+    </message>
+    <message>
+        <source>the target is a share of the %1 of &apos;%2&apos; that no earlier step measures</source>
+        <translation>das Ziel ist ein Anteil von „%2“ (%1), das kein früherer Schritt misst</translation>
+    </message>
+    <message>
+        <source>the target is a share of the %1 of &apos;%2&apos;, and no trial of this session measured one</source>
+        <translation>das Ziel ist ein Anteil von „%2“ (%1), und kein Versuch dieser Sitzung hat das gemessen</translation>
+    </message>
+    <message>
+        <source>the target of %1 has a band of +-%2, which the sensors cannot resolve</source>
+        <translation>das Ziel von %1 hat ein Band von +-%2, das die Sensoren nicht auflösen können</translation>
+    </message>
+    <message>
+        <source>the target of %1 is above the ceiling of %2 for this hand</source>
+        <translation>das Ziel von %1 liegt über der Obergrenze von %2 für diese Hand</translation>
+    </message>
+    <message>
+        <source>the thumb&apos;s sensor</source>
+        <translation>der Sensor des Daumens</translation>
+    </message>
+    <message>
+        <source>the thumb&apos;s sensor (%1)</source>
+        <translation>der Sensor des Daumens (%1)</translation>
+    </message>
+    <message>
+        <source>the time cannot be stretched by %1</source>
+        <translation>die Zeit lässt sich nicht um %1 strecken</translation>
+    </message>
+    <message>
+        <source>the time is empty</source>
+        <translation>die Zeit ist leer</translation>
+    </message>
+    <message>
+        <source>the times of the samples do not increase</source>
+        <translation>die Zeiten der Messwerte nehmen nicht zu</translation>
+    </message>
+    <message>
+        <source>the trial has no samples</source>
+        <translation>der Versuch hat keine Messwerte</translation>
+    </message>
+    <message>
+        <source>the trial has no signals</source>
+        <translation>der Versuch hat keine Signale</translation>
+    </message>
+    <message>
+        <source>therapist</source>
+        <translation>Therapeut</translation>
+    </message>
+    <message>
+        <source>there are %1 primary measures already</source>
+        <translation>es gibt schon %1 Hauptmessgrößen</translation>
+    </message>
+    <message>
+        <source>there is no %1 &apos;%2&apos;</source>
+        <translation>es gibt nicht: %1 „%2“</translation>
+    </message>
+    <message>
+        <source>there is no file of this name</source>
+        <translation>es gibt keine Datei dieses Namens</translation>
+    </message>
+    <message>
+        <source>there is no patient &quot;%1&quot; in this database</source>
+        <translation>es gibt keinen Patienten „%1“ in dieser Datenbank</translation>
+    </message>
+    <message>
+        <source>there is no patient %1</source>
+        <translation>es gibt keinen Patienten %1</translation>
+    </message>
+    <message>
+        <source>there is no patient &apos;%1&apos;</source>
+        <translation>es gibt keinen Patienten „%1“</translation>
+    </message>
+    <message>
+        <source>there is no sensor for the %1</source>
+        <translation>es gibt keinen Sensor für: %1</translation>
+    </message>
+    <message>
+        <source>there is no session %1</source>
+        <translation>es gibt keine Sitzung %1</translation>
+    </message>
+    <message>
+        <source>there is no such CAN interface</source>
+        <translation>es gibt keine solche CAN-Schnittstelle</translation>
+    </message>
+    <message>
+        <source>there is no way to this address: %1</source>
+        <translation>es gibt keinen Weg zu dieser Adresse: %1</translation>
+    </message>
+    <message>
+        <source>there is nothing to resume: %1</source>
+        <translation>es gibt nichts fortzusetzen: %1</translation>
+    </message>
+    <message>
+        <source>this adaptor tells no serial number: nothing could be compared</source>
+        <translation>dieser Adapter nennt keine Seriennummer: Es gibt nichts zu vergleichen</translation>
+    </message>
+    <message>
+        <source>this hand has had no session yet</source>
+        <translation>diese Hand hatte noch keine Sitzung</translation>
+    </message>
+    <message>
+        <source>this is no XML: %1</source>
+        <translation>das ist kein XML: %1</translation>
+    </message>
+    <message>
+        <source>this is no address in numbers with a port</source>
+        <translation>das ist keine Adresse in Zahlen mit Port</translation>
+    </message>
+    <message>
+        <source>this is no page of a Net F/T box: it has not one root element</source>
+        <translation>das ist keine Seite einer Net-F/T-Box: Sie hat nicht genau ein Wurzelelement</translation>
+    </message>
+    <message>
+        <source>this is no page of a Net F/T box: it is too large</source>
+        <translation>das ist keine Seite einer Net-F/T-Box: Sie ist zu groß</translation>
+    </message>
+    <message>
+        <source>this library has none</source>
+        <translation>diese Vorlagen haben keine</translation>
+    </message>
+    <message>
+        <source>this line is longer than 1 MiB</source>
+        <translation>diese Zeile ist länger als 1 MiB</translation>
+    </message>
+    <message>
+        <source>this line is longer than 256 KiB</source>
+        <translation>diese Zeile ist länger als 256 KiB</translation>
+    </message>
+    <message>
+        <source>this program was built without libcomedi</source>
+        <translation>dieses Programm wurde ohne libcomedi gebaut</translation>
+    </message>
+    <message>
+        <source>thumb</source>
+        <translation>Daumen</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>time does not increase</source>
+        <translation>die Zeit nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>too many wrong passwords</source>
+        <translation>zu viele falsche Passwörter</translation>
+    </message>
+    <message>
+        <source>treatment mark</source>
+        <translation>Behandlung</translation>
+    </message>
+    <message>
+        <source>trial %1 has not ended or does not exist</source>
+        <translation>der Versuch %1 ist nicht beendet oder nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>trial %1 is not being recorded</source>
+        <translation>der Versuch %1 wird nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2%3: %4</source>
+        <translation>Versuch %1 der Sitzung %2%3: %4</translation>
+    </message>
+    <message>
+        <source>trials were recorded with this version</source>
+        <translation>mit dieser Version wurden Versuche aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>try again</source>
+        <translation>erneut versuchen</translation>
+    </message>
+    <message>
+        <source>try again; %1 left</source>
+        <translation>erneut versuchen; noch %1</translation>
+    </message>
+    <message>
+        <source>turn the platform and choose the configuration for that hand, or choose the %1 hand</source>
+        <translation>die Plattform wenden und die Konfiguration für jene Hand wählen, oder die %1 Hand wählen</translation>
+    </message>
+    <message>
+        <source>turns about more than one axis</source>
+        <translation>dreht sich um mehr als eine Achse</translation>
+    </message>
+    <message>
+        <source>two free rotations are not a rotation group: what the locked one means would depend on the order of turning</source>
+        <translation>zwei freie Drehungen sind keine Drehgruppe: Was die gesperrte bedeutet, hinge von der Reihenfolge ab</translation>
+    </message>
+    <message>
+        <source>two sensors have this address</source>
+        <translation>zwei Sensoren haben diese Adresse</translation>
+    </message>
+    <message>
+        <source>two sensors have this serial port</source>
+        <translation>zwei Sensoren haben diesen seriellen Anschluss</translation>
+    </message>
+    <message>
+        <source>two sensors share an identifier or address</source>
+        <translation>zwei Sensoren teilen sich eine Kennung oder Adresse</translation>
+    </message>
+    <message>
+        <source>underscores may only follow digits</source>
+        <translation>Unterstriche dürfen nur auf Ziffern folgen</translation>
+    </message>
+    <message>
+        <source>underscores must be followed by digits</source>
+        <translation>auf Unterstriche müssen Ziffern folgen</translation>
+    </message>
+    <message>
+        <source>unexpected control character</source>
+        <translation>unerwartetes Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>unknown column of a finger</source>
+        <translation>unbekannte Spalte eines Fingers</translation>
+    </message>
+    <message>
+        <source>unknown escape sequence &apos;%1&apos;</source>
+        <translation>unbekannte Zeichenfolge „%1“</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>unknown parameter of %1://</source>
+        <translation>unbekannter Parameter von %1://</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+    <message>
+        <source>use 10 to 1000</source>
+        <translation>10 bis 1000 verwenden</translation>
+    </message>
+    <message>
+        <source>use 10, 20, 50, 100, 200, 333, 500 or 1000</source>
+        <translation>10, 20, 50, 100, 200, 333, 500 oder 1000 verwenden</translation>
+    </message>
+    <message>
+        <source>use 57600, 115200, 230400, 460800 or 921600</source>
+        <translation>57600, 115200, 230400, 460800 oder 921600 verwenden</translation>
+    </message>
+    <message>
+        <source>use a generated code of letters, digits and &apos;-&apos;, such as P-0427</source>
+        <translation>einen erzeugten Code aus Buchstaben, Ziffern und „-“ verwenden, etwa P-0427</translation>
+    </message>
+    <message>
+        <source>use a rate that the box has: a whole fraction of 7000 Hz</source>
+        <translation>eine Rate verwenden, die die Box hat: einen ganzen Bruchteil von 7000 Hz</translation>
+    </message>
+    <message>
+        <source>use one of those present: %1</source>
+        <translation>eine der vorhandenen verwenden: %1</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>eines davon verwenden: %1</translation>
+    </message>
+    <message>
+        <source>use rft, ati-netcanoem, jr3-can or net-ft</source>
+        <translation>rft, ati-netcanoem, jr3-can oder net-ft verwenden</translation>
+    </message>
+    <message>
+        <source>use sim://healthy, replay://FILE.csv, can://, udp://, serial:// or comedi:// (see: isograsp devices)</source>
+        <translation>sim://healthy, replay://DATEI.csv, can://, udp://, serial:// oder comedi:// verwenden (siehe: isograsp devices)</translation>
+    </message>
+    <message>
+        <source>use the calibration of this sensor</source>
+        <translation>die Kalibrierung dieses Sensors verwenden</translation>
+    </message>
+    <message>
+        <source>use the comfortable-force task, and targets in newtons or of comfortable force</source>
+        <translation>die Aufgabe für angenehme Kraft und Ziele in Newton oder als Anteil der angenehmen Kraft verwenden</translation>
+    </message>
+    <message>
+        <source>use the program that made it</source>
+        <translation>das Programm verwenden, das sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>value or closing &apos;]&apos;</source>
+        <translation>Wert oder „]“</translation>
+    </message>
+    <message>
+        <source>value-terminator</source>
+        <translation>Ende des Werts</translation>
+    </message>
+    <message>
+        <source>values may not begin with underscores</source>
+        <translation>Werte dürfen nicht mit Unterstrichen beginnen</translation>
+    </message>
+    <message>
+        <source>wait %1 s, then try again</source>
+        <translation>%1 s warten, dann erneut versuchen</translation>
+    </message>
+    <message>
+        <source>was made by a newer isograsp (format %1, this program knows %2)</source>
+        <translation>wurde von einem neueren isograsp gemacht (Format %1, dieses Programm kennt %2)</translation>
+    </message>
+    <message>
+        <source>was made by an older isograsp (format %1, this program writes %2)</source>
+        <translation>wurde von einem älteren isograsp gemacht (Format %1, dieses Programm schreibt %2)</translation>
+    </message>
+    <message>
+        <source>whoever opened the database has fewer rights than this account</source>
+        <translation>wer die Datenbank geöffnet hat, hat weniger Rechte als dieses Konto</translation>
+    </message>
+    <message>
+        <source>write %1 numbers in brackets</source>
+        <translation>%1 Zahlen in Klammern schreiben</translation>
+    </message>
+    <message>
+        <source>write %25 for a percent sign</source>
+        <translation>für ein Prozentzeichen %25 schreiben</translation>
+    </message>
+    <message>
+        <source>write &apos;@isograsp - rtprio 50&apos; and &apos;@isograsp - memlock unlimited&apos; to /etc/security/limits.d/isograsp.conf, join that group and log in again (check: ulimit -r, ulimit -l), or use --realtime=prefer</source>
+        <translation>„@isograsp - rtprio 50“ und „@isograsp - memlock unlimited“ in /etc/security/limits.d/isograsp.conf schreiben, dieser Gruppe beitreten und sich neu anmelden (prüfen: ulimit -r, ulimit -l), oder --realtime=prefer verwenden</translation>
+    </message>
+    <message>
+        <source>write +x, -x, … -z</source>
+        <translation>+x, -x, … -z schreiben</translation>
+    </message>
+    <message>
+        <source>write 0 or more</source>
+        <translation>0 oder mehr schreiben</translation>
+    </message>
+    <message>
+        <source>write a direction across the normal</source>
+        <translation>eine Richtung quer zur Normalen schreiben</translation>
+    </message>
+    <message>
+        <source>write a larger number</source>
+        <translation>eine größere Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>write a later day</source>
+        <translation>einen späteren Tag schreiben</translation>
+    </message>
+    <message>
+        <source>write a longer time</source>
+        <translation>eine längere Zeit schreiben</translation>
+    </message>
+    <message>
+        <source>write a name, for people</source>
+        <translation>einen Namen für Menschen schreiben</translation>
+    </message>
+    <message>
+        <source>write a number</source>
+        <translation>eine Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>write a number above 0</source>
+        <translation>eine Zahl über 0 schreiben</translation>
+    </message>
+    <message>
+        <source>write a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2 schreiben</translation>
+    </message>
+    <message>
+        <source>write a number that is not negative</source>
+        <translation>eine Zahl schreiben, die nicht negativ ist</translation>
+    </message>
+    <message>
+        <source>write a number with &apos;.&apos; as the decimal sign, or leave the field empty if the value is missing</source>
+        <translation>eine Zahl mit „.“ als Dezimalzeichen schreiben oder das Feld leer lassen, wenn der Wert fehlt</translation>
+    </message>
+    <message>
+        <source>write a recovery or a factor</source>
+        <translation>eine Erholung oder einen Faktor schreiben</translation>
+    </message>
+    <message>
+        <source>write a smaller factor</source>
+        <translation>einen kleineren Faktor schreiben</translation>
+    </message>
+    <message>
+        <source>write a table</source>
+        <translation>eine Tabelle schreiben</translation>
+    </message>
+    <message>
+        <source>write a unit quaternion w, x, y, z</source>
+        <translation>eine Einheitsquaternion w, x, y, z schreiben</translation>
+    </message>
+    <message>
+        <source>write a value from %1 to %2</source>
+        <translation>einen Wert von %1 bis %2 schreiben</translation>
+    </message>
+    <message>
+        <source>write a whole number</source>
+        <translation>eine ganze Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>write a whole number from 0 to 100</source>
+        <translation>eine ganze Zahl von 0 bis 100 schreiben</translation>
+    </message>
+    <message>
+        <source>write a whole number from 1 to %1</source>
+        <translation>eine ganze Zahl von 1 bis %1 schreiben</translation>
+    </message>
+    <message>
+        <source>write a whole number such as day=14</source>
+        <translation>eine ganze Zahl wie day=14 schreiben</translation>
+    </message>
+    <message>
+        <source>write a whole number such as seed=7</source>
+        <translation>eine ganze Zahl wie seed=7 schreiben</translation>
+    </message>
+    <message>
+        <source>write an angle such as 1e-9</source>
+        <translation>einen Winkel wie 1e-9 schreiben</translation>
+    </message>
+    <message>
+        <source>write another level</source>
+        <translation>ein anderes Niveau schreiben</translation>
+    </message>
+    <message>
+        <source>write at most %1</source>
+        <translation>höchstens %1 schreiben</translation>
+    </message>
+    <message>
+        <source>write both bounds in one entry</source>
+        <translation>beide Enden in einen Eintrag schreiben</translation>
+    </message>
+    <message>
+        <source>write can://can0?protocol=rft</source>
+        <translation>can://can0?protocol=rft schreiben</translation>
+    </message>
+    <message>
+        <source>write e.g. [0, 0, 1]</source>
+        <translation>z. B. [0, 0, 1] schreiben</translation>
+    </message>
+    <message>
+        <source>write each as [[%1%2]]</source>
+        <translation>jede als [[%1%2]] schreiben</translation>
+    </message>
+    <message>
+        <source>write each entry in double quotes</source>
+        <translation>jeden Eintrag in doppelte Anführungszeichen setzen</translation>
+    </message>
+    <message>
+        <source>write for example day=0</source>
+        <translation>zum Beispiel day=0 schreiben</translation>
+    </message>
+    <message>
+        <source>write frequencies up to 5 Hz</source>
+        <translation>Frequenzen bis 5 Hz schreiben</translation>
+    </message>
+    <message>
+        <source>write grip, grip_mean, pinch, sum, thumb, index, middle, opening, index_opening or e.g. thumb_-x</source>
+        <translation>grip, grip_mean, pinch, sum, thumb, index, middle, opening, index_opening oder z. B. thumb_-x schreiben</translation>
+    </message>
+    <message>
+        <source>write hand=right or hand=left</source>
+        <translation>hand=right oder hand=left schreiben</translation>
+    </message>
+    <message>
+        <source>write how many rows before the end it begins and ends, e.g. [200, 50]</source>
+        <translation>schreiben, wie viele Zeilen vor dem Ende es beginnt und endet, z. B. [200, 50]</translation>
+    </message>
+    <message>
+        <source>write how many units one step is</source>
+        <translation>schreiben, wie viele Einheiten ein Schritt ist</translation>
+    </message>
+    <message>
+        <source>write it as 192.168.1.1</source>
+        <translation>als 192.168.1.1 schreiben</translation>
+    </message>
+    <message>
+        <source>write it as 192.168.1.1:49152</source>
+        <translation>als 192.168.1.1:49152 schreiben</translation>
+    </message>
+    <message>
+        <source>write it as [%1%2]</source>
+        <translation>als [%1%2] schreiben</translation>
+    </message>
+    <message>
+        <source>write it in double quotes</source>
+        <translation>in doppelte Anführungszeichen setzen</translation>
+    </message>
+    <message>
+        <source>write its points into [axis.csv_data], or choose another shape</source>
+        <translation>die Punkte in [axis.csv_data] schreiben oder eine andere Form wählen</translation>
+    </message>
+    <message>
+        <source>write lines as (1700000000.001000) 192.168.1.1:49152 00000001 with the bytes in hexadecimal</source>
+        <translation>Zeilen wie (1700000000.001000) 192.168.1.1:49152 00000001 schreiben, die Bytes hexadezimal</translation>
+    </message>
+    <message>
+        <source>write lines as (1700000000.001000) can0 064#0C00000000000000</source>
+        <translation>Zeilen wie (1700000000.001000) can0 064#0C00000000000000 schreiben</translation>
+    </message>
+    <message>
+        <source>write numbers</source>
+        <translation>Zahlen schreiben</translation>
+    </message>
+    <message>
+        <source>write numbers up to %1</source>
+        <translation>Zahlen bis %1 schreiben</translation>
+    </message>
+    <message>
+        <source>write one [[axis]] per degree of freedom</source>
+        <translation>je Freiheitsgrad eine [[axis]] schreiben</translation>
+    </message>
+    <message>
+        <source>write one of: %1</source>
+        <translation>eines davon schreiben: %1</translation>
+    </message>
+    <message>
+        <source>write one value per time</source>
+        <translation>je Zeit einen Wert schreiben</translation>
+    </message>
+    <message>
+        <source>write rate_Hz = 100, or time_column = &quot;t&quot; and time_unit = &quot;s&quot;</source>
+        <translation>rate_Hz = 100 oder time_column = &quot;t&quot; und time_unit = &quot;s&quot; schreiben</translation>
+    </message>
+    <message>
+        <source>write replay://FILE.csv</source>
+        <translation>replay://DATEI.csv schreiben</translation>
+    </message>
+    <message>
+        <source>write rows per second, e.g. 120</source>
+        <translation>Zeilen pro Sekunde schreiben, z. B. 120</translation>
+    </message>
+    <message>
+        <source>write scheme://target?key=value&amp;key=value</source>
+        <translation>scheme://target?key=value&amp;key=value schreiben</translation>
+    </message>
+    <message>
+        <source>write sim://healthy or sim://paretic</source>
+        <translation>sim://healthy oder sim://paretic schreiben</translation>
+    </message>
+    <message>
+        <source>write some of: x, y, z, rx, ry, rz</source>
+        <translation>einige davon schreiben: x, y, z, rx, ry, rz</translation>
+    </message>
+    <message>
+        <source>write texts in brackets</source>
+        <translation>Texte in Klammern schreiben</translation>
+    </message>
+    <message>
+        <source>write the column&apos;s name, with &apos;-&apos; before it to turn the sign</source>
+        <translation>den Namen der Spalte schreiben, mit „-“ davor, um das Vorzeichen zu drehen</translation>
+    </message>
+    <message>
+        <source>write the direction into the object</source>
+        <translation>die Richtung in das Objekt hinein schreiben</translation>
+    </message>
+    <message>
+        <source>write the file name without folder, e.g. &quot;grip_sine.toml&quot;</source>
+        <translation>den Dateinamen ohne Ordner schreiben, z. B. &quot;grip_sine.toml&quot;</translation>
+    </message>
+    <message>
+        <source>write the name of its file without folder and ending, e.g. &quot;planar_block&quot;</source>
+        <translation>den Namen ihrer Datei ohne Ordner und Endung schreiben, z. B. &quot;planar_block&quot;</translation>
+    </message>
+    <message>
+        <source>write the secret as text</source>
+        <translation>das Geheimnis als Text schreiben</translation>
+    </message>
+    <message>
+        <source>write the secret there</source>
+        <translation>das Geheimnis hineinschreiben</translation>
+    </message>
+    <message>
+        <source>write thumb, index or middle</source>
+        <translation>thumb, index oder middle schreiben</translation>
+    </message>
+    <message>
+        <source>write thumb, index, middle separated by commas, or give them in the configuration and write %1://?config=FILE</source>
+        <translation>thumb, index, middle durch Kommas getrennt schreiben oder in der Konfiguration angeben und %1://?config=DATEI schreiben</translation>
+    </message>
+    <message>
+        <source>write true or false</source>
+        <translation>true oder false schreiben</translation>
+    </message>
+    <message>
+        <source>write version = %1</source>
+        <translation>version = %1 schreiben</translation>
+    </message>
+    <message>
+        <source>writing the audit log</source>
+        <translation>Zugriffsprotokoll schreiben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the name of another file</source>
+        <translation>„%1“ ist der Name einer anderen Datei</translation>
+    </message>
+    <message>
+        <source>No tasks in %1/tasks.</source>
+        <translation>Keine Aufgaben in %1/tasks.</translation>
+    </message>
+    <message>
+        <source>control characters other than TAB (U+0009) are explicitly prohibited</source>
+        <translation>Steuerzeichen sind nicht erlaubt, nur Tabulatoren</translation>
+    </message>
+    <message>
+        <source>control characters other than TAB (U+0009) are explicitly prohibited in comments</source>
+        <translation>Steuerzeichen sind in Kommentaren nicht erlaubt, nur Tabulatoren</translation>
+    </message>
+    <message>
+        <source>there is no %1 number %2</source>
+        <translation>es gibt nicht: %1 Nummer %2</translation>
+    </message>
+    <message>
+        <source>unescaped control characters other than TAB (U+0009) are explicitly prohibited</source>
+        <translation>Steuerzeichen oder ein Zeilenende im Text; nur Tabulatoren sind erlaubt</translation>
+    </message>
+    <message>
+        <source>SCHED_FIFO %1, memory locked</source>
+        <translation>SCHED_FIFO %1, Arbeitsspeicher festgehalten</translation>
+    </message>
+    <message>
+        <source>SCHED_FIFO %1, memory not locked (%2)</source>
+        <translation>SCHED_FIFO %1, Arbeitsspeicher nicht festgehalten (%2)</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is behind the newest session of this file (%1).</source>
+        <translation>Die Uhr dieses Rechners geht hinter der neuesten Sitzung dieser Datei (%1).</translation>
+    </message>
+    <message>
+        <source>not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>ordinary scheduling (%1), memory locked</source>
+        <translation>gewöhnliche Zuteilung (%1), Arbeitsspeicher festgehalten</translation>
+    </message>
+    <message>
+        <source>ordinary scheduling (%1), memory not locked (%2)</source>
+        <translation>gewöhnliche Zuteilung (%1), Arbeitsspeicher nicht festgehalten (%2)</translation>
+    </message>
+    <message>
+        <source>set it in the box&apos;s web page, leave filter_Hz out</source>
+        <translation>es auf der Webseite der Box einstellen und filter_Hz weglassen</translation>
+    </message>
+    <message>
+        <source>the limit memlock is not unlimited</source>
+        <translation>die Grenze memlock ist nicht aufgehoben</translation>
+    </message>
+    <message>
+        <source>this board has none: leave filter_Hz out and use fir_taps</source>
+        <translation>diese Platine hat keines: filter_Hz weglassen und fir_taps verwenden</translation>
+    </message>
+    <message>
+        <source>use 0 (none) to 655.35</source>
+        <translation>0 (keines) bis 655.35 verwenden</translation>
+    </message>
+    <message>
+        <source>use 0 (none), 500, 125, 31.25, 7.8125, 1.953125 or 0.48828125</source>
+        <translation>0 (keines), 500, 125, 31.25, 7.8125, 1.953125 oder 0.48828125 verwenden</translation>
+    </message>
+    <message>
+        <source>use 0 (none), 500, 300, 200, 150, 100, 50, 40, 30, 20, 10, 5, 3, 2 or 1</source>
+        <translation>0 (keines), 500, 300, 200, 150, 100, 50, 40, 30, 20, 10, 5, 3, 2 oder 1 verwenden</translation>
+    </message>
+    <message>
+        <source>%1 does not tell its rate</source>
+        <translation>%1 nennt seine Rate nicht</translation>
+    </message>
+    <message>
+        <source>%1 sends at %2 Hz, not at %3</source>
+        <translation>%1 sendet mit %2 Hz, nicht mit %3</translation>
+    </message>
+    <message>
+        <source>%1 shifts or turns its forces before it sends them</source>
+        <translation>%1 verschiebt oder dreht seine Kräfte, bevor er sie sendet</translation>
     </message>
 </context>
 <context>
@@ -6809,8 +10545,8 @@
         <translation>Patient anlegen</translation>
     </message>
     <message>
-        <source>Add a patient with a generated code and begin a session; names are never stored (Alt+A)</source>
-        <translation>Patient mit erzeugtem Code anlegen und eine Sitzung beginnen; Namen werden nie gespeichert (Alt+A)</translation>
+        <source>Add a patient with a generated code and begin a session (Alt+A)</source>
+        <translation>Einen Patienten mit erzeugtem Code anlegen und eine Sitzung beginnen (Alt+A)</translation>
     </message>
     <message>
         <source>&amp;Begin session</source>

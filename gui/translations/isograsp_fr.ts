@@ -1614,6 +1614,10 @@
         <source>Cannot be judged yet: %1</source>
         <translation>Pas encore évaluable&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>The measured delay of the display differs between the two sessions.</source>
+        <translation>Le retard mesuré de l’affichage diffère entre les deux séances.</translation>
+    </message>
 </context>
 <context>
     <name>Screening</name>
@@ -4098,6 +4102,3738 @@
     <message>
         <source>The maximum has fallen by %1 % in this session: stop the work of this hand for today.</source>
         <translation>Le maximum a baissé de %1 % pendant cette séance : arrêtez le travail de cette main pour aujourd’hui.</translation>
+    </message>
+    <message>
+        <source>%1 boxes send records, the last is %2</source>
+        <translation>%1 boîtiers envoient des mesures, le dernier est %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1&#xa0;: ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 ne répond pas</translation>
+    </message>
+    <message>
+        <source>%1 does not have the calibration that the configuration names%2</source>
+        <translation>%1 n’a pas l’étalonnage indiqué par la configuration%2</translation>
+    </message>
+    <message>
+        <source>%1 has the serial number %2, but the configuration says %3</source>
+        <translation>%1 a le numéro de série %2, mais la configuration indique %3</translation>
+    </message>
+    <message>
+        <source>%1 is locked but has an initial velocity</source>
+        <translation>%1 est bloqué mais a une vitesse initiale</translation>
+    </message>
+    <message>
+        <source>%1 is no possible length of the filter</source>
+        <translation>%1 n’est pas une longueur possible du filtre</translation>
+    </message>
+    <message>
+        <source>%1 is no score of the %2</source>
+        <translation>%1 n’est pas un score de %2</translation>
+    </message>
+    <message>
+        <source>%1 is no year of birth</source>
+        <translation>%1 n’est pas une année de naissance</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 est hors limites</translation>
+    </message>
+    <message>
+        <source>%1 not defined: %2.</source>
+        <translation>%1 non défini&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is a primary measure</source>
+        <translation>%1 de %2 est déjà une mesure principale</translation>
+    </message>
+    <message>
+        <source>%1 of %2 was changed or is damaged</source>
+        <translation>%1 de %2&#xa0;: modifié ou endommagé</translation>
+    </message>
+    <message>
+        <source>%1 refused a setting (%2)</source>
+        <translation>%1 a refusé un réglage (%2)</translation>
+    </message>
+    <message>
+        <source>%1 sensors do not speak over %2://</source>
+        <translation>les capteurs %1 ne communiquent pas par %2://</translation>
+    </message>
+    <message>
+        <source>%1 taps cannot make this cut-off at this rate</source>
+        <translation>%1 coefficients ne permettent pas cette fréquence de coupure à cette cadence</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 valeurs</translation>
+    </message>
+    <message>
+        <source>%1, and the bit rate of the interface: boards leave the factory at 250 kbit/s</source>
+        <translation>%1, et le débit de l’interface&#xa0;: les cartes sortent d’usine à 250 kbit/s</translation>
+    </message>
+    <message>
+        <source>%1: refused by the database (%2)</source>
+        <translation>%1&#xa0;: refusé par la base de données (%2)</translation>
+    </message>
+    <message>
+        <source>%1: the database is damaged</source>
+        <translation>%1&#xa0;: la base de données est endommagée</translation>
+    </message>
+    <message>
+        <source>%1: the database is locked by another program</source>
+        <translation>%1&#xa0;: la base de données est verrouillée par un autre programme</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full or does not answer</source>
+        <translation>%1&#xa0;: le disque est plein ou ne répond pas</translation>
+    </message>
+    <message>
+        <source>%1: the file or its folder is not writable</source>
+        <translation>%1&#xa0;: le fichier ou son dossier n’est pas accessible en écriture</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; appears twice</source>
+        <translation>«&#xa0;%1&#xa0;» apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no difficulty to adapt</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas de difficulté à adapter</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no digit, so it could be a name or initials</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas de chiffre et pourrait être un nom ou des initiales</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds what reads as a date</source>
+        <translation>«&#xa0;%1&#xa0;» contient ce qui ressemble à une date</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is before %2</source>
+        <translation>«&#xa0;%1&#xa0;» est avant %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no address in numbers</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une adresse en chiffres</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no day of the calendar</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un jour du calendrier</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no kind of treatment</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un type de traitement</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no scale that is known</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une échelle connue</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a digit</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un doigt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a direction</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une direction</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a force</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une force</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a hand</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une main</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number that makes sense here</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre plausible ici</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number that this parameter takes</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre que ce paramètre accepte</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a positive number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre positif</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a unit that is known here</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une unité connue ici</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not in the years %2 to %3</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas dans les années %2 à %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not known</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas connu</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not six numbers</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une suite de six nombres</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the expected format</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas le format attendu</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the name of a scene</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas le nom d’une scène</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the name of a task file</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas le nom d’un fichier de tâche</translation>
+    </message>
+    <message>
+        <source>, group %1, second %2</source>
+        <translation>, groupe %1, seconde %2</translation>
+    </message>
+    <message>
+        <source>, group %1, seconds %2 to %3</source>
+        <translation>, groupe %1, secondes %2 à %3</translation>
+    </message>
+    <message>
+        <source>0 is out of range</source>
+        <translation>0 est hors limites</translation>
+    </message>
+    <message>
+        <source>ATI NETCANOEM on %1</source>
+        <translation>ATI NETCANOEM sur %1</translation>
+    </message>
+    <message>
+        <source>ATI Net F/T on %1</source>
+        <translation>ATI Net F/T sur %1</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>adresse déjà utilisée</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>mémoire insuffisante</translation>
+    </message>
+    <message>
+        <source>Cannot assign requested address</source>
+        <translation>impossible d’attribuer l’adresse demandée</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>connexion refusée</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>connexion coupée par l’autre côté</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>délai de connexion dépassé</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>périphérique occupé</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>dossier non vide</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>quota de disque dépassé</translation>
+    </message>
+    <message>
+        <source>Error while parsing %1: %2</source>
+        <translation>erreur de lecture (%1)&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>le fichier existe déjà</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>nom de fichier trop long</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>erreur d’entrée/sortie</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>argument non valide</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>est un dossier</translation>
+    </message>
+    <message>
+        <source>JR3 PCI on %1</source>
+        <translation>JR3 PCI sur %1</translation>
+    </message>
+    <message>
+        <source>JR3 with CAN adaptor on %1</source>
+        <translation>JR3 avec adaptateur CAN sur %1</translation>
+    </message>
+    <message>
+        <source>Network is down</source>
+        <translation>réseau désactivé</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>réseau inaccessible</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>aucun chemin vers l’appareil</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>plus d’espace sur le disque</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>périphérique introuvable</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>périphérique ou adresse introuvable</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>fichier ou dossier introuvable</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>n’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>opération non autorisée</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permission refusée</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>système de fichiers en lecture seule</translation>
+    </message>
+    <message>
+        <source>Recorded forces, %1</source>
+        <translation>Forces enregistrées, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of ATI NETCANOEM, %1</source>
+        <translation>Trames enregistrées de ATI NETCANOEM, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of ATI Net F/T, %1</source>
+        <translation>Trames enregistrées de ATI Net F/T, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of JR3 PCI, %1</source>
+        <translation>Trames enregistrées de JR3 PCI, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of JR3 with CAN adaptor, %1</source>
+        <translation>Trames enregistrées de JR3 avec adaptateur CAN, %1</translation>
+    </message>
+    <message>
+        <source>Recorded frames of Robotous RFT, %1</source>
+        <translation>Trames enregistrées de Robotous RFT, %1</translation>
+    </message>
+    <message>
+        <source>Robotous RFT on %1</source>
+        <translation>Robotous RFT sur %1</translation>
+    </message>
+    <message>
+        <source>Simulated sensors, %1 patient</source>
+        <translation>Capteurs simulés, patient&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Text file busy</source>
+        <translation>fichier en cours d’exécution</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>trop de liens enchaînés</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>trop de fichiers ouverts</translation>
+    </message>
+    <message>
+        <source>a &apos;%&apos; without two hexadecimal digits</source>
+        <translation>un «&#xa0;%&#xa0;» sans deux chiffres hexadécimaux</translation>
+    </message>
+    <message>
+        <source>a calibration belongs to one sensor, and none is named here</source>
+        <translation>un étalonnage appartient à un capteur, et aucun n’est nommé ici</translation>
+    </message>
+    <message>
+        <source>a comment or whitespace</source>
+        <translation>un commentaire ou un espace</translation>
+    </message>
+    <message>
+        <source>a course needs a day</source>
+        <translation>une évolution exige un jour</translation>
+    </message>
+    <message>
+        <source>a date or time</source>
+        <translation>une date ou une heure</translation>
+    </message>
+    <message>
+        <source>a frame without &apos;#&apos;</source>
+        <translation>une trame sans «&#xa0;#&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a hold of %1 s is not possible</source>
+        <translation>un pas de %1 s n’est pas possible</translation>
+    </message>
+    <message>
+        <source>a maximum is measured above the resting force, which no earlier step measures</source>
+        <translation>un maximum est mesuré au-dessus de la force de repos, qu’aucune étape antérieure ne mesure</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a quaternion of length zero</source>
+        <translation>un quaternion de longueur nulle</translation>
+    </message>
+    <message>
+        <source>a rating that is not positive</source>
+        <translation>une valeur nominale non positive</translation>
+    </message>
+    <message>
+        <source>a real bus does not run in virtual time</source>
+        <translation>un bus réel ne fonctionne pas en temps virtuel</translation>
+    </message>
+    <message>
+        <source>a real device cannot run in virtual time</source>
+        <translation>un appareil réel ne peut pas fonctionner en temps virtuel</translation>
+    </message>
+    <message>
+        <source>a second follows one that was not full</source>
+        <translation>une seconde suit une seconde incomplète</translation>
+    </message>
+    <message>
+        <source>a session in real time is not recorded into a scratch file</source>
+        <translation>une séance en temps réel n’est pas enregistrée dans un fichier jetable</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>une table</translation>
+    </message>
+    <message>
+        <source>a time without &apos;)&apos;</source>
+        <translation>un temps sans «&#xa0;)&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a travel limit of %1 has no meaning while all three rotations are free</source>
+        <translation>une butée de %1 n’a pas de sens tant que les trois rotations sont libres</translation>
+    </message>
+    <message>
+        <source>a travel limit of %1 while springs or dampers at an angle couple the axes</source>
+        <translation>une butée de %1 alors que des ressorts ou amortisseurs obliques couplent les axes</translation>
+    </message>
+    <message>
+        <source>a trial cannot end as running</source>
+        <translation>un essai ne peut pas se terminer comme étant en cours</translation>
+    </message>
+    <message>
+        <source>a trial is being recorded</source>
+        <translation>un essai est en cours d’enregistrement</translation>
+    </message>
+    <message>
+        <source>add %1 or %2</source>
+        <translation>ajouter %1 ou %2</translation>
+    </message>
+    <message>
+        <source>add ?protocol=rft or ?config=FILE</source>
+        <translation>ajouter&#xa0;?protocol=rft ou&#xa0;?config=FICHIER</translation>
+    </message>
+    <message>
+        <source>add a [[finger]] table for each sensor</source>
+        <translation>ajouter une table [[finger]] pour chaque capteur</translation>
+    </message>
+    <message>
+        <source>add a [[sensor]] with finger = &quot;%1&quot;</source>
+        <translation>ajouter [[sensor]] avec finger = &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>add a [difficulty] table to the task, or leave out adaptive</source>
+        <translation>ajouter une table [difficulty] à la tâche, ou omettre adaptive</translation>
+    </message>
+    <message>
+        <source>add at least one [[axis]]</source>
+        <translation>ajouter au moins un [[axis]]</translation>
+    </message>
+    <message>
+        <source>add at least one [[item]]</source>
+        <translation>ajouter au moins un [[item]]</translation>
+    </message>
+    <message>
+        <source>add at least one [[step]]</source>
+        <translation>ajouter au moins un [[step]]</translation>
+    </message>
+    <message>
+        <source>add at least one [[target]]</source>
+        <translation>ajouter au moins un [[target]]</translation>
+    </message>
+    <message>
+        <source>add columns such as thumb_fx_N, thumb_fy_N, thumb_fz_N</source>
+        <translation>ajouter des colonnes comme thumb_fx_N, thumb_fy_N, thumb_fz_N</translation>
+    </message>
+    <message>
+        <source>add e.g. thumb_direction = [0, 0, 1]</source>
+        <translation>ajouter p. ex. thumb_direction = [0, 0, 1]</translation>
+    </message>
+    <message>
+        <source>add it</source>
+        <translation>l’ajouter</translation>
+    </message>
+    <message>
+        <source>add the column</source>
+        <translation>ajouter la colonne</translation>
+    </message>
+    <message>
+        <source>add the time of each row in seconds</source>
+        <translation>ajouter le temps de chaque ligne en secondes</translation>
+    </message>
+    <message>
+        <source>adding a patient</source>
+        <translation>ajout d’un patient</translation>
+    </message>
+    <message>
+        <source>adding an account</source>
+        <translation>ajout d’un compte</translation>
+    </message>
+    <message>
+        <source>administrator</source>
+        <translation>administrateur</translation>
+    </message>
+    <message>
+        <source>align them, or write wrench_frame = &quot;hand&quot;</source>
+        <translation>les aligner, ou écrire wrench_frame = &quot;hand&quot;</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>une liste</translation>
+    </message>
+    <message>
+        <source>an identifier that has neither 3 nor 8 hexadecimal digits</source>
+        <translation>un identifiant qui n’a ni 3 ni 8 chiffres hexadécimaux</translation>
+    </message>
+    <message>
+        <source>an identifier that is too large</source>
+        <translation>un identifiant trop grand</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>un entier</translation>
+    </message>
+    <message>
+        <source>another file has this name now</source>
+        <translation>un autre fichier porte maintenant ce nom</translation>
+    </message>
+    <message>
+        <source>another program has changed the file meanwhile</source>
+        <translation>un autre programme a modifié le fichier entre-temps</translation>
+    </message>
+    <message>
+        <source>another program has changed this file meanwhile</source>
+        <translation>un autre programme a modifié ce fichier entre-temps</translation>
+    </message>
+    <message>
+        <source>another program has it open</source>
+        <translation>un autre programme l’a ouverte</translation>
+    </message>
+    <message>
+        <source>another program records into it now</source>
+        <translation>un autre programme y enregistre en ce moment</translation>
+    </message>
+    <message>
+        <source>another program records into the file now</source>
+        <translation>un autre programme enregistre dans le fichier en ce moment</translation>
+    </message>
+    <message>
+        <source>append one second at a time</source>
+        <translation>ajouter une seconde à la fois</translation>
+    </message>
+    <message>
+        <source>append the seconds in order</source>
+        <translation>ajouter les secondes dans l’ordre</translation>
+    </message>
+    <message>
+        <source>are fewer than two</source>
+        <translation>sont moins de deux</translation>
+    </message>
+    <message>
+        <source>are too many</source>
+        <translation>sont trop nombreux</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>liste</translation>
+    </message>
+    <message>
+        <source>ask an administrator to put you into the group dialout</source>
+        <translation>demander à un administrateur de vous ajouter au groupe dialout</translation>
+    </message>
+    <message>
+        <source>asks for more than the whole force</source>
+        <translation>demande plus que toute la force</translation>
+    </message>
+    <message>
+        <source>asks for no login</source>
+        <translation>ne demande pas de connexion</translation>
+    </message>
+    <message>
+        <source>asks no digit</source>
+        <translation>ne demande aucun doigt</translation>
+    </message>
+    <message>
+        <source>attempts can only agree with each other</source>
+        <translation>seuls des essais peuvent concorder entre eux</translation>
+    </message>
+    <message>
+        <source>bare key starting character or string delimiter</source>
+        <translation>début de clé ou guillemet</translation>
+    </message>
+    <message>
+        <source>base %1</source>
+        <translation>base %1</translation>
+    </message>
+    <message>
+        <source>begin a new session</source>
+        <translation>commencer une nouvelle séance</translation>
+    </message>
+    <message>
+        <source>begin it first</source>
+        <translation>le commencer d’abord</translation>
+    </message>
+    <message>
+        <source>begin one</source>
+        <translation>en commencer une</translation>
+    </message>
+    <message>
+        <source>beginning a session</source>
+        <translation>début d’une séance</translation>
+    </message>
+    <message>
+        <source>beginning a trial</source>
+        <translation>début d’un essai</translation>
+    </message>
+    <message>
+        <source>blocks for %1 instead of %2 groups</source>
+        <translation>blocs pour %1 groupes au lieu de %2</translation>
+    </message>
+    <message>
+        <source>boolean</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>calibration slot %1 holds a matrix, counts or units that cannot be used</source>
+        <translation>l’emplacement d’étalonnage %1 contient une matrice, des comptes ou des unités inutilisables</translation>
+    </message>
+    <message>
+        <source>calibration slot %1 was asked for, it chose slot %2</source>
+        <translation>l’emplacement d’étalonnage %1 était demandé, il a choisi l’emplacement %2</translation>
+    </message>
+    <message>
+        <source>cannot be a file here</source>
+        <translation>ne peut pas être un fichier ici</translation>
+    </message>
+    <message>
+        <source>cannot be locked: %1</source>
+        <translation>ne peut pas être verrouillé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>ne peut pas être créé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>cannot be opened for %1</source>
+        <translation>ne peut pas être ouvert (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>ne peut pas être ouvert&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>cannot be reached</source>
+        <translation>est inaccessible</translation>
+    </message>
+    <message>
+        <source>cannot be reached: %1</source>
+        <translation>est inaccessible&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ne peut pas être lu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>cannot be renamed: %1</source>
+        <translation>ne peut pas être renommé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the PIN cannot be used now</source>
+        <translation>le PIN ne peut pas être utilisé maintenant</translation>
+    </message>
+    <message>
+        <source>cannot be written, so the reading of an identity could not be logged</source>
+        <translation>ne peut pas être écrit, la lecture d’une identité ne pourrait donc pas être journalisée</translation>
+    </message>
+    <message>
+        <source>cannot redefine existing %1 &apos;%2&apos;</source>
+        <translation>existe déjà (%1) et ne peut pas être redéfini&#xa0;: «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>cannot redefine existing %1 &apos;%2&apos; as %3</source>
+        <translation>existe déjà (%1) et ne peut pas être redéfini&#xa0;: «&#xa0;%2&#xa0;» comme %3</translation>
+    </message>
+    <message>
+        <source>changes nothing</source>
+        <translation>ne change rien</translation>
+    </message>
+    <message>
+        <source>changing the user</source>
+        <translation>changement d’utilisateur</translation>
+    </message>
+    <message>
+        <source>check --patient and --session (1 is the patient&apos;s first)</source>
+        <translation>vérifier --patient et --session (1 est la première du patient)</translation>
+    </message>
+    <message>
+        <source>check its cable; after it was plugged in the card needs ten seconds</source>
+        <translation>vérifier son câble&#xa0;; après le branchement, la carte a besoin de dix secondes</translation>
+    </message>
+    <message>
+        <source>check its name</source>
+        <translation>vérifier son nom</translation>
+    </message>
+    <message>
+        <source>check its permissions</source>
+        <translation>vérifier ses droits d’accès</translation>
+    </message>
+    <message>
+        <source>check its power, its cable and its address</source>
+        <translation>vérifier son alimentation, son câble et son adresse</translation>
+    </message>
+    <message>
+        <source>check its power, its cable and the 120 ohm at both ends of the bus</source>
+        <translation>vérifier son alimentation, son câble et les 120 ohms aux deux bouts du bus</translation>
+    </message>
+    <message>
+        <source>check its power, its cable, its address and the baud rate</source>
+        <translation>vérifier son alimentation, son câble, son adresse et le débit en bauds</translation>
+    </message>
+    <message>
+        <source>check protocol and addresses of the device file</source>
+        <translation>vérifier le protocole et les adresses du fichier de l’appareil</translation>
+    </message>
+    <message>
+        <source>check rate and filter_Hz against the sensor&apos;s model</source>
+        <translation>comparer rate et filter_Hz au modèle du capteur</translation>
+    </message>
+    <message>
+        <source>check that it is a log</source>
+        <translation>vérifier que c’est un journal</translation>
+    </message>
+    <message>
+        <source>check that it is a log of this protocol</source>
+        <translation>vérifier que c’est un journal de ce protocole</translation>
+    </message>
+    <message>
+        <source>check that it is a table of numbers with line ends</source>
+        <translation>vérifier que c’est un tableau de nombres avec fins de ligne</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>vérifier que c’est le bon fichier</translation>
+    </message>
+    <message>
+        <source>check that the driver jr3_pci is loaded and that you may read the file</source>
+        <translation>vérifier que le pilote jr3_pci est chargé et que vous pouvez lire le fichier</translation>
+    </message>
+    <message>
+        <source>check that the kernel modules can and can_raw are loaded</source>
+        <translation>vérifier que les modules noyau can et can_raw sont chargés</translation>
+    </message>
+    <message>
+        <source>check the adapter and its cable</source>
+        <translation>vérifier l’adaptateur et son câble</translation>
+    </message>
+    <message>
+        <source>check the code</source>
+        <translation>vérifier le code</translation>
+    </message>
+    <message>
+        <source>check the code, or record a session with it first</source>
+        <translation>vérifier le code, ou enregistrer d’abord une séance avec lui</translation>
+    </message>
+    <message>
+        <source>check the device&apos;s power, its network cable and its address</source>
+        <translation>vérifier l’alimentation, le câble réseau et l’adresse de l’appareil</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>vérifier le disque</translation>
+    </message>
+    <message>
+        <source>check the disk and the folder</source>
+        <translation>vérifier le disque et le dossier</translation>
+    </message>
+    <message>
+        <source>check the disk and the permissions</source>
+        <translation>vérifier le disque et les droits d’accès</translation>
+    </message>
+    <message>
+        <source>check the disk and the permissions of its folder</source>
+        <translation>vérifier le disque et les droits d’accès de son dossier</translation>
+    </message>
+    <message>
+        <source>check the name and the permissions</source>
+        <translation>vérifier le nom et les droits d’accès</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>vérifier le chemin</translation>
+    </message>
+    <message>
+        <source>check the path and its permissions</source>
+        <translation>vérifier le chemin et ses droits d’accès</translation>
+    </message>
+    <message>
+        <source>check the permissions of both, or copy the file to a writable folder</source>
+        <translation>vérifier les droits des deux, ou copier le fichier dans un dossier accessible en écriture</translation>
+    </message>
+    <message>
+        <source>check the permissions of the file and its folder</source>
+        <translation>vérifier les droits d’accès du fichier et de son dossier</translation>
+    </message>
+    <message>
+        <source>check the permissions of the folder</source>
+        <translation>vérifier les droits d’accès du dossier</translation>
+    </message>
+    <message>
+        <source>checking the audit log</source>
+        <translation>vérification du journal d’accès</translation>
+    </message>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>choisir un dossier où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>choose a level of at least %1, or a wider band</source>
+        <translation>choisir un niveau d’au moins %1, ou une bande plus large</translation>
+    </message>
+    <message>
+        <source>choose a longer one; several words are easy to keep in mind</source>
+        <translation>en choisir un plus long&#xa0;; plusieurs mots se retiennent facilement</translation>
+    </message>
+    <message>
+        <source>choose a lower level</source>
+        <translation>choisir un niveau plus bas</translation>
+    </message>
+    <message>
+        <source>choose a scene in which it can turn about one alone</source>
+        <translation>choisir une scène où il peut tourner autour d’un seul</translation>
+    </message>
+    <message>
+        <source>choose an empty folder for --out</source>
+        <translation>choisir un dossier vide pour --out</translation>
+    </message>
+    <message>
+        <source>choose another code</source>
+        <translation>choisir un autre code</translation>
+    </message>
+    <message>
+        <source>choose another factor</source>
+        <translation>choisir un autre facteur</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>choisir un autre dossier</translation>
+    </message>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>choisir un autre nom ou dossier</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>en choisir un autre</translation>
+    </message>
+    <message>
+        <source>choose another one: the audit log names people</source>
+        <translation>en choisir un autre&#xa0;: le journal d’accès nomme des personnes</translation>
+    </message>
+    <message>
+        <source>choose another task, or read the recording with isograsp import</source>
+        <translation>choisir une autre tâche, ou lire l’enregistrement avec isograsp import</translation>
+    </message>
+    <message>
+        <source>choose one that is there</source>
+        <translation>en choisir un qui existe</translation>
+    </message>
+    <message>
+        <source>clinical score</source>
+        <translation>score clinique</translation>
+    </message>
+    <message>
+        <source>close it and start again</source>
+        <translation>la fermer et recommencer</translation>
+    </message>
+    <message>
+        <source>close it, then run the erasure again</source>
+        <translation>le fermer, puis relancer l’effacement</translation>
+    </message>
+    <message>
+        <source>close other programs</source>
+        <translation>fermer les autres programmes</translation>
+    </message>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>fermer les autres programmes et réessayer</translation>
+    </message>
+    <message>
+        <source>close that program or wait until it is done</source>
+        <translation>fermer ce programme ou attendre qu’il ait fini</translation>
+    </message>
+    <message>
+        <source>close that program, then restore</source>
+        <translation>fermer ce programme, puis restaurer</translation>
+    </message>
+    <message>
+        <source>closing a trial</source>
+        <translation>clôture d’un essai</translation>
+    </message>
+    <message>
+        <source>comfortable force</source>
+        <translation>force confortable</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>virgule</translation>
+    </message>
+    <message>
+        <source>comma or closing &apos;]&apos;</source>
+        <translation>virgule ou «&#xa0;]&#xa0;»</translation>
+    </message>
+    <message>
+        <source>comma or closing &apos;}&apos;</source>
+        <translation>virgule ou «&#xa0;}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>comment</source>
+        <translation>commentaire</translation>
+    </message>
+    <message>
+        <source>connect the right sensor or correct serial_number</source>
+        <translation>brancher le bon capteur ou corriger serial_number</translation>
+    </message>
+    <message>
+        <source>copy all 56 digits from the printed page</source>
+        <translation>recopier les 56 chiffres de la page imprimée</translation>
+    </message>
+    <message>
+        <source>copy the file to where you may write</source>
+        <translation>copier le fichier là où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>correct or remove the calibration file</source>
+        <translation>corriger ou retirer le fichier d’étalonnage</translation>
+    </message>
+    <message>
+        <source>correct subdevice in the configuration: the first sensor is 0</source>
+        <translation>corriger subdevice dans la configuration&#xa0;: le premier capteur est 0</translation>
+    </message>
+    <message>
+        <source>correct the mapping; the file has: %1</source>
+        <translation>corriger la correspondance&#xa0;; le fichier a&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>correct the number, or the scale of the mapping</source>
+        <translation>corriger le nombre, ou l’échelle de la correspondance</translation>
+    </message>
+    <message>
+        <source>correct the syntax</source>
+        <translation>corriger la syntaxe</translation>
+    </message>
+    <message>
+        <source>could not be made</source>
+        <translation>n’a pas pu être créé</translation>
+    </message>
+    <message>
+        <source>could not be made: %1</source>
+        <translation>n’a pas pu être créé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>could not be put in place: %1</source>
+        <translation>n’a pas pu être mis en place&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>could not be written completely</source>
+        <translation>n’a pas pu être écrit entièrement</translation>
+    </message>
+    <message>
+        <source>could not determine value type</source>
+        <translation>le type de la valeur n’est pas reconnu</translation>
+    </message>
+    <message>
+        <source>damaged (checksum)</source>
+        <translation>endommagé (somme de contrôle)</translation>
+    </message>
+    <message>
+        <source>damaged (content hash)</source>
+        <translation>endommagé (empreinte du contenu)</translation>
+    </message>
+    <message>
+        <source>damaged (content)</source>
+        <translation>endommagé (contenu)</translation>
+    </message>
+    <message>
+        <source>data of a CAN FD frame that cannot be read</source>
+        <translation>des données d’une trame CAN FD illisibles</translation>
+    </message>
+    <message>
+        <source>data that are not up to 8 bytes of two hexadecimal digits</source>
+        <translation>des données qui ne sont pas jusqu’à 8 octets de deux chiffres hexadécimaux</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>date</translation>
+    </message>
+    <message>
+        <source>date-time</source>
+        <translation>date et heure</translation>
+    </message>
+    <message>
+        <source>date-time offset</source>
+        <translation>décalage horaire</translation>
+    </message>
+    <message>
+        <source>decimal digit</source>
+        <translation>un chiffre décimal</translation>
+    </message>
+    <message>
+        <source>differs from the time in %1</source>
+        <translation>diffère du temps dans %1</translation>
+    </message>
+    <message>
+        <source>digit</source>
+        <translation>un chiffre</translation>
+    </message>
+    <message>
+        <source>do not measure with it: have the sensor checked or correct the configuration</source>
+        <translation>ne pas mesurer avec&#xa0;: faire vérifier le capteur ou corriger la configuration</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>n’existe pas</translation>
+    </message>
+    <message>
+        <source>does not increase</source>
+        <translation>n’augmente pas</translation>
+    </message>
+    <message>
+        <source>does not tell its rate</source>
+        <translation>n’indique pas sa cadence</translation>
+    </message>
+    <message>
+        <source>duplicate it first</source>
+        <translation>le dupliquer d’abord</translation>
+    </message>
+    <message>
+        <source>duplicate your text, then Revert shows what stands there</source>
+        <translation>dupliquer votre texte, puis «&#xa0;Rétablir&#xa0;» montre ce qui s’y trouve</translation>
+    </message>
+    <message>
+        <source>encountered end-of-file</source>
+        <translation>la fin du fichier est venue trop tôt</translation>
+    </message>
+    <message>
+        <source>end it before the next one begins</source>
+        <translation>le terminer avant que le suivant commence</translation>
+    </message>
+    <message>
+        <source>end that session, then erase</source>
+        <translation>terminer cette séance, puis effacer</translation>
+    </message>
+    <message>
+        <source>end that session, then migrate</source>
+        <translation>terminer cette séance, puis migrer</translation>
+    </message>
+    <message>
+        <source>end that session, then restore</source>
+        <translation>terminer cette séance, puis restaurer</translation>
+    </message>
+    <message>
+        <source>end the trial after the last second</source>
+        <translation>terminer l’essai après la dernière seconde</translation>
+    </message>
+    <message>
+        <source>ending a session</source>
+        <translation>fin d’une séance</translation>
+    </message>
+    <message>
+        <source>ends after %1 rows, before %2</source>
+        <translation>se termine après %1 lignes, avant %2</translation>
+    </message>
+    <message>
+        <source>erasing a person</source>
+        <translation>effacement d’une personne</translation>
+    </message>
+    <message>
+        <source>exceeded maximum nested value depth of %1</source>
+        <translation>imbrication de plus de %1</translation>
+    </message>
+    <message>
+        <source>exchange the two</source>
+        <translation>échanger les deux</translation>
+    </message>
+    <message>
+        <source>exists already</source>
+        <translation>existe déjà</translation>
+    </message>
+    <message>
+        <source>expected %1, saw %2</source>
+        <translation>attendu&#xa0;: %1, trouvé&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>exponent digit</source>
+        <translation>un chiffre de l’exposant</translation>
+    </message>
+    <message>
+        <source>exponent digit or sign</source>
+        <translation>un chiffre ou le signe de l’exposant</translation>
+    </message>
+    <message>
+        <source>fewer than two rows</source>
+        <translation>moins de deux lignes</translation>
+    </message>
+    <message>
+        <source>floating-point</source>
+        <translation>nombre décimal</translation>
+    </message>
+    <message>
+        <source>fractional digits</source>
+        <translation>des décimales</translation>
+    </message>
+    <message>
+        <source>free one rotation or all three</source>
+        <translation>libérer une rotation ou les trois</translation>
+    </message>
+    <message>
+        <source>free some disk space and check the permissions of the folder</source>
+        <translation>libérer de l’espace disque et vérifier les droits d’accès du dossier</translation>
+    </message>
+    <message>
+        <source>free some space; everything confirmed before is stored</source>
+        <translation>libérer de l’espace&#xa0;; tout ce qui a été confirmé avant est enregistré</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>indiquer %1</translation>
+    </message>
+    <message>
+        <source>give --passphrase-file, or --user and --password-file</source>
+        <translation>indiquer --passphrase-file, ou --user et --password-file</translation>
+    </message>
+    <message>
+        <source>give 0 (never wait) or 0.01 to 1000</source>
+        <translation>indiquer 0 (ne jamais attendre) ou 0.01 à 1000</translation>
+    </message>
+    <message>
+        <source>give 1 or -1</source>
+        <translation>indiquer 1 ou -1</translation>
+    </message>
+    <message>
+        <source>give 1 to 64 characters on one line, no blank at either end</source>
+        <translation>indiquer 1 à 64 caractères sur une ligne, sans espace au bord</translation>
+    </message>
+    <message>
+        <source>give a CSV file whose first line names the columns</source>
+        <translation>indiquer un fichier CSV dont la première ligne nomme les colonnes</translation>
+    </message>
+    <message>
+        <source>give a database that is kept</source>
+        <translation>indiquer une base de données conservée</translation>
+    </message>
+    <message>
+        <source>give a file made by isograsp db init</source>
+        <translation>indiquer un fichier créé par isograsp db init</translation>
+    </message>
+    <message>
+        <source>give a file whose first line is: format = &quot;%1&quot;</source>
+        <translation>indiquer un fichier dont la première ligne est&#xa0;: format = &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>give a log with lines like %1</source>
+        <translation>indiquer un journal avec des lignes comme %1</translation>
+    </message>
+    <message>
+        <source>give a lower fir_cutoff_Hz</source>
+        <translation>indiquer une fir_cutoff_Hz plus basse</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>indiquer un nombre supérieur à 0</translation>
+    </message>
+    <message>
+        <source>give a rate of 50 to 1000 Hz</source>
+        <translation>indiquer une cadence de 50 à 1000 Hz</translation>
+    </message>
+    <message>
+        <source>give a year from %1 on</source>
+        <translation>indiquer une année à partir de %1</translation>
+    </message>
+    <message>
+        <source>give address for each [[sensor]]</source>
+        <translation>indiquer address pour chaque [[sensor]]</translation>
+    </message>
+    <message>
+        <source>give all groups of the trial at once</source>
+        <translation>indiquer tous les groupes de l’essai à la fois</translation>
+    </message>
+    <message>
+        <source>give an odd number from 3 to %1</source>
+        <translation>indiquer un nombre impair de 3 à %1</translation>
+    </message>
+    <message>
+        <source>give an odd number of taps</source>
+        <translation>indiquer un nombre impair de coefficients</translation>
+    </message>
+    <message>
+        <source>give another name</source>
+        <translation>indiquer un autre nom</translation>
+    </message>
+    <message>
+        <source>give at least one group</source>
+        <translation>indiquer au moins un groupe</translation>
+    </message>
+    <message>
+        <source>give at least two moments, or none</source>
+        <translation>indiquer au moins deux moments, ou aucun</translation>
+    </message>
+    <message>
+        <source>give at least two rows</source>
+        <translation>indiquer au moins deux lignes</translation>
+    </message>
+    <message>
+        <source>give at most 1024 characters</source>
+        <translation>indiquer au plus 1024 caractères</translation>
+    </message>
+    <message>
+        <source>give each finger once</source>
+        <translation>indiquer chaque doigt une fois</translation>
+    </message>
+    <message>
+        <source>give either the rate or the column that holds the time</source>
+        <translation>indiquer soit la cadence, soit la colonne du temps</translation>
+    </message>
+    <message>
+        <source>give every group one row per sample</source>
+        <translation>donner à chaque groupe une ligne par échantillon</translation>
+    </message>
+    <message>
+        <source>give every line %1 fields</source>
+        <translation>donner %1 champs à chaque ligne</translation>
+    </message>
+    <message>
+        <source>give every row a time</source>
+        <translation>donner un temps à chaque ligne</translation>
+    </message>
+    <message>
+        <source>give every sensor its own</source>
+        <translation>donner à chaque capteur le sien</translation>
+    </message>
+    <message>
+        <source>give it damping, or the object mass</source>
+        <translation>lui donner un amortissement, ou une masse à l’objet</translation>
+    </message>
+    <message>
+        <source>give it once</source>
+        <translation>l’indiquer une fois</translation>
+    </message>
+    <message>
+        <source>give logs of the same length</source>
+        <translation>indiquer des journaux de même longueur</translation>
+    </message>
+    <message>
+        <source>give more taps, a higher fir_cutoff_Hz or a lower rate_Hz</source>
+        <translation>indiquer plus de coefficients, une fir_cutoff_Hz plus haute ou une rate_Hz plus basse</translation>
+    </message>
+    <message>
+        <source>give one from %1 to %2</source>
+        <translation>en indiquer un de %1 à %2</translation>
+    </message>
+    <message>
+        <source>give one of: %1</source>
+        <translation>indiquer l’un de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>give the last day of that time</source>
+        <translation>indiquer le dernier jour de cette période</translation>
+    </message>
+    <message>
+        <source>give the person&apos;s name</source>
+        <translation>indiquer le nom de la personne</translation>
+    </message>
+    <message>
+        <source>give the sensor&apos;s serial_number too</source>
+        <translation>indiquer aussi le serial_number du capteur</translation>
+    </message>
+    <message>
+        <source>give the value, or leave all fields of the finger empty</source>
+        <translation>indiquer la valeur, ou laisser vides tous les champs du doigt</translation>
+    </message>
+    <message>
+        <source>give three numbers above 0</source>
+        <translation>indiquer trois nombres supérieurs à 0</translation>
+    </message>
+    <message>
+        <source>give times that increase</source>
+        <translation>indiquer des temps croissants</translation>
+    </message>
+    <message>
+        <source>give true wrench = matrix * sensor&apos;s wrench, both in N and N m</source>
+        <translation>indiquer torseur vrai = matrice * torseur du capteur, tous deux en N et N m</translation>
+    </message>
+    <message>
+        <source>give two directions that are not parallel</source>
+        <translation>indiquer deux directions non parallèles</translation>
+    </message>
+    <message>
+        <source>give values as docs/file_formats.md describes them</source>
+        <translation>indiquer des valeurs conformes à docs/file_formats.md</translation>
+    </message>
+    <message>
+        <source>give w, x, y, z of a rotation</source>
+        <translation>indiquer w, x, y, z d’une rotation</translation>
+    </message>
+    <message>
+        <source>give year, month and day, such as 1950-03-05</source>
+        <translation>indiquer année, mois et jour, par exemple 1950-03-05</translation>
+    </message>
+    <message>
+        <source>give year, month and day, such as 2026-03-05</source>
+        <translation>indiquer année, mois et jour, par exemple 2026-03-05</translation>
+    </message>
+    <message>
+        <source>gives too many lines for this duration</source>
+        <translation>donne trop de raies pour cette durée</translation>
+    </message>
+    <message>
+        <source>has %1 characters instead of 2 to 32</source>
+        <translation>a %1 caractères au lieu de 2 à 32</translation>
+    </message>
+    <message>
+        <source>has a format that this program does not know</source>
+        <translation>a un format que ce programme ne connaît pas</translation>
+    </message>
+    <message>
+        <source>has a key of more than %1 parts</source>
+        <translation>a une clé de plus de %1 parties</translation>
+    </message>
+    <message>
+        <source>has another length than t_s</source>
+        <translation>n’a pas la même longueur que t_s</translation>
+    </message>
+    <message>
+        <source>has fewer than %1 characters</source>
+        <translation>a moins de %1 caractères</translation>
+    </message>
+    <message>
+        <source>has no direction</source>
+        <translation>n’a pas de direction</translation>
+    </message>
+    <message>
+        <source>has no length</source>
+        <translation>n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>has the level that the step begins at</source>
+        <translation>a le niveau où commence l’échelon</translation>
+    </message>
+    <message>
+        <source>has the serial number &apos;%1&apos;, but the configuration says &apos;%2&apos;</source>
+        <translation>a le numéro de série «&#xa0;%1&#xa0;», mais la configuration indique «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>has two contacts</source>
+        <translation>a deux contacts</translation>
+    </message>
+    <message>
+        <source>has two limits</source>
+        <translation>a deux limites</translation>
+    </message>
+    <message>
+        <source>hex digit</source>
+        <translation>un chiffre hexadécimal</translation>
+    </message>
+    <message>
+        <source>holds %1 that is not a finite number</source>
+        <translation>contient %1, qui n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>holds %1, not a table</source>
+        <translation>contient %1 au lieu d’une table</translation>
+    </message>
+    <message>
+        <source>holds %1, not text</source>
+        <translation>contient %1 au lieu de texte</translation>
+    </message>
+    <message>
+        <source>holds a character other than letters, digits and &apos;-&apos;</source>
+        <translation>contient un caractère autre que lettres, chiffres et «&#xa0;-&#xa0;»</translation>
+    </message>
+    <message>
+        <source>holds a control character</source>
+        <translation>contient un caractère de commande</translation>
+    </message>
+    <message>
+        <source>holds a zero byte</source>
+        <translation>contient un octet nul</translation>
+    </message>
+    <message>
+        <source>holds no finger&apos;s forces</source>
+        <translation>ne contient les forces d’aucun doigt</translation>
+    </message>
+    <message>
+        <source>holds no frame</source>
+        <translation>ne contient aucune trame</translation>
+    </message>
+    <message>
+        <source>holds no header line</source>
+        <translation>ne contient pas de ligne d’en-tête</translation>
+    </message>
+    <message>
+        <source>holds no sample of these sensors</source>
+        <translation>ne contient aucun échantillon de ces capteurs</translation>
+    </message>
+    <message>
+        <source>holds no such trial</source>
+        <translation>ne contient pas cet essai</translation>
+    </message>
+    <message>
+        <source>identifier %1</source>
+        <translation>identifiant %1</translation>
+    </message>
+    <message>
+        <source>identities are not stored in a database without protection</source>
+        <translation>les identités ne sont pas enregistrées dans une base sans protection</translation>
+    </message>
+    <message>
+        <source>in an emergency give the reason; it is logged</source>
+        <translation>en cas d’urgence, indiquer la raison&#xa0;; elle est journalisée</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>index (doigt)</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>inertie</translation>
+    </message>
+    <message>
+        <source>inline table</source>
+        <translation>table en ligne</translation>
+    </message>
+    <message>
+        <source>install libcomedi-dev and build it again</source>
+        <translation>installer libcomedi-dev et recompiler le programme</translation>
+    </message>
+    <message>
+        <source>install the newer program; report and export still read it if they can</source>
+        <translation>installer le programme plus récent&#xa0;; rapport et export la lisent encore si possible</translation>
+    </message>
+    <message>
+        <source>is %1, not a finite number</source>
+        <translation>est %1, pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>is %1, not a list of tables</source>
+        <translation>est %1, pas une liste de tables</translation>
+    </message>
+    <message>
+        <source>is %1, not a table</source>
+        <translation>est %1, pas une table</translation>
+    </message>
+    <message>
+        <source>is %1, not an array of %2 numbers</source>
+        <translation>est %1, pas une liste de %2 nombres</translation>
+    </message>
+    <message>
+        <source>is %1, not an array of texts</source>
+        <translation>est %1, pas une liste de textes</translation>
+    </message>
+    <message>
+        <source>is %1, not an integer</source>
+        <translation>est %1, pas un entier</translation>
+    </message>
+    <message>
+        <source>is %1, not text</source>
+        <translation>est %1, pas du texte</translation>
+    </message>
+    <message>
+        <source>is %1, not true or false</source>
+        <translation>est %1, pas true ou false</translation>
+    </message>
+    <message>
+        <source>is 0 on the free axis %1 that has no %2</source>
+        <translation>vaut 0 sur l’axe libre %1, dépourvu de&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>is a database of another program</source>
+        <translation>est la base de données d’un autre programme</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>est un dossier</translation>
+    </message>
+    <message>
+        <source>is a task of recordings, which nobody can do live</source>
+        <translation>est une tâche d’enregistrements que personne ne peut faire en direct</translation>
+    </message>
+    <message>
+        <source>is above %1</source>
+        <translation>est au-dessus de %1</translation>
+    </message>
+    <message>
+        <source>is below 2</source>
+        <translation>est inférieur à 2</translation>
+    </message>
+    <message>
+        <source>is below least_wait_s</source>
+        <translation>est inférieur à least_wait_s</translation>
+    </message>
+    <message>
+        <source>is below one cycle in this duration</source>
+        <translation>est inférieur à un cycle pour cette durée</translation>
+    </message>
+    <message>
+        <source>is below repetitions</source>
+        <translation>est inférieur à repetitions</translation>
+    </message>
+    <message>
+        <source>is driven twice</source>
+        <translation>est entraîné deux fois</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>est vide</translation>
+    </message>
+    <message>
+        <source>is larger than 4 MiB</source>
+        <translation>dépasse 4 Mio</translation>
+    </message>
+    <message>
+        <source>is larger than 64 MiB</source>
+        <translation>dépasse 64 Mio</translation>
+    </message>
+    <message>
+        <source>is locked</source>
+        <translation>est verrouillée</translation>
+    </message>
+    <message>
+        <source>is longer than 4096 bytes</source>
+        <translation>dépasse 4096 octets</translation>
+    </message>
+    <message>
+        <source>is longer than push_s</source>
+        <translation>est plus long que push_s</translation>
+    </message>
+    <message>
+        <source>is longer than reproduce_s</source>
+        <translation>est plus long que reproduce_s</translation>
+    </message>
+    <message>
+        <source>is longer than squeeze_s</source>
+        <translation>est plus long que squeeze_s</translation>
+    </message>
+    <message>
+        <source>is mapped twice</source>
+        <translation>est affecté deux fois</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>is negative</source>
+        <translation>est négatif</translation>
+    </message>
+    <message>
+        <source>is no day of the calendar in the years 1900 to 2099</source>
+        <translation>n’est pas un jour du calendrier des années 1900 à 2099</translation>
+    </message>
+    <message>
+        <source>is no name of an account</source>
+        <translation>n’est pas un nom de compte</translation>
+    </message>
+    <message>
+        <source>is no recovery key: a digit is missing or mistyped</source>
+        <translation>n’est pas une clé de secours&#xa0;: un chiffre manque ou est faux</translation>
+    </message>
+    <message>
+        <source>is no window of rows</source>
+        <translation>n’est pas une fenêtre de lignes</translation>
+    </message>
+    <message>
+        <source>is not 4 to 12 digits</source>
+        <translation>n’a pas 4 à 12 chiffres</translation>
+    </message>
+    <message>
+        <source>is not a closing force</source>
+        <translation>n’est pas une force de fermeture</translation>
+    </message>
+    <message>
+        <source>is not a database</source>
+        <translation>n’est pas une base de données</translation>
+    </message>
+    <message>
+        <source>is not a plain file</source>
+        <translation>n’est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>is not a whole number</source>
+        <translation>n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>is not above the least level</source>
+        <translation>n’est pas au-dessus du niveau le plus bas</translation>
+    </message>
+    <message>
+        <source>is not after from_day</source>
+        <translation>n’est pas après from_day</translation>
+    </message>
+    <message>
+        <source>is not allowed</source>
+        <translation>n’est pas autorisé</translation>
+    </message>
+    <message>
+        <source>is not positive</source>
+        <translation>n’est pas positif</translation>
+    </message>
+    <message>
+        <source>is not protected: it has no accounts</source>
+        <translation>n’est pas protégée&#xa0;: elle n’a pas de comptes</translation>
+    </message>
+    <message>
+        <source>is nothing that this kind of task has</source>
+        <translation>n’existe pas pour ce type de tâche</translation>
+    </message>
+    <message>
+        <source>is or was the name of an account</source>
+        <translation>est ou était le nom d’un compte</translation>
+    </message>
+    <message>
+        <source>is out of range</source>
+        <translation>est hors limites</translation>
+    </message>
+    <message>
+        <source>is protected, and nobody is logged in</source>
+        <translation>est protégée, et personne n’est connecté</translation>
+    </message>
+    <message>
+        <source>is read-only</source>
+        <translation>est en lecture seule</translation>
+    </message>
+    <message>
+        <source>is shipped and stays as it is</source>
+        <translation>est fourni et reste tel quel</translation>
+    </message>
+    <message>
+        <source>is the backup itself</source>
+        <translation>est la sauvegarde elle-même</translation>
+    </message>
+    <message>
+        <source>is the input: it would be lost</source>
+        <translation>est l’entrée&#xa0;: elle serait perdue</translation>
+    </message>
+    <message>
+        <source>is the name of %1</source>
+        <translation>est le nom de %1</translation>
+    </message>
+    <message>
+        <source>is too easy to guess</source>
+        <translation>est trop facile à deviner</translation>
+    </message>
+    <message>
+        <source>is too large in SI units</source>
+        <translation>est trop grand en unités SI</translation>
+    </message>
+    <message>
+        <source>is too slow</source>
+        <translation>est trop lent</translation>
+    </message>
+    <message>
+        <source>the PIN is wrong</source>
+        <translation>le PIN est faux</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>est nul</translation>
+    </message>
+    <message>
+        <source>is zero or along the normal</source>
+        <translation>est nul ou le long de la normale</translation>
+    </message>
+    <message>
+        <source>it does not answer in time</source>
+        <translation>il ne répond pas à temps</translation>
+    </message>
+    <message>
+        <source>it holds no force</source>
+        <translation>il ne contient pas de force</translation>
+    </message>
+    <message>
+        <source>it holds no path of an object</source>
+        <translation>il ne contient pas de trajet d’objet</translation>
+    </message>
+    <message>
+        <source>it refuses the connection</source>
+        <translation>il refuse la connexion</translation>
+    </message>
+    <message>
+        <source>it says itself that calibration slot %1 is bad</source>
+        <translation>il signale lui-même que l’emplacement d’étalonnage %1 est mauvais</translation>
+    </message>
+    <message>
+        <source>it says that its sensor is not initialised</source>
+        <translation>il signale que son capteur n’est pas initialisé</translation>
+    </message>
+    <message>
+        <source>its error code is %1</source>
+        <translation>son code d’erreur est %1</translation>
+    </message>
+    <message>
+        <source>its first line is empty</source>
+        <translation>sa première ligne est vide</translation>
+    </message>
+    <message>
+        <source>its first line is too long</source>
+        <translation>sa première ligne est trop longue</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>son dossier n’existe pas</translation>
+    </message>
+    <message>
+        <source>its folder is read-only</source>
+        <translation>son dossier est en lecture seule</translation>
+    </message>
+    <message>
+        <source>its own factor is not between 0.5 and 2: this is no correction</source>
+        <translation>son propre facteur n’est pas entre 0.5 et 2&#xa0;: ce n’est pas une correction</translation>
+    </message>
+    <message>
+        <source>keep bandwidth times duration below %1</source>
+        <translation>garder bande passante fois durée sous %1</translation>
+    </message>
+    <message>
+        <source>keep it on a local disk</source>
+        <translation>la garder sur un disque local</translation>
+    </message>
+    <message>
+        <source>keep one contact per finger</source>
+        <translation>garder un contact par doigt</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>en garder un</translation>
+    </message>
+    <message>
+        <source>keep the database on a local disk</source>
+        <translation>garder la base de données sur un disque local</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>clé</translation>
+    </message>
+    <message>
+        <source>key or closing &apos;}&apos;</source>
+        <translation>clé ou «&#xa0;}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>key-value pair</source>
+        <translation>clé avec valeur</translation>
+    </message>
+    <message>
+        <source>key-value pair or closing &apos;}&apos;</source>
+        <translation>clé avec valeur ou «&#xa0;}&#xa0;»</translation>
+    </message>
+    <message>
+        <source>keys, tables, whitespace or comments</source>
+        <translation>clés, tables, espaces ou commentaires</translation>
+    </message>
+    <message>
+        <source>leading zeroes are prohibited</source>
+        <translation>les zéros en tête sont interdits</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>l’omettre</translation>
+    </message>
+    <message>
+        <source>leave it out; the guided check finds exchanged sensors</source>
+        <translation>l’omettre&#xa0;; le contrôle guidé trouve les capteurs échangés</translation>
+    </message>
+    <message>
+        <source>leave out --fast</source>
+        <translation>omettre --fast</translation>
+    </message>
+    <message>
+        <source>leave out --fast, or use sim:// or replay://</source>
+        <translation>omettre --fast, ou utiliser sim:// ou replay://</translation>
+    </message>
+    <message>
+        <source>leave out wrenches that almost coincide</source>
+        <translation>omettre les torseurs presque confondus</translation>
+    </message>
+    <message>
+        <source>leave protocol out or use another configuration</source>
+        <translation>omettre protocol ou utiliser une autre configuration</translation>
+    </message>
+    <message>
+        <source>leave the login out</source>
+        <translation>omettre la connexion</translation>
+    </message>
+    <message>
+        <source>leave the task out, or repeat the screening</source>
+        <translation>omettre la tâche, ou répéter les questions préalables</translation>
+    </message>
+    <message>
+        <source>leave the value out and give the reason</source>
+        <translation>omettre la valeur et indiquer la raison</translation>
+    </message>
+    <message>
+        <source>leave this person out, or record the consent that was given</source>
+        <translation>omettre cette personne, ou enregistrer le consentement donné</translation>
+    </message>
+    <message>
+        <source>leaves no time within time_limit_s</source>
+        <translation>ne laisse pas de temps dans time_limit_s</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>let the target turn about rx, ry or rz alone</source>
+        <translation>faire tourner la cible autour de rx, ry ou rz seul</translation>
+    </message>
+    <message>
+        <source>libsodium does not start</source>
+        <translation>libsodium ne démarre pas</translation>
+    </message>
+    <message>
+        <source>lift the restriction if the person wishes to go on</source>
+        <translation>lever la restriction si la personne souhaite continuer</translation>
+    </message>
+    <message>
+        <source>lifting a restriction</source>
+        <translation>levée d’une restriction</translation>
+    </message>
+    <message>
+        <source>literal string</source>
+        <translation>texte entre guillemets simples</translation>
+    </message>
+    <message>
+        <source>log in again</source>
+        <translation>se reconnecter</translation>
+    </message>
+    <message>
+        <source>log in as a therapist</source>
+        <translation>se connecter comme thérapeute</translation>
+    </message>
+    <message>
+        <source>log in as an administrator</source>
+        <translation>se connecter comme administrateur</translation>
+    </message>
+    <message>
+        <source>log in as somebody else</source>
+        <translation>se connecter comme quelqu’un d’autre</translation>
+    </message>
+    <message>
+        <source>log in with a name</source>
+        <translation>se connecter avec un nom</translation>
+    </message>
+    <message>
+        <source>log in with the password</source>
+        <translation>se connecter avec le mot de passe</translation>
+    </message>
+    <message>
+        <source>logging in</source>
+        <translation>connexion</translation>
+    </message>
+    <message>
+        <source>look at its measures</source>
+        <translation>regarder ses mesures</translation>
+    </message>
+    <message>
+        <source>make a protected one: isograsp db init FILE --protected</source>
+        <translation>en créer une protégée&#xa0;: isograsp db init FICHIER --protected</translation>
+    </message>
+    <message>
+        <source>make it shorter</source>
+        <translation>le raccourcir</translation>
+    </message>
+    <message>
+        <source>make it shorter, or repeat it less often</source>
+        <translation>la raccourcir, ou la répéter moins souvent</translation>
+    </message>
+    <message>
+        <source>make it with isograsp db init, or check the path</source>
+        <translation>la créer avec isograsp db init, ou vérifier le chemin</translation>
+    </message>
+    <message>
+        <source>make it writable, or copy it to where you may write</source>
+        <translation>la rendre accessible en écriture, ou la copier là où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>make its folder writable</source>
+        <translation>rendre son dossier accessible en écriture</translation>
+    </message>
+    <message>
+        <source>make the folder</source>
+        <translation>créer le dossier</translation>
+    </message>
+    <message>
+        <source>make the folder %1</source>
+        <translation>créer le dossier %1</translation>
+    </message>
+    <message>
+        <source>make the folder writable</source>
+        <translation>rendre le dossier accessible en écriture</translation>
+    </message>
+    <message>
+        <source>make the folder writable, or copy the file to where you may write</source>
+        <translation>rendre le dossier accessible en écriture, ou copier le fichier là où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>make them all different</source>
+        <translation>les rendre tous différents</translation>
+    </message>
+    <message>
+        <source>making the database</source>
+        <translation>création de la base de données</translation>
+    </message>
+    <message>
+        <source>making the database: %1</source>
+        <translation>création de la base de données&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>map every finger once</source>
+        <translation>affecter chaque doigt une fois</translation>
+    </message>
+    <message>
+        <source>marking a trial</source>
+        <translation>marquage d’un essai</translation>
+    </message>
+    <message>
+        <source>marking interrupted trials</source>
+        <translation>marquage des essais interrompus</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>masse</translation>
+    </message>
+    <message>
+        <source>maximum force</source>
+        <translation>force maximale</translation>
+    </message>
+    <message>
+        <source>may not be read</source>
+        <translation>n’a pas le droit d’être lu</translation>
+    </message>
+    <message>
+        <source>measure %1 is not a finite number</source>
+        <translation>la mesure %1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>measure today&apos;s maximum, or use the task relative to it</source>
+        <translation>mesurer le maximum du jour, ou utiliser la tâche relative à celui-ci</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>majeur</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manquant</translation>
+    </message>
+    <message>
+        <source>missing exponent</source>
+        <translation>l’exposant manque</translation>
+    </message>
+    <message>
+        <source>move it while it is recorded</source>
+        <translation>le déplacer pendant l’enregistrement</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>nommer un fichier</translation>
+    </message>
+    <message>
+        <source>name a file in it</source>
+        <translation>y nommer un fichier</translation>
+    </message>
+    <message>
+        <source>name a new file</source>
+        <translation>nommer un nouveau fichier</translation>
+    </message>
+    <message>
+        <source>name a plain file</source>
+        <translation>nommer un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>name at least one digit</source>
+        <translation>nommer au moins un doigt</translation>
+    </message>
+    <message>
+        <source>name at least one direction</source>
+        <translation>nommer au moins une direction</translation>
+    </message>
+    <message>
+        <source>name at least one task</source>
+        <translation>nommer au moins une tâche</translation>
+    </message>
+    <message>
+        <source>name every column</source>
+        <translation>nommer chaque colonne</translation>
+    </message>
+    <message>
+        <source>name it like thumb_fx_N or thumb_tx_Nm, or remove it</source>
+        <translation>la nommer comme thumb_fx_N ou thumb_tx_Nm, ou la retirer</translation>
+    </message>
+    <message>
+        <source>name or password is wrong</source>
+        <translation>nom ou mot de passe incorrect</translation>
+    </message>
+    <message>
+        <source>name the card that the driver jr3_pci serves</source>
+        <translation>nommer la carte que gère le pilote jr3_pci</translation>
+    </message>
+    <message>
+        <source>name the columns t_s and target</source>
+        <translation>nommer les colonnes t_s et target</translation>
+    </message>
+    <message>
+        <source>name the measure</source>
+        <translation>nommer la mesure</translation>
+    </message>
+    <message>
+        <source>name the task</source>
+        <translation>nommer la tâche</translation>
+    </message>
+    <message>
+        <source>name those that have a column X_fz_N</source>
+        <translation>nommer ceux qui ont une colonne X_fz_N</translation>
+    </message>
+    <message>
+        <source>name two files</source>
+        <translation>nommer deux fichiers</translation>
+    </message>
+    <message>
+        <source>names no column</source>
+        <translation>ne nomme aucune colonne</translation>
+    </message>
+    <message>
+        <source>needs at least 2 levels of each factor</source>
+        <translation>exige au moins 2 niveaux de chaque facteur</translation>
+    </message>
+    <message>
+        <source>neither 1 nor -1</source>
+        <translation>ni 1 ni -1</translation>
+    </message>
+    <message>
+        <source>no body has one principal moment alone: each is at most the sum of the others</source>
+        <translation>aucun corps n’a un seul moment principal&#xa0;: chacun est au plus la somme des autres</translation>
+    </message>
+    <message>
+        <source>no convex hull of these wrenches: %1</source>
+        <translation>pas d’enveloppe convexe de ces torseurs&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>no database file is given</source>
+        <translation>aucun fichier de base de données n’est indiqué</translation>
+    </message>
+    <message>
+        <source>no datagram of this log holds records of a Net F/T box</source>
+        <translation>aucun datagramme de ce journal ne contient de mesures d’un boîtier Net F/T</translation>
+    </message>
+    <message>
+        <source>no device is called %1://</source>
+        <translation>aucun appareil ne s’appelle %1://</translation>
+    </message>
+    <message>
+        <source>no file for the backup is given</source>
+        <translation>aucun fichier n’est indiqué pour la sauvegarde</translation>
+    </message>
+    <message>
+        <source>no file is named</source>
+        <translation>aucun fichier n’est nommé</translation>
+    </message>
+    <message>
+        <source>no finger is mapped</source>
+        <translation>aucun doigt n’est affecté</translation>
+    </message>
+    <message>
+        <source>no interface is named</source>
+        <translation>aucune interface n’est nommée</translation>
+    </message>
+    <message>
+        <source>no patient is named</source>
+        <translation>aucun patient n’est nommé</translation>
+    </message>
+    <message>
+        <source>no protocol is called &apos;%1&apos;</source>
+        <translation>aucun protocole ne s’appelle «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>no row id</source>
+        <translation>pas de numéro de ligne</translation>
+    </message>
+    <message>
+        <source>nobody has an account of this name</source>
+        <translation>personne n’a de compte de ce nom</translation>
+    </message>
+    <message>
+        <source>nobody has opened the database with a password yet</source>
+        <translation>personne n’a encore ouvert la base de données avec un mot de passe</translation>
+    </message>
+    <message>
+        <source>nobody is logged in with an account</source>
+        <translation>personne n’est connecté avec un compte</translation>
+    </message>
+    <message>
+        <source>nobody presses the simulated device</source>
+        <translation>personne n’appuie sur l’appareil simulé</translation>
+    </message>
+    <message>
+        <source>node %1</source>
+        <translation>nœud %1</translation>
+    </message>
+    <message>
+        <source>normal and tangent do not span a plane</source>
+        <translation>normal et tangent ne définissent pas un plan</translation>
+    </message>
+    <message>
+        <source>not a device URI</source>
+        <translation>n’est pas une URI d’appareil</translation>
+    </message>
+    <message>
+        <source>not a finite wrench</source>
+        <translation>pas un torseur fini</translation>
+    </message>
+    <message>
+        <source>not a parameter of the form key=value</source>
+        <translation>pas un paramètre de la forme key=value</translation>
+    </message>
+    <message>
+        <source>not a time in seconds with 6 or 9 fraction digits</source>
+        <translation>pas un temps en secondes avec 6 ou 9 décimales</translation>
+    </message>
+    <message>
+        <source>not above first_id: the bus could turn a pair of frames around</source>
+        <translation>pas supérieur à first_id&#xa0;: le bus pourrait intervertir deux trames</translation>
+    </message>
+    <message>
+        <source>not an IPv4 address with a port</source>
+        <translation>pas une adresse IPv4 avec port</translation>
+    </message>
+    <message>
+        <source>not an address in numbers</source>
+        <translation>pas une adresse en chiffres</translation>
+    </message>
+    <message>
+        <source>not an identifier of this sensor family</source>
+        <translation>pas un identifiant de cette famille de capteurs</translation>
+    </message>
+    <message>
+        <source>not enough memory</source>
+        <translation>mémoire insuffisante</translation>
+    </message>
+    <message>
+        <source>not enough memory for the key of a password</source>
+        <translation>mémoire insuffisante pour la clé d’un mot de passe</translation>
+    </message>
+    <message>
+        <source>not positive</source>
+        <translation>pas positif</translation>
+    </message>
+    <message>
+        <source>not the addresses of three sensors</source>
+        <translation>pas les adresses de trois capteurs</translation>
+    </message>
+    <message>
+        <source>not valid TOML: %1</source>
+        <translation>TOML non valide&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>not whole bytes of two hexadecimal digits</source>
+        <translation>pas des octets entiers de deux chiffres hexadécimaux</translation>
+    </message>
+    <message>
+        <source>one of its full scales is not positive</source>
+        <translation>une de ses pleines échelles n’est pas positive</translation>
+    </message>
+    <message>
+        <source>one of its full scales is zero</source>
+        <translation>une de ses pleines échelles est nulle</translation>
+    </message>
+    <message>
+        <source>only what is held can be let go</source>
+        <translation>seul ce qui est tenu peut être relâché</translation>
+    </message>
+    <message>
+        <source>open it in a session, which brings the simulated patient</source>
+        <translation>l’ouvrir dans une séance, qui apporte le patient simulé</translation>
+    </message>
+    <message>
+        <source>open the box&apos;s web page and check its configuration</source>
+        <translation>ouvrir la page web du boîtier et vérifier sa configuration</translation>
+    </message>
+    <message>
+        <source>overlaps the stable time from %1 to %2</source>
+        <translation>chevauche la période stable du %1 au %2</translation>
+    </message>
+    <message>
+        <source>packing signals</source>
+        <translation>compression des signaux</translation>
+    </message>
+    <message>
+        <source>patient %1 exists already</source>
+        <translation>le patient %1 existe déjà</translation>
+    </message>
+    <message>
+        <source>patient %1 was erased: the code is not given again</source>
+        <translation>le patient %1 a été effacé&#xa0;: le code n’est pas réattribué</translation>
+    </message>
+    <message>
+        <source>patient code</source>
+        <translation>code du patient</translation>
+    </message>
+    <message>
+        <source>plug in the CAN adapter and load its driver</source>
+        <translation>brancher l’adaptateur CAN et charger son pilote</translation>
+    </message>
+    <message>
+        <source>plug in the adapter and check the name of the port</source>
+        <translation>brancher l’adaptateur et vérifier le nom du port</translation>
+    </message>
+    <message>
+        <source>plug in the network cable and give this computer an address in the same network</source>
+        <translation>brancher le câble réseau et donner à cet ordinateur une adresse du même réseau</translation>
+    </message>
+    <message>
+        <source>press while it is recorded</source>
+        <translation>appuyer pendant l’enregistrement</translation>
+    </message>
+    <message>
+        <source>primary measure</source>
+        <translation>mesure principale</translation>
+    </message>
+    <message>
+        <source>program the sensor so that first_id is the smaller one</source>
+        <translation>programmer le capteur pour que first_id soit le plus petit</translation>
+    </message>
+    <message>
+        <source>protecting the database</source>
+        <translation>protection de la base de données</translation>
+    </message>
+    <message>
+        <source>put a resting-force task before it</source>
+        <translation>placer avant elle une tâche de force de repos</translation>
+    </message>
+    <message>
+        <source>put a task that measures it before</source>
+        <translation>placer avant elle une tâche qui la mesure</translation>
+    </message>
+    <message>
+        <source>put it into %1</source>
+        <translation>le mettre dans %1</translation>
+    </message>
+    <message>
+        <source>put the file beside the task</source>
+        <translation>mettre le fichier à côté de la tâche</translation>
+    </message>
+    <message>
+        <source>raise it, or make the target longer</source>
+        <translation>l’augmenter, ou allonger la cible</translation>
+    </message>
+    <message>
+        <source>read what there is again</source>
+        <translation>relire ce qui existe</translation>
+    </message>
+    <message>
+        <source>reading a code</source>
+        <translation>lecture d’un code</translation>
+    </message>
+    <message>
+        <source>reading a consent</source>
+        <translation>lecture d’un consentement</translation>
+    </message>
+    <message>
+        <source>reading a profile</source>
+        <translation>lecture d’un profil</translation>
+    </message>
+    <message>
+        <source>reading accounts</source>
+        <translation>lecture des comptes</translation>
+    </message>
+    <message>
+        <source>reading an identity</source>
+        <translation>lecture d’une identité</translation>
+    </message>
+    <message>
+        <source>reading answers</source>
+        <translation>lecture des réponses</translation>
+    </message>
+    <message>
+        <source>reading clinical scores</source>
+        <translation>lecture des scores cliniques</translation>
+    </message>
+    <message>
+        <source>reading consents</source>
+        <translation>lecture des consentements</translation>
+    </message>
+    <message>
+        <source>reading erased codes</source>
+        <translation>lecture des codes effacés</translation>
+    </message>
+    <message>
+        <source>reading events</source>
+        <translation>lecture des événements</translation>
+    </message>
+    <message>
+        <source>reading identities</source>
+        <translation>lecture des identités</translation>
+    </message>
+    <message>
+        <source>reading instrument zeros</source>
+        <translation>lecture des mises à zéro</translation>
+    </message>
+    <message>
+        <source>reading measures</source>
+        <translation>lecture des mesures</translation>
+    </message>
+    <message>
+        <source>reading patients</source>
+        <translation>lecture des patients</translation>
+    </message>
+    <message>
+        <source>reading primary measures</source>
+        <translation>lecture des mesures principales</translation>
+    </message>
+    <message>
+        <source>reading progress</source>
+        <translation>lecture de l’évolution</translation>
+    </message>
+    <message>
+        <source>reading ratings</source>
+        <translation>lecture des évaluations</translation>
+    </message>
+    <message>
+        <source>reading resting forces</source>
+        <translation>lecture des forces de repos</translation>
+    </message>
+    <message>
+        <source>reading sessions</source>
+        <translation>lecture des séances</translation>
+    </message>
+    <message>
+        <source>reading stable times</source>
+        <translation>lecture des périodes stables</translation>
+    </message>
+    <message>
+        <source>reading the audit log</source>
+        <translation>lecture du journal d’accès</translation>
+    </message>
+    <message>
+        <source>reading the last instrument zero</source>
+        <translation>lecture de la dernière mise à zéro</translation>
+    </message>
+    <message>
+        <source>reading the newest sessions</source>
+        <translation>lecture des dernières séances</translation>
+    </message>
+    <message>
+        <source>reading the policy</source>
+        <translation>lecture de la politique d’accès</translation>
+    </message>
+    <message>
+        <source>reading treatment marks</source>
+        <translation>lecture des traitements</translation>
+    </message>
+    <message>
+        <source>reading trials</source>
+        <translation>lecture des essais</translation>
+    </message>
+    <message>
+        <source>reading values of other people</source>
+        <translation>lecture des valeurs d’autres personnes</translation>
+    </message>
+    <message>
+        <source>real time is required, but the system gives %1</source>
+        <translation>le temps réel est exigé, mais le système donne %1</translation>
+    </message>
+    <message>
+        <source>record it again, slower</source>
+        <translation>l’enregistrer de nouveau, plus lentement</translation>
+    </message>
+    <message>
+        <source>record one</source>
+        <translation>en enregistrer un</translation>
+    </message>
+    <message>
+        <source>record raw frames of a bus only</source>
+        <translation>n’enregistrer des trames brutes que d’un bus</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>le retirer</translation>
+    </message>
+    <message>
+        <source>remove it or correct its spelling</source>
+        <translation>la retirer ou corriger son orthographe</translation>
+    </message>
+    <message>
+        <source>remove one of them first</source>
+        <translation>en retirer d’abord une</translation>
+    </message>
+    <message>
+        <source>remove that one first, or give other days</source>
+        <translation>retirer d’abord celle-là, ou indiquer d’autres jours</translation>
+    </message>
+    <message>
+        <source>remove the limit, or align springs and dampers with the world</source>
+        <translation>retirer la limite, ou aligner ressorts et amortisseurs sur le monde</translation>
+    </message>
+    <message>
+        <source>remove the limit, or free one rotation only</source>
+        <translation>retirer la limite, ou ne libérer qu’une rotation</translation>
+    </message>
+    <message>
+        <source>removing a clinical score</source>
+        <translation>retrait d’un score clinique</translation>
+    </message>
+    <message>
+        <source>removing a primary measure</source>
+        <translation>retrait d’une mesure principale</translation>
+    </message>
+    <message>
+        <source>removing a stable time</source>
+        <translation>retrait d’une période stable</translation>
+    </message>
+    <message>
+        <source>removing a treatment mark</source>
+        <translation>retrait d’un traitement</translation>
+    </message>
+    <message>
+        <source>removing an account</source>
+        <translation>retrait d’un compte</translation>
+    </message>
+    <message>
+        <source>rename %1 back</source>
+        <translation>redonner à %1 son nom</translation>
+    </message>
+    <message>
+        <source>rename it</source>
+        <translation>la renommer</translation>
+    </message>
+    <message>
+        <source>rename that one, or take this one from %1</source>
+        <translation>renommer celui-là, ou prendre celui-ci dans %1</translation>
+    </message>
+    <message>
+        <source>resample the files to one time axis first</source>
+        <translation>rééchantillonner d’abord les fichiers sur un même axe de temps</translation>
+    </message>
+    <message>
+        <source>researcher</source>
+        <translation>chercheur</translation>
+    </message>
+    <message>
+        <source>restore the last backup</source>
+        <translation>restaurer la dernière sauvegarde</translation>
+    </message>
+    <message>
+        <source>restore the last backup; other trials can still be read</source>
+        <translation>restaurer la dernière sauvegarde&#xa0;; les autres essais restent lisibles</translation>
+    </message>
+    <message>
+        <source>restricting records</source>
+        <translation>restriction des données</translation>
+    </message>
+    <message>
+        <source>rewriting the file</source>
+        <translation>réécriture du fichier</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>root table</source>
+        <translation>table principale</translation>
+    </message>
+    <message>
+        <source>run isograsp db check</source>
+        <translation>lancer isograsp db check</translation>
+    </message>
+    <message>
+        <source>run isograsp db check, then restore the last backup</source>
+        <translation>lancer isograsp db check, puis restaurer la dernière sauvegarde</translation>
+    </message>
+    <message>
+        <source>run isograsp db migrate on it; a copy of the file as it is now is kept</source>
+        <translation>lancer isograsp db migrate&#xa0;; une copie du fichier actuel est conservée</translation>
+    </message>
+    <message>
+        <source>run: sudo ip link set %1 up type can bitrate 1000000 restart-ms 100</source>
+        <translation>lancer&#xa0;: sudo ip link set %1 up type can bitrate 1000000 restart-ms 100</translation>
+    </message>
+    <message>
+        <source>say completed or aborted</source>
+        <translation>indiquer completed ou aborted</translation>
+    </message>
+    <message>
+        <source>say what was asked</source>
+        <translation>indiquer ce qui a été demandé</translation>
+    </message>
+    <message>
+        <source>say what was asked about</source>
+        <translation>indiquer sur quoi portait la question</translation>
+    </message>
+    <message>
+        <source>say which clinician judged the person stable</source>
+        <translation>indiquer quel clinicien a jugé la personne stable</translation>
+    </message>
+    <message>
+        <source>say who chose the measure</source>
+        <translation>indiquer qui a choisi la mesure</translation>
+    </message>
+    <message>
+        <source>say with --config which three are under the fingers</source>
+        <translation>indiquer avec --config lesquels trois sont sous les doigts</translation>
+    </message>
+    <message>
+        <source>scale the target to 0 … 1</source>
+        <translation>ramener la cible à 0 … 1</translation>
+    </message>
+    <message>
+        <source>second %1 came instead of %2</source>
+        <translation>la seconde %1 est venue au lieu de %2</translation>
+    </message>
+    <message>
+        <source>second %1 holds %2 rows, more than one second</source>
+        <translation>la seconde %1 contient %2 lignes, plus d’une seconde</translation>
+    </message>
+    <message>
+        <source>see isograsp db users list</source>
+        <translation>voir isograsp db users list</translation>
+    </message>
+    <message>
+        <source>see: isograsp devices</source>
+        <translation>voir&#xa0;: isograsp devices</translation>
+    </message>
+    <message>
+        <source>sends at %1 Hz, not at %2</source>
+        <translation>envoie à %1 Hz, pas à %2</translation>
+    </message>
+    <message>
+        <source>serial lines</source>
+        <translation>des lignes série</translation>
+    </message>
+    <message>
+        <source>set it to 0, or free %1</source>
+        <translation>le mettre à 0, ou libérer %1</translation>
+    </message>
+    <message>
+        <source>set the tool transformation to zero on the box&apos;s page Configurations</source>
+        <translation>mettre à zéro la transformation d’outil sur la page Configurations du boîtier</translation>
+    </message>
+    <message>
+        <source>shifts or turns its forces before it sends them</source>
+        <translation>décale ou tourne ses forces avant de les envoyer</translation>
+    </message>
+    <message>
+        <source>shorten it</source>
+        <translation>le raccourcir</translation>
+    </message>
+    <message>
+        <source>signal group &apos;%1&apos; has no columns or one without a name</source>
+        <translation>le groupe de signaux «&#xa0;%1&#xa0;» n’a pas de colonnes ou en a une sans nom</translation>
+    </message>
+    <message>
+        <source>sort the rows and remove repeats</source>
+        <translation>trier les lignes et retirer les répétitions</translation>
+    </message>
+    <message>
+        <source>sort the times</source>
+        <translation>trier les temps</translation>
+    </message>
+    <message>
+        <source>stable time</source>
+        <translation>période stable</translation>
+    </message>
+    <message>
+        <source>stands in a read-only folder</source>
+        <translation>est dans un dossier en lecture seule</translation>
+    </message>
+    <message>
+        <source>start from an attitude about the free axes, or free more rotations</source>
+        <translation>partir d’une orientation autour des axes libres, ou libérer plus de rotations</translation>
+    </message>
+    <message>
+        <source>start inside the limit, or widen it</source>
+        <translation>commencer dans la limite, ou l’élargir</translation>
+    </message>
+    <message>
+        <source>start it from a desktop, or run a session without windows: isograsp run</source>
+        <translation>le lancer depuis un bureau, ou faire une séance sans fenêtre&#xa0;: isograsp run</translation>
+    </message>
+    <message>
+        <source>starts outside the limit of %1</source>
+        <translation>commence hors de la limite de %1</translation>
+    </message>
+    <message>
+        <source>starts outside the limit of the rotation</source>
+        <translation>commence hors de la limite de la rotation</translation>
+    </message>
+    <message>
+        <source>storing a PIN</source>
+        <translation>enregistrement d’un PIN</translation>
+    </message>
+    <message>
+        <source>storing a clinical score</source>
+        <translation>enregistrement d’un score clinique</translation>
+    </message>
+    <message>
+        <source>storing a consent</source>
+        <translation>enregistrement d’un consentement</translation>
+    </message>
+    <message>
+        <source>storing a password</source>
+        <translation>enregistrement d’un mot de passe</translation>
+    </message>
+    <message>
+        <source>storing a primary measure</source>
+        <translation>enregistrement d’une mesure principale</translation>
+    </message>
+    <message>
+        <source>storing a profile</source>
+        <translation>enregistrement d’un profil</translation>
+    </message>
+    <message>
+        <source>storing a rating</source>
+        <translation>enregistrement d’une évaluation</translation>
+    </message>
+    <message>
+        <source>storing a recovery key</source>
+        <translation>enregistrement d’une clé de secours</translation>
+    </message>
+    <message>
+        <source>storing a resting force</source>
+        <translation>enregistrement d’une force de repos</translation>
+    </message>
+    <message>
+        <source>storing a second of signals</source>
+        <translation>enregistrement d’une seconde de signaux</translation>
+    </message>
+    <message>
+        <source>storing a stable time</source>
+        <translation>enregistrement d’une période stable</translation>
+    </message>
+    <message>
+        <source>storing a treatment mark</source>
+        <translation>enregistrement d’un traitement</translation>
+    </message>
+    <message>
+        <source>storing an event</source>
+        <translation>enregistrement d’un événement</translation>
+    </message>
+    <message>
+        <source>storing an identity</source>
+        <translation>enregistrement d’une identité</translation>
+    </message>
+    <message>
+        <source>storing an instrument zero</source>
+        <translation>enregistrement d’une mise à zéro</translation>
+    </message>
+    <message>
+        <source>storing answers</source>
+        <translation>enregistrement des réponses</translation>
+    </message>
+    <message>
+        <source>storing the passphrase</source>
+        <translation>enregistrement de la phrase secrète</translation>
+    </message>
+    <message>
+        <source>storing the policy</source>
+        <translation>enregistrement de la politique d’accès</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>subdevice %1</source>
+        <translation>sous-périphérique %1</translation>
+    </message>
+    <message>
+        <source>subdevice %1 is no JR3 sensor</source>
+        <translation>le sous-périphérique %1 n’est pas un capteur JR3</translation>
+    </message>
+    <message>
+        <source>table header</source>
+        <translation>en-tête de table</translation>
+    </message>
+    <message>
+        <source>tables with blank bare keys are explicitly prohibited</source>
+        <translation>les tables sans nom sont interdites</translation>
+    </message>
+    <message>
+        <source>take an older backup</source>
+        <translation>prendre une sauvegarde plus ancienne</translation>
+    </message>
+    <message>
+        <source>takes longer than two hours</source>
+        <translation>dure plus de deux heures</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>du texte</translation>
+    </message>
+    <message>
+        <source>text after the bytes of the datagram</source>
+        <translation>du texte après les octets du datagramme</translation>
+    </message>
+    <message>
+        <source>text after the frame that is not R or T</source>
+        <translation>du texte après la trame qui n’est pas R ou T</translation>
+    </message>
+    <message>
+        <source>the CAN interface cannot be opened: %1</source>
+        <translation>l’interface CAN ne peut pas être ouverte&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the CAN interface is switched off</source>
+        <translation>l’interface CAN est désactivée</translation>
+    </message>
+    <message>
+        <source>the address of a sensor is missing</source>
+        <translation>l’adresse d’un capteur manque</translation>
+    </message>
+    <message>
+        <source>the backup is not sound: %1</source>
+        <translation>la sauvegarde n’est pas saine&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the block is %1</source>
+        <translation>le bloc est %1</translation>
+    </message>
+    <message>
+        <source>the box of the %1 has the address &apos;%2&apos;, which is not in numbers</source>
+        <translation>le boîtier du doigt (%1) a l’adresse «&#xa0;%2&#xa0;», qui n’est pas en chiffres</translation>
+    </message>
+    <message>
+        <source>the box&apos;s page does not have this element</source>
+        <translation>la page du boîtier n’a pas cet élément</translation>
+    </message>
+    <message>
+        <source>the box&apos;s page has more than a short text here</source>
+        <translation>la page du boîtier a ici plus qu’un texte court</translation>
+    </message>
+    <message>
+        <source>the box&apos;s page has this element twice</source>
+        <translation>la page du boîtier a cet élément deux fois</translation>
+    </message>
+    <message>
+        <source>the bus failed while the sensors were started: %1</source>
+        <translation>le bus est tombé en panne au démarrage des capteurs&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the calibration was made with sensor %1, but this one is %2</source>
+        <translation>l’étalonnage a été fait avec le capteur %1, mais celui-ci est %2</translation>
+    </message>
+    <message>
+        <source>the card cannot be opened: %1</source>
+        <translation>la carte ne peut pas être ouverte&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the card has no subdevice %1</source>
+        <translation>la carte n’a pas de sous-périphérique %1</translation>
+    </message>
+    <message>
+        <source>the column appears twice</source>
+        <translation>la colonne apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the column is missing</source>
+        <translation>la colonne manque</translation>
+    </message>
+    <message>
+        <source>the configuration is for %1</source>
+        <translation>la configuration est pour %1</translation>
+    </message>
+    <message>
+        <source>the copy could not be written</source>
+        <translation>la copie n’a pas pu être écrite</translation>
+    </message>
+    <message>
+        <source>the copy is not sound: %1</source>
+        <translation>la copie n’est pas saine&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the cut-off is not below half the rate</source>
+        <translation>la fréquence de coupure n’est pas sous la moitié de la cadence</translation>
+    </message>
+    <message>
+        <source>the database cannot be set to durable writing</source>
+        <translation>la base de données ne peut pas être réglée pour une écriture durable</translation>
+    </message>
+    <message>
+        <source>the day of the last record of %1 cannot be read</source>
+        <translation>le jour du dernier enregistrement de %1 ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>the device answers with HTTP status %1</source>
+        <translation>l’appareil répond avec le statut HTTP %1</translation>
+    </message>
+    <message>
+        <source>the device cannot be asked: %1</source>
+        <translation>l’appareil ne peut pas être interrogé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the device cannot be reached: %1</source>
+        <translation>l’appareil est injoignable&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the device has no raw frames</source>
+        <translation>l’appareil n’a pas de trames brutes</translation>
+    </message>
+    <message>
+        <source>the device is set up for the %1 hand, the session for the %2</source>
+        <translation>l’appareil est réglé pour la main %1, la séance pour la main %2</translation>
+    </message>
+    <message>
+        <source>the device&apos;s answer cannot be read: %1</source>
+        <translation>la réponse de l’appareil ne peut pas être lue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the field is empty while others of this finger are not</source>
+        <translation>le champ est vide alors que d’autres de ce doigt ne le sont pas</translation>
+    </message>
+    <message>
+        <source>the file cannot be brought back: %1</source>
+        <translation>le fichier ne peut pas être ramené&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the file cannot be put away: %1</source>
+        <translation>le fichier ne peut pas être rangé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the finger has two sensors</source>
+        <translation>le doigt a deux capteurs</translation>
+    </message>
+    <message>
+        <source>the fixed load of %1 N is above half of today&apos;s maximum, or that was not measured</source>
+        <translation>la charge fixe de %1 N dépasse la moitié du maximum du jour, ou celui-ci n’a pas été mesuré</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>le dossier ne peut pas être créé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the force changed by less than 0.5 N</source>
+        <translation>la force a changé de moins de 0.5 N</translation>
+    </message>
+    <message>
+        <source>the force turns with the object while springs or dampers stand at an angle to the world&apos;s axes</source>
+        <translation>la force tourne avec l’objet alors que ressorts ou amortisseurs sont obliques aux axes du monde</translation>
+    </message>
+    <message>
+        <source>the frame period is not positive</source>
+        <translation>la période d’image n’est pas positive</translation>
+    </message>
+    <message>
+        <source>the free rotations cannot reach this attitude</source>
+        <translation>les rotations libres ne peuvent pas atteindre cette orientation</translation>
+    </message>
+    <message>
+        <source>the groups of second %1 do not hold the same number of whole rows</source>
+        <translation>les groupes de la seconde %1 ne contiennent pas le même nombre de lignes entières</translation>
+    </message>
+    <message>
+        <source>the header has an empty column name</source>
+        <translation>l’en-tête a un nom de colonne vide</translation>
+    </message>
+    <message>
+        <source>the identity of %1 was changed or is damaged</source>
+        <translation>l’identité de %1 a été modifiée ou est endommagée</translation>
+    </message>
+    <message>
+        <source>the index finger&apos;s sensor (%1)</source>
+        <translation>le capteur de l’index (%1)</translation>
+    </message>
+    <message>
+        <source>the index&apos;s sensor</source>
+        <translation>le capteur de l’index</translation>
+    </message>
+    <message>
+        <source>the last session finished its protocol</source>
+        <translation>la dernière séance a terminé son protocole</translation>
+    </message>
+    <message>
+        <source>the last session of this hand began more than four hours ago</source>
+        <translation>la dernière séance de cette main a commencé il y a plus de quatre heures</translation>
+    </message>
+    <message>
+        <source>the last session of this hand followed the protocol &apos;%1&apos;, or another version of this one</source>
+        <translation>la dernière séance de cette main suivait le protocole «&#xa0;%1&#xa0;», ou une autre version de celui-ci</translation>
+    </message>
+    <message>
+        <source>the limit has no bound</source>
+        <translation>la limite n’a pas de borne</translation>
+    </message>
+    <message>
+        <source>the line does not begin with a time in parentheses</source>
+        <translation>la ligne ne commence pas par un temps entre parenthèses</translation>
+    </message>
+    <message>
+        <source>the line ends before the bytes of the datagram</source>
+        <translation>la ligne se termine avant les octets du datagramme</translation>
+    </message>
+    <message>
+        <source>the line ends before the frame</source>
+        <translation>la ligne se termine avant la trame</translation>
+    </message>
+    <message>
+        <source>the line ends before this column</source>
+        <translation>la ligne se termine avant cette colonne</translation>
+    </message>
+    <message>
+        <source>the line has more fields than the header</source>
+        <translation>la ligne a plus de champs que l’en-tête</translation>
+    </message>
+    <message>
+        <source>the log cannot be opened</source>
+        <translation>le journal ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>the log cannot be read</source>
+        <translation>le journal ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>the middle finger&apos;s sensor (%1)</source>
+        <translation>le capteur du majeur (%1)</translation>
+    </message>
+    <message>
+        <source>the middle&apos;s sensor</source>
+        <translation>le capteur du majeur</translation>
+    </message>
+    <message>
+        <source>the movement lasted less than a second</source>
+        <translation>le mouvement a duré moins d’une seconde</translation>
+    </message>
+    <message>
+        <source>the name of a database may not hold a quotation mark</source>
+        <translation>le nom d’une base de données ne peut pas contenir de guillemet</translation>
+    </message>
+    <message>
+        <source>the network</source>
+        <translation>le réseau</translation>
+    </message>
+    <message>
+        <source>the new backup is made, but this old one cannot be removed</source>
+        <translation>la nouvelle sauvegarde est faite, mais cette ancienne ne peut pas être retirée</translation>
+    </message>
+    <message>
+        <source>the object moved by less than 5 mm and 5 degrees</source>
+        <translation>l’objet a bougé de moins de 5 mm et 5 degrés</translation>
+    </message>
+    <message>
+        <source>the object turned about more than one axis</source>
+        <translation>l’objet a tourné autour de plus d’un axe</translation>
+    </message>
+    <message>
+        <source>the parameter is given twice</source>
+        <translation>le paramètre est indiqué deux fois</translation>
+    </message>
+    <message>
+        <source>the points of %1 were not loaded</source>
+        <translation>les points de %1 n’ont pas été chargés</translation>
+    </message>
+    <message>
+        <source>the protocol is missing</source>
+        <translation>le protocole manque</translation>
+    </message>
+    <message>
+        <source>the records of %1 are not released for research</source>
+        <translation>les données de %1 ne sont pas autorisées pour la recherche</translation>
+    </message>
+    <message>
+        <source>the records of %1 are restricted until %2</source>
+        <translation>les données de %1 sont restreintes jusqu’au %2</translation>
+    </message>
+    <message>
+        <source>the records of %1 are restricted until %2: the person asked for erasure</source>
+        <translation>les données de %1 sont restreintes jusqu’au %2&#xa0;: la personne a demandé l’effacement</translation>
+    </message>
+    <message>
+        <source>the role %1 has no PIN</source>
+        <translation>le rôle %1 n’a pas de PIN</translation>
+    </message>
+    <message>
+        <source>the role %1 may not change records</source>
+        <translation>le rôle %1 ne peut pas modifier les données</translation>
+    </message>
+    <message>
+        <source>the role %1 may not do this</source>
+        <translation>le rôle %1 n’a pas ce droit</translation>
+    </message>
+    <message>
+        <source>the role %1 may not see who people are</source>
+        <translation>le rôle %1 ne peut pas voir qui sont les personnes</translation>
+    </message>
+    <message>
+        <source>the rows are erased, but another program still reads the journal that holds them</source>
+        <translation>les lignes sont effacées, mais un autre programme lit encore le journal qui les contient</translation>
+    </message>
+    <message>
+        <source>the screening allows this hand comfortable force only</source>
+        <translation>les questions préalables ne permettent à cette main que la force confortable</translation>
+    </message>
+    <message>
+        <source>the screening allows this hand no effort</source>
+        <translation>les questions préalables ne permettent à cette main aucun effort</translation>
+    </message>
+    <message>
+        <source>the sensor has no such filter</source>
+        <translation>le capteur n’a pas ce filtre</translation>
+    </message>
+    <message>
+        <source>the sensors have no such rate</source>
+        <translation>les capteurs n’ont pas cette cadence</translation>
+    </message>
+    <message>
+        <source>the sensors have no such speed</source>
+        <translation>les capteurs n’ont pas cette vitesse</translation>
+    </message>
+    <message>
+        <source>the serial port cannot be opened: %1</source>
+        <translation>le port série ne peut pas être ouvert&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the session does not answer</source>
+        <translation>la séance ne répond pas</translation>
+    </message>
+    <message>
+        <source>the signals are not those that were recorded (content hash)</source>
+        <translation>les signaux ne sont pas ceux enregistrés (empreinte du contenu)</translation>
+    </message>
+    <message>
+        <source>the signals cannot be packed without loss</source>
+        <translation>les signaux ne peuvent pas être compressés sans perte</translation>
+    </message>
+    <message>
+        <source>the target is a share of the %1 of &apos;%2&apos; that no earlier step measures</source>
+        <translation>la cible est une part de «&#xa0;%2&#xa0;» (%1) qu’aucune étape antérieure ne mesure</translation>
+    </message>
+    <message>
+        <source>the target is a share of the %1 of &apos;%2&apos;, and no trial of this session measured one</source>
+        <translation>la cible est une part de «&#xa0;%2&#xa0;» (%1), et aucun essai de cette séance ne l’a mesurée</translation>
+    </message>
+    <message>
+        <source>the target of %1 has a band of +-%2, which the sensors cannot resolve</source>
+        <translation>la cible de %1 a une bande de +-%2 que les capteurs ne peuvent pas résoudre</translation>
+    </message>
+    <message>
+        <source>the target of %1 is above the ceiling of %2 for this hand</source>
+        <translation>la cible de %1 dépasse le plafond de %2 pour cette main</translation>
+    </message>
+    <message>
+        <source>the thumb&apos;s sensor</source>
+        <translation>le capteur du pouce</translation>
+    </message>
+    <message>
+        <source>the thumb&apos;s sensor (%1)</source>
+        <translation>le capteur du pouce (%1)</translation>
+    </message>
+    <message>
+        <source>the time cannot be stretched by %1</source>
+        <translation>le temps ne peut pas être étiré de %1</translation>
+    </message>
+    <message>
+        <source>the time is empty</source>
+        <translation>le temps est vide</translation>
+    </message>
+    <message>
+        <source>the times of the samples do not increase</source>
+        <translation>les temps des échantillons n’augmentent pas</translation>
+    </message>
+    <message>
+        <source>the trial has no samples</source>
+        <translation>l’essai n’a pas d’échantillons</translation>
+    </message>
+    <message>
+        <source>the trial has no signals</source>
+        <translation>l’essai n’a pas de signaux</translation>
+    </message>
+    <message>
+        <source>therapist</source>
+        <translation>thérapeute</translation>
+    </message>
+    <message>
+        <source>there are %1 primary measures already</source>
+        <translation>il y a déjà %1 mesures principales</translation>
+    </message>
+    <message>
+        <source>there is no %1 &apos;%2&apos;</source>
+        <translation>il n’y a pas&#xa0;: %1 «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>there is no file of this name</source>
+        <translation>il n’y a pas de fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>there is no patient &quot;%1&quot; in this database</source>
+        <translation>il n’y a pas de patient «&#xa0;%1&#xa0;» dans cette base de données</translation>
+    </message>
+    <message>
+        <source>there is no patient %1</source>
+        <translation>il n’y a pas de patient %1</translation>
+    </message>
+    <message>
+        <source>there is no patient &apos;%1&apos;</source>
+        <translation>il n’y a pas de patient «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>there is no sensor for the %1</source>
+        <translation>il n’y a pas de capteur pour&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>there is no session %1</source>
+        <translation>il n’y a pas de séance %1</translation>
+    </message>
+    <message>
+        <source>there is no such CAN interface</source>
+        <translation>il n’y a pas d’interface CAN de ce nom</translation>
+    </message>
+    <message>
+        <source>there is no way to this address: %1</source>
+        <translation>il n’y a pas de chemin vers cette adresse&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>there is nothing to resume: %1</source>
+        <translation>il n’y a rien à reprendre&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>this adaptor tells no serial number: nothing could be compared</source>
+        <translation>cet adaptateur n’indique pas de numéro de série&#xa0;: rien à comparer</translation>
+    </message>
+    <message>
+        <source>this hand has had no session yet</source>
+        <translation>cette main n’a pas encore eu de séance</translation>
+    </message>
+    <message>
+        <source>this is no XML: %1</source>
+        <translation>ce n’est pas du XML&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>this is no address in numbers with a port</source>
+        <translation>ce n’est pas une adresse en chiffres avec port</translation>
+    </message>
+    <message>
+        <source>this is no page of a Net F/T box: it has not one root element</source>
+        <translation>ce n’est pas une page d’un boîtier Net F/T&#xa0;: elle n’a pas un seul élément racine</translation>
+    </message>
+    <message>
+        <source>this is no page of a Net F/T box: it is too large</source>
+        <translation>ce n’est pas une page d’un boîtier Net F/T&#xa0;: elle est trop grande</translation>
+    </message>
+    <message>
+        <source>this library has none</source>
+        <translation>ces modèles n’en ont aucun</translation>
+    </message>
+    <message>
+        <source>this line is longer than 1 MiB</source>
+        <translation>cette ligne dépasse 1 Mio</translation>
+    </message>
+    <message>
+        <source>this line is longer than 256 KiB</source>
+        <translation>cette ligne dépasse 256 Kio</translation>
+    </message>
+    <message>
+        <source>this program was built without libcomedi</source>
+        <translation>ce programme a été compilé sans libcomedi</translation>
+    </message>
+    <message>
+        <source>thumb</source>
+        <translation>pouce</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>heure</translation>
+    </message>
+    <message>
+        <source>time does not increase</source>
+        <translation>le temps n’augmente pas</translation>
+    </message>
+    <message>
+        <source>too many wrong passwords</source>
+        <translation>trop de mots de passe erronés</translation>
+    </message>
+    <message>
+        <source>treatment mark</source>
+        <translation>traitement</translation>
+    </message>
+    <message>
+        <source>trial %1 has not ended or does not exist</source>
+        <translation>l’essai %1 n’est pas terminé ou n’existe pas</translation>
+    </message>
+    <message>
+        <source>trial %1 is not being recorded</source>
+        <translation>l’essai %1 n’est pas en cours d’enregistrement</translation>
+    </message>
+    <message>
+        <source>trial %1 of session %2%3: %4</source>
+        <translation>essai %1 de la séance %2%3&#xa0;: %4</translation>
+    </message>
+    <message>
+        <source>trials were recorded with this version</source>
+        <translation>des essais ont été enregistrés avec cette version</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>try again</source>
+        <translation>réessayer</translation>
+    </message>
+    <message>
+        <source>try again; %1 left</source>
+        <translation>réessayer&#xa0;; encore %1</translation>
+    </message>
+    <message>
+        <source>turn the platform and choose the configuration for that hand, or choose the %1 hand</source>
+        <translation>tourner la plateforme et choisir la configuration de cette main, ou choisir la main %1</translation>
+    </message>
+    <message>
+        <source>turns about more than one axis</source>
+        <translation>tourne autour de plus d’un axe</translation>
+    </message>
+    <message>
+        <source>two free rotations are not a rotation group: what the locked one means would depend on the order of turning</source>
+        <translation>deux rotations libres ne forment pas un groupe&#xa0;: le sens de la rotation bloquée dépendrait de l’ordre</translation>
+    </message>
+    <message>
+        <source>two sensors have this address</source>
+        <translation>deux capteurs ont cette adresse</translation>
+    </message>
+    <message>
+        <source>two sensors have this serial port</source>
+        <translation>deux capteurs ont ce port série</translation>
+    </message>
+    <message>
+        <source>two sensors share an identifier or address</source>
+        <translation>deux capteurs partagent un identifiant ou une adresse</translation>
+    </message>
+    <message>
+        <source>underscores may only follow digits</source>
+        <translation>les tirets bas ne peuvent suivre que des chiffres</translation>
+    </message>
+    <message>
+        <source>underscores must be followed by digits</source>
+        <translation>les tirets bas doivent être suivis de chiffres</translation>
+    </message>
+    <message>
+        <source>unexpected control character</source>
+        <translation>caractère de commande inattendu</translation>
+    </message>
+    <message>
+        <source>unknown column of a finger</source>
+        <translation>colonne inconnue d’un doigt</translation>
+    </message>
+    <message>
+        <source>unknown escape sequence &apos;%1&apos;</source>
+        <translation>séquence inconnue «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>clé inconnue</translation>
+    </message>
+    <message>
+        <source>unknown parameter of %1://</source>
+        <translation>paramètre inconnu de %1://</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>utiliser %1</translation>
+    </message>
+    <message>
+        <source>use 10 to 1000</source>
+        <translation>utiliser 10 à 1000</translation>
+    </message>
+    <message>
+        <source>use 10, 20, 50, 100, 200, 333, 500 or 1000</source>
+        <translation>utiliser 10, 20, 50, 100, 200, 333, 500 ou 1000</translation>
+    </message>
+    <message>
+        <source>use 57600, 115200, 230400, 460800 or 921600</source>
+        <translation>utiliser 57600, 115200, 230400, 460800 ou 921600</translation>
+    </message>
+    <message>
+        <source>use a generated code of letters, digits and &apos;-&apos;, such as P-0427</source>
+        <translation>utiliser un code généré de lettres, chiffres et «&#xa0;-&#xa0;», comme P-0427</translation>
+    </message>
+    <message>
+        <source>use a rate that the box has: a whole fraction of 7000 Hz</source>
+        <translation>utiliser une cadence du boîtier&#xa0;: une fraction entière de 7000 Hz</translation>
+    </message>
+    <message>
+        <source>use one of those present: %1</source>
+        <translation>utiliser l’une des présentes&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>utiliser l’un de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>use rft, ati-netcanoem, jr3-can or net-ft</source>
+        <translation>utiliser rft, ati-netcanoem, jr3-can ou net-ft</translation>
+    </message>
+    <message>
+        <source>use sim://healthy, replay://FILE.csv, can://, udp://, serial:// or comedi:// (see: isograsp devices)</source>
+        <translation>utiliser sim://healthy, replay://FICHIER.csv, can://, udp://, serial:// ou comedi:// (voir&#xa0;: isograsp devices)</translation>
+    </message>
+    <message>
+        <source>use the calibration of this sensor</source>
+        <translation>utiliser l’étalonnage de ce capteur</translation>
+    </message>
+    <message>
+        <source>use the comfortable-force task, and targets in newtons or of comfortable force</source>
+        <translation>utiliser la tâche de force confortable, et des cibles en newtons ou en part de la force confortable</translation>
+    </message>
+    <message>
+        <source>use the program that made it</source>
+        <translation>utiliser le programme qui l’a créée</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>value or closing &apos;]&apos;</source>
+        <translation>valeur ou «&#xa0;]&#xa0;»</translation>
+    </message>
+    <message>
+        <source>value-terminator</source>
+        <translation>fin de la valeur</translation>
+    </message>
+    <message>
+        <source>values may not begin with underscores</source>
+        <translation>les valeurs ne peuvent pas commencer par un tiret bas</translation>
+    </message>
+    <message>
+        <source>wait %1 s, then try again</source>
+        <translation>attendre %1 s, puis réessayer</translation>
+    </message>
+    <message>
+        <source>was made by a newer isograsp (format %1, this program knows %2)</source>
+        <translation>a été créée par un isograsp plus récent (format %1, ce programme connaît %2)</translation>
+    </message>
+    <message>
+        <source>was made by an older isograsp (format %1, this program writes %2)</source>
+        <translation>a été créée par un isograsp plus ancien (format %1, ce programme écrit %2)</translation>
+    </message>
+    <message>
+        <source>whoever opened the database has fewer rights than this account</source>
+        <translation>qui a ouvert la base de données a moins de droits que ce compte</translation>
+    </message>
+    <message>
+        <source>write %1 numbers in brackets</source>
+        <translation>écrire %1 nombres entre crochets</translation>
+    </message>
+    <message>
+        <source>write %25 for a percent sign</source>
+        <translation>écrire %25 pour un signe pour cent</translation>
+    </message>
+    <message>
+        <source>write &apos;@isograsp - rtprio 50&apos; and &apos;@isograsp - memlock unlimited&apos; to /etc/security/limits.d/isograsp.conf, join that group and log in again (check: ulimit -r, ulimit -l), or use --realtime=prefer</source>
+        <translation>écrire «&#xa0;@isograsp - rtprio 50&#xa0;» et «&#xa0;@isograsp - memlock unlimited&#xa0;» dans /etc/security/limits.d/isograsp.conf, rejoindre ce groupe et se reconnecter (vérifier&#xa0;: ulimit -r, ulimit -l), ou utiliser --realtime=prefer</translation>
+    </message>
+    <message>
+        <source>write +x, -x, … -z</source>
+        <translation>écrire +x, -x, … -z</translation>
+    </message>
+    <message>
+        <source>write 0 or more</source>
+        <translation>écrire 0 ou plus</translation>
+    </message>
+    <message>
+        <source>write a direction across the normal</source>
+        <translation>écrire une direction en travers de la normale</translation>
+    </message>
+    <message>
+        <source>write a larger number</source>
+        <translation>écrire un nombre plus grand</translation>
+    </message>
+    <message>
+        <source>write a later day</source>
+        <translation>écrire un jour ultérieur</translation>
+    </message>
+    <message>
+        <source>write a longer time</source>
+        <translation>écrire un temps plus long</translation>
+    </message>
+    <message>
+        <source>write a name, for people</source>
+        <translation>écrire un nom, pour des personnes</translation>
+    </message>
+    <message>
+        <source>write a number</source>
+        <translation>écrire un nombre</translation>
+    </message>
+    <message>
+        <source>write a number above 0</source>
+        <translation>écrire un nombre supérieur à 0</translation>
+    </message>
+    <message>
+        <source>write a number from %1 to %2</source>
+        <translation>écrire un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>write a number that is not negative</source>
+        <translation>écrire un nombre non négatif</translation>
+    </message>
+    <message>
+        <source>write a number with &apos;.&apos; as the decimal sign, or leave the field empty if the value is missing</source>
+        <translation>écrire un nombre avec «&#xa0;.&#xa0;» comme signe décimal, ou laisser le champ vide si la valeur manque</translation>
+    </message>
+    <message>
+        <source>write a recovery or a factor</source>
+        <translation>écrire une récupération ou un facteur</translation>
+    </message>
+    <message>
+        <source>write a smaller factor</source>
+        <translation>écrire un facteur plus petit</translation>
+    </message>
+    <message>
+        <source>write a table</source>
+        <translation>écrire une table</translation>
+    </message>
+    <message>
+        <source>write a unit quaternion w, x, y, z</source>
+        <translation>écrire un quaternion unitaire w, x, y, z</translation>
+    </message>
+    <message>
+        <source>write a value from %1 to %2</source>
+        <translation>écrire une valeur de %1 à %2</translation>
+    </message>
+    <message>
+        <source>write a whole number</source>
+        <translation>écrire un nombre entier</translation>
+    </message>
+    <message>
+        <source>write a whole number from 0 to 100</source>
+        <translation>écrire un nombre entier de 0 à 100</translation>
+    </message>
+    <message>
+        <source>write a whole number from 1 to %1</source>
+        <translation>écrire un nombre entier de 1 à %1</translation>
+    </message>
+    <message>
+        <source>write a whole number such as day=14</source>
+        <translation>écrire un nombre entier comme day=14</translation>
+    </message>
+    <message>
+        <source>write a whole number such as seed=7</source>
+        <translation>écrire un nombre entier comme seed=7</translation>
+    </message>
+    <message>
+        <source>write an angle such as 1e-9</source>
+        <translation>écrire un angle comme 1e-9</translation>
+    </message>
+    <message>
+        <source>write another level</source>
+        <translation>écrire un autre niveau</translation>
+    </message>
+    <message>
+        <source>write at most %1</source>
+        <translation>écrire au plus %1</translation>
+    </message>
+    <message>
+        <source>write both bounds in one entry</source>
+        <translation>écrire les deux bornes dans une seule entrée</translation>
+    </message>
+    <message>
+        <source>write can://can0?protocol=rft</source>
+        <translation>écrire can://can0?protocol=rft</translation>
+    </message>
+    <message>
+        <source>write e.g. [0, 0, 1]</source>
+        <translation>écrire p. ex. [0, 0, 1]</translation>
+    </message>
+    <message>
+        <source>write each as [[%1%2]]</source>
+        <translation>écrire chacune comme [[%1%2]]</translation>
+    </message>
+    <message>
+        <source>write each entry in double quotes</source>
+        <translation>écrire chaque entrée entre guillemets doubles</translation>
+    </message>
+    <message>
+        <source>write for example day=0</source>
+        <translation>écrire par exemple day=0</translation>
+    </message>
+    <message>
+        <source>write frequencies up to 5 Hz</source>
+        <translation>écrire des fréquences jusqu’à 5 Hz</translation>
+    </message>
+    <message>
+        <source>write grip, grip_mean, pinch, sum, thumb, index, middle, opening, index_opening or e.g. thumb_-x</source>
+        <translation>écrire grip, grip_mean, pinch, sum, thumb, index, middle, opening, index_opening ou p. ex. thumb_-x</translation>
+    </message>
+    <message>
+        <source>write hand=right or hand=left</source>
+        <translation>écrire hand=right ou hand=left</translation>
+    </message>
+    <message>
+        <source>write how many rows before the end it begins and ends, e.g. [200, 50]</source>
+        <translation>écrire combien de lignes avant la fin elle commence et finit, p. ex. [200, 50]</translation>
+    </message>
+    <message>
+        <source>write how many units one step is</source>
+        <translation>écrire combien d’unités vaut un pas</translation>
+    </message>
+    <message>
+        <source>write it as 192.168.1.1</source>
+        <translation>l’écrire comme 192.168.1.1</translation>
+    </message>
+    <message>
+        <source>write it as 192.168.1.1:49152</source>
+        <translation>l’écrire comme 192.168.1.1:49152</translation>
+    </message>
+    <message>
+        <source>write it as [%1%2]</source>
+        <translation>l’écrire comme [%1%2]</translation>
+    </message>
+    <message>
+        <source>write it in double quotes</source>
+        <translation>l’écrire entre guillemets doubles</translation>
+    </message>
+    <message>
+        <source>write its points into [axis.csv_data], or choose another shape</source>
+        <translation>écrire ses points dans [axis.csv_data], ou choisir une autre forme</translation>
+    </message>
+    <message>
+        <source>write lines as (1700000000.001000) 192.168.1.1:49152 00000001 with the bytes in hexadecimal</source>
+        <translation>écrire des lignes comme (1700000000.001000) 192.168.1.1:49152 00000001, les octets en hexadécimal</translation>
+    </message>
+    <message>
+        <source>write lines as (1700000000.001000) can0 064#0C00000000000000</source>
+        <translation>écrire des lignes comme (1700000000.001000) can0 064#0C00000000000000</translation>
+    </message>
+    <message>
+        <source>write numbers</source>
+        <translation>écrire des nombres</translation>
+    </message>
+    <message>
+        <source>write numbers up to %1</source>
+        <translation>écrire des nombres jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>write one [[axis]] per degree of freedom</source>
+        <translation>écrire un [[axis]] par degré de liberté</translation>
+    </message>
+    <message>
+        <source>write one of: %1</source>
+        <translation>écrire l’un de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>write one value per time</source>
+        <translation>écrire une valeur par temps</translation>
+    </message>
+    <message>
+        <source>write rate_Hz = 100, or time_column = &quot;t&quot; and time_unit = &quot;s&quot;</source>
+        <translation>écrire rate_Hz = 100, ou time_column = &quot;t&quot; et time_unit = &quot;s&quot;</translation>
+    </message>
+    <message>
+        <source>write replay://FILE.csv</source>
+        <translation>écrire replay://FICHIER.csv</translation>
+    </message>
+    <message>
+        <source>write rows per second, e.g. 120</source>
+        <translation>écrire des lignes par seconde, p. ex. 120</translation>
+    </message>
+    <message>
+        <source>write scheme://target?key=value&amp;key=value</source>
+        <translation>écrire scheme://target?key=value&amp;key=value</translation>
+    </message>
+    <message>
+        <source>write sim://healthy or sim://paretic</source>
+        <translation>écrire sim://healthy ou sim://paretic</translation>
+    </message>
+    <message>
+        <source>write some of: x, y, z, rx, ry, rz</source>
+        <translation>écrire certains de&#xa0;: x, y, z, rx, ry, rz</translation>
+    </message>
+    <message>
+        <source>write texts in brackets</source>
+        <translation>écrire des textes entre crochets</translation>
+    </message>
+    <message>
+        <source>write the column&apos;s name, with &apos;-&apos; before it to turn the sign</source>
+        <translation>écrire le nom de la colonne, précédé de «&#xa0;-&#xa0;» pour changer le signe</translation>
+    </message>
+    <message>
+        <source>write the direction into the object</source>
+        <translation>écrire la direction vers l’intérieur de l’objet</translation>
+    </message>
+    <message>
+        <source>write the file name without folder, e.g. &quot;grip_sine.toml&quot;</source>
+        <translation>écrire le nom du fichier sans dossier, p. ex. &quot;grip_sine.toml&quot;</translation>
+    </message>
+    <message>
+        <source>write the name of its file without folder and ending, e.g. &quot;planar_block&quot;</source>
+        <translation>écrire le nom de son fichier sans dossier ni extension, p. ex. &quot;planar_block&quot;</translation>
+    </message>
+    <message>
+        <source>write the secret as text</source>
+        <translation>écrire le secret sous forme de texte</translation>
+    </message>
+    <message>
+        <source>write the secret there</source>
+        <translation>y écrire le secret</translation>
+    </message>
+    <message>
+        <source>write thumb, index or middle</source>
+        <translation>écrire thumb, index ou middle</translation>
+    </message>
+    <message>
+        <source>write thumb, index, middle separated by commas, or give them in the configuration and write %1://?config=FILE</source>
+        <translation>écrire thumb, index, middle séparés par des virgules, ou les indiquer dans la configuration et écrire %1://?config=FICHIER</translation>
+    </message>
+    <message>
+        <source>write true or false</source>
+        <translation>écrire true ou false</translation>
+    </message>
+    <message>
+        <source>write version = %1</source>
+        <translation>écrire version = %1</translation>
+    </message>
+    <message>
+        <source>writing the audit log</source>
+        <translation>écriture du journal d’accès</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the name of another file</source>
+        <translation>«&#xa0;%1&#xa0;» est le nom d’un autre fichier</translation>
+    </message>
+    <message>
+        <source>No tasks in %1/tasks.</source>
+        <translation>Aucune tâche dans %1/tasks.</translation>
+    </message>
+    <message>
+        <source>control characters other than TAB (U+0009) are explicitly prohibited</source>
+        <translation>caractères de commande interdits, sauf les tabulations</translation>
+    </message>
+    <message>
+        <source>control characters other than TAB (U+0009) are explicitly prohibited in comments</source>
+        <translation>caractères de commande interdits dans les commentaires, sauf les tabulations</translation>
+    </message>
+    <message>
+        <source>there is no %1 number %2</source>
+        <translation>il n’y a pas&#xa0;: %1 numéro %2</translation>
+    </message>
+    <message>
+        <source>unescaped control characters other than TAB (U+0009) are explicitly prohibited</source>
+        <translation>caractères de commande ou fin de ligne dans le texte&#xa0;; seules les tabulations sont permises</translation>
+    </message>
+    <message>
+        <source>SCHED_FIFO %1, memory locked</source>
+        <translation>SCHED_FIFO %1, mémoire verrouillée</translation>
+    </message>
+    <message>
+        <source>SCHED_FIFO %1, memory not locked (%2)</source>
+        <translation>SCHED_FIFO %1, mémoire non verrouillée (%2)</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is behind the newest session of this file (%1).</source>
+        <translation>L’horloge de cet ordinateur retarde sur la dernière séance de ce fichier (%1).</translation>
+    </message>
+    <message>
+        <source>not permitted</source>
+        <translation>non autorisé</translation>
+    </message>
+    <message>
+        <source>ordinary scheduling (%1), memory locked</source>
+        <translation>ordonnancement ordinaire (%1), mémoire verrouillée</translation>
+    </message>
+    <message>
+        <source>ordinary scheduling (%1), memory not locked (%2)</source>
+        <translation>ordonnancement ordinaire (%1), mémoire non verrouillée (%2)</translation>
+    </message>
+    <message>
+        <source>set it in the box&apos;s web page, leave filter_Hz out</source>
+        <translation>le régler sur la page web du boîtier et omettre filter_Hz</translation>
+    </message>
+    <message>
+        <source>the limit memlock is not unlimited</source>
+        <translation>la limite memlock n’est pas levée</translation>
+    </message>
+    <message>
+        <source>this board has none: leave filter_Hz out and use fir_taps</source>
+        <translation>cette carte n’en a pas&#xa0;: omettre filter_Hz et utiliser fir_taps</translation>
+    </message>
+    <message>
+        <source>use 0 (none) to 655.35</source>
+        <translation>utiliser 0 (aucun) à 655.35</translation>
+    </message>
+    <message>
+        <source>use 0 (none), 500, 125, 31.25, 7.8125, 1.953125 or 0.48828125</source>
+        <translation>utiliser 0 (aucun), 500, 125, 31.25, 7.8125, 1.953125 ou 0.48828125</translation>
+    </message>
+    <message>
+        <source>use 0 (none), 500, 300, 200, 150, 100, 50, 40, 30, 20, 10, 5, 3, 2 or 1</source>
+        <translation>utiliser 0 (aucun), 500, 300, 200, 150, 100, 50, 40, 30, 20, 10, 5, 3, 2 ou 1</translation>
+    </message>
+    <message>
+        <source>%1 does not tell its rate</source>
+        <translation>%1 n’indique pas sa cadence</translation>
+    </message>
+    <message>
+        <source>%1 sends at %2 Hz, not at %3</source>
+        <translation>%1 envoie à %2 Hz, pas à %3</translation>
+    </message>
+    <message>
+        <source>%1 shifts or turns its forces before it sends them</source>
+        <translation>%1 décale ou tourne ses forces avant de les envoyer</translation>
     </message>
 </context>
 <context>
@@ -6809,8 +10545,8 @@
         <translation>Ajouter un patient</translation>
     </message>
     <message>
-        <source>Add a patient with a generated code and begin a session; names are never stored (Alt+A)</source>
-        <translation>Ajouter un patient avec un code généré et commencer une séance&#xa0;; aucun nom n’est enregistré (Alt+A)</translation>
+        <source>Add a patient with a generated code and begin a session (Alt+A)</source>
+        <translation>Ajouter un patient avec un code généré et commencer une séance (Alt+A)</translation>
     </message>
     <message>
         <source>&amp;Begin session</source>

@@ -8,7 +8,7 @@
 #include "core/files.hpp"
 #include "device/device_check.hpp"
 #include "device/force_device.hpp"
-#include "gui/texts.hpp"
+#include "gui/text_patterns.hpp"
 #include "reports/measure_words.hpp"
 #include "session/library.hpp"
 #include "session/recorder.hpp"
@@ -18,6 +18,7 @@
 #include "session/work_limits.hpp"
 #include "session/zeroing.hpp"
 #include "tasks/references.hpp"
+#include "tests/gui/message_texts.hpp"
 
 namespace isograsp {
 
@@ -217,6 +218,7 @@ std::set<std::string> texts_below(const std::string& library, const std::string&
   add_measures(texts);
   add_reasons(texts, source_folder);
   add_library(texts, library);
+  texts.merge(texts_of_messages(source_folder));
   texts.erase("");
   return texts;
 }

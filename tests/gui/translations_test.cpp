@@ -16,6 +16,7 @@
 #include "gui/patient_picture.hpp"
 #include "gui/profile_cards.hpp"
 #include "gui/profile_words.hpp"
+#include "gui/text_patterns.hpp"
 #include "gui/texts.hpp"
 #include "gui/words.hpp"
 #include "session/zeroing.hpp"

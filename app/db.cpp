@@ -16,6 +16,7 @@
 #include "app/db_commands.hpp"
 #include "app/login_options.hpp"
 #include "app/verification.hpp"
+#include "storage/audit_log.hpp"
 #include "storage/backups.hpp"
 #include "storage/file_stats.hpp"
 #include "storage/merge.hpp"

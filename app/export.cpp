@@ -11,6 +11,7 @@
 #include "app/console.hpp"
 #include "app/login_options.hpp"
 #include "reports/research_export.hpp"
+#include "storage/audit_log.hpp"
 
 namespace isograsp {
 

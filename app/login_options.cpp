@@ -5,9 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "storage/audit_log.hpp"
-#include "storage/session_store.hpp"
-
 namespace isograsp {
 
 namespace {
@@ -93,20 +90,6 @@ Result<std::unique_ptr<Access>> open_access(const std::string& database,
   if (asks)
     if (const auto done = log_in_to(**access, options); !done) return done.error();
   return access;
-}
-
-Result<void> log_act_of(const std::string& database, Access* access, const std::string& act,
-                        const std::string& object, bool done, const std::string& detail) {
-  std::unique_ptr<Access> open;
-  if (access == nullptr) {
-    auto opened = Access::open(database);
-    if (!opened) return {};
-    open = *std::move(opened);
-    access = open.get();
-  }
-  if (!access->can_log()) return {};
-  // What is no code may be a name.
-  return log_act(*access, act, check_patient_code(object) ? object : "", done, detail);
 }
 
 }  // namespace isograsp

@@ -34,10 +34,4 @@ struct LoginOptions {
 [[nodiscard]] Result<std::unique_ptr<Access>> open_access(const std::string& database,
                                                           const LoginOptions& options);
 
-/// Writes into the audit log what the storage cannot see. Files that cannot be written, or of an
-/// older format, have none. No identity in any text.
-[[nodiscard]] Result<void> log_act_of(const std::string& database, Access* access,
-                                      const std::string& act, const std::string& object, bool done,
-                                      const std::string& detail);
-
 }  // namespace isograsp

@@ -15,6 +15,7 @@
 #include "reports/progress_report.hpp"
 #include "reports/qt_application.hpp"
 #include "reports/report_writer.hpp"
+#include "storage/audit_log.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp {

@@ -12,6 +12,7 @@
 #include "reports/qt_application.hpp"
 #include "reports/study_report.hpp"
 #include "reports/study_writer.hpp"
+#include "storage/audit_log.hpp"
 #include "storage/session_store.hpp"
 
 namespace isograsp {

@@ -37,9 +37,11 @@ void BackupWork::look() {
                 running_ = false;
                 if (!outcome) {
                   const auto why = tr("No backup could be made: %1").arg(shown(outcome.error()));
-                  if (std::exchange(said_, why) != why) Q_EMIT failed(why);
+                  const QDate today = QDate::currentDate();
+                  const bool told = std::exchange(told_, today) == today;
+                  if (std::exchange(problem_, why) != why || !told) Q_EMIT failed(why);
                 } else if (*outcome) {
-                  said_.clear();
+                  problem_.clear();
                   Q_EMIT made(QString::fromStdString((*outcome)->backup.path));
                 }
               });

@@ -57,6 +57,10 @@ void Clinic::open(bool to_read) {
       });
 }
 
+void Clinic::when_done(std::function<void()> then) {
+  worker_.run([] { return true; }, [then = std::move(then)](bool) { then(); });
+}
+
 void Clinic::add_patient() {
   if (!open_) return;
   using Added = Result<PatientRecord>;

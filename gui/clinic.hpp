@@ -39,7 +39,10 @@ class Clinic final : public QObject {
   ~Clinic() override;  ///< cancels a report and an export; waits for the worker
 
   /// -> opened(), patients_changed() or open_failed(). `to_read`: by somebody who may not write.
+  /// One that is open is opened anew, for somebody else.
   void open(bool to_read = false);
+  /// When all that was asked for before is done.
+  void when_done(std::function<void()> then);
   void add_patient();  ///< with a generated code -> patients_changed(), patient_added()
   /// Until the answer comes, the history of another patient is empty and that of the same one is
   /// as it was -> history_changed(), twice for another patient.
@@ -49,6 +52,8 @@ class Clinic final : public QObject {
   using Stored = std::function<void(bool)>;
   /// Until the answer comes, the file of another patient is absent. No code: of nobody.
   void load_profile(const std::string& code);
+  /// Nobody may read on what was decrypted for somebody else -> profile_changed().
+  void forget_profile();
   void save_profile(const std::string& code, const PatientProfile& profile, Stored then = {});
   void add_treatment_mark(const std::string& code, const TreatmentMark& mark, Stored then = {});
   void remove_treatment_mark(const std::string& code, RowId id, Stored then = {});

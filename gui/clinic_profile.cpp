@@ -79,6 +79,12 @@ void Clinic::load_profile(const std::string& code) {
   change_file(code, [](SessionStore&, RowId) { return Result<void>{}; }, {});
 }
 
+void Clinic::forget_profile() {
+  file_of_.clear();
+  file_.reset();
+  Q_EMIT profile_changed();
+}
+
 void Clinic::save_profile(const std::string& code, const PatientProfile& profile, Stored then) {
   change_file(
       code,

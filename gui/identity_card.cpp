@@ -55,7 +55,8 @@ void IdentityCard::show_patient(const std::string& code) {
 
 void IdentityCard::close() {
   open_ = false;
-  for (auto* field : {name_, static_cast<QLineEdit*>(birth_), contact_}) field->clear();
+  // Set, not cleared: an undo would bring it back.
+  for (auto* field : {name_, static_cast<QLineEdit*>(birth_), contact_}) field->setText({});
   remark_->say({});
 }
 
@@ -68,8 +69,7 @@ void IdentityCard::read() {
         const Identity identity = read->value_or(Identity{});
         name_->setText(QString::fromStdString(identity.name));
         birth_->show_date(date_from_iso(identity.birth_date));
-        contact_->setText(
-            QString::fromStdString(identity.contact).replace('\n', QStringLiteral(", ")));
+        contact_->setText(QString::fromStdString(identity.contact));  // its lines stay in it
         remark_->say(*read ? QString() : tr("Nothing is known of this person yet."));
         refresh();
         name_->setFocus();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/login_page.hpp"
 
+#include <QShowEvent>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -69,11 +70,12 @@ LoginPage::LoginPage(Staff& staff, QWidget* parent) : QWidget(parent), staff_(st
   centred->addWidget(card, 0, Qt::AlignHCenter);
   centred->addStretch(3);
   connect(&staff_, &Staff::changed, this, &LoginPage::refresh);
-  connect(&staff_, &Staff::refused, this, [this](const QString& why) {
+  connect(&staff_, &Staff::login_refused, this, [this](const QString& why) {
     problem_->setText(why);
     refresh();
   });
   connect(who_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    chosen_ = true;
     problem_->clear();
     refresh();
     secret_->setFocus();
@@ -90,18 +92,21 @@ LoginPage::LoginPage(Staff& staff, QWidget* parent) : QWidget(parent), staff_(st
 
 void LoginPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  secret_->clear();
+  if (event->spontaneous()) return;  // the window only comes back to the screen
+  chosen_ = false;
+  fill_who();
+  secret_->setText({});
   problem_->clear();
   with_password_->setChecked(false);
   refresh();
   secret_->setFocus();
 }
 
-/// Whoever was in last is the likeliest one to come back.
+/// Whoever was in last is the likeliest one to come back, unless somebody has chosen another.
 void LoginPage::fill_who() {
   const QSignalBlocker quiet(who_);
   const auto before =
-      who_->count() == 0 ? QString::fromStdString(staff_.user()) : who_->currentData().toString();
+      chosen_ ? who_->currentData().toString() : QString::fromStdString(staff_.user());
   who_->clear();
   for (const auto& user : staff_.users()) {
     const auto name = QString::fromStdString(user.name);
@@ -110,6 +115,15 @@ void LoginPage::fill_who() {
   who_->addItem(tr("The clinic's passphrase"), QString(kPassphrase));
   who_->addItem(tr("The recovery key"), QString(kRecovery));
   who_->setCurrentIndex(std::max(0, who_->findData(before)));
+}
+
+/// The list shows those who have an account now.
+bool LoginPage::who_is_filled() const {
+  const auto& users = staff_.users();
+  if (who_->count() != static_cast<int>(users.size()) + 2) return false;
+  for (std::size_t i = 0; i < users.size(); ++i)
+    if (who_->itemText(static_cast<int>(i)) != QString::fromStdString(users[i].name)) return false;
+  return true;
 }
 
 Staff::Key LoginPage::key() const {
@@ -128,12 +142,13 @@ void LoginPage::log_in() {
   if (!enter_->isEnabled()) return;
   problem_->clear();
   QString secret = secret_->text();
-  secret_->clear();
+  // An undo would bring it back.
+  secret_->setText({});
   staff_.log_in(key(), who_->currentData().toString().toStdString(), secret);
 }
 
 void LoginPage::refresh() {
-  if (who_->count() != static_cast<int>(staff_.users().size()) + 2) fill_who();
+  if (!who_is_filled()) fill_who();
   title_->setText(staff_.locked() ? tr("Locked") : tr("This database is protected"));
   why_->setText(staff_.locked()
                     ? tr("Nobody has touched anything for a while, or somebody has locked it. A "

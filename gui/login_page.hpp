@@ -25,6 +25,7 @@ class LoginPage final : public QWidget {
  private:
   void refresh();
   void fill_who();
+  [[nodiscard]] bool who_is_filled() const;
   void log_in();
   [[nodiscard]] Staff::Key key() const;
 
@@ -37,6 +38,7 @@ class LoginPage final : public QWidget {
   QPushButton* with_password_;
   QPushButton* enter_;
   QLabel* problem_;
+  bool chosen_ = false;  ///< in the list, by hand
 };
 
 }  // namespace isograsp

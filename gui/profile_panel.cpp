@@ -117,7 +117,15 @@ ProfilePanel::~ProfilePanel() {
 void ProfilePanel::show_patient(const std::string& code) {
   if (code == code_) return;
   try_again();
+  forget();
   code_ = code;
+  load();
+  show_state();
+}
+
+void ProfilePanel::forget() {
+  delay_.stop();
+  code_.clear();
   filled_ = false;
   changed_ = false;
   refused_.clear();
@@ -127,7 +135,6 @@ void ProfilePanel::show_patient(const std::string& code) {
   scores_->clear();
   primary_->clear();
   stable_->clear();
-  load();
   show_state();
 }
 

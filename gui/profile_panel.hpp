@@ -27,6 +27,8 @@ class ProfilePanel final : public QWidget {
 
   /// What was typed about the one before is stored first. No code: nobody.
   void show_patient(const std::string& code);
+  /// Nobody is shown any more; what was typed is not stored (store_now()).
+  void forget();
   /// Waits neither for the second after the last key nor for the field to be left.
   void store_now();
 

@@ -270,6 +270,7 @@ void ReportPanel::ask_printer() {
 void ReportPanel::print_next() {
   if (presenter_.view().may_stop) return;  // a trial needs its even picture
   if (!printing_->paint_next()) {
+    Q_EMIT sent(printer_->docName(), false);
     end_printing();
     remark_->setText(tr("The printer takes nothing: is it connected, has it paper?"));
     return refresh();
@@ -278,6 +279,7 @@ void ReportPanel::print_next() {
                        .arg(std::min(printing_->page() + 1, printed_->pages()))
                        .arg(printed_->pages()));
   if (printing_->complete()) {
+    Q_EMIT sent(printer_->docName(), true);
     end_printing();
     remark_->setText(tr("The report was sent to the printer."));
   }

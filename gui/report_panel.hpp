@@ -34,6 +34,7 @@ class ReportPanel final : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  Q_SIGNALS:
+  void sent(const QString& code, bool done);  ///< a report to the printer, or not all of it
   void printed();  ///< or not: the printer has nothing to do any more
 
  private:

@@ -25,6 +25,7 @@ ReportsPage::ReportsPage(Clinic& clinic, SessionPresenter& presenter, QWidget* p
   };
   report_ = new ReportPanel(clinic, presenter);
   add(report_, tr("Report"));
+  connect(report_, &ReportPanel::sent, this, &ReportsPage::sent);
   connect(report_, &ReportPanel::printed, this, &ReportsPage::printed);
   add(new ExportPanel(clinic, presenter), tr("Export"));
   add(new HistoryPanel(clinic, presenter), tr("Values"));

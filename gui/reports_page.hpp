@@ -21,6 +21,7 @@ class ReportsPage final : public QWidget {
   [[nodiscard]] bool printing() const;
 
  Q_SIGNALS:
+  void sent(const QString& code, bool done);  ///< a report to the printer, or not all of it
   void printed();  ///< nothing is printed any more
 
  private:

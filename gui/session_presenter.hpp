@@ -173,6 +173,10 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] bool simulated() const noexcept;
   [[nodiscard]] bool recorded() const noexcept;
   [[nodiscard]] bool session_open() const noexcept { return session_ != nullptr; }
+  /// A trial, a zero or a protocol is running, or will go on by itself.
+  [[nodiscard]] bool under_way() const noexcept {
+    return starting_ || zero_asked_ || view_.may_stop || view_.may_stand_by || guide_.goes_on();
+  }
   /// A session is open, or being opened or closed.
   [[nodiscard]] bool busy() const noexcept { return connection_ != Connection::none; }
   [[nodiscard]] const std::vector<Measure>& live_score() const noexcept { return live_score_; }

@@ -14,7 +14,6 @@ namespace isograsp {
 
 namespace {
 constexpr int kLookEvery_ms = 1000;
-constexpr double kMs = 1e-3;  // in seconds
 }  // namespace
 
 struct Staff::Answer {
@@ -39,12 +38,13 @@ void look_around(Answer& answer) {
 
 }  // namespace
 
-Staff::Staff(std::string database, QObject* parent)
+Staff::Staff(std::string database, const Clock* clock, QObject* parent)
     : QObject(parent),
+      clock_(clock == nullptr ? &steady_ : clock),
       database_(std::move(database)),
       protected_(is_protected_database(database_)) {
   if (!protected_) return;
-  untouched_.start();
+  touched_ = clock_->now();
   qApp->installEventFilter(this);
   watch_.setInterval(kLookEvery_ms);
   connect(&watch_, &QTimer::timeout, this, &Staff::lock_if_due);
@@ -79,12 +79,22 @@ void Staff::log_in(Key key, const std::string& user, QString& text) {
   std::string plain = text.toStdString();
   text.fill(QChar(u' '));
   text.clear();
-  if (busy_ || access_ == nullptr) return;
+  if (busy_) return;
   busy_ = true;
   worker_.run(
-      [access = access_, key, user,
-       secret = std::make_shared<Secret>(Secret::taken_from(plain))]() -> Answer {
+      [access = access_, database = database_, locked = locked_, key, user,
+       secret = std::make_shared<Secret>(Secret::taken_from(plain))]() mutable -> Answer {
         Answer answer;
+        if (access == nullptr) {
+          auto opened = Access::open(database);
+          if (!opened) {
+            answer.error = opened.error();
+            return answer;
+          }
+          access = *std::move(opened);
+        }
+        // The lock may still wait for what is being stored.
+        if (locked) access->lock();
         answer.access = access;
         const auto done = [&]() -> Result<void> {
           switch (key) {
@@ -112,13 +122,16 @@ void Staff::take(const Answer& answer) {
   }
   if (answer.error) {
     Q_EMIT changed();
-    Q_EMIT refused(shown(*answer.error));
+    // Whoever stands at the login knows which file it is and what was typed.
+    Error why = *answer.error;
+    if (answer.access != nullptr) why.file = why.field = "";
+    Q_EMIT login_refused(shown(why));
     return;
   }
   in_ = answer.in;
   user_ = answer.user;
   if (in_) locked_ = false;
-  untouched_.restart();
+  touched_ = clock_->now();
   Q_EMIT changed();
   if (in_ && !std::exchange(opened_, true)) Q_EMIT opened();
 }
@@ -126,17 +139,30 @@ void Staff::take(const Answer& answer) {
 void Staff::lock() {
   if (!protected_ || !in_) return;
   Q_EMIT locking();
-  worker_.run([access = access_] { return access->lock(), true; }, [](bool) {});
   names_.clear();
   in_ = false;
   locked_ = true;
+  const auto lock_now = [this] {
+    // Somebody may have come back meanwhile; whoever tries to has locked it (log_in()).
+    if (locked_ && !busy_)
+      worker_.run([access = access_] { return access->lock(), true; }, [](bool) {});
+  };
+  if (after_storing_)
+    after_storing_(lock_now);
+  else
+    lock_now();
   Q_EMIT changed();
 }
 
 void Staff::lock_if_due() {
   if (!in_ || busy_) return;
-  const double idle_s = static_cast<double>(untouched_.elapsed()) * kMs;
-  if (is_lock_due(policy_, idle_s, trial_runs_ && trial_runs_())) lock();
+  // Behind a long trial there is time to go on.
+  if (trial_runs_ && trial_runs_()) {
+    touched_ = clock_->now();
+    return;
+  }
+  const double idle_s = to_seconds(clock_->now() - touched_);
+  if (is_lock_due(policy_, idle_s, false)) lock();
 }
 
 bool Staff::allows(Right right) const {
@@ -183,20 +209,11 @@ void Staff::show_names() {
 void Staff::log(const std::string& act, const std::string& object, bool done) {
   if (protected_ && access_ == nullptr) return;
   worker_.run(
-      [access = access_, database = database_, act, object, done]() -> std::optional<Error> {
-        std::shared_ptr<Access> log_to = access;
-        if (log_to == nullptr) {
-          auto opened = Access::open(database);
-          if (!opened) return opened.error();
-          log_to = *std::move(opened);
-        }
-        if (!log_to->can_log()) return std::nullopt;
-        auto logged = log_act(*log_to, act, object, done);
-        if (!logged) return logged.error();
-        return std::nullopt;
+      [access = access_, database = database_, act, object, done]() -> Result<void> {
+        return log_act_of(database, access.get(), act, object, done);
       },
-      [this](const std::optional<Error>& error) {
-        if (error) Q_EMIT refused(shown(*error));
+      [this](const Result<void>& logged) {
+        if (!logged) Q_EMIT refused(shown(logged.error()));
       });
 }
 
@@ -204,10 +221,14 @@ void Staff::log(const std::string& act, const std::string& object, bool done) {
 bool Staff::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::KeyPress:
+    case QEvent::ShortcutOverride:  // all that arrives of a key that is a shortcut
     case QEvent::MouseButtonPress:
     case QEvent::MouseMove:
     case QEvent::Wheel:
-    case QEvent::TouchBegin: untouched_.restart(); break;
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TabletPress:
+    case QEvent::TabletMove: touched_ = clock_->now(); break;
     default: break;
   }
   return QObject::eventFilter(watched, event);

@@ -4,7 +4,6 @@
 // nobody. Every call returns at once: logins take the time of Argon2id on a worker. GUI thread.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -15,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "core/time.hpp"
 #include "gui/background.hpp"
 #include "storage/access.hpp"
 #include "storage/identity.hpp"
@@ -26,7 +26,8 @@ class Staff final : public QObject {
 
  public:
   /// Reads whether the file is protected; one that is not there is not.
-  explicit Staff(std::string database, QObject* parent = nullptr);
+  /// The clock says how long nobody has touched anything; null: the steady one.
+  explicit Staff(std::string database, const Clock* clock = nullptr, QObject* parent = nullptr);
   ~Staff() override;
 
   /// Who has an account, and the policy -> changed(). Without protection opened() at once.
@@ -45,10 +46,18 @@ class Staff final : public QObject {
   [[nodiscard]] std::shared_ptr<Access> access() const noexcept { return access_; }
 
   enum class Key : std::uint8_t { password, pin, passphrase, recovery_key };
-  /// `user` is ignored with the clinic's own keys. -> changed() or refused(). The text is wiped.
+  /// `user` is ignored with the clinic's own keys. -> changed() or login_refused(). The text is
+  /// wiped. Where open() has failed, it is tried again first.
   void log_in(Key key, const std::string& user, QString& text);
   void lock();
-  /// A trial runs, or one will begin by itself: nothing locks meanwhile.
+  /// lock(), if nobody has touched anything for as long as the policy says. Asked every second.
+  void lock_if_due();
+  /// What locking() has asked to be stored needs the rights that the lock takes: `then` is called
+  /// when it is.
+  using AfterStoring = std::function<void(std::function<void()> then)>;
+  void set_after_storing(AfterStoring after_storing) { after_storing_ = std::move(after_storing); }
+  /// A trial or a protocol runs, or will begin by itself: nothing locks meanwhile, and the time
+  /// begins anew behind it.
   void set_trial_runs(std::function<bool()> trial_runs) { trial_runs_ = std::move(trial_runs); }
   // Who a code is. Refused without Right::identities; every reading is logged with its reader.
   /// Nothing: not told.
@@ -59,7 +68,7 @@ class Staff final : public QObject {
   /// Names of all, to look for one -> changed(). Forgotten with the lock.
   void show_names();
   [[nodiscard]] const std::map<std::string, std::string>& names() const noexcept { return names_; }
-  /// An act that the database cannot see: a report, an export.
+  /// An act that the database cannot see: a report, an export, paper, a backup.
   void log(const std::string& act, const std::string& object, bool done);
 
  Q_SIGNALS:
@@ -67,6 +76,7 @@ class Staff final : public QObject {
   void opened();   ///< the database may be opened: once
   void changed();  ///< closed(), locked(), user(), busy(), users()
   void refused(const QString& why);
+  void login_refused(const QString& why);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -74,8 +84,9 @@ class Staff final : public QObject {
  private:
   struct Answer;
   void take(const Answer& answer);
-  void lock_if_due();
 
+  SteadyClock steady_;
+  const Clock* clock_;
   std::string database_;
   bool protected_ = false;
   bool in_ = false;
@@ -87,7 +98,8 @@ class Staff final : public QObject {
   std::map<std::string, std::string> names_;  ///< by code
   AccessPolicy policy_;
   std::function<bool()> trial_runs_;
-  QElapsedTimer untouched_;
+  AfterStoring after_storing_;
+  Timestamp touched_{0};
   QTimer watch_;
   std::shared_ptr<Access> access_;
   Background worker_;  ///< last: its jobs end before anything else goes away

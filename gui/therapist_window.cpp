@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/therapist_window.hpp"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -72,6 +74,9 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
   connect(&clinic_.research_export(), &ExportWork::cancelled, this, close_at_last);
   connect(&clinic_.research_export(), &ExportWork::failed, this, stay);
   connect(reports_, &ReportsPage::printed, this, close_at_last);
+  connect(reports_, &ReportsPage::sent, &staff_, [this](const QString& code, bool done) {
+    staff_.log("print", code.toStdString(), done);
+  });
   show_page(Page::start);
   refresh();
   const auto say_problems = [this] {
@@ -246,7 +251,10 @@ void TherapistWindow::add_shortcuts() {
   add(Qt::Key_F7, [this] { presenter_.show_how(); });
   add(Qt::Key_F8, [this] { presenter_.start(); });
   add(Qt::Key_F9, [this] { presenter_.start_pause_resume(); });
-  add(Qt::Key_F10, [this] { presenter_.stop(); });
+  add(Qt::Key_F10, [this] {
+    presenter_.stop();
+    presenter_.stand_by();
+  });
   keys_.pop_back();  // stopping is never locked away
   add(QKeySequence::Find, [this] {
     show_page(Page::start);
@@ -297,6 +305,12 @@ void TherapistWindow::show_who_is_in() {
   describe(*lock_, lock_->text(), tr("Closes the window's pages until somebody logs in (F12)"));
   for (auto* key : keys_) key->setEnabled(!staff_.closed());
   cover_->setCurrentIndex(staff_.closed() ? 1 : 0);
+  if (!staff_.closed()) return show_patient();
+  person_->forget();
+  // A dialog stands above the cover.
+  for (auto* window : QApplication::topLevelWidgets())
+    if (auto* dialog = qobject_cast<QDialog*>(window); dialog != nullptr && dialog->isVisible())
+      dialog->reject();
 }
 
 void TherapistWindow::say(const QString& words) {

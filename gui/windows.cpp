@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QScreen>
 #include <QTimer>
+#include <utility>
 
 #include "gui/look.hpp"
 
@@ -18,6 +19,7 @@ constexpr int kAskAgain_ms = 200;
 void carry_typed(const QWidget& from, const QWidget& to) {
   for (const auto* old : from.findChildren<QLineEdit*>()) {
     if (!old->isModified() || old->objectName().startsWith("qt_")) continue;
+    if (old->objectName().startsWith("identity_")) continue;  // closed in the other one
     if (auto* field = to.findChild<QLineEdit*>(old->objectName())) {
       field->setText(old->text());
       field->setModified(true);
@@ -51,17 +53,33 @@ Windows::Windows(const GuiConfig& config)
 Windows::~Windows() = default;
 
 void Windows::watch_staff() {
-  staff_.set_trial_runs(
-      [this] { return presenter_.view().may_stop || presenter_.view().may_stand_by; });
-  const auto name_operator = [this] { presenter_.name_operator(staff_.user()); };
-  QObject::connect(&staff_, &Staff::changed, &presenter_, name_operator);
-  QObject::connect(&staff_, &Staff::opened, &clinic_,
-                   [this] { clinic_.open(!staff_.allows(Right::write_records)); });
+  staff_.set_trial_runs([this] { return presenter_.under_way(); });
+  staff_.set_after_storing(
+      [this](std::function<void()> then) { clinic_.when_done(std::move(then)); });
+  QObject::connect(&staff_, &Staff::changed, &presenter_, [this] { follow_staff(); });
+  QObject::connect(&staff_, &Staff::opened, &clinic_, [this] {
+    reads_only_ = !staff_.allows(Right::write_records);
+    clinic_.open(*reads_only_);
+  });
   QObject::connect(&clinic_, &Clinic::opened, &backups_, &BackupWork::begin);
   QObject::connect(&presenter_, &SessionPresenter::changed, &backups_,
                    [this] { backups_.hold(presenter_.busy()); });
   QObject::connect(&backups_, &BackupWork::failed, &presenter_,
                    [this](const QString& why) { therapist_->say(why); });
+}
+
+/// The next person has rights and eyes of their own.
+void Windows::follow_staff() {
+  presenter_.name_operator(staff_.user());
+  const bool was_closed = std::exchange(closed_, staff_.closed());
+  if (closed_) return clinic_.forget_profile();
+  // Whoever comes back has not seen what was said before.
+  if (was_closed && !backups_.problem().isEmpty()) therapist_->say(backups_.problem());
+  if (!reads_only_ || staff_.busy()) return;
+  const bool reads_only = !staff_.allows(Right::write_records);
+  if (std::exchange(reads_only_, reads_only) != reads_only) clinic_.open(reads_only);
+  if (clinic_.is_open() && clinic_.file_of() != presenter_.patient())
+    clinic_.load_profile(presenter_.patient());
 }
 
 /// What leaves the database stands in its audit log, like what happens in it.
@@ -78,6 +96,10 @@ void Windows::log_what_leaves() {
   };
   QObject::connect(&research, &ExportWork::written, &staff_, [log_export] { log_export(true); });
   QObject::connect(&research, &ExportWork::failed, &staff_, [log_export] { log_export(false); });
+  QObject::connect(&backups_, &BackupWork::made, &staff_,
+                   [this] { staff_.log("backup", "", true); });
+  QObject::connect(&backups_, &BackupWork::failed, &staff_,
+                   [this] { staff_.log("backup", "", false); });
 }
 
 void Windows::make_therapist() {

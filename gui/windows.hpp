@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gui/backup_work.hpp"
@@ -40,12 +41,15 @@ class Windows {
  private:
   void make_therapist();
   void watch_staff();
+  void follow_staff();
   void log_what_leaves();
   void apply_settings();
 
   SettingsFile settings_;
   Settings applied_;
   Staff staff_;
+  bool closed_ = false;             ///< when it was looked last
+  std::optional<bool> reads_only_;  ///< the database is open so; nothing: not open yet
   Clinic clinic_;
   BackupWork backups_;
   SessionPresenter presenter_;

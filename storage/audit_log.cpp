@@ -8,6 +8,7 @@
 #include "storage/audit_chain.hpp"
 #include "storage/audit_check.hpp"
 #include "storage/audit_head_file.hpp"
+#include "storage/session_store.hpp"
 
 namespace isograsp {
 
@@ -132,6 +133,19 @@ Result<void> log_act(Access& access, const std::string& act, const std::string& 
   AuditEntry entry = entry_of(act, object, detail);
   if (!done) entry.result = "failed";
   return log_entry(access, entry);
+}
+
+Result<void> log_act_of(const std::string& database, Access* access, const std::string& act,
+                        const std::string& object, bool done, const std::string& detail) {
+  std::unique_ptr<Access> open;
+  if (access == nullptr) {
+    auto opened = Access::open(database);
+    if (!opened) return {};
+    open = *std::move(opened);
+    access = open.get();
+  }
+  if (!access->can_log()) return {};
+  return log_act(*access, act, check_patient_code(object) ? object : "", done, detail);
 }
 
 Result<std::vector<std::string>> check_audit(Access& access) {

@@ -45,6 +45,11 @@ struct AuditFilter {
 [[nodiscard]] Result<void> log_act(Access& access, const std::string& act,
                                    const std::string& object, bool done,
                                    const std::string& detail = "");
+/// The same for a file that may be open with `access` or not (null). Files that cannot be written,
+/// or of an older format, have no log; an object that is no code may be a name and stays out.
+[[nodiscard]] Result<void> log_act_of(const std::string& database, Access* access,
+                                      const std::string& act, const std::string& object, bool done,
+                                      const std::string& detail = "");
 /// What is wrong with the chain: changed, moved, missing, cut entries. Empty: nothing. A
 /// protected database must be logged in.
 [[nodiscard]] Result<std::vector<std::string>> check_audit(Access& access);

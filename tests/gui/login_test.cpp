@@ -2,14 +2,19 @@
 // A protected database in the windows: nobody sees anything before a login, the lock closes what
 // was open, a PIN names the next person, names are read on request only.
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QTest>
+#include <algorithm>
 
 #include "gui/identity_card.hpp"
 #include "gui/login_page.hpp"
+#include "gui/reports_page.hpp"
 #include "gui/windows.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
@@ -61,6 +66,16 @@ class LoginTest : public QtTest {
     QTest::keyClick(&field, Qt::Key_Return);
     ASSERT_TRUE(wait_until([&] { return !windows_->staff().busy(); }));
   }
+  /// Where a PIN would be enough.
+  void log_in_with_password(const QString& who) {
+    auto& list = operator_->find<QComboBox>("login_who");
+    list.setCurrentIndex(list.findText(who));
+    Q_EMIT list.activated(list.currentIndex());
+    operator_->press("login_with_password");
+    log_in(who, kPassword);
+    ASSERT_FALSE(windows_->staff().closed())
+        << operator_->find<QLabel>("login_problem").text().toStdString();
+  }
   /// A picture of the window, where pictures are asked for.
   void keep(const char* name) {
     const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
@@ -80,8 +95,14 @@ TEST_F(LoginTest, NothingOpensBeforeSomebodyIsIn) {
   EXPECT_TRUE(covered());
   EXPECT_FALSE(windows_->clinic().is_open());
   EXPECT_FALSE(operator_->find<QListWidget>("patient_list").isVisible());
-  QTest::keyClick(&windows_->therapist(), Qt::Key_F, Qt::ControlModifier);
-  EXPECT_FALSE(operator_->find<QLineEdit>("patient_search").isVisible());
+  const auto works = [&](const QKeySequence& key) {
+    for (const auto* shortcut : windows_->therapist().findChildren<QShortcut*>())
+      if (shortcut->key() == key) return shortcut->isEnabled();
+    ADD_FAILURE() << "no shortcut is " << key.toString().toStdString();
+    return false;
+  };
+  EXPECT_FALSE(works(QKeySequence::Find));
+  EXPECT_TRUE(works(QKeySequence(Qt::Key_F10))) << "stopping is never locked away";
   log_in("Ada", "wrong password");
   EXPECT_TRUE(windows_->staff().closed());
   EXPECT_FALSE(operator_->find<QLabel>("login_problem").text().isEmpty());
@@ -90,6 +111,7 @@ TEST_F(LoginTest, NothingOpensBeforeSomebodyIsIn) {
   ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
   EXPECT_EQ(windows_->staff().user(), "Ada");
   EXPECT_TRUE(operator_->find<QListWidget>("patient_list").isVisible());
+  EXPECT_TRUE(works(QKeySequence::Find));
 }
 
 TEST_F(LoginTest, TheLockClosesWhatWasOpenAndAPinOpensItAgain) {
@@ -127,18 +149,23 @@ TEST_F(LoginTest, AnIdentityIsReadOnRequestAndTheLogSaysByWhom) {
   keep("identity");
   name.setText("Maria Berger-Novak");
   operator_->press("identity_store");
-  Access& access = *windows_->staff().access();
+  const auto* card = windows_->therapist().findChild<IdentityCard*>();
   ASSERT_TRUE(wait_until([&] {
-    const auto read = read_identity(access, "P-0427");
-    return read.ok() && *read && (*read)->name == "Maria Berger-Novak";
+    const auto labels = card->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [](const QLabel* label) { return label->text() == "Kept."; });
   }));
   windows_->presenter().choose_patient("");
   EXPECT_TRUE(name.text().isEmpty()) << "nothing of one person stays for the next";
+  Access& access = *windows_->staff().access();
   ASSERT_TRUE(access.log_in_with_passphrase(Secret(kPassphrase)).ok());
-  const auto entries = read_audit(access, {"read identity", "P-0427"});
-  ASSERT_TRUE(entries.ok()) << entries.error().message();
-  ASSERT_FALSE(entries->empty());
-  EXPECT_EQ(entries->front().actor, "Ada");
+  for (const char* act : {"read identity", "change identity"}) {
+    const auto entries = read_audit(access, {act, "P-0427"});
+    ASSERT_TRUE(entries.ok()) << entries.error().message();
+    ASSERT_FALSE(entries->empty()) << act;
+    EXPECT_EQ(entries->back().actor, "Ada");
+  }
+  EXPECT_EQ((**read_identity(access, "P-0427")).name, "Maria Berger-Novak");
 }
 
 TEST_F(LoginTest, AResearcherSeesNoIdentity) {
@@ -151,11 +178,189 @@ TEST_F(LoginTest, AResearcherSeesNoIdentity) {
   EXPECT_FALSE(operator_->find<QPushButton>("identity_show").isVisible());
 }
 
-TEST(Staff, LocksWhenNobodyTouchesAnythingButNeverInATrial) {
-  const AccessPolicy policy{60, 10};
-  EXPECT_FALSE(is_lock_due(policy, 59.0, false));
-  EXPECT_TRUE(is_lock_due(policy, 61.0, false));
-  EXPECT_FALSE(is_lock_due(policy, 3600.0, true));
+TEST_F(LoginTest, NothingThatWasDecryptedStaysForTheNextPerson) {
+  log_in("Ada", kPassword);
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
+  windows_->presenter().choose_patient("P-0427");
+  windows_->therapist().show_page(TherapistWindow::Page::patient);
+  auto& goals = operator_->find<QPlainTextEdit>("goals");
+  ASSERT_TRUE(wait_until([&] { return goals.isEnabled(); }));
+  const QString secret = "to play the piano again";
+  goals.setPlainText(secret);
+  const auto refused = [&] { return operator_->find<QLabel>("message").text(); };
+  operator_->press("lock");  // with the text typed, not stored
+  EXPECT_TRUE(goals.toPlainText().isEmpty());
+  EXPECT_FALSE(windows_->clinic().file().has_value());
+  ASSERT_TRUE(wait_until([&] { return windows_->staff().access()->is_locked(); }));
+  EXPECT_EQ(refused(), "");
+  log_in("Rosa", kPassword);
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().file_of() == "P-0427"; }));
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().file().has_value(); }));
+  EXPECT_NE(goals.toPlainText(), secret) << "a researcher";
+  operator_->press("lock");
+  log_in_with_password("Ada");
+  EXPECT_TRUE(wait_until([&] { return goals.toPlainText() == secret; }))
+      << "what was typed is kept";
+  EXPECT_EQ(refused(), "");
+}
+
+TEST_F(LoginTest, TheDatabaseIsOpenWithTheRightsOfWhoeverIsIn) {
+  log_in("Rosa", kPassword);
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
+  operator_->press("lock");
+  log_in_with_password("Ada");
+  windows_->clinic().add_patient();
+  EXPECT_TRUE(wait_until([&] { return windows_->clinic().patients().size() == 2; }))
+      << operator_->find<QLabel>("message").text().toStdString();
+}
+
+TEST_F(LoginTest, ADialogClosesWithTheLock) {
+  log_in("Ada", kPassword);
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
+  QDialog dialog(&windows_->therapist());
+  dialog.open();
+  operator_->press("lock");
+  EXPECT_FALSE(dialog.isVisible());
+  EXPECT_EQ(dialog.result(), QDialog::Rejected);
+}
+
+TEST_F(LoginTest, AWrongPasswordIsToldAtTheLoginAloneWithoutAPath) {
+  log_in("Ada", "wrong password");
+  EXPECT_EQ(operator_->find<QLabel>("login_problem").text(),
+            "name or password is wrong; try again");
+  EXPECT_EQ(operator_->find<QLabel>("message").text(), "");
+}
+
+TEST_F(LoginTest, TheListKeepsWhoWasChosenAndElseShowsWhoWasIn) {
+  auto& list = operator_->find<QComboBox>("login_who");
+  log_in("Rosa", "wrong password");
+  EXPECT_EQ(list.currentText(), "Rosa");
+  log_in("Rosa", kPassword);
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
+  operator_->press("lock");
+  EXPECT_EQ(list.currentText(), "Rosa");
+  log_in_with_password("Ada");
+  operator_->press("lock");
+  EXPECT_EQ(list.currentText(), "Ada");
+}
+
+TEST_F(LoginTest, TheContactKeepsItsLines) {
+  log_in("Ada", kPassword);
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
+  Access& access = *windows_->staff().access();
+  const std::string contact = "555 0100\nmaria@example.org";
+  ASSERT_TRUE(set_identity(access, "P-0427", {"Maria Berger", "1950-03-05", contact}).ok());
+  windows_->presenter().choose_patient("P-0427");
+  windows_->therapist().show_page(TherapistWindow::Page::patient);
+  operator_->find<QTabWidget>("patient_tabs").setCurrentIndex(1);
+  operator_->press("identity_show");
+  auto& name = operator_->find<QLineEdit>("identity_name");
+  ASSERT_TRUE(wait_until([&] { return name.text() == "Maria Berger"; }));
+  name.setText("Maria Novak");
+  operator_->press("identity_store");
+  ASSERT_TRUE(wait_until([&] {
+    const auto read = read_identity(access, "P-0427");
+    return read.ok() && *read && (*read)->name == "Maria Novak";
+  }));
+  EXPECT_EQ((**read_identity(access, "P-0427")).contact, contact);
+}
+
+TEST_F(LoginTest, APrintedReportAndABackupStandInTheAuditLog) {
+  log_in("Ada", kPassword);
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
+  auto* reports = windows_->therapist().findChild<ReportsPage*>();
+  Q_EMIT reports->sent("P-0427", true);
+  Access& access = *windows_->staff().access();
+  ASSERT_TRUE(access.log_in_with_passphrase(Secret(kPassphrase)).ok());
+  const auto logged = [&](const char* act) {
+    const auto entries = read_audit(access, {act, ""});
+    return entries.ok() && !entries->empty();
+  };
+  EXPECT_TRUE(wait_until([&] { return logged("print"); }));
+}
+
+/// Somebody at this station, in the time of the test.
+class StaffTest : public QtTest {
+ protected:
+  StaffTest() {
+    auto made = Access::create(database_, Secret(kPassphrase), &kCheapKeyCost);
+    EXPECT_TRUE(made.ok()) << made.error().message();
+    EXPECT_TRUE(
+        add_user(*made->access, "Ada", Role::therapist, Secret(kPassword), kCheapKeyCost).ok());
+    EXPECT_TRUE(set_policy(*made->access, {kLockAfter_s, 10}).ok());
+    made->access.reset();
+    staff_ = std::make_unique<Staff>(database_, &clock_);
+    staff_->open();
+    EXPECT_TRUE(wait_until([&] { return !staff_->busy(); }));
+    QString password = kPassword;
+    staff_->log_in(Staff::Key::password, "Ada", password);
+    EXPECT_TRUE(wait_until([&] { return !staff_->busy(); }));
+    EXPECT_FALSE(staff_->closed());
+  }
+  void wait(double seconds) {
+    clock_.wait_until(clock_.now() + from_seconds(seconds));
+    staff_->lock_if_due();
+  }
+
+  static constexpr int kLockAfter_s = 60;
+  TemporaryFolder folder_;
+  std::string database_ = folder_.path("clinic.db");
+  ManualClock clock_;
+  std::unique_ptr<Staff> staff_;
+};
+
+TEST_F(StaffTest, LocksWhenNobodyHasTouchedAnything) {
+  wait(kLockAfter_s - 1);
+  EXPECT_FALSE(staff_->locked());
+  wait(2);
+  EXPECT_TRUE(staff_->locked());
+}
+
+TEST_F(StaffTest, IsPutOffByWhateverAHandDoes) {
+  QObject anything;
+  for (const auto type : {QEvent::KeyPress, QEvent::ShortcutOverride, QEvent::MouseButtonPress,
+                          QEvent::MouseMove, QEvent::TouchBegin, QEvent::TouchUpdate}) {
+    wait(kLockAfter_s - 1);
+    QEvent event(type);
+    QCoreApplication::sendEvent(&anything, &event);
+  }
+  EXPECT_FALSE(staff_->locked());
+  QEvent paint(QEvent::Paint);
+  wait(kLockAfter_s - 1);
+  QCoreApplication::sendEvent(&anything, &paint);
+  wait(2);
+  EXPECT_TRUE(staff_->locked());
+}
+
+TEST_F(StaffTest, DoesNotLockInATrialNorAtOnceBehindIt) {
+  bool runs = true;
+  staff_->set_trial_runs([&] { return runs; });
+  wait(10.0 * kLockAfter_s);
+  EXPECT_FALSE(staff_->locked());
+  runs = false;
+  wait(kLockAfter_s - 1);
+  EXPECT_FALSE(staff_->locked()) << "the time begins anew";
+  wait(2);
+  EXPECT_TRUE(staff_->locked());
+}
+
+TEST_F(StaffTest, TheLockWaitsForWhatIsBeingStoredButTheLoginDoesNotPassIt) {
+  std::function<void()> stored;
+  staff_->set_after_storing([&](std::function<void()> then) { stored = std::move(then); });
+  staff_->lock();
+  EXPECT_TRUE(staff_->closed());
+  EXPECT_FALSE(staff_->access()->is_locked());
+  QString wrong = "wrong password";
+  staff_->log_in(Staff::Key::password, "Ada", wrong);
+  ASSERT_TRUE(wait_until([&] { return !staff_->busy(); }));
+  EXPECT_TRUE(staff_->access()->is_locked());
+  EXPECT_TRUE(staff_->closed());
+  stored();
+  QString password = kPassword;
+  staff_->log_in(Staff::Key::password, "Ada", password);
+  ASSERT_TRUE(wait_until([&] { return !staff_->busy(); }));
+  EXPECT_FALSE(staff_->access()->is_locked());
+  EXPECT_FALSE(staff_->closed());
 }
 
 }  // namespace

@@ -24,6 +24,8 @@ class BackupWork final : public QObject {
   void begin();  ///< the database is open: looks now, then every quarter of an hour
   /// A session is open: a copy would disturb the disk.
   void hold(bool wait);
+  /// Makes one if it is due and nothing holds it.
+  void look();
   /// Why the newest one could not be made; empty: it could.
   [[nodiscard]] const QString& problem() const noexcept { return problem_; }
 
@@ -32,8 +34,6 @@ class BackupWork final : public QObject {
   void failed(const QString& why);  ///< once a day for each reason
 
  private:
-  void look();
-
   Backups backups_;
   bool held_ = false;
   bool running_ = false;

@@ -51,7 +51,10 @@ Staff::Staff(std::string database, const Clock* clock, QObject* parent)
   watch_.start();
 }
 
-Staff::~Staff() = default;
+Staff::~Staff() {
+  if (access_ != nullptr)
+    worker_.run([access = access_] { return access->log_out(), true; }, [](bool) {});
+}
 
 void Staff::open() {
   if (!protected_) {

@@ -279,6 +279,19 @@ TEST_F(LoginTest, APrintedReportAndABackupStandInTheAuditLog) {
   EXPECT_TRUE(wait_until([&] { return logged("print"); }));
 }
 
+TEST_F(LoginTest, WhoeverClosesTheWindowsIsLoggedOut) {
+  log_in("Ada", kPassword);
+  operator_.reset();
+  windows_.reset();
+  auto access = *Access::open(database_);
+  EXPECT_FALSE(access->user());
+  ASSERT_TRUE(access->log_in_with_passphrase(Secret(kPassphrase)).ok());
+  const auto entries = read_audit(*access, {"log out", ""});
+  ASSERT_TRUE(entries.ok()) << entries.error().message();
+  ASSERT_FALSE(entries->empty());
+  EXPECT_EQ(entries->back().actor, "Ada");
+}
+
 /// Somebody at this station, in the time of the test.
 class StaffTest : public QtTest {
  protected:

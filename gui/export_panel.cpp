@@ -184,10 +184,20 @@ void ExportPanel::list_files() {
   problem_.clear();
   const auto wanted = request();
   if (whose_->currentIndex() == 0 && wanted.patient.empty()) return refresh();
-  using Files = Result<std::vector<std::string>>;
+  struct Listed {
+    std::vector<std::string> files;
+    std::size_t not_released = 0;
+  };
+  using Files = Result<Listed>;
   clinic_.read(
       this,
-      [wanted, form = format()](SessionStore& store) { return list_export(store, wanted, form); },
+      [wanted, form = format()](SessionStore& store) -> Files {
+        auto files = list_export(store, wanted, form);
+        if (!files) return files.error();
+        const auto not_released = count_not_released(store, wanted);
+        if (!not_released) return not_released.error();
+        return Listed{*std::move(files), *not_released};
+      },
       [this, number = ++lists_](const Files& files) {
         if (number != lists_) return;
         if (!files) {
@@ -195,9 +205,10 @@ void ExportPanel::list_files() {
           return refresh();
         }
         int listed = 0;
-        for (const auto& file : *files)
+        for (const auto& file : files->files)
           if (++listed <= kMostListed) files_->addItem(QString::fromStdString(file));
-        count_->setProperty("files", static_cast<int>(files->size()));
+        count_->setProperty("files", static_cast<int>(files->files.size()));
+        count_->setProperty("not_released", static_cast<int>(files->not_released));
         refresh();
       });
   refresh();
@@ -230,6 +241,10 @@ void ExportPanel::refresh() {
                   : !problem_.isEmpty() ? problem_
                   : any                 ? tr("%n file(s), below a new folder:", "", files)
                                         : tr("Nothing is stored yet."));
+  const int not_released = one ? 0 : count_->property("not_released").toInt();
+  if (not_released > 0 && problem_.isEmpty())
+    count_->setText(count_->text() + " " +
+                    tr("%n patient(s) left out: not released for research.", "", not_released));
   // Reading whole trials and writing them disturbs the disk: a trial has it for itself.
   ExportWork& work = clinic_.research_export();
   const bool waits = presenter_.view().may_stop;

@@ -4932,10 +4932,6 @@
         <translation>die Zugriffsrechte des Ordners prüfen</translation>
     </message>
     <message>
-        <source>checking the audit log</source>
-        <translation>Zugriffsprotokoll prüfen</translation>
-    </message>
-    <message>
         <source>choose a folder that you may write to</source>
         <translation>einen Ordner wählen, in den Sie schreiben dürfen</translation>
     </message>
@@ -4998,10 +4994,6 @@
     <message>
         <source>close it and start again</source>
         <translation>schließen und neu beginnen</translation>
-    </message>
-    <message>
-        <source>close it, then run the erasure again</source>
-        <translation>es schließen, dann die Löschung wiederholen</translation>
     </message>
     <message>
         <source>close other programs</source>
@@ -5082,10 +5074,6 @@
     <message>
         <source>could not be made: %1</source>
         <translation>konnte nicht gemacht werden: %1</translation>
-    </message>
-    <message>
-        <source>could not be put in place: %1</source>
-        <translation>konnte nicht an seinen Platz gebracht werden: %1</translation>
     </message>
     <message>
         <source>could not be written completely</source>
@@ -5988,10 +5976,6 @@
         <translation>die Messgrößen ansehen</translation>
     </message>
     <message>
-        <source>make a protected one: isograsp db init FILE --protected</source>
-        <translation>eine geschützte machen: isograsp db init DATEI --protected</translation>
-    </message>
-    <message>
         <source>make it shorter</source>
         <translation>kürzer machen</translation>
     </message>
@@ -6550,10 +6534,6 @@
     <message>
         <source>removing an account</source>
         <translation>Konto entfernen</translation>
-    </message>
-    <message>
-        <source>rename %1 back</source>
-        <translation>%1 zurückbenennen</translation>
     </message>
     <message>
         <source>rename it</source>
@@ -7118,10 +7098,6 @@
     <message>
         <source>the role %1 may not see who people are</source>
         <translation>die Rolle %1 darf nicht sehen, wer die Personen sind</translation>
-    </message>
-    <message>
-        <source>the rows are erased, but another program still reads the journal that holds them</source>
-        <translation>die Zeilen sind gelöscht, aber ein anderes Programm liest noch das Journal, das sie enthält</translation>
     </message>
     <message>
         <source>the screening allows this hand comfortable force only</source>
@@ -7835,6 +7811,50 @@
         <source>%1 shifts or turns its forces before it sends them</source>
         <translation>%1 verschiebt oder dreht seine Kräfte, bevor er sie sendet</translation>
     </message>
+    <message>
+        <source>cannot be closed to other programs</source>
+        <translation>lässt sich nicht für andere Programme sperren</translation>
+    </message>
+    <message>
+        <source>close it, then do the same again</source>
+        <translation>schließen Sie es, dann dasselbe noch einmal</translation>
+    </message>
+    <message>
+        <source>close them, then protect it</source>
+        <translation>schließen Sie sie, dann schützen</translation>
+    </message>
+    <message>
+        <source>closing the file to others</source>
+        <translation>Sperren der Datei für andere</translation>
+    </message>
+    <message>
+        <source>end that session, then protect it</source>
+        <translation>beenden Sie jene Sitzung, dann schützen</translation>
+    </message>
+    <message>
+        <source>give a code that both have</source>
+        <translation>geben Sie ein Kürzel an, das beide haben</translation>
+    </message>
+    <message>
+        <source>patient %1 is not in both files</source>
+        <translation>Patient %1 steht nicht in beiden Dateien</translation>
+    </message>
+    <message>
+        <source>protect it: isograsp db protect FILE</source>
+        <translation>schützen Sie sie: isograsp db protect DATEI</translation>
+    </message>
+    <message>
+        <source>reading an erased code</source>
+        <translation>Lesen eines gelöschten Kürzels</translation>
+    </message>
+    <message>
+        <source>reading the last record</source>
+        <translation>Lesen der letzten Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>what was removed may still stand in the file and its log: another program reads them</source>
+        <translation>Entferntes kann noch in der Datei und ihrem Protokoll stehen: ein anderes Programm liest sie</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::BackupWork</name>
@@ -8368,6 +8388,13 @@
     <message>
         <source>Waits for the end of the trial</source>
         <translation>Wartet auf das Ende des Versuchs</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patient(s) left out: not released for research.</source>
+        <translation>
+            <numerusform>%n Person ausgelassen: nicht für die Forschung freigegeben.</numerusform>
+            <numerusform>%n Personen ausgelassen: nicht für die Forschung freigegeben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9196,6 +9223,54 @@
         <source>Not stored. %1</source>
         <translation>Nicht gespeichert. %1</translation>
     </message>
+    <message>
+        <source>Female</source>
+        <translation>Weiblich</translation>
+    </message>
+    <message>
+        <source>Sex: female</source>
+        <translation>Geschlecht: weiblich</translation>
+    </message>
+    <message>
+        <source>Male</source>
+        <translation>Männlich</translation>
+    </message>
+    <message>
+        <source>Sex: male</source>
+        <translation>Geschlecht: männlich</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Divers</translation>
+    </message>
+    <message>
+        <source>Sex: other</source>
+        <translation>Geschlecht: divers</translation>
+    </message>
+    <message>
+        <source>Year of birth</source>
+        <translation>Geburtsjahr</translation>
+    </message>
+    <message>
+        <source>Four digits; empty: not known; the day belongs to the name (Ctrl+Shift+B)</source>
+        <translation>Vier Ziffern; leer: nicht bekannt; der Tag gehört zum Namen (Strg+Umschalt+B)</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>Saved, but for the onset</source>
+        <translation>Gespeichert, bis auf den Krankheitsbeginn</translation>
+    </message>
+    <message>
+        <source>Saved, but for the year of birth</source>
+        <translation>Gespeichert, bis auf das Geburtsjahr</translation>
+    </message>
+    <message>
+        <source>Not stored. Give a year from %1 to %2.</source>
+        <translation>Nicht gespeichert. Geben Sie ein Jahr von %1 bis %2 an.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::PreparePanel</name>
@@ -9400,10 +9475,6 @@
     <message>
         <source>Saving …</source>
         <translation>Wird gespeichert …</translation>
-    </message>
-    <message>
-        <source>Saved, but for the onset</source>
-        <translation>Gespeichert, außer dem Krankheitsbeginn</translation>
     </message>
     <message>
         <source>Saved</source>

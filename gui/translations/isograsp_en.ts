@@ -37,6 +37,13 @@
             <numerusform>%n files, below a new folder:</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n patient(s) left out: not released for research.</source>
+        <translation>
+            <numerusform>%n patient left out: not released for research.</numerusform>
+            <numerusform>%n patients left out: not released for research.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>isograsp::ObjectSketch</name>

@@ -4932,10 +4932,6 @@
         <translation>vérifier les droits d’accès du dossier</translation>
     </message>
     <message>
-        <source>checking the audit log</source>
-        <translation>vérification du journal d’accès</translation>
-    </message>
-    <message>
         <source>choose a folder that you may write to</source>
         <translation>choisir un dossier où vous pouvez écrire</translation>
     </message>
@@ -4998,10 +4994,6 @@
     <message>
         <source>close it and start again</source>
         <translation>la fermer et recommencer</translation>
-    </message>
-    <message>
-        <source>close it, then run the erasure again</source>
-        <translation>le fermer, puis relancer l’effacement</translation>
     </message>
     <message>
         <source>close other programs</source>
@@ -5082,10 +5074,6 @@
     <message>
         <source>could not be made: %1</source>
         <translation>n’a pas pu être créé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>could not be put in place: %1</source>
-        <translation>n’a pas pu être mis en place&#xa0;: %1</translation>
     </message>
     <message>
         <source>could not be written completely</source>
@@ -5988,10 +5976,6 @@
         <translation>regarder ses mesures</translation>
     </message>
     <message>
-        <source>make a protected one: isograsp db init FILE --protected</source>
-        <translation>en créer une protégée&#xa0;: isograsp db init FICHIER --protected</translation>
-    </message>
-    <message>
         <source>make it shorter</source>
         <translation>le raccourcir</translation>
     </message>
@@ -6550,10 +6534,6 @@
     <message>
         <source>removing an account</source>
         <translation>retrait d’un compte</translation>
-    </message>
-    <message>
-        <source>rename %1 back</source>
-        <translation>redonner à %1 son nom</translation>
     </message>
     <message>
         <source>rename it</source>
@@ -7118,10 +7098,6 @@
     <message>
         <source>the role %1 may not see who people are</source>
         <translation>le rôle %1 ne peut pas voir qui sont les personnes</translation>
-    </message>
-    <message>
-        <source>the rows are erased, but another program still reads the journal that holds them</source>
-        <translation>les lignes sont effacées, mais un autre programme lit encore le journal qui les contient</translation>
     </message>
     <message>
         <source>the screening allows this hand comfortable force only</source>
@@ -7835,6 +7811,50 @@
         <source>%1 shifts or turns its forces before it sends them</source>
         <translation>%1 décale ou tourne ses forces avant de les envoyer</translation>
     </message>
+    <message>
+        <source>cannot be closed to other programs</source>
+        <translation>ne peut pas être fermé aux autres programmes</translation>
+    </message>
+    <message>
+        <source>close it, then do the same again</source>
+        <translation>fermez-le, puis recommencez</translation>
+    </message>
+    <message>
+        <source>close them, then protect it</source>
+        <translation>fermez-les, puis protégez le fichier</translation>
+    </message>
+    <message>
+        <source>closing the file to others</source>
+        <translation>fermeture du fichier aux autres</translation>
+    </message>
+    <message>
+        <source>end that session, then protect it</source>
+        <translation>terminez cette séance, puis protégez le fichier</translation>
+    </message>
+    <message>
+        <source>give a code that both have</source>
+        <translation>donnez un code que les deux ont</translation>
+    </message>
+    <message>
+        <source>patient %1 is not in both files</source>
+        <translation>le patient %1 n’est pas dans les deux fichiers</translation>
+    </message>
+    <message>
+        <source>protect it: isograsp db protect FILE</source>
+        <translation>protégez-la : isograsp db protect FICHIER</translation>
+    </message>
+    <message>
+        <source>reading an erased code</source>
+        <translation>lecture d’un code effacé</translation>
+    </message>
+    <message>
+        <source>reading the last record</source>
+        <translation>lecture du dernier enregistrement</translation>
+    </message>
+    <message>
+        <source>what was removed may still stand in the file and its log: another program reads them</source>
+        <translation>ce qui a été retiré peut encore se trouver dans le fichier et son journal : un autre programme les lit</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::BackupWork</name>
@@ -8368,6 +8388,13 @@
     <message>
         <source>Waits for the end of the trial</source>
         <translation>Attend la fin de l’essai</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patient(s) left out: not released for research.</source>
+        <translation>
+            <numerusform>%n personne laissée de côté : non autorisée pour la recherche.</numerusform>
+            <numerusform>%n personnes laissées de côté : non autorisées pour la recherche.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9196,6 +9223,54 @@
         <source>Not stored. %1</source>
         <translation>Non enregistré. %1</translation>
     </message>
+    <message>
+        <source>Female</source>
+        <translation>Féminin</translation>
+    </message>
+    <message>
+        <source>Sex: female</source>
+        <translation>Sexe : féminin</translation>
+    </message>
+    <message>
+        <source>Male</source>
+        <translation>Masculin</translation>
+    </message>
+    <message>
+        <source>Sex: male</source>
+        <translation>Sexe : masculin</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Autre</translation>
+    </message>
+    <message>
+        <source>Sex: other</source>
+        <translation>Sexe : autre</translation>
+    </message>
+    <message>
+        <source>Year of birth</source>
+        <translation>Année de naissance</translation>
+    </message>
+    <message>
+        <source>Four digits; empty: not known; the day belongs to the name (Ctrl+Shift+B)</source>
+        <translation>Quatre chiffres ; vide : non connue ; le jour va avec le nom (Ctrl+Maj+B)</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>Sexe</translation>
+    </message>
+    <message>
+        <source>Saved, but for the onset</source>
+        <translation>Enregistré, sauf le début</translation>
+    </message>
+    <message>
+        <source>Saved, but for the year of birth</source>
+        <translation>Enregistré, sauf l’année de naissance</translation>
+    </message>
+    <message>
+        <source>Not stored. Give a year from %1 to %2.</source>
+        <translation>Non enregistré. Donnez une année de %1 à %2.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::PreparePanel</name>
@@ -9400,10 +9475,6 @@
     <message>
         <source>Saving …</source>
         <translation>Enregistrement …</translation>
-    </message>
-    <message>
-        <source>Saved, but for the onset</source>
-        <translation>Enregistré, sauf le début</translation>
     </message>
     <message>
         <source>Saved</source>

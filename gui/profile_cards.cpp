@@ -55,6 +55,7 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
   dominant_ = new Segments({{"dominant_left", tr("Left"), tr("Dominant hand: left"), "Ctrl+5"},
                             {"dominant_right", tr("Right"), tr("Dominant hand: right"), "Ctrl+6"}},
                            this);
+  make_sex_and_year();
   onset_ = new DateField(Ahead::refused);
   onset_->setObjectName("onset");
   onset_->setPlaceholderText(tr("not known"));
@@ -74,12 +75,21 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
                       "Ctrl+Shift+N");
   column_->addWidget(caption(tr("Affected side"), affected_));
   column_->addWidget(affected_);
-  column_->addWidget(caption(tr("Dominant hand"), dominant_));
-  column_->addWidget(dominant_);
-  add_sex_and_year();
-  column_->addWidget(caption(tr("Onset"), onset_));
-  column_->addWidget(onset_);
+  // Two and two side by side: the texts below need the room.
+  auto* pairs = new QGridLayout;
+  pairs->setColumnStretch(0, 2);
+  pairs->setColumnStretch(1, 1);
+  const auto put = [pairs](int row, int column, const QString& title, QWidget* field) {
+    pairs->addWidget(caption(title, field), 2 * row, column);
+    pairs->addWidget(field, 2 * row + 1, column);
+  };
+  put(0, 0, tr("Dominant hand"), dominant_);
+  put(0, 1, tr("Onset"), onset_);
+  put(1, 0, tr("Sex"), sex_);
+  put(1, 1, tr("Year of birth"), born_);
+  column_->addLayout(pairs);
   column_->addWidget(onset_remark_);
+  column_->addWidget(born_remark_);
   column_->addWidget(caption(tr("Goals"), goals_));
   column_->addWidget(goals_, 1);
   column_->addWidget(caption(tr("Notes"), notes_));
@@ -103,8 +113,8 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
     connect(field, &QPlainTextEdit::textChanged, this, &PersonCard::typed);
 }
 
-/// Side by side: they belong together, to find healthy people of the same kind.
-void PersonCard::add_sex_and_year() {
+/// By these and the dominant hand healthy people of the same kind are found.
+void PersonCard::make_sex_and_year() {
   sex_ = new Segments({{"sex_female", tr("Female"), tr("Sex: female"), "Ctrl+7"},
                        {"sex_male", tr("Male"), tr("Sex: male"), "Ctrl+8"},
                        {"sex_other", tr("Other"), tr("Sex: other"), "Ctrl+9"}},
@@ -118,15 +128,6 @@ void PersonCard::add_sex_and_year() {
   add_key(this, "Ctrl+Shift+B", [this] { born_->setFocus(); });
   born_remark_ = new Remark;
   born_remark_->setObjectName("birth_year_remark");
-  auto* row = new QGridLayout;
-  row->setColumnStretch(0, 2);
-  row->setColumnStretch(1, 1);
-  row->addWidget(caption(tr("Sex"), sex_), 0, 0);
-  row->addWidget(sex_, 1, 0);
-  row->addWidget(caption(tr("Year of birth"), born_), 0, 1);
-  row->addWidget(born_, 1, 1);
-  column_->addLayout(row);
-  column_->addWidget(born_remark_);
   connect(born_, &QLineEdit::textChanged, this, [this](const QString& text) {
     born_remark_->say({});
     if (text.size() < born_->maxLength()) return;

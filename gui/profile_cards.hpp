@@ -35,7 +35,7 @@ class PersonCard final : public Card {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void add_sex_and_year();
+  void make_sex_and_year();
   void finish_year();
   [[nodiscard]] QPlainTextEdit* text_field(const QString& name, const QString& title,
                                            const QString& tooltip, const QString& key);

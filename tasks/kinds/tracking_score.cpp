@@ -28,7 +28,7 @@ void add_errors(const Record& record, const Trace& trace, double band_fraction,
                 const std::string& channel, MeasureList& list) {
   const auto& [section, t_s, force_N, target_N, weight_s] = trace;
   const auto add = [&](const char* name, const char* unit, const Computed& computed) {
-    list.add(name, channel, unit, section, computed);
+    list.add(name, channel, unit, trace.section, computed);
   };
   const double noise_N = record.constant("noise_sd_N").value_or(0.0);
   add("rmse", "N", rmse(target_N, force_N, weight_s));

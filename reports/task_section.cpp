@@ -45,6 +45,7 @@ Result<void> add_norms(const VerdictContext& context, const StoredTrial& like,
                        TaskSection& section) {
   const PatientProfile& person = context.profile;
   if (!person.sex || !person.birth_year || !person.dominant) return {};
+  if (section.spec && section.spec->difficulty) return {};  // levels follow success: no assessment
   for (auto& series : section.series) {
     if (!series.key && primary_of(context, section, series.name, series.channel) == nullptr)
       continue;

@@ -256,6 +256,12 @@ TEST_F(VerdictReport, HealthyPeopleMakeABandFromTwentyOfTheSameKindOn) {
   EXPECT_TRUE(norm());
   tell(id, Side::left, Sex::other, 1961);
   EXPECT_FALSE(norm());
+  tell(id, Side::left, Sex::female, 1961);
+  Assessed training{"2026-03-20", {10}};
+  training.task_file = "grip_sine_training.toml";
+  healthy(Sex::female, 1961, training);
+  assess(id, training);
+  EXPECT_FALSE(norm()) << "levels that follow success are no assessment";
 }
 
 TEST_F(VerdictReport, TheOtherHandStandsBesideTheLastValue) {

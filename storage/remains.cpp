@@ -18,7 +18,8 @@ std::vector<std::string> remains_of(soci::session& sql, const std::string& code,
       (sql.prepare
            << "SELECT at_utc, act, object, detail FROM audit_log WHERE result = 'done' AND "
               "at_utc <= :until AND ((act IN ('backup', 'migrate', 'restore', 'merge') AND "
-              "at_utc >= :since) OR (act IN ('export', 'export person', 'report', 'study') "
+              "at_utc >= :since) OR (act IN ('export', 'export person', 'print', 'report', "
+              "'study') "
               "AND (:all = '' OR object = '' OR object = :code COLLATE NOCASE))) ORDER BY id",
        soci::use(until_utc), soci::use(since_utc), soci::use(code), soci::use(code),
        soci::into(at_utc), soci::into(act), soci::into(object), soci::into(detail));

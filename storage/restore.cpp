@@ -112,12 +112,15 @@ Result<void> put_in_place(const std::string& copy, const std::string& target,
     return failed(target, "another program records into it now", "end that session, then restore");
   Renamings renamings;
   std::error_code failure;
-  if (!kept.empty()) {
+  if (!kept.empty())
     if (auto closed = close_for_all(target); !closed) return closed;
-    // The log first: it must never stand beside a file that is not its own.
-    if (const auto why = renamings.rename(target + "-wal", kept + "-wal"); why)
-      return not_renamed(why);
-    fs::remove(target + "-shm", failure);
+  // The log first: it must never stand beside a file that is not its own. A file that was lost may
+  // have left one.
+  const std::string aside = kept.empty() ? free_name(target + ".before-restore") : kept;
+  for (const char* log : {"-wal", "-journal"})
+    if (const auto why = renamings.rename(target + log, aside + log); why) return not_renamed(why);
+  fs::remove(target + "-shm", failure);
+  if (!kept.empty()) {
     // A second name, so that at no moment there is no file; where there are none, a new one.
     if (::link(target.c_str(), kept.c_str()) == 0)
       renamings.take_back([kept] {

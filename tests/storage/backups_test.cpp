@@ -140,6 +140,20 @@ TEST_F(Backup, RestoringOverADamagedFileAndWhereThereIsNone) {
   EXPECT_EQ(must(open_store(fresh)->patients()).size(), 1u);
 }
 
+TEST_F(Backup, TheLogOfALostFileIsSetAsideNotReplayedIntoTheRestoredOne) {
+  const auto made = must(Backups(path).make(kStart));
+  const auto store = open_store(path);  // keeps the log
+  must(store->add_patient("P-2"));
+  const std::string lost = folder.file("lost.db");
+  std::filesystem::copy_file(path + "-wal", lost + "-wal");
+  const std::string log = bytes_of(lost + "-wal");
+  ASSERT_FALSE(log.empty());
+  must(restore_backup(made.backup.path, lost));
+  EXPECT_EQ(must(open_store(lost)->patients()).size(), 1u);
+  EXPECT_TRUE(must(open_store(lost)->check()).empty());
+  EXPECT_EQ(bytes_of(lost + ".before-restore-wal"), log);
+}
+
 TEST_F(Backup, IsNotRestoredIfItIsDamagedOrTheFileIsInUse) {
   const auto made = must(Backups(path).make(kStart));
   {

@@ -2,7 +2,6 @@
 #include "app/clinic.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -13,10 +12,9 @@
 
 #include "app/console.hpp"
 #include "app/paths.hpp"
-#include "app/run.hpp"
-#include "core/time.hpp"
-#include "storage/merge.hpp"
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/care/merge.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace isograsp {
 
@@ -24,47 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Enrolled {
-  const char* person;
-  const char* course;
-};
-constexpr std::array<Enrolled, 12> kEnrolled{{{"mild", "recovery"},
-                                              {"moderate", "recovery"},
-                                              {"severe", "recovery"},
-                                              {"spastic", "botulinum"},
-                                              {"opening_loss", "recovery"},
-                                              {"direction_error", "plateau"},
-                                              {"arm_push", "plateau"},
-                                              {"sensory_loss", "recovery"},
-                                              {"inattention", "plateau"},
-                                              {"fatiguing", "loosened_strap"},
-                                              {"moderate", "decline"},
-                                              {"slow_wander", "plateau"}}};
-constexpr int kSessions = 20;
-constexpr int kDaysBetween = 3;
-/// Fixed, so that the clinic is the same whenever it is made.
-constexpr const char* kFirstDay = "2026-01-05T09:00:00Z";
-
-std::string date_of(int day) {
-  constexpr std::time_t kSecondsPerDay = 86400;
-  return utc_text(*time_of_utc(kFirstDay) + day * kSecondsPerDay);
-}
-
-std::string code_of(std::size_t patient) {
-  const std::string number = std::to_string(patient + 1);
-  return "CLINIC-" + std::string(number.size() < 2 ? "0" : "") + number;
-}
-
 /// Removes the files that a clinic is made with however its making ends.
 class Parts {
  public:
-  explicit Parts(const std::string& database) : database_(database) {}
+  Parts(const std::string& database, std::size_t groups) : database_(database), groups_(groups) {}
   ~Parts() {
-    for (std::size_t patient = 0; patient < kEnrolled.size(); ++patient) remove(path(patient));
+    for (std::size_t group = 0; group < groups_; ++group) remove(path(group));
     remove(whole());
   }
-  [[nodiscard]] std::string path(std::size_t patient) const {
-    return database_ + "." + code_of(patient) + ".part";
+  [[nodiscard]] std::string path(std::size_t group) const {
+    return database_ + "." + std::to_string(group + 1) + ".part";
   }
   /// The clinic itself: it gets its name when it is complete.
   [[nodiscard]] std::string whole() const { return database_ + ".part"; }
@@ -77,42 +44,63 @@ class Parts {
 
  private:
   std::string database_;
+  std::size_t groups_;
 };
 
-/// All sessions of one patient, in order: training goes on where it stopped.
-Result<void> make_patient(std::size_t patient, const std::string& database,
-                          std::atomic<int>& sessions_made) {
-  RunOptions options;
-  options.protocol_file = library_folder() + "/protocols/training.toml";
-  options.database = database;
-  options.scratch = true;
-  options.patient = code_of(patient);
-  options.fast = true;
-  options.quiet = true;
-  for (int session = 0; session < kSessions; ++session) {
-    const int day = kDaysBetween * session;
-    constexpr int kSeedsPerPatient = 1000;
-    const int seed = kSeedsPerPatient * static_cast<int>(patient + 1);
-    options.device = std::string("sim://") + kEnrolled[patient].person +
-                     "?seed=" + std::to_string(seed) + "&course=" + kEnrolled[patient].course +
-                     "&day=" + std::to_string(day);
-    options.started_utc = date_of(day);
-    if (auto done = run_session(options); !done) return done;
-    ++sessions_made;
-  }
+/// What is known of a person beside the sessions.
+Result<void> tell(SessionStore& store, const DemoPerson& person) {
+  const auto patient = store.find_patient(person.code);
+  if (!patient) return patient.error();
+  const RowId id = patient->value().id;
+  if (auto done = store.set_profile(id, person.profile); !done) return done;
+  for (const auto& mark : person.treatments)
+    if (auto done = store.add_treatment_mark(id, mark); !done) return done.error();
+  for (const auto& score : person.scores)
+    if (auto done = store.add_clinical_score(id, score); !done) return done.error();
+  for (const auto& primary : person.primaries)
+    if (auto done = store.add_primary_measure(id, primary); !done) return done.error();
+  if (person.stable)
+    if (auto done = store.add_stable_period(id, *person.stable); !done) return done.error();
   return {};
 }
 
-/// Makes the patients on several threads.
+/// All sessions of some people, in order: training goes on where it stopped.
+Result<void> make_group(const DemoGroup& group, const std::string& database,
+                        std::atomic<int>& sessions_made) {
+  for (const DemoPerson& person : group)
+    for (const DemoVisit& visit : person.visits) {
+      RunOptions options = options_of(visit, person.code);
+      options.database = database;
+      options.scratch = true;
+      options.quiet = true;
+      if (auto done = run_session(options); !done) return done;
+      ++sessions_made;
+    }
+  const auto store = open_store(database, OpenMode::scratch);
+  if (!store) return store.error();
+  for (const DemoPerson& person : group)
+    if (auto done = tell(**store, person); !done) return done;
+  return {};
+}
+
+int sessions_of(const std::vector<DemoGroup>& groups) {
+  std::size_t sessions = 0;
+  for (const auto& group : groups)
+    for (const auto& person : group) sessions += person.visits.size();
+  return static_cast<int>(sessions);
+}
+
+/// Makes the groups on several threads.
 class Workers {
  public:
-  Workers(const Parts& parts, int threads) {
-    for (int worker = std::clamp(threads, 1, static_cast<int>(kEnrolled.size())); worker > 0;
-         --worker)
-      threads_.emplace_back([this, &parts] {
-        for (std::size_t patient = next_++; patient < kEnrolled.size() && !stop_; patient = next_++)
-          if (auto done = make_patient(patient, parts.path(patient), sessions_made_); done)
-            made_[patient] = true;
+  Workers(const std::vector<DemoGroup>& groups, const Parts& parts, int threads)
+      : sessions_(sessions_of(groups)), made_(groups.size()) {
+    const auto count = static_cast<int>(groups.size());
+    for (int worker = std::clamp(threads, 1, count); worker > 0; --worker)
+      threads_.emplace_back([this, &groups, &parts] {
+        for (std::size_t group = next_++; group < groups.size() && !stop_; group = next_++)
+          if (auto done = make_group(groups[group], parts.path(group), sessions_made_); done)
+            made_[group] = true;
           else
             fail(done.error());
       });
@@ -124,12 +112,12 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Waits until this patient is made.
-  [[nodiscard]] Result<void> wait_for(std::size_t patient, ProgressBar& bar) {
-    constexpr double kAll = static_cast<double>(kSessions) * kEnrolled.size();
-    while (!made_[patient]) {
-      bar.show(sessions_made_ / kAll, std::to_string(sessions_made_) + " sessions");
-      constexpr auto kLook = std::chrono::milliseconds(50);
+  /// Waits until this group is made.
+  [[nodiscard]] Result<void> wait_for(std::size_t group, ProgressBar& bar) {
+    while (!made_[group]) {
+      bar.show(static_cast<double>(sessions_made_) / sessions_,
+               std::to_string(sessions_made_) + " sessions");
+      constexpr auto kLook = std::chrono::milliseconds(20);
       std::this_thread::sleep_for(kLook);
       const std::lock_guard lock(mutex_);
       if (problem_) return *problem_;
@@ -144,26 +132,27 @@ class Workers {
     if (!problem_) problem_ = problem;
   }
 
+  int sessions_;
   std::atomic<std::size_t> next_{0};
   std::atomic<int> sessions_made_{0};
   std::atomic<bool> stop_{false};
-  std::array<std::atomic<bool>, kEnrolled.size()> made_{};
+  std::vector<std::atomic<bool>> made_;  ///< of each group
   std::mutex mutex_;
   std::optional<Error> problem_;
   std::vector<std::thread> threads_;
 };
 
-/// One patient after the other, so that the file does not depend on who was made first.
-Result<void> put_together(const Parts& parts, Workers& workers) {
+/// One group after the other, so that the file does not depend on who was made first.
+Result<void> put_together(std::size_t groups, const Parts& parts, Workers& workers) {
   // Simulated people: the file can be made again, and is the same each time.
-  constexpr auto kHow = SessionStore::Open::scratch;
-  if (const auto clinic = SessionStore::open(parts.whole(), kHow); !clinic) return clinic.error();
+  constexpr auto kHow = OpenMode::scratch;
+  if (const auto clinic = open_store(parts.whole(), kHow); !clinic) return clinic.error();
   ProgressBar bar("Making the clinic");
-  for (std::size_t patient = 0; patient < kEnrolled.size(); ++patient) {
-    if (auto made = workers.wait_for(patient, bar); !made) return made;
-    if (const auto done = merge_databases(parts.whole(), parts.path(patient), {}, kHow); !done)
+  for (std::size_t group = 0; group < groups; ++group) {
+    if (auto made = workers.wait_for(group, bar); !made) return made;
+    if (const auto done = merge_databases(parts.whole(), parts.path(group), {}, kHow); !done)
       return done.error();
-    Parts::remove(parts.path(patient));
+    Parts::remove(parts.path(group));
   }
   bar.end();
   return {};
@@ -171,13 +160,28 @@ Result<void> put_together(const Parts& parts, Workers& workers) {
 
 }  // namespace
 
-Result<void> make_clinic(const std::string& database, int threads) {
+RunOptions options_of(const DemoVisit& visit, const std::string& code) {
+  RunOptions options;
+  options.protocol_file = library_folder() + "/protocols/" + visit.protocol + ".toml";
+  options.protocol_text = visit.protocol_text;
+  options.broken_off_in = visit.broken_off_in;
+  options.said = visit.said;
+  options.patient = code;
+  options.hand = name_of(visit.hand);
+  options.device = visit.device;
+  options.started_utc = visit.started_utc;
+  options.fast = true;
+  return options;
+}
+
+Result<void> make_clinic(const std::string& database, const std::vector<DemoGroup>& groups,
+                         int threads) {
   std::error_code failure;
   if (fs::exists(database, failure))
     return Error{Error::Code::bad_input, "exists already", "name a new file", database, 0, ""};
-  const Parts parts(database);
-  Workers workers(parts, threads);
-  if (auto done = put_together(parts, workers); !done) return done;
+  const Parts parts(database, groups.size());
+  Workers workers(groups, parts, threads);
+  if (auto done = put_together(groups.size(), parts, workers); !done) return done;
   fs::rename(parts.whole(), database, failure);
   if (failure)
     return Error{Error::Code::failed,

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A demonstration clinic: simulated patients who train over weeks.
+// A demonstration clinic: simulated people whose sessions are made in virtual time.
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "app/demo_people.hpp"
+#include "app/run.hpp"
 #include "core/result.hpp"
 
 namespace isograsp {
 
-/// Twelve patients of the library, each on a course of their own, with twenty sessions of the
-/// training protocol, made in virtual time on `threads` threads. The content is the same each time
-/// and for any number of threads, but for the UUIDs. @pre there is no file `database`
-[[nodiscard]] Result<void> make_clinic(const std::string& database, int threads);
+/// Makes all sessions on `threads` threads, and what is known of the people. The same people give
+/// the same bytes, whatever the number of threads. @pre there is no file `database`
+[[nodiscard]] Result<void> make_clinic(const std::string& database,
+                                       const std::vector<DemoGroup>& groups, int threads);
+
+/// How the visit of a person is made; database, printing and syncing are up to the caller.
+[[nodiscard]] RunOptions options_of(const DemoVisit& visit, const std::string& code);
 
 }  // namespace isograsp

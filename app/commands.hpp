@@ -3,41 +3,34 @@
 // went wrong, and main() turns that into a line on standard error and an exit status.
 #pragma once
 
-#include <functional>
 #include <string>
 
+#include "app/command_line.hpp"
 #include "core/result.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace isograsp {
 
-/// What the chosen subcommand does; set by its callback, run by main() after parsing.
-using Action = std::function<Result<void>()>;
-
 // Each is defined in app/<name>.cpp.
-void add_convert(CLI::App& app, Action& action);
-void add_db(CLI::App& app, Action& action);
-void add_decode(CLI::App& app, Action& action);
-void add_demo(CLI::App& app, Action& action);
-void add_devices(CLI::App& app, Action& action);
-void add_emulate(CLI::App& app, Action& action);
-void add_export(CLI::App& app, Action& action);
-void add_grasp(CLI::App& app, Action& action);
-void add_gui(CLI::App& app, Action& action);
-void add_import(CLI::App& app, Action& action);
-void add_monitor(CLI::App& app, Action& action);
-void add_record(CLI::App& app, Action& action);
-void add_report(CLI::App& app, Action& action);
-void add_run(CLI::App& app, Action& action);
-void add_score(CLI::App& app, Action& action);
-void add_simulate(CLI::App& app, Action& action);
-void add_study(CLI::App& app, Action& action);
-void add_target(CLI::App& app, Action& action);
+void add_convert(CommandLine& line);
+void add_db(CommandLine& line);
+void add_decode(CommandLine& line);
+void add_demo(CommandLine& line);
+void add_devices(CommandLine& line);
+void add_emulate(CommandLine& line);
+void add_export(CommandLine& line);
+void add_grasp(CommandLine& line);
+void add_gui(CommandLine& line);
+void add_import(CommandLine& line);
+void add_monitor(CommandLine& line);
+void add_record(CommandLine& line);
+void add_report(CommandLine& line);
+void add_run(CommandLine& line);
+void add_score(CommandLine& line);
+void add_simulate(CommandLine& line);
+void add_study(CommandLine& line);
+void add_target(CommandLine& line);
 
-/// A few simulated patients with a few sessions each, in a file of its own that replaces an older
+/// The demonstration clinic of simulated people, in a file of its own that replaces an older
 /// one; its path (app/demo.cpp).
 [[nodiscard]] Result<std::string> make_small_clinic();
 

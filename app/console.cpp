@@ -3,19 +3,74 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdarg>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace isograsp {
 
+namespace {
+
+std::string formed(const char* format, va_list values) {
+  va_list again;
+  va_copy(again, values);
+  const int size = std::vsnprintf(nullptr, 0, format, again);
+  va_end(again);
+  std::string text(size < 0 ? 0 : static_cast<std::size_t>(size), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, values);
+  return text;
+}
+
+void write_out(std::FILE* to, const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), to);
+}
+
+}  // namespace
+
+void print(const char* format, ...) {
+  va_list values;
+  va_start(values, format);
+  write_out(stdout, printable_lines(formed(format, values)));
+  va_end(values);
+}
+
+void print_aside(const char* format, ...) {
+  va_list values;
+  va_start(values, format);
+  write_out(stderr, printable_lines(formed(format, values)));
+  va_end(values);
+}
+
+Lines& Lines::operator+=(std::string_view more) {
+  lines_.back() += more;
+  return *this;
+}
+
+std::string Lines::text() const {
+  std::string all;
+  for (const auto& line : lines_) all += printable(line) + "\n";
+  return all;
+}
+
+void print_lines(const Lines& lines) {
+  write_out(stdout, lines.text());
+}
+
+void print_json(const nlohmann::ordered_json& document) {
+  using Json = nlohmann::ordered_json;
+  constexpr int kIndent = 2;
+  write_out(stdout, document.dump(kIndent, ' ', true, Json::error_handler_t::replace) + "\n");
+}
+
 int print_error(const Error& error) {
-  std::fprintf(stderr, "isograsp: error: %s\n", error.message().c_str());
+  print_aside("isograsp: error: %s\n", error.message().c_str());
   return error.code == Error::Code::failed ? 1 : 2;
 }
 
 void print_note(const std::string& text) {
-  std::fprintf(stderr, "isograsp: note: %s\n", text.c_str());
+  print_aside("isograsp: note: %s\n", printable(text).c_str());
 }
 
 ProgressBar::ProgressBar(std::string title)
@@ -39,8 +94,8 @@ void ProgressBar::show(double fraction, std::string_view detail) {
   const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * kWidth);
   std::string bar(static_cast<std::size_t>(filled), '#');
   bar.resize(kWidth, '.');
-  std::fprintf(stderr, "\r\033[K%s [%s] %3d %% %.*s", title_.c_str(), bar.c_str(),
-               static_cast<int>(fraction * 100.0), static_cast<int>(detail.size()), detail.data());
+  std::fprintf(stderr, "\r\033[K%s [%s] %3d %% %s", printable(title_).c_str(), bar.c_str(),
+               static_cast<int>(fraction * 100.0), printable(detail).c_str());
   std::fflush(stderr);
 }
 

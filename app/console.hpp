@@ -1,14 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the program speaks on a terminal.
+// How the program speaks on a terminal: every word passes here, and no control character that
+// stands in a file gets through. Words from a file go through printable() as well, so that they
+// stay on their line.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/printable.hpp"
 #include "core/result.hpp"
 
 namespace isograsp {
 
+/// As std::printf to standard output, then printable_lines().
+[[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
+/// Text of several lines; each of them is printable() and so stays one.
+class Lines {
+ public:
+  Lines() = default;
+  Lines(std::string first) { add(std::move(first)); }      // NOLINT: a text is a line
+  Lines(const char* first) : Lines(std::string(first)) {}  // NOLINT: a text is a line
+  void add(std::string line) { lines_.push_back(std::move(line)); }
+  /// Goes on with the last one. @pre !empty()
+  Lines& operator+=(std::string_view more);
+  [[nodiscard]] bool empty() const noexcept { return lines_.empty(); }
+  /// All of them with their ends.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::vector<std::string> lines_;
+};
+/// To standard output.
+void print_lines(const Lines& lines);
+/// One document; all but ASCII as \uXXXX, which means the same. What is no UTF-8, such as the name
+/// of a file, becomes U+FFFD.
+void print_json(const nlohmann::ordered_json& document);
+/// As print(), to standard error.
+[[gnu::format(printf, 1, 2)]] void print_aside(const char* format, ...);
 /// Prints "isograsp: error: …" to standard error; returns the exit status, 1 or 2.
 int print_error(const Error& error);
 /// Prints "isograsp: note: …" to standard error.

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/console.hpp"
 #include "app/paths.hpp"
 #include "core/csv.hpp"
-#include "device/csv_mapping.hpp"
+#include "device/recording/csv_mapping.hpp"
 
 namespace isograsp {
 
@@ -47,32 +47,32 @@ Result<void> run_convert(const ConvertOptions& options) {
                                           {"first_s", converted->first_s},
                                           {"last_s", converted->last_s},
                                           {"provenance", converted->comments}};
-    std::puts(document.dump(2).c_str());
+    print_json(document);
     return {};
   }
-  std::printf("%s: %lld rows, %s s to %s s\n", options.out.c_str(),
-              static_cast<long long>(converted->rows), format_number(converted->first_s).c_str(),
-              format_number(converted->last_s).c_str());
-  for (const auto& comment : converted->comments) std::printf("  %s\n", comment.c_str());
+  print("%s: %lld rows, %s s to %s s\n", printable(options.out).c_str(),
+        static_cast<long long>(converted->rows), format_number(converted->first_s).c_str(),
+        format_number(converted->last_s).c_str());
+  for (const auto& comment : converted->comments) print("  %s\n", printable(comment).c_str());
   return {};
 }
 
 }  // namespace
 
-void add_convert(CLI::App& app, Action& action) {
+void add_convert(CommandLine& line) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = app.add_subcommand("convert", "Finger forces from CSV logs of any origin");
+  Subcommand command = line.subcommand("convert", "Finger forces from CSV logs of any origin");
   command
-      ->add_option("--mapping", options->mapping,
-                   "Mapping file (TOML), or the name of one in library/devices/mappings")
-      ->required();
-  command->add_option("--input", options->input,
-                      "Folder of the logs; without it the folder of the mapping file");
-  command->add_option("--out", options->out, "Finger-forces file to write (CSV)")->required();
-  command->add_flag("--json", options->json, "Print one JSON document");
-  command->footer(
+      .option("--mapping", options->mapping,
+              "Mapping file (TOML), or the name of one in library/devices/mappings")
+      .required();
+  command.option("--input", options->input,
+                 "Folder of the logs; without it the folder of the mapping file");
+  command.option("--out", options->out, "Finger-forces file to write (CSV)").required();
+  command.flag("--json", options->json, "Print one JSON document");
+  command.footer(
       "Example:\n  isograsp convert --mapping kth_handover --input recordings --out forces.csv");
-  command->callback([options, &action] { action = [options] { return run_convert(*options); }; });
+  command.runs([options] { return run_convert(*options); });
 }
 
 }  // namespace isograsp

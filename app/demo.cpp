@@ -7,8 +7,6 @@
 #include <memory>
 #include <thread>
 
-#include <CLI/CLI.hpp>
-
 #include "app/clinic.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
@@ -23,13 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPatients = 3;
-constexpr int kSessions = 4;
-constexpr int kDaysBetween = 7;
+constexpr const char* kFirstPatient = "DEMO-01";
 
-std::string utc_days_ago(int days) {
-  constexpr std::time_t kSecondsPerDay = 86400;
-  return utc_text(std::time(nullptr) - days * kSecondsPerDay);
+std::string now_utc() {
+  return utc_text(std::time(nullptr));
+}
+int all_threads() {
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 /// A new, empty file under the folder of the default database; an older demonstration is replaced.
@@ -42,48 +40,32 @@ std::string fresh_database(const std::string& name) {
   return path;
 }
 
-/// Patients who recover at different speeds: session s of patient p.
-std::string device_of(int patient, int session) {
-  const double recovery = (0.1 + 0.08 * patient) * (session + 1);
-  return "sim://paretic?seed=" + std::to_string(100 * patient + session) +
-         "&recovery=" + std::to_string(std::min(recovery, 1.0));
+Result<std::string> make_clinic_named(const std::string& name, const std::string& at_utc) {
+  const std::string database = fresh_database(name);
+  if (auto made = make_clinic(database, small_clinic(at_utc), all_threads()); !made)
+    return made.error();
+  return database;
 }
 
 }  // namespace
 
 Result<std::string> make_small_clinic() {
-  RunOptions options;
-  options.protocol_file = library_folder() + "/protocols/short.toml";
-  options.database = fresh_database("demonstration.db");
-  options.fast = true;
-  options.quiet = true;
-  ProgressBar bar("Making the demonstration clinic");
-  int made = 0;
-  for (int patient = 0; patient < kPatients; ++patient) {
-    options.patient = "DEMO-0" + std::to_string(patient + 1);
-    for (int session = 0; session < kSessions; ++session) {
-      bar.show(static_cast<double>(made++) / (kPatients * kSessions), options.patient);
-      options.device = device_of(patient, session);
-      options.started_utc = utc_days_ago(kDaysBetween * (kSessions - session));
-      if (auto done = run_session(options); !done) return done.error();
-    }
-  }
-  return options.database;
+  return make_clinic_named("demonstration.db", now_utc());
 }
 
 namespace {
 
+/// A clinic, and in it today's session of somebody who comes for two months.
 Result<void> headless() {
-  RunOptions options;
-  options.protocol_file = library_folder() + "/protocols/demonstration.toml";
-  options.database = fresh_database("demonstration-session.db");
-  options.patient = "DEMO-01";
-  options.device = "sim://healthy?seed=7";
-  options.fast = true;
+  const std::string now = now_utc();
+  const auto database = make_clinic_named("demonstration-session.db", now);
+  if (!database) return database.error();
+  RunOptions options = options_of(demo_visit_of_today(now), kFirstPatient);
+  options.database = *database;
   if (auto done = run_session(options); !done) return done;
-  const std::string pdf = fs::path(options.database).replace_extension(".pdf");
-  if (auto done = write_report(options.database, options.patient, pdf); !done) return done;
-  std::printf("\nDatabase: %s\nReport:   %s\n", options.database.c_str(), pdf.c_str());
+  const std::string pdf = fs::path(*database).replace_extension(".pdf");
+  if (auto done = write_report(*database, options.patient, pdf); !done) return done;
+  print("\nDatabase: %s\nReport:   %s\n", printable(*database).c_str(), printable(pdf).c_str());
   return {};
 }
 
@@ -96,30 +78,49 @@ Result<void> with_window() {
 struct DemoOptions {
   bool headless = false;
   std::string clinic;
-  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::string at_utc;
+  bool small = false;
+  int threads = all_threads();
 };
 
 Result<void> run_demo(const DemoOptions& options) {
-  if (!options.clinic.empty()) return make_clinic(options.clinic, options.threads);
+  if (!options.at_utc.empty() && !time_of_utc(options.at_utc))
+    return Error{Error::Code::bad_input,
+                 "'" + options.at_utc + "' is no time",
+                 "write it as 2026-03-05T09:30:00Z",
+                 "",
+                 0,
+                 "--at"};
+  const std::string at = options.at_utc.empty() ? now_utc() : options.at_utc;
+  if (!options.clinic.empty())
+    return make_clinic(options.clinic, options.small ? small_clinic(at) : large_clinic(at),
+                       options.threads);
   return options.headless ? headless() : with_window();
 }
 
 }  // namespace
 
-void add_demo(CLI::App& app, Action& action) {
+void add_demo(CommandLine& line) {
   auto options = std::make_shared<DemoOptions>();
-  auto* command = app.add_subcommand(
+  Subcommand command = line.subcommand(
       "demo", "The application on a demonstration clinic, or one whole session without a window");
-  command->add_flag("--headless", options->headless,
-                    "One complete simulated session, its scores and its report");
-  command->add_option("--clinic", options->clinic,
-                      "Make a clinic of 12 simulated patients with 20 training sessions each in "
-                      "this new file");
-  command->add_option("--threads", options->threads, "For --clinic; the result is the same")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command->footer("Examples:\n  isograsp demo --headless\n  isograsp demo --clinic clinic.db");
-  command->callback([options, &action] { action = [options] { return run_demo(*options); }; });
+  command.flag("--headless", options->headless,
+               "One complete simulated session, its scores and its report");
+  command.option("--clinic", options->clinic,
+                 "Make a clinic in this new file: four simulated patients, 12 with 20 "
+                 "training sessions each, stable and healthy people");
+  command.flag("--small", options->small,
+               "For --clinic: without those in training, as the window opens it");
+  command
+      .option("--at", options->at_utc,
+              "For --clinic: when it stands, as 2026-03-05T09:30:00Z (default: now); the same "
+              "time gives the same file")
+      .type("UTC");
+  command.option("--threads", options->threads, "For --clinic; the result is the same")
+      .range(1, 64)
+      .shows_default();
+  command.footer("Examples:\n  isograsp demo --headless\n  isograsp demo --clinic clinic.db");
+  command.runs([options] { return run_demo(*options); });
 }
 
 }  // namespace isograsp

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// isograsp export: trials as files for research (reports/research_export.hpp).
+// isograsp export: trials as files for research (exports/research_export.hpp).
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/login_options.hpp"
-#include "reports/research_export.hpp"
-#include "storage/audit_log.hpp"
+#include "exports/research_export.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/access/open_store.hpp"
 
 namespace isograsp {
 
@@ -40,7 +40,7 @@ Result<void> run_export(const ExportOptions& options) {
     return Error{Error::Code::bad_input, "no folder is given", "name one", "", 0, "--out"};
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
-  const auto store = SessionStore::open_to_read(options.database);
+  const auto store = open_store_to_read(options.database);
   if (!store) return store.error();
   ExportRequest request{options.patient};
   if (options.session != 0) request.first_session = request.last_session = options.session;
@@ -56,37 +56,39 @@ Result<void> run_export(const ExportOptions& options) {
                                  written.ok(), options.format);
   if (!written) return written.error();
   if (!logged) return logged.error();
-  std::string text = std::to_string(*written) + (*written == 1 ? " trial" : " trials") +
-                     " written to " + options.out;
+  Lines text = std::to_string(*written) + (*written == 1 ? " trial" : " trials") + " written to " +
+               options.out;
   if (*left_out > 0)
-    text += "\nleft out: " + std::to_string(*left_out) +
-            (*left_out == 1 ? " patient who is" : " patients who are") +
-            " not released for research";
+    text.add("left out: " + std::to_string(*left_out) +
+             (*left_out == 1 ? " patient who is" : " patients who are") +
+             " not released for research");
   const nlohmann::ordered_json json{
       {"out", options.out}, {"trials", *written}, {"patients_not_released", *left_out}};
-  std::puts(options.json ? json.dump(2).c_str() : text.c_str());
+  if (options.json)
+    print_json(json);
+  else
+    print_lines(text);
   return {};
 }
 
 }  // namespace
 
-void add_export(CLI::App& app, Action& action) {
+void add_export(CommandLine& line) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand("export", "Research export: pseudonymous, no dates");
-  command->add_option("--db", options->database, "Database file")->required();
-  command->add_option("--patient", options->patient, "Patient code; without it all patients");
-  command->add_option("--session", options->session, "Session number of the patient, from 1")
-      ->check([](const std::string& text) {
+  Subcommand command = line.subcommand("export", "Research export: pseudonymous, no dates");
+  command.option("--db", options->database, "Database file").required();
+  command.option("--patient", options->patient, "Patient code; without it all patients");
+  command.option("--session", options->session, "Session number of the patient, from 1")
+      .check([](const std::string& text) {
         return std::atoi(text.c_str()) >= 1 ? "" : "'" + text + "' is no whole number from 1";
       });
-  command->add_option("--format", options->format, "csv, hdf5, bids or fhir")
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Folder; made if it does not exist")->required();
-  command->add_flag("--json", options->json, "Print one JSON document");
-  options->login.add_to(*command);
-  command->footer(
+  command.option("--format", options->format, "csv, hdf5, bids or fhir").shows_default();
+  command.option("--out", options->out, "Folder; made if it does not exist").required();
+  command.flag("--json", options->json, "Print one JSON document");
+  options->login.add_to(command);
+  command.footer(
       "Example:\n  isograsp export --db clinic.db --patient P-0427 --format csv --out study");
-  command->callback([options, &action] { action = [options] { return run_export(*options); }; });
+  command.runs([options] { return run_export(*options); });
 }
 
 }  // namespace isograsp

@@ -9,14 +9,14 @@
 #include <memory>
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/console.hpp"
 #include "core/csv.hpp"
 #include "grasp_model/describe.hpp"
 #include "grasp_model/plan.hpp"
-#include "session/plan_cost.hpp"
+#include "session/acquisition/plan_cost.hpp"
 
 namespace isograsp {
 
@@ -111,35 +111,33 @@ Json as_json(const Plan& plan, const Scales& scales, const std::vector<Subset>& 
 
 void print_table(const Plan& plan, const Scales& scales, const std::vector<Subset>& subsets) {
   const Scene& scene = plan.scene();
-  std::printf("%s\n\nGrasp map G (object axes, force [N] then torque [N m])\n    ",
-              scene.name.empty() ? scene.file.c_str() : scene.name.c_str());
-  for (const auto& column : grasp_map_columns(scene.contacts)) std::printf("%10s", column.c_str());
+  print("%s\n\nGrasp map G (object axes, force [N] then torque [N m])\n    ",
+        printable(scene.name.empty() ? scene.file : scene.name).c_str());
+  for (const auto& column : grasp_map_columns(scene.contacts)) print("%10s", column.c_str());
   const GraspMatrix G = grasp_map(scene.contacts);
   for (Eigen::Index r = 0; r < 6; ++r) {
-    std::printf("\n %s ", kRowNames[static_cast<std::size_t>(r)]);
-    for (Eigen::Index c = 0; c < G.cols(); ++c) std::printf("%10.4g", G(r, c) + 0.0);
+    print("\n %s ", kRowNames[static_cast<std::size_t>(r)]);
+    for (Eigen::Index c = 0; c < G.cols(); ++c) print("%10.4g", G(r, c) + 0.0);
   }
-  std::printf("\n\nFinger sets (rows");
-  for (const auto row : rows_of(scene))
-    std::printf(" %s", kRowNames[static_cast<std::size_t>(row)]);
-  std::printf("; length scale %.4g m, torsion scale %.4g m)\n", scales.length_m, scales.torsion_m);
+  print("\n\nFinger sets (rows");
+  for (const auto row : rows_of(scene)) print(" %s", kRowNames[static_cast<std::size_t>(row)]);
+  print("; length scale %.4g m, torsion scale %.4g m)\n", scales.length_m, scales.torsion_m);
   const auto yes = [](bool it_is) { return it_is ? "yes" : "no"; };
-  std::printf(" %-18s %4s %8s %9s %8s  %-7s  %-10s  %-5s  %s\n", "fingers", "rank", "G_min",
-              "G_det", "G_rat", "closure", "opposition", "moves", "singular values");
+  print(" %-18s %4s %8s %9s %8s  %-7s  %-10s  %-5s  %s\n", "fingers", "rank", "G_min", "G_det",
+        "G_rat", "closure", "opposition", "moves", "singular values");
   for (const auto& subset : subsets) {
     std::string fingers;
     for (const auto& contact : subset.contacts)
       fingers += (fingers.empty() ? "" : " ") + std::string(name_of(contact.finger));
-    std::printf(" %-18s %4d %8.4f %9.3g %8.4f  %-7s  %-10s  %-5s ", fingers.c_str(),
-                subset.criteria.rank, subset.criteria.G_min, subset.criteria.G_det,
-                subset.criteria.G_rat, yes(subset.closed), yes(subset.opposed), yes(subset.acts));
-    for (const double value : subset.criteria.singular_values) std::printf(" %.4g", value);
-    std::printf("\n");
+    print(" %-18s %4d %8.4f %9.3g %8.4f  %-7s  %-10s  %-5s ", fingers.c_str(), subset.criteria.rank,
+          subset.criteria.G_min, subset.criteria.G_det, subset.criteria.G_rat, yes(subset.closed),
+          yes(subset.opposed), yes(subset.acts));
+    for (const double value : subset.criteria.singular_values) print(" %.4g", value);
+    print("\n");
   }
-  std::printf("\nPlan\n");
-  for (const auto& [name, text] : describe(plan))
-    std::printf(" %-13s %s\n", name.c_str(), text.c_str());
-  std::printf(" %-13s %.0f ns per frame, measured here\n", "cost", cost_ns_per_frame(plan));
+  print("\nPlan\n");
+  for (const auto& [name, text] : describe(plan)) print(" %-13s %s\n", name.c_str(), text.c_str());
+  print(" %-13s %.0f ns per frame, measured here\n", "cost", cost_ns_per_frame(plan));
 }
 
 Result<void> grasp(const GraspOptions& options) {
@@ -160,7 +158,7 @@ Result<void> grasp(const GraspOptions& options) {
   }
   const auto subsets = subsets_of(*scene, scales);
   if (options.json)
-    std::printf("%s\n", as_json(*plan, scales, subsets).dump(2).c_str());
+    print_json(as_json(*plan, scales, subsets));
   else
     print_table(*plan, scales, subsets);
   return {};
@@ -168,21 +166,20 @@ Result<void> grasp(const GraspOptions& options) {
 
 }  // namespace
 
-void add_grasp(CLI::App& app, Action& action) {
-  auto* command =
-      app.add_subcommand("grasp", "Grasp map, criteria and the compiled plan of a scene");
+void add_grasp(CommandLine& line) {
+  Subcommand command =
+      line.subcommand("grasp", "Grasp map, criteria and the compiled plan of a scene");
   const auto options = std::make_shared<GraspOptions>();
-  command->add_option("--scene", options->scene, "Scene (TOML)")->required();
-  command->add_option(
-      "--length-scale", options->length_scale_m,
-      "Length that makes torques comparable to forces [m]; default: rms distance of "
-      "the contacts from the COM");
-  command->add_option("--torsion-scale", options->torsion_scale_m,
-                      "Length that makes torsion comparable to forces [m]; default: torsion_m / "
-                      "friction of the soft contacts");
-  command->add_flag("--json", options->json, "Print one JSON document");
-  command->footer("Example: isograsp grasp --scene library/scenes/planar_block.toml --json");
-  command->callback([options, &action] { action = [options] { return grasp(*options); }; });
+  command.option("--scene", options->scene, "Scene (TOML)").required();
+  command.option("--length-scale", options->length_scale_m,
+                 "Length that makes torques comparable to forces [m]; default: rms distance of "
+                 "the contacts from the COM");
+  command.option("--torsion-scale", options->torsion_scale_m,
+                 "Length that makes torsion comparable to forces [m]; default: torsion_m / "
+                 "friction of the soft contacts");
+  command.flag("--json", options->json, "Print one JSON document");
+  command.footer("Example: isograsp grasp --scene library/scenes/planar_block.toml --json");
+  command.runs([options] { return grasp(*options); });
 }
 
 }  // namespace isograsp

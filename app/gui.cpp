@@ -2,11 +2,10 @@
 // isograsp gui: the therapist application.
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "app/commands.hpp"
 #include "app/paths.hpp"
 #include "app/realtime_option.hpp"
+#include "app/stop_signals.hpp"
 #include "gui/application.hpp"
 
 namespace isograsp {
@@ -21,9 +20,11 @@ struct GuiOptions {
 };
 
 Result<void> run(const GuiOptions& options) {
+  const StopSignals signals;
   return run_application({options.database.empty() ? default_database() : options.database,
                           options.device, library_folder(), "isograsp " ISOGRASP_VERSION,
-                          options.operator_name, options.realtime.wish(), make_small_clinic});
+                          options.operator_name, options.realtime.wish(), &StopSignals::stop(),
+                          make_small_clinic});
 }
 
 }  // namespace
@@ -35,18 +36,17 @@ Result<void> run_gui(const std::string& database, const std::string& device) {
   return run(options);
 }
 
-void add_gui(CLI::App& app, Action& action) {
+void add_gui(CommandLine& line) {
   auto options = std::make_shared<GuiOptions>();
-  auto* command = app.add_subcommand("gui", "the therapist application");
-  command->add_option("--db", options->database, "database; made if absent (default: the clinic's)")
-      ->type_name("FILE");
-  command->add_option("--device", options->device, "device that is chosen at start")
-      ->type_name("URI");
-  command->add_option("--operator", options->operator_name,
-                      "who works with it, stored with zero and resting force");
-  options->realtime.add_to(*command);
-  command->footer("Example: isograsp gui --db clinic.db --device 'sim://healthy?seed=7'");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  Subcommand command = line.subcommand("gui", "the therapist application");
+  command.option("--db", options->database, "database; made if absent (default: the clinic's)")
+      .type("FILE");
+  command.option("--device", options->device, "device that is chosen at start").type("URI");
+  command.option("--operator", options->operator_name,
+                 "who works with it, stored with zero and resting force");
+  options->realtime.add_to(command);
+  command.footer("Example: isograsp gui --db clinic.db --device 'sim://healthy?seed=7'");
+  command.runs([options] { return run(*options); });
 }
 
 }  // namespace isograsp

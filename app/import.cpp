@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp import: recordings that others made into the database, as patients and trials; finger
 // forces, raw logs and exported signals, as a trial of one patient.
-#include "session/import.hpp"
+#include "session/import/import.hpp"
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -18,6 +17,7 @@
 #include "core/csv.hpp"
 #include "grasp_model/scene.hpp"
 #include "session/library.hpp"
+#include "storage/access/open_store.hpp"
 
 namespace isograsp {
 
@@ -56,7 +56,7 @@ Result<void> import_recording(const ImportOptions& options) {
   // All of it is read before anything is written.
   const auto trials = read_recording(*spec, options.folder);
   if (!trials) return trials.error();
-  const auto store = SessionStore::open(options.database, SessionStore::Open::create);
+  const auto store = open_store(options.database, OpenMode::create);
   if (!store) return store.error();
   ProgressBar bar("Import");
   const auto imported = store_recording(*spec, *trials, **store, ISOGRASP_VERSION, [&](int done) {
@@ -65,15 +65,15 @@ Result<void> import_recording(const ImportOptions& options) {
   });
   bar.end();
   if (!imported) return imported.error();
-  std::printf("%s: %d patients, %d sessions, %d trials, %lld samples\n", spec->name.c_str(),
-              imported->patients, imported->sessions, imported->trials,
-              static_cast<long long>(imported->samples));
+  print("%s: %d patients, %d sessions, %d trials, %lld samples\n", printable(spec->name).c_str(),
+        imported->patients, imported->sessions, imported->trials,
+        static_cast<long long>(imported->samples));
   std::string codes;
   for (const RecordedTrial& trial : *trials)
     if (!codes.ends_with(trial.patient_code))
       codes += (codes.empty() ? "" : ", ") + trial.patient_code;
-  std::printf("  %s\n", codes.c_str());
-  for (const auto& line : provenance_of(*spec)) std::printf("  %s\n", line.c_str());
+  print("  %s\n", printable(codes).c_str());
+  for (const auto& line : provenance_of(*spec)) print("  %s\n", printable(line).c_str());
   return {};
 }
 
@@ -152,12 +152,12 @@ Result<void> import_signals(const ImportOptions& options) {
   auto signals = read_signals(options.signals);
   if (!signals) return signals.error();
   trial.signals = *std::move(signals);
-  const auto store = SessionStore::open(options.database, SessionStore::Open::create);
+  const auto store = open_store(options.database, OpenMode::create);
   if (!store) return store.error();
   const auto measures = store_signals_trial(trial, *hand, **store, ISOGRASP_VERSION);
   if (!measures) return measures.error();
-  std::printf("%s: %s, %zu samples\n", options.patient.c_str(), trial.task.name.c_str(),
-              trial.signals.rows());
+  print("%s: %s, %zu samples\n", options.patient.c_str(), printable(trial.task.name).c_str(),
+        trial.signals.rows());
   for (const auto& measure : *measures) print_measure(measure);
   return {};
 }
@@ -193,31 +193,30 @@ Result<void> run_import(const ImportOptions& options) {
 
 }  // namespace
 
-void add_import(CLI::App& app, Action& action) {
+void add_import(CommandLine& line) {
   auto options = std::make_shared<ImportOptions>();
-  CLI::App* command =
-      app.add_subcommand("import", "Recordings that others made, as patients and trials");
-  command->add_option("--recording", options->recording,
-                      "Recording file (TOML), or the name of one in library/recordings");
-  command->add_option("--from", options->folder, "Folder of the recording");
-  command->add_option("--forces", options->forces,
-                      "Finger forces (CSV), or with --protocol or --config a raw log");
-  command->add_option("--protocol", options->protocol, "Of the raw log: rft, ati-netcanoem …");
-  command->add_option("--config", options->config, "Device file (TOML) of the raw log");
-  command->add_option("--signals", options->signals, "Signals of a trial (CSV), as exported");
-  command->add_option("--task", options->task, "Task file (TOML) of forces or signals");
-  command->add_option("--scene", options->scene, "Scene file (TOML) stored with the signals");
-  command->add_option("--patient", options->patient,
-                      "Whose forces or signals they are; created if new");
-  command->add_option("--hand", options->hand,
-                      "right or left; of exported signals as told beside them, else right");
-  command->add_option("--db", options->database, "Database; made if it does not exist")->required();
-  options->login.add_to(*command);
-  command->footer(
+  Subcommand command =
+      line.subcommand("import", "Recordings that others made, as patients and trials");
+  command.option("--recording", options->recording,
+                 "Recording file (TOML), or the name of one in library/recordings");
+  command.option("--from", options->folder, "Folder of the recording");
+  command.option("--forces", options->forces,
+                 "Finger forces (CSV), or with --protocol or --config a raw log");
+  command.option("--protocol", options->protocol, "Of the raw log: rft, ati-netcanoem …");
+  command.option("--config", options->config, "Device file (TOML) of the raw log");
+  command.option("--signals", options->signals, "Signals of a trial (CSV), as exported");
+  command.option("--task", options->task, "Task file (TOML) of forces or signals");
+  command.option("--scene", options->scene, "Scene file (TOML) stored with the signals");
+  command.option("--patient", options->patient, "Whose forces or signals they are; created if new");
+  command.option("--hand", options->hand,
+                 "right or left; of exported signals as told beside them, else right");
+  command.option("--db", options->database, "Database; made if it does not exist").required();
+  options->login.add_to(command);
+  command.footer(
       "Example:\n  isograsp import --recording maximum_push --from recordings --db clinic.db\n"
       "  isograsp import --forces forces.csv --task library/tasks/free_handling.toml \\\n"
       "    --patient P-0427 --db clinic.db");
-  command->callback([options, &action] { action = [options] { return run_import(*options); }; });
+  command.runs([options] { return run_import(*options); });
 }
 
 }  // namespace isograsp

@@ -3,8 +3,6 @@
 
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
-
 namespace isograsp {
 
 namespace {
@@ -37,13 +35,13 @@ Result<void> log_in_to(Access& access, const LoginOptions& options) {
 
 }  // namespace
 
-void LoginOptions::add_to(CLI::App& command) {
-  command.add_option("--passphrase-file", passphrase_file,
-                     "File with the clinic's passphrase (protected databases)");
-  command.add_option("--user", user, "Account that works (protected databases)");
-  command.add_option("--password-file", password_file, "File with the password of --user");
-  command.add_option("--recovery-key-file", recovery_key_file,
-                     "File with the printed recovery key, in place of the passphrase");
+void LoginOptions::add_to(Subcommand command) {
+  command.option("--passphrase-file", passphrase_file,
+                 "File with the clinic's passphrase (protected databases)");
+  command.option("--user", user, "Account that works (protected databases)");
+  command.option("--password-file", password_file, "File with the password of --user");
+  command.option("--recovery-key-file", recovery_key_file,
+                 "File with the printed recovery key, in place of the passphrase");
 }
 
 bool LoginOptions::given() const noexcept {

@@ -6,12 +6,9 @@
 #include <memory>
 #include <string>
 
+#include "app/command_line.hpp"
 #include "core/result.hpp"
-#include "storage/access.hpp"
-
-namespace CLI {
-class App;
-}
+#include "storage/access/access.hpp"
 
 namespace isograsp {
 
@@ -21,7 +18,7 @@ struct LoginOptions {
   std::string user;
   std::string password_file;
 
-  void add_to(CLI::App& command);
+  void add_to(Subcommand command);
   [[nodiscard]] bool given() const noexcept;
 };
 

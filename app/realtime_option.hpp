@@ -4,18 +4,17 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
-#include "session/realtime.hpp"
+#include "app/command_line.hpp"
+#include "session/acquisition/realtime.hpp"
 
 namespace isograsp {
 
 class RealtimeOption {
  public:
-  void add_to(CLI::App& command) {
-    command.add_option("--realtime", name_, "SCHED_FIFO and locked memory: off, prefer or require")
-        ->check(CLI::IsMember({"off", "prefer", "require"}))
-        ->capture_default_str();
+  void add_to(Subcommand command) {
+    command.option("--realtime", name_, "SCHED_FIFO and locked memory: off, prefer or require")
+        .one_of({"off", "prefer", "require"})
+        .shows_default();
   }
   [[nodiscard]] Realtime wish() const { return *realtime_from_name(name_); }
 

@@ -6,17 +6,16 @@
 #include <memory>
 #include <thread>
 
-#include <CLI/CLI.hpp>
-
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/login_options.hpp"
 #include "app/report_all.hpp"
-#include "reports/progress_report.hpp"
-#include "reports/qt_application.hpp"
-#include "reports/report_writer.hpp"
-#include "storage/audit_log.hpp"
-#include "storage/session_store.hpp"
+#include "reports/findings/progress_report.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "reports/paper/report_writer.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace isograsp {
 
@@ -30,7 +29,7 @@ Result<void> write_report(const std::string& database, const std::string& patien
                  path,
                  0,
                  "--out"};
-  auto store = SessionStore::open_to_read(database);
+  auto store = open_store_to_read(database);
   if (!store) return store.error();
   ProgressBar bar("Report");
   constexpr double kGathered = 0.4;  // share of the time, roughly
@@ -82,34 +81,32 @@ Result<void> run(const Options& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, Action& action) {
+void add_report(CommandLine& line) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("report", "Write the progress report of a patient, or of all");
-  command->add_option("--db", options->database, "Database of the clinic")
-      ->required()
-      ->type_name("FILE");
-  auto* who = command->add_option_group("who");
-  who->add_option("--patient", options->patient, "Code of the patient")->type_name("CODE");
-  auto* all = who->add_flag("--all", options->all, "One report for each patient");
-  who->require_option(1);
+  Subcommand command =
+      line.subcommand("report", "Write the progress report of a patient, or of all");
+  command.option("--db", options->database, "Database of the clinic").required().type("FILE");
+  OptionGroup who = command.exactly_one("who");
+  who.option("--patient", options->patient, "Code of the patient").type("CODE");
+  const Option all = who.flag("--all", options->all, "One report for each patient");
   command
-      ->add_option("--out", options->out,
-                   "Report to write: FILE.pdf or FILE.html; with --all the folder")
-      ->required()
-      ->type_name("FILE");
-  command->add_option("--format", options->format, "With --all: html or pdf")
-      ->check(CLI::IsMember({"html", "pdf"}))
-      ->needs(all)
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "With --all: how many write at the same time")
-      ->check(CLI::Range(1, 64))
-      ->needs(all)
-      ->capture_default_str();
-  options->login.add_to(*command);
-  command->footer(
+      .option("--out", options->out,
+              "Report to write: FILE.pdf or FILE.html; with --all the folder")
+      .required()
+      .type("FILE");
+  command.option("--format", options->format, "With --all: html or pdf")
+      .one_of({"html", "pdf"})
+      .needs(all)
+      .shows_default();
+  command.option("--threads", options->threads, "With --all: how many write at the same time")
+      .range(1, 64)
+      .needs(all)
+      .shows_default();
+  options->login.add_to(command);
+  command.footer(
       "Examples:\n  isograsp report --db clinic.db --patient TK-104 --out TK-104.pdf\n"
       "  isograsp report --db clinic.db --all --out reports --format pdf");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command.runs([options] { return run(*options); });
 }
 
 }  // namespace isograsp

@@ -14,10 +14,11 @@
 #include <unistd.h>
 
 #include "app/console.hpp"
-#include "reports/progress_report.hpp"
-#include "reports/qt_application.hpp"
-#include "reports/report_writer.hpp"
-#include "storage/session_store.hpp"
+#include "reports/findings/progress_report.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "reports/paper/report_writer.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace isograsp {
 
@@ -70,7 +71,7 @@ Result<void> write_one(SessionStore& store, const std::string& code,
 
 /// The work of one process.
 void work(const std::vector<std::string>& codes, const ReportAllOptions& options, Shared& shared) {
-  const auto store = SessionStore::open(options.database, SessionStore::Open::read_only);
+  const auto store = open_store_to_read(options.database);
   if (!store) return tell_error(shared, store.error());
   ensure_qt_application();
   for (std::size_t i = shared.next++; i < codes.size(); i = shared.next++) {
@@ -82,7 +83,7 @@ void work(const std::vector<std::string>& codes, const ReportAllOptions& options
 
 Result<std::vector<std::string>> codes_of(const std::string& database) {
   // Closed before the processes part: a connection must not be used by two.
-  const auto store = SessionStore::open_to_read(database);
+  const auto store = open_store_to_read(database);
   if (!store) return store.error();
   const auto patients = (*store)->patients();
   if (!patients) return patients.error();

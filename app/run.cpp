@@ -7,14 +7,13 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/login_options.hpp"
 #include "app/paths.hpp"
 #include "app/realtime_option.hpp"
-#include "session/protocol_run.hpp"
+#include "app/stop_signals.hpp"
+#include "session/protocol/protocol_run.hpp"
 #include "session/session.hpp"
 
 namespace isograsp {
@@ -33,23 +32,25 @@ void print_measure(const Measure& measure) {
   std::string label = measure.name;
   if (!measure.channel.empty()) label += " (" + measure.channel + ")";
   if (measure.value)
-    std::printf("    %-44s %12.4g %s\n", label.c_str(), *measure.value, measure.unit.c_str());
+    print("    %-44s %12.4g %s\n", printable(label).c_str(), *measure.value, measure.unit.c_str());
   else
-    std::printf("    %-44s %12s %s\n", label.c_str(), "-", measure.reason.c_str());
+    print("    %-44s %12s %s\n", printable(label).c_str(), "-", printable(measure.reason).c_str());
 }
 
 namespace {
 
 void print_trial(const TrialOutcome& outcome) {
   const TrialRecord& trial = outcome.trial;
-  std::printf("\n  Trial %d  %s%s  [%s]\n", trial.number, trial.task_name.c_str(),
-              trial.practice ? ", practice" : "", std::string(name_of(trial.status)).c_str());
-  if (outcome.rest) std::printf("    %s\n", outcome.rest->words.c_str());
+  print("\n  Trial %d  %s%s  [%s]\n", trial.number, printable(trial.task_name).c_str(),
+        trial.practice ? ", practice" : "", std::string(name_of(trial.status)).c_str());
+  if (outcome.rest) print("    %s\n", printable(outcome.rest->words).c_str());
   for (const auto& measure : outcome.measures) print_measure(measure);
 }
 
 /// One task and nothing else: nobody can be asked to relax or to take the hand out.
 Result<ReadyProtocol> protocol_of(const RunOptions& options) {
+  if (!options.protocol_text.empty())
+    return read_protocol(options.protocol_text, options.protocol_file, library_folder());
   if (options.task_file.empty()) return read_protocol(options.protocol_file, library_folder());
   const std::filesystem::path task = options.task_file;
   return read_protocol(
@@ -57,6 +58,29 @@ Result<ReadyProtocol> protocol_of(const RunOptions& options) {
       "kind = \"task\"\ntask = '" +
           task.filename().string() + "'\n",
       task, library_folder());
+}
+
+/// The first steps of a protocol; negative: all.
+ReadyProtocol beginning_of(ReadyProtocol protocol, int steps) {
+  if (steps < 0) return protocol;
+  const auto kept = std::min(protocol.tasks.size(), static_cast<std::size_t>(steps));
+  protocol.spec.steps.resize(kept);
+  protocol.tasks.resize(kept);
+  return protocol;
+}
+
+/// Begins the first task of a step and ends the session in it.
+Result<void> break_off(Session& session, const ReadyProtocol& protocol, int step) {
+  const auto& tasks = protocol.tasks.at(static_cast<std::size_t>(step));
+  if (tasks.empty()) return {};
+  if (auto started = session.start_trial(tasks.front(), false, TrialPlace{step, 0}); !started)
+    return started;
+  constexpr double kBegun_s = 2.0;
+  session.let_pass(kBegun_s);
+  session.note("Broken off: called to another examination.");
+  session.abort();
+  (void)session.wait_for_news();  // the trial is stored
+  return {};
 }
 
 }  // namespace
@@ -92,78 +116,96 @@ Result<void> run_session(const RunOptions& options) {
   config.allowed = allowed;
   config.ceiling_N = options.ceiling_N;
   config.resume = options.resume;
+  config.clock_is_right = options.clock_is_right;
+  config.stop = options.stop;
   auto session = Session::open(config);
-  if (!session) return session.error();
+  if (!session) {
+    Error error = session.error();
+    if (error.field == "clock") error.remedy = "set the clock, or say --clock-is-right";
+    return error;
+  }
 
   if (!options.quiet) {
     if ((*session)->patient_is_new())
       print_note("patient " + options.patient + " is new and was created");
     if (const auto got = describe((*session)->realtime()); !got.empty())
       print_note("acquisition with " + got);
-    std::printf("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
-                (*session)->device().description.c_str());
+    print("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
+          printable((*session)->device().description).c_str());
     std::fflush(stdout);
   }
   if (!options.quiet) {
     const Duration duration = protocol->duration();
     constexpr double kSecondsPerMinute = 60.0;
-    std::printf("%s: %.1f min as a rule, %.1f min at most\n", protocol->spec.name.c_str(),
-                duration.nominal_s / kSecondsPerMinute, duration.worst_s / kSecondsPerMinute);
+    print("%s: %.1f min as a rule, %.1f min at most\n", printable(protocol->spec.name).c_str(),
+          duration.nominal_s / kSecondsPerMinute, duration.worst_s / kSecondsPerMinute);
     std::fflush(stdout);
   }
   ProgressBar bar("Session");
   const auto result = run_protocol(
-      **session, *protocol,
+      **session, beginning_of(*protocol, options.broken_off_in),
       [&](const ProtocolProgress& at) {
         if (!options.quiet)
           bar.show(static_cast<double>(at.step) / std::max(1, at.steps), at.doing);
       },
       options.serviced);
+  Result<void> ended;
+  if (result && options.broken_off_in >= 0)
+    ended = break_off(**session, *protocol, options.broken_off_in);
+  if (options.said) (void)(*session)->rate(options.said->effort, options.said->pain);
   (*session)->close();
   bar.end();
+  if (const auto lost = (*session)->failure()) return *lost;
+  if (const auto signal = StopSignals::name(); !signal.empty() && !result)
+    return Error{Error::Code::failed,
+                 "the session was ended by " + signal + "; what was measured is stored",
+                 "run it again with --resume to go on",
+                 options.database,
+                 0,
+                 ""};
   if (!result) return result.error();
+  if (!ended) return ended;
   if (options.quiet) return {};
   for (const auto& outcome : result->trials) print_trial(outcome);
   for (const auto& left_out : result->left_out) print_note("left out: " + left_out);
   return {};
 }
 
-void add_run(CLI::App& app, Action& action) {
+void add_run(CommandLine& line) {
   auto options = std::make_shared<RunOptions>();
   auto realtime = std::make_shared<RealtimeOption>();
   auto login = std::make_shared<LoginOptions>();
-  auto* command = app.add_subcommand("run", "A session without a window");
-  command->add_option("--protocol-file", options->protocol_file, "Protocol (TOML)")->required();
-  command->add_option("--device", options->device, "Device URI, e.g. sim://healthy?seed=7")
-      ->required();
-  command->add_option("--db", options->database, "Database; made if it does not exist")->required();
-  command->add_option("--patient", options->patient, "Patient code; created if new")->required();
-  command->add_option("--hand", options->hand, "right or left")->capture_default_str();
-  command->add_option("--operator", options->operator_name,
-                      "Who runs it, stored with zero and resting force");
-  command->add_option(
-      "--allowed", options->allowed,
-      "What the screening allows this hand: maximum, comfortable or none; without it "
-      "nothing is kept and maximum is allowed");
-  command->add_option("--ceiling", options->ceiling_N, "No target may exceed this force [N]")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--fast", options->fast, "Simulated and replayed devices in virtual time");
-  command->add_flag("--resume", options->resume,
-                    "Go on with the protocol that the last session of this hand has not finished");
-  command->add_flag("--serviced", options->serviced,
-                    "The device was serviced or remounted: its zero may differ from the last one");
-  realtime->add_to(*command);
-  login->add_to(*command);
-  command->footer(
+  Subcommand command = line.subcommand("run", "A session without a window");
+  command.option("--protocol-file", options->protocol_file, "Protocol (TOML)").required();
+  command.option("--device", options->device, "Device URI, e.g. sim://healthy?seed=7").required();
+  command.option("--db", options->database, "Database; made if it does not exist").required();
+  command.option("--patient", options->patient, "Patient code; created if new").required();
+  command.option("--hand", options->hand, "right or left").shows_default();
+  command.option("--operator", options->operator_name,
+                 "Who runs it, stored with zero and resting force");
+  command.option("--allowed", options->allowed,
+                 "What the screening allows this hand: maximum, comfortable or none; without it "
+                 "nothing is kept and maximum is allowed");
+  command.option("--ceiling", options->ceiling_N, "No target may exceed this force [N]").positive();
+  command.flag("--fast", options->fast, "Simulated and replayed devices in virtual time");
+  command.flag("--resume", options->resume,
+               "Go on with the protocol that the last session of this hand has not finished");
+  command.flag("--serviced", options->serviced,
+               "The device was serviced or remounted: its zero may differ from the last one");
+  command.flag("--clock-is-right", options->clock_is_right,
+               "Record although the newest session of the file lies ahead of the clock");
+  realtime->add_to(command);
+  login->add_to(command);
+  command.footer(
       "Example:\n  isograsp run --protocol-file library/protocols/demonstration.toml \\\n"
       "    --device 'sim://healthy?seed=7' --db clinic.db --patient DEMO-01 --fast");
-  command->callback([options, realtime, login, &action] {
+  command.runs([options, realtime, login]() -> Result<void> {
     options->realtime = realtime->wish();
-    action = [options, login]() -> Result<void> {
-      const auto access = log_in(options->database, *login);
-      if (!access) return access.error();
-      return run_session(*options);
-    };
+    const auto access = log_in(options->database, *login);
+    if (!access) return access.error();
+    const StopSignals signals;
+    options->stop = &StopSignals::stop();
+    return run_session(*options);
   });
 }
 

@@ -2,19 +2,28 @@
 // A session without a window, for `isograsp run` and `isograsp demo`.
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 
-#include "core/finger.hpp"
 #include "core/measure.hpp"
 #include "core/result.hpp"
-#include "session/realtime.hpp"
+#include "hand/finger.hpp"
+#include "session/acquisition/realtime.hpp"
 
 namespace isograsp {
 
+/// What the patient says at the end, 0 to 10 each.
+struct Said {
+  int effort = 0;
+  int pain = 0;
+};
+
 struct RunOptions {
   std::string protocol_file;
-  std::string task_file;  ///< this task alone in place of a protocol
+  std::string protocol_text;  ///< in place of what stands in the file; empty: as it stands there
+  int broken_off_in = -1;     ///< step of the protocol in which the session ends; negative: in none
+  std::string task_file;      ///< this task alone in place of a protocol
   std::string device;
   std::string database;
   bool scratch = false;  ///< the database is removed again by the caller: nothing is synced
@@ -28,7 +37,10 @@ struct RunOptions {
   bool serviced = false;  ///< the operator confirms that the device was serviced or remounted
   std::string allowed;    ///< outcome of the screening for this hand; empty: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
+  std::optional<Said> said;         ///< nothing: not asked
   Realtime realtime = Realtime::prefer;
+  const std::atomic<bool>* stop = nullptr;  ///< ends the session when somebody sets it
+  bool clock_is_right = false;              ///< though it is behind the newest session of the file
 };
 
 /// Runs the protocol, records it and prints the scores.

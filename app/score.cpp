@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/console.hpp"
 #include "core/csv.hpp"
 #include "session/library.hpp"
 
@@ -24,7 +24,7 @@ struct ScoreOptions {
   bool json = false;
 };
 
-std::string as_json(const std::vector<Measure>& measures) {
+nlohmann::ordered_json as_json(const std::vector<Measure>& measures) {
   auto list = nlohmann::ordered_json::array();
   for (const Measure& measure : measures) {
     nlohmann::ordered_json one;
@@ -41,10 +41,10 @@ std::string as_json(const std::vector<Measure>& measures) {
     if (!measure.value) one["reason"] = measure.reason;
     list.push_back(std::move(one));
   }
-  return nlohmann::ordered_json{{"measures", std::move(list)}}.dump(2) + "\n";
+  return {{"measures", std::move(list)}};
 }
 
-std::string as_table(const std::vector<Measure>& measures) {
+Lines as_table(const std::vector<Measure>& measures) {
   const auto number = [](double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
@@ -53,13 +53,14 @@ std::string as_table(const std::vector<Measure>& measures) {
   std::vector<std::array<std::string, 6>> rows{
       {"measure", "channel", "value", "unit", "samples", "excluded"}};
   for (const Measure& measure : measures)
-    rows.push_back({measure.name, measure.channel, measure.value ? number(*measure.value) : "-",
+    rows.push_back({measure.name, printable(measure.channel),
+                    measure.value ? number(*measure.value) : "-",
                     measure.value ? measure.unit : measure.reason, std::to_string(measure.samples),
                     std::to_string(measure.excluded)});
   std::array<std::size_t, 6> width{};
   for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
-  std::string text;
+  Lines text;
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
@@ -67,7 +68,7 @@ std::string as_table(const std::vector<Measure>& measures) {
       const bool numeric = c == 2 || c >= 4;
       line += (c == 0 ? "" : "  ") + (numeric ? blanks + row[c] : row[c] + blanks);
     }
-    text += line + "\n";
+    text.add(line);
   }
   return text;
 }
@@ -92,22 +93,25 @@ Result<void> run_score(const ScoreOptions& options) {
     if (!signals) return signals.error();
     measures = score(*task, *signals);
   }
-  std::fputs((options.json ? as_json(measures) : as_table(measures)).c_str(), stdout);
+  if (options.json)
+    print_json(as_json(measures));
+  else
+    print_lines(as_table(measures));
   return {};
 }
 
 }  // namespace
 
-void add_score(CLI::App& app, Action& action) {
+void add_score(CommandLine& line) {
   auto options = std::make_shared<ScoreOptions>();
-  CLI::App* command = app.add_subcommand("score", "Measures of one recorded trial");
-  command->add_option("--task", options->task,
-                      "Task file; without it every target_X is paired with its actual_X");
-  command->add_option("--signals", options->signals, "Signals of the trial (CSV)")->required();
-  command->add_flag("--json", options->json, "Print one JSON document");
-  command->footer(
+  Subcommand command = line.subcommand("score", "Measures of one recorded trial");
+  command.option("--task", options->task,
+                 "Task file; without it every target_X is paired with its actual_X");
+  command.option("--signals", options->signals, "Signals of the trial (CSV)").required();
+  command.flag("--json", options->json, "Print one JSON document");
+  command.footer(
       "Example:\n  isograsp score --task library/tasks/grip_sine.toml --signals trial.csv");
-  command->callback([options, &action] { action = [options] { return run_score(*options); }; });
+  command.runs([options] { return run_score(*options); });
 }
 
 }  // namespace isograsp

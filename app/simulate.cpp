@@ -5,15 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "core/csv.hpp"
-#include "core/finger_forces.hpp"
-#include "core/stale.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/scene.hpp"
+#include "hand/finger_forces.hpp"
+#include "hand/stale.hpp"
 
 namespace isograsp {
 
@@ -146,19 +144,19 @@ Result<void> simulate(const SimulateOptions& options) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("simulate", "Run the grasp model alone on recorded forces");
+void add_simulate(CommandLine& line) {
+  Subcommand command = line.subcommand("simulate", "Run the grasp model alone on recorded forces");
   const auto options = std::make_shared<SimulateOptions>();
-  command->add_option("--scene", options->scene, "Scene (TOML)")->required();
-  command->add_option("--forces", options->forces, "Finger forces (CSV)")->required();
-  command->add_option("--out", options->out, "Trajectory to write (CSV)")->required();
-  command->add_option("--hand", options->hand, "Which hand presses")
-      ->check(CLI::IsMember({"right", "left"}))
-      ->capture_default_str();
-  command->footer(
+  command.option("--scene", options->scene, "Scene (TOML)").required();
+  command.option("--forces", options->forces, "Finger forces (CSV)").required();
+  command.option("--out", options->out, "Trajectory to write (CSV)").required();
+  command.option("--hand", options->hand, "Which hand presses")
+      .one_of({"right", "left"})
+      .shows_default();
+  command.footer(
       "Example: isograsp simulate --scene library/scenes/planar_block.toml --forces forces.csv "
       "--out trajectory.csv");
-  command->callback([options, &action] { action = [options] { return simulate(*options); }; });
+  command.runs([options] { return simulate(*options); });
 }
 
 }  // namespace isograsp

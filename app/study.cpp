@@ -3,17 +3,16 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/login_options.hpp"
 #include "core/files.hpp"
-#include "reports/qt_application.hpp"
-#include "reports/study_report.hpp"
-#include "reports/study_writer.hpp"
-#include "storage/audit_log.hpp"
-#include "storage/session_store.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "reports/study/study_report.hpp"
+#include "reports/study/study_writer.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace isograsp {
 
@@ -42,7 +41,7 @@ Result<void> check_out(const StudyOptions& options) {
 }
 
 Result<void> write_study(const StudyOptions& options, const Study& study) {
-  const auto store = SessionStore::open_to_read(options.database);
+  const auto store = open_store_to_read(options.database);
   if (!store) return store.error();
   ProgressBar bar("Study");
   const auto data =
@@ -62,7 +61,7 @@ Result<void> write_study(const StudyOptions& options, const Study& study) {
     if (auto done = write_text(options.out, page); !done) return done;
   }
   bar.show(1.0);
-  if (options.json) std::fputs(study_json(study, *data, analyses).c_str(), stdout);
+  if (options.json) print("%s", study_json(study, *data, analyses).c_str());
   return {};
 }
 
@@ -83,26 +82,24 @@ Result<void> run_study(const StudyOptions& options) {
 
 }  // namespace
 
-void add_study(CLI::App& app, Action& action) {
+void add_study(CommandLine& line) {
   auto options = std::make_shared<StudyOptions>();
-  auto* command = app.add_subcommand(
+  Subcommand command = line.subcommand(
       "study", "Group report: conditions of a study compared within people, pseudonymous");
-  command->add_option("--db", options->database, "Database of the clinic")
-      ->required()
-      ->type_name("FILE");
+  command.option("--db", options->database, "Database of the clinic").required().type("FILE");
   command
-      ->add_option("--study", options->study,
-                   "What is compared: groups, factors, measure, analyses (isograsp-study-1)")
-      ->required()
-      ->type_name("FILE.toml");
+      .option("--study", options->study,
+              "What is compared: groups, factors, measure, analyses (isograsp-study-1)")
+      .required()
+      .type("FILE.toml");
   command
-      ->add_option("--out", options->out,
-                   "Report (FILE.html, FILE.pdf) or the values of all people (FILE.csv)")
-      ->type_name("FILE");
-  command->add_flag("--json", options->json, "Print every figure as one JSON document");
-  options->login.add_to(*command);
-  command->footer("Example:\n  isograsp study --db clinic.db --study weeks.toml --out weeks.pdf");
-  command->callback([options, &action] { action = [options] { return run_study(*options); }; });
+      .option("--out", options->out,
+              "Report (FILE.html, FILE.pdf) or the values of all people (FILE.csv)")
+      .type("FILE");
+  command.flag("--json", options->json, "Print every figure as one JSON document");
+  options->login.add_to(command);
+  command.footer("Example:\n  isograsp study --db clinic.db --study weeks.toml --out weeks.pdf");
+  command.runs([options] { return run_study(*options); });
 }
 
 }  // namespace isograsp

@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "app/commands.hpp"
+#include "app/console.hpp"
 #include "app/login_options.hpp"
 #include "core/files.hpp"
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 #include "tasks/recorded_target.hpp"
 
 namespace isograsp {
@@ -54,7 +54,7 @@ Result<void> make_target(const TargetOptions& options) {
     return bad("--out", options.out + " exists already", "choose another name");
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
-  const auto store = SessionStore::open_to_read(options.database);
+  const auto store = open_store_to_read(options.database);
   if (!store) return store.error();
   const auto trial = find_trial(**store, options);
   if (!trial) return trial.error();
@@ -65,37 +65,37 @@ Result<void> make_target(const TargetOptions& options) {
   const auto text = target_by_doing(*spec, *signals, options.wanted);
   if (!text) return text.error();
   if (const auto written = write_text(options.out, *text); !written) return written;
-  std::printf("%s: target of '%s', trial %d\n", options.out.c_str(), trial->task_name.c_str(),
-              trial->number);
+  print("%s: target of '%s', trial %d\n", printable(options.out).c_str(),
+        printable(trial->task_name).c_str(), trial->number);
   return {};
 }
 
 }  // namespace
 
-void add_target(CLI::App& app, Action& action) {
+void add_target(CommandLine& line) {
   auto options = std::make_shared<TargetOptions>();
-  CLI::App* command =
-      app.add_subcommand("target", "A task whose target is what was done in a stored trial");
-  command->add_option("--db", options->database, "Database file")->required();
-  command->add_option("--patient", options->patient, "Patient code")->required();
-  command->add_option("--session", options->session, "Session number of the patient, from 1")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--trial", options->trial, "Trial number in the session, from 1")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Task file to be made")->required();
-  command->add_option("--name", options->wanted.name, "Name of the task")->capture_default_str();
-  command->add_option("--slower", options->wanted.slower, "Stretches the time")
-      ->check(CLI::Range(0.1, 10.0))
-      ->capture_default_str();
-  command->add_flag("--force", options->wanted.force,
-                    "The force as the target, also where an object was moved");
-  options->login.add_to(*command);
-  command->footer(
+  Subcommand command =
+      line.subcommand("target", "A task whose target is what was done in a stored trial");
+  command.option("--db", options->database, "Database file").required();
+  command.option("--patient", options->patient, "Patient code").required();
+  command.option("--session", options->session, "Session number of the patient, from 1")
+      .positive()
+      .shows_default();
+  command.option("--trial", options->trial, "Trial number in the session, from 1")
+      .positive()
+      .shows_default();
+  command.option("--out", options->out, "Task file to be made").required();
+  command.option("--name", options->wanted.name, "Name of the task").shows_default();
+  command.option("--slower", options->wanted.slower, "Stretches the time")
+      .range(0.1, 10.0)
+      .shows_default();
+  command.flag("--force", options->wanted.force,
+               "The force as the target, also where an object was moved");
+  options->login.add_to(command);
+  command.footer(
       "Example: guide the hand in a trial of free handling, then\n"
       "  isograsp target --db clinic.db --patient P-0427 --session 3 --trial 2 --out turn.toml");
-  command->callback([options, &action] { action = [options] { return make_target(*options); }; });
+  command.runs([options] { return make_target(*options); });
 }
 
 }  // namespace isograsp

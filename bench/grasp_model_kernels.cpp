@@ -5,12 +5,12 @@
 #include <benchmark/benchmark.h>
 
 #include "core/csv.hpp"
-#include "core/finger_forces.hpp"
 #include "grasp_model/contact.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/rotation.hpp"
 #include "grasp_model/spin.hpp"
 #include "grasp_model/zoh.hpp"
+#include "hand/finger_forces.hpp"
 
 namespace isograsp {
 

@@ -9,8 +9,8 @@
 #include "bench/case.hpp"
 #include "bench/reference.hpp"
 #include "core/csv.hpp"
-#include "core/finger_forces.hpp"
 #include "grasp_model/plan.hpp"
+#include "hand/finger_forces.hpp"
 
 namespace isograsp::bench {
 

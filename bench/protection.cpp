@@ -7,10 +7,11 @@
 #include <random>
 #include <string>
 
-#include "storage/access.hpp"
-#include "storage/identity.hpp"
-#include "storage/seal.hpp"
-#include "storage/session_store.hpp"
+#include "storage/access/access.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/crypto/seal.hpp"
+#include "storage/person/identity.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace {
 
@@ -46,7 +47,7 @@ constexpr std::size_t kRate = 100;
 constexpr std::size_t kColumns = 60;
 
 void measure(const std::string& path) {
-  auto store = must(SessionStore::open(path, SessionStore::Open::create));
+  auto store = must(open_store(path, OpenMode::create));
   const RowId patient = must(store->add_patient("B-1")).id;
   SessionRecord session;
   session.patient_id = patient;
@@ -90,8 +91,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::filesystem::path folder = argv[1];
   std::puts("plain");
-  report("opening", 20,
-         [&] { (void)must(SessionStore::open(folder / "plain.db", SessionStore::Open::create)); });
+  report("opening", 20, [&] { (void)must(open_store(folder / "plain.db", OpenMode::create)); });
   measure(folder / "plain.db");
   std::puts("protected");
   const Secret passphrase{std::string_view("a passphrase of the clinic")};
@@ -100,9 +100,8 @@ int main(int argc, char** argv) {
          [&] { access = must(Access::create(folder / "protected.db", passphrase)).access; });
   report("login (Argon2id, 256 MiB, 3 passes)", 3,
          [&] { must(access->log_in_with_passphrase(passphrase)); });
-  report("opening, logged in", 20, [&] {
-    (void)must(SessionStore::open(folder / "protected.db", SessionStore::Open::existing));
-  });
+  report("opening, logged in", 20,
+         [&] { (void)must(open_store(folder / "protected.db", OpenMode::existing)); });
   measure(folder / "protected.db");
   must(set_identity(*access, "B-1", {"Vera Novak", "1950-03-05", "Berlin"}));
   report("reading an identity, logged", 50, [&] { (void)must(read_identity(*access, "B-1")); });

@@ -7,7 +7,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/csv.hpp"
-#include "session/protocol_run.hpp"
+#include "session/protocol/protocol_run.hpp"
+#include "storage/access/open_store.hpp"
 #include "tasks/measures/delay.hpp"
 #include "tasks/measures/regularity.hpp"
 #include "tasks/measures/smoothness.hpp"
@@ -99,7 +100,7 @@ Trial recorded(const std::string& kind) {
   const auto session = value_or_throw(Session::open(config));
   const auto result = value_or_throw(run_protocol(*session, protocol, [](const auto&) {}));
   session->close();
-  const auto store = value_or_throw(SessionStore::open_to_read(config.database));
+  const auto store = value_or_throw(open_store_to_read(config.database));
   return {protocol.tasks.back().front(),
           first_rows(value_or_throw(store->signals(result.trials.back().trial)))};
 }

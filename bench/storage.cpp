@@ -17,8 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "storage/file_stats.hpp"
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/file/file_stats.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace isograsp {
 
@@ -113,7 +114,7 @@ TrialRecord described(RowId session, int number) {
 void record(const std::string& path) {
   Times seconds;
   Times close;
-  const auto store = must(SessionStore::open(path, SessionStore::Open::create));
+  const auto store = must(open_store(path, OpenMode::create));
   SessionRecord session;
   session.patient_id = must(store->add_patient("BENCH-1")).id;
   session.rate_Hz = kRate_Hz;
@@ -134,7 +135,7 @@ void record(const std::string& path) {
 }
 
 void read(const std::string& path) {
-  const auto store = must(SessionStore::open(path, SessionStore::Open::read_only));
+  const auto store = must(open_store(path, OpenMode::read_only));
   Times opening;
   constexpr int kRounds = 20;
   const auto trials = must(store->trials(1));
@@ -145,7 +146,7 @@ void read(const std::string& path) {
 
 void query(const std::string& path) {
   {
-    const auto store = must(SessionStore::open(path, SessionStore::Open::scratch));
+    const auto store = must(open_store(path, OpenMode::scratch));
     const RowId patient = must(store->add_patient("BENCH-1")).id;
     constexpr int kSessions = 200;
     constexpr int kMeasures = 20;
@@ -164,7 +165,7 @@ void query(const std::string& path) {
       must(store->end_trial(trial, measures));
     }
   }
-  const auto store = must(SessionStore::open(path, SessionStore::Open::read_only));
+  const auto store = must(open_store(path, OpenMode::read_only));
   Times asking;
   for (int round = 0; round < 50; ++round) asking.of([&] { must(store->progress(1)); });
   asking.print("progress of 200 sessions, 4,000 measures");
@@ -174,7 +175,7 @@ void query(const std::string& path) {
 void flip_bits(const std::string& path, const std::string& copy) {
   std::ifstream in(path, std::ios::binary);
   const std::string whole(std::istreambuf_iterator<char>(in), {});
-  const auto store = must(SessionStore::open(path, SessionStore::Open::read_only));
+  const auto store = must(open_store(path, OpenMode::read_only));
   std::vector<Signals> sound;
   for (const auto& trial : must(store->trials(1))) sound.push_back(must(store->signals(trial)));
   constexpr int kFlips = 200;
@@ -194,7 +195,7 @@ void flip_bits(const std::string& path, const std::string& copy) {
     put(static_cast<char>(whole[bit / 8] ^ (1 << (bit % 8))));
     int broken = 0;
     bool same = true;
-    const auto damaged = SessionStore::open(copy, SessionStore::Open::read_only);
+    const auto damaged = open_store(copy, OpenMode::read_only);
     const auto trials = damaged ? (*damaged)->trials(1) : Result<std::vector<TrialRecord>>(Error{});
     if (trials)
       for (std::size_t t = 0; t < sound.size(); ++t) {

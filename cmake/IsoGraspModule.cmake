@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # isograsp_module(<folder> SOURCES … [USES <folders>] [PUBLIC_LIBS …] [PRIVATE_LIBS …])
 #   one static library per folder, alias isograsp::<folder>.
-# isograsp_test(<folder> SOURCES … [USES <folders>] [LIBS …])
-#   one GoogleTest program tests_<folder>; every case is its own CTest entry "<folder>/<case>".
+# isograsp_test(<folder> SOURCES … [USES <folders>] [LIBS …] [TOGETHER <suites>] [REAL_TIME <suites>]
+#   [LONG_IF_SANITIZED <suites>])
+#   one GoogleTest program tests_<folder>; every case is its own CTest entry "<folder>/<case>". Suites
+#   whose cases share what takes long to make run TOGETHER, in one process each: their entry is
+#   "<folder>/<suite>", its output names the cases. So do those that live in REAL_TIME: only one other
+#   test runs beside them (the presets start three at a time). LONG_IF_SANITIZED: with sanitizers only
+#   where there is time (ISOGRASP_LONG_TESTS), because they would take long and tell little more.
 
 add_library(isograsp_options INTERFACE)
 target_compile_features(isograsp_options INTERFACE cxx_std_20)
@@ -16,6 +21,12 @@ option(ISOGRASP_WERROR "Treat warnings as errors" OFF)
 if(ISOGRASP_WERROR)
   target_compile_options(isograsp_options INTERFACE -Werror)
 endif()
+# What is installed reads files and datagrams of others: an overrun stack or buffer ends the program
+# where it happens, addresses are random, and what the loader has filled in cannot be overwritten. No
+# computed bit changes (scripts/compare_builds reads the executable and compares).
+target_compile_options(isograsp_options INTERFACE $<$<CONFIG:Release>:
+  -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fPIE>)
+target_link_options(isograsp_options INTERFACE $<$<CONFIG:Release>:-pie -Wl,-z,relro,-z,now>)
 set(ISOGRASP_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined")
 if(ISOGRASP_SANITIZE)
   target_compile_options(isograsp_options INTERFACE
@@ -42,15 +53,34 @@ function(isograsp_module name)
 endfunction()
 
 function(isograsp_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LIBS;TOGETHER;REAL_TIME;LONG_IF_SANITIZED" ${ARGN})
   list(TRANSFORM ARG_USES PREPEND isograsp::)
   add_executable(tests_${name} ${ARG_SOURCES})
+  # Its operators new and delete are not for the eyes of a compiler that works on others' files.
+  set_source_files_properties(../support/no_alloc.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(tests_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(tests_${name}
     PRIVATE isograsp_options ${ARG_USES} ${ARG_LIBS} GTest::gtest_main)
   target_compile_definitions(tests_${name} PRIVATE
     ISOGRASP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     ISOGRASP_EXECUTABLE="$<TARGET_FILE_DIR:isograsp>/isograsp")
-  gtest_discover_tests(tests_${name} TEST_PREFIX ${name}/ PROPERTIES TIMEOUT 300
-    DISCOVERY_TIMEOUT 60)
+  # Emergency files of tests stay with the build.
+  set(environment "XDG_STATE_HOME=${CMAKE_CURRENT_BINARY_DIR}/state")
+  set(others "")
+  if(ARG_LONG_IF_SANITIZED AND ISOGRASP_SANITIZE AND NOT ISOGRASP_LONG_TESTS)
+    list(REMOVE_ITEM ARG_TOGETHER ${ARG_LONG_IF_SANITIZED})
+    list(TRANSFORM ARG_LONG_IF_SANITIZED APPEND ".*" OUTPUT_VARIABLE others)
+  endif()
+  foreach(suite ${ARG_TOGETHER} ${ARG_REAL_TIME})
+    add_test(NAME ${name}/${suite} COMMAND tests_${name} --gtest_filter=${suite}.*)
+    set_tests_properties(${name}/${suite} PROPERTIES
+      TIMEOUT 600 ENVIRONMENT "${environment}" FAIL_REGULAR_EXPRESSION "0 tests from 0 test suites")
+    if(suite IN_LIST ARG_REAL_TIME)
+      set_tests_properties(${name}/${suite} PROPERTIES PROCESSORS 2)
+    endif()
+    list(APPEND others "${suite}.*")
+  endforeach()
+  list(JOIN others ":" others)
+  gtest_discover_tests(tests_${name} TEST_PREFIX ${name}/ TEST_FILTER "*-${others}" DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300 ENVIRONMENT "${environment}")
 endfunction()

@@ -7,9 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <system_error>
+#include <unordered_set>
 
 namespace isograsp {
 
@@ -17,6 +17,7 @@ namespace {
 
 /// Memory stays bounded whatever the file is; a row of 10,000 numbers is shorter.
 constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+constexpr const char* kTableRemedy = "check that it is a table of numbers with line ends";
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -86,6 +87,12 @@ bool read_field(std::string_view field, double& value) noexcept {
   return true;
 }
 
+/// Perhaps behind apostrophes that were put there.
+bool looks_like_formula(std::string_view text) noexcept {
+  text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+}
+
 }  // namespace
 
 char* print_number(char* at, double value) noexcept {
@@ -97,7 +104,19 @@ void append_number(std::string& text, double value) {
   text.append(number.data(), print_number(number.data(), value));
 }
 
-std::string csv_field(const std::string& text) {
+std::string without_formula(std::string text) {
+  double number = 0.0;
+  if (looks_like_formula(text) && !parse_number(text, number)) text.insert(0, 1, '\'');
+  return text;
+}
+
+std::string_view with_formula(std::string_view text) noexcept {
+  if (text.starts_with('\'') && looks_like_formula(text)) text.remove_prefix(1);
+  return text;
+}
+
+std::string csv_field(std::string text) {
+  text = without_formula(std::move(text));
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
@@ -121,13 +140,9 @@ bool parse_number(std::string_view field, double& value) noexcept {
 }
 
 Result<CsvReader> CsvReader::open(const std::string& path) {
-  constexpr std::size_t kBlock = std::size_t{1} << 16;
-  CsvReader reader;
-  reader.path_ = path;
-  reader.block_.resize(kBlock);
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored)) reader.in_.open(path, std::ios::binary);
-  if (!reader.in_.is_open()) return cannot_open(path, "reading");
+  auto lines = LineReader::open(path, kLongestLine, kTableRemedy);
+  if (!lines) return lines.error();
+  CsvReader reader(std::move(*lines));
   do {
     const auto more = reader.read_line();
     if (!more) return more.error();
@@ -141,55 +156,36 @@ Result<CsvReader> CsvReader::open(const std::string& path) {
     if (reader.text_.starts_with('#'))
       reader.comments_.emplace_back(trimmed(reader.text_.substr(1)));
   } while (reader.text_.empty() || reader.text_.starts_with('#'));
-  std::string_view rest = reader.text_;
-  for (bool more = true; more;) {
-    const auto comma = rest.find(',');
-    const std::string name(trimmed(rest.substr(0, comma)));
-    if (name.empty())
-      return reader.error_here("", "the header has an empty column name", "name every column");
-    if (reader.find(name) >= 0)
-      return reader.error_here(name, "the column appears twice", "keep one of them");
-    reader.columns_.push_back(name);
-    more = comma != std::string_view::npos;
-    if (more) rest.remove_prefix(comma + 1);
-  }
+  if (const auto done = reader.read_columns(); !done) return done.error();
   return reader;
 }
 
-/// Moves what is left to the front of the block and reads on; a line longer than the block makes
-/// it larger.
-void CsvReader::fill() {
-  std::copy(block_.begin() + static_cast<std::ptrdiff_t>(begin_),
-            block_.begin() + static_cast<std::ptrdiff_t>(end_), block_.begin());
-  end_ -= begin_;
-  begin_ = 0;
-  if (end_ == block_.size()) block_.resize(2 * end_);
-  in_.read(block_.data() + end_, static_cast<std::streamsize>(block_.size() - end_));
-  end_ += static_cast<std::size_t>(in_.gcount());
+Result<void> CsvReader::read_columns() {
+  const auto count = 1 + std::count(text_.begin(), text_.end(), ',');
+  if (count > static_cast<std::ptrdiff_t>(kMostColumns))
+    return error_here("", "the header names " + std::to_string(count) + " columns",
+                      "give at most " + std::to_string(kMostColumns));
+  std::unordered_set<std::string> seen;
+  std::string_view rest = text_;
+  for (bool more = true; more;) {
+    const auto comma = rest.find(',');
+    std::string name(with_formula(trimmed(rest.substr(0, comma))));
+    if (name.empty())
+      return error_here("", "the header has an empty column name", "name every column");
+    if (!seen.insert(name).second)
+      return error_here(name, "the column appears twice", "keep one of them");
+    columns_.push_back(std::move(name));
+    more = comma != std::string_view::npos;
+    if (more) rest.remove_prefix(comma + 1);
+  }
+  return {};
 }
 
 Result<bool> CsvReader::read_line() {
-  const auto rest = [this] { return std::string_view(block_.data() + begin_, end_ - begin_); };
-  std::size_t length = rest().find('\n');
-  while (length == std::string_view::npos && in_) {
-    const std::size_t searched = end_ - begin_;
-    if (searched > kLongestLine)
-      return Error{Error::Code::bad_input,
-                   "this line is longer than 1 MiB",
-                   "check that it is a table of numbers with line ends",
-                   path_,
-                   line_ + 1,
-                   ""};
-    fill();
-    length = rest().find('\n', searched);
-  }
-  if (in_.bad())
-    return Error{Error::Code::failed, "cannot be read", "check the disk", path_, line_ + 1, ""};
-  text_ = rest().substr(0, length);
-  if (length == std::string_view::npos && text_.empty()) return false;
-  begin_ = length == std::string_view::npos ? end_ : begin_ + length + 1;
-  ++line_;
-  if (line_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+  auto more = lines_.next();
+  if (!more || !*more) return more;
+  text_ = lines_.text();
+  if (line() == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
   if (text_.ends_with('\r')) text_.remove_suffix(1);
   return true;
 }
@@ -209,7 +205,7 @@ int CsvReader::find(std::string_view name) const noexcept {
 }
 
 Error CsvReader::error_here(std::string field, std::string what, std::string remedy) const {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), path_, line_,
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), path(), line(),
           std::move(field)};
 }
 
@@ -295,7 +291,7 @@ Result<void> write_signals(const Signals& signals, const std::string& path,
   std::string text;
   for (const auto& comment : comments) text += "# " + comment + "\n";
   for (std::size_t c = 0; c < signals.names().size(); ++c)
-    text += (c == 0 ? "" : ",") + signals.names()[c];
+    text += (c == 0 ? "" : ",") + without_formula(signals.names()[c]);
   text += "\n";
   for (std::size_t r = 0; r < signals.rows(); ++r) {
     for (std::size_t c = 0; c < signals.names().size(); ++c) {

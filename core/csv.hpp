@@ -2,13 +2,13 @@
 // Tables of numbers as text: UTF-8, comma, one header line, '.' decimal, '#' comment lines.
 #pragma once
 
-#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/files.hpp"
+#include "core/lines.hpp"
 #include "core/result.hpp"
 #include "core/signals.hpp"
 
@@ -21,8 +21,14 @@ inline constexpr std::size_t kLongestNumber = 24;
 char* print_number(char* at, double value) noexcept;
 void append_number(std::string& text, double value);
 [[nodiscard]] std::string format_number(double value);
-/// A field of words: in quotes if it has to be.
-[[nodiscard]] std::string csv_field(const std::string& text);
+/// Words that spreadsheet programs would take for a formula, those that begin with = + - @ tab or
+/// carriage return, get an apostrophe in front; so do those that already have one there. Numbers
+/// stay as they are.
+[[nodiscard]] std::string without_formula(std::string text);
+/// The reverse.
+[[nodiscard]] std::string_view with_formula(std::string_view text) noexcept;
+/// A field of words: without_formula(), in quotes if it has to be.
+[[nodiscard]] std::string csv_field(std::string text);
 
 /// Reads a whole field as a finite number: no blanks, no trailing characters, no "nan" or "inf".
 [[nodiscard]] bool parse_number(std::string_view field, double& value) noexcept;
@@ -30,7 +36,11 @@ void append_number(std::string& text, double value);
 /// Reads a table of numbers row by row, in constant memory. Errors name file, line and column.
 class CsvReader {
  public:
-  /// Opens the file and reads the comments and the header. Duplicate or empty names are errors.
+  /// Most columns of a table.
+  static constexpr std::size_t kMostColumns = 10000;
+
+  /// Opens the file and reads the comments and the header; names are read with_formula(). Duplicate
+  /// or empty names and more than kMostColumns are errors.
   [[nodiscard]] static Result<CsvReader> open(const std::string& path);
 
   [[nodiscard]] const std::vector<std::string>& columns() const noexcept { return columns_; }
@@ -38,9 +48,9 @@ class CsvReader {
   [[nodiscard]] int find(std::string_view name) const noexcept;
   /// Comment lines before the header, without the '#' and surrounding blanks.
   [[nodiscard]] const std::vector<std::string>& comments() const noexcept { return comments_; }
-  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }
   /// Line of the row read last, 1-based.
-  [[nodiscard]] int line() const noexcept { return line_; }
+  [[nodiscard]] int line() const noexcept { return lines_.line(); }
 
   /// Reads the next row; an empty field becomes NaN. False at the end of the file.
   /// @pre row.size() == columns().size()
@@ -53,21 +63,17 @@ class CsvReader {
   [[nodiscard]] Error error_here(std::string field, std::string what, std::string remedy) const;
 
  private:
+  explicit CsvReader(LineReader lines) : lines_(std::move(lines)) {}
   Result<bool> read_line();
   Result<bool> read_row_line();
-  void fill();
+  Result<void> read_columns();
   [[nodiscard]] Error too_short(std::size_t column) const;
   [[nodiscard]] Error not_a_number(std::size_t column, std::string_view field) const;
 
-  std::string path_;
-  std::ifstream in_;
+  LineReader lines_;
   std::vector<std::string> columns_;
   std::vector<std::string> comments_;
-  std::vector<char> block_;  ///< a part of the file
-  std::size_t begin_ = 0;    ///< in block_: first character that no line has taken yet
-  std::size_t end_ = 0;      ///< in block_: behind the last character read
-  std::string_view text_;    ///< the current line, in block_
-  int line_ = 0;
+  std::string_view text_;  ///< the current line without its end
 };
 
 /// A whole table in memory: a signals file. Requires `t_s`, strictly increasing, and two rows.

@@ -1,104 +1,220 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files.hpp"
 
-#include <cstdint>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace isograsp {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kPieceWritten = std::size_t{1} << 16;
+constexpr mode_t kOwnerOnly = 0600;
+
+bool is_named(int file, const std::string& name) {
+  struct stat own {};
+  struct stat named {};
+  return fstat(file, &own) == 0 && lstat(name.c_str(), &named) == 0 && own.st_dev == named.st_dev &&
+         own.st_ino == named.st_ino;
+}
+
+/// False if a living writer holds it.
+bool clear_leftover(const std::string& name) {
+  const Descriptor left(
+      ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (left.is_open() && flock(left.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return false;
+  if (!left.is_open() || is_named(left.number(), name)) ::unlink(name.c_str());
+  return true;
+}
+
+/// A new file of this name, locked as long as it is open: not one that somebody put there, nor what
+/// a link leads to. Closed, with errno, if there is none.
+Descriptor create_exclusively(const std::string& name) {
+  constexpr int kTries = 100;  // against others that clear away and begin at the same moment
+  for (int tries = 0; tries < kTries; ++tries) {
+    Descriptor file(
+        ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kOwnerOnly));
+    if (file.is_open()) {
+      const bool taken = flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+      if (!taken && is_named(file.number(), name)) return file;
+    } else if (errno != EEXIST) {
+      return {};
+    } else if (!clear_leftover(name)) {
+      errno = EBUSY;
+      return {};
+    }
+  }
+  errno = EBUSY;
+  return {};
+}
+
+std::string temporary_name(const fs::path& target) {
+  constexpr std::size_t kLongestStem = 200;  // of the 255 bytes that a name may have
+  return (target.parent_path() /
+          ("." + target.filename().string().substr(0, kLongestStem) + ".part"))
+      .string();
+}
+
+bool sync_folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  const Descriptor opened(
+      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Some file systems cannot synchronise a folder.
+  return opened.is_open() && (fsync(opened.number()) == 0 || errno == EINVAL);
+}
+
+Error file_error(Error::Code code, std::string what, std::string remedy, const std::string& path) {
+  return {code, std::move(what), std::move(remedy), path, 0, ""};
+}
+
+}  // namespace
+
+Descriptor::Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number_, other.number_);
+  return *this;
+}
+
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
 Error cannot_open(const std::string& path, const char* purpose) {
   std::error_code ignored;
-  const std::string why = std::filesystem::is_directory(path, ignored)
+  const std::string why = fs::is_directory(path, ignored)
                               ? "is a folder"
                               : std::string("cannot be opened for ") + purpose;
   const bool reading = std::string_view(purpose) == "reading";
-  return {reading ? Error::Code::bad_input : Error::Code::failed,
-          why,
-          "check the path and its permissions",
-          path,
-          0,
-          ""};
+  return file_error(reading ? Error::Code::bad_input : Error::Code::failed, why,
+                    "check the path and its permissions", path);
 }
 
 Result<void> check_different(const std::string& in, const std::string& out) {
   std::error_code ignored;
-  if (!std::filesystem::equivalent(in, out, ignored)) return {};
-  return Error{
-      Error::Code::bad_input, "is the input: it would be lost", "give another name", out, 0, ""};
+  if (!fs::equivalent(in, out, ignored)) return {};
+  return file_error(Error::Code::bad_input, "is the input: it would be lost", "give another name",
+                    out);
+}
+
+Result<InputFile> InputFile::open(const std::string& path) {
+  InputFile file;
+  // O_NONBLOCK: a pipe without a writer would let the call itself wait.
+  file.file_ = Descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  struct stat status {};
+  if (!file.file_.is_open() && errno != ENXIO) return cannot_open(path, "reading");
+  if (!file.file_.is_open() || fstat(file.file_.number(), &status) != 0 ||
+      !S_ISREG(status.st_mode)) {
+    if (S_ISDIR(status.st_mode)) return cannot_open(path, "reading");
+    return file_error(Error::Code::bad_input, "is not a file but a pipe, a socket or a device",
+                      "write it to a file first and name that", path);
+  }
+  file.size_ = static_cast<std::uint64_t>(status.st_size);
+  return file;
+}
+
+std::ptrdiff_t InputFile::read(std::span<char> to) noexcept {
+  std::size_t done = 0;
+  while (done < to.size()) {
+    const ssize_t count = ::read(file_.number(), to.data() + done, to.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return -1;
+    if (count == 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  return static_cast<std::ptrdiff_t>(done);
 }
 
 Result<FileWriter> FileWriter::create(const std::string& path) {
-  namespace fs = std::filesystem;
   FileWriter writer;
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
   if (fs::is_directory(status)) return cannot_open(path, "writing");
   const bool exists = fs::exists(status);
   // A link stays a link: the file it names is the one that is replaced.
-  const fs::path target = exists ? fs::canonical(path, ignored) : fs::path(path);
-  writer.path_ = target;
+  writer.path_ = exists ? fs::canonical(path, ignored) : fs::path(path);
   // A device or a pipe is written to; replacing it by a file would destroy it.
-  const bool replace = !exists || fs::is_regular_file(status);
-  if (replace) writer.temporary_ = target.string() + ".part-" + std::to_string(getpid());
-  writer.out_.open(replace ? writer.temporary_ : writer.path_, std::ios::binary | std::ios::trunc);
-  if (!writer.out_.is_open()) {
-    writer.temporary_.clear();
-    return cannot_open(path, "writing");
+  if (exists && !fs::is_regular_file(status)) {
+    writer.out_ = Descriptor(::open(writer.path_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+    if (!writer.out_.is_open()) return cannot_open(path, "writing");
+    return writer;
   }
+  const std::string temporary = temporary_name(writer.path_);
+  writer.out_ = create_exclusively(temporary);
+  if (!writer.out_.is_open() && errno == EBUSY)
+    return file_error(Error::Code::failed, "is being written by another program now",
+                      "wait until it is done, or give another name", path);
+  if (!writer.out_.is_open()) return cannot_open(path, "writing");
+  writer.temporary_ = temporary;
+  struct stat old {};
+  if (stat(writer.path_.c_str(), &old) == 0 && old.st_uid == geteuid())
+    static_cast<void>(fchmod(writer.out_.number(), old.st_mode & 0777));
   return writer;
 }
 
 FileWriter::FileWriter(FileWriter&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::move(other.temporary_)),
-      out_(std::move(other.out_)) {
+      out_(std::move(other.out_)),
+      waiting_(std::move(other.waiting_)),
+      good_(other.good_) {
   other.temporary_.clear();
 }
 
 FileWriter::~FileWriter() {
-  if (temporary_.empty()) return;
-  out_.close();
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
+  if (!temporary_.empty() && is_named(out_.number(), temporary_)) ::unlink(temporary_.c_str());
 }
 
 void FileWriter::write(std::string_view text) {
-  out_.write(text.data(), static_cast<std::streamsize>(text.size()));
+  waiting_ += text;
+  if (waiting_.size() >= kPieceWritten) flush();
+}
+
+void FileWriter::flush() noexcept {
+  std::string_view rest = waiting_;
+  while (good_ && !rest.empty()) {
+    const ssize_t count = ::write(out_.number(), rest.data(), rest.size());
+    if (count >= 0) rest.remove_prefix(static_cast<std::size_t>(count));
+    good_ = count >= 0 || errno == EINTR;
+  }
+  waiting_.clear();
 }
 
 Result<void> FileWriter::commit() {
-  out_.close();
-  std::error_code failure;
-  if (out_.good() && !temporary_.empty()) std::filesystem::rename(temporary_, path_, failure);
-  if (!out_.good() || failure)
-    return Error{Error::Code::failed,
-                 "could not be written completely",
-                 "free some disk space and check the permissions of the folder",
-                 path_,
-                 0,
-                 ""};
-  temporary_.clear();
+  flush();
+  if (!temporary_.empty())
+    good_ = good_ && fsync(out_.number()) == 0 && is_named(out_.number(), temporary_) &&
+            ::rename(temporary_.c_str(), path_.c_str()) == 0;
+  if (!good_)
+    return file_error(Error::Code::failed, "could not be written completely",
+                      "free some disk space and check the permissions of the folder", path_);
+  const bool named = !std::exchange(temporary_, "").empty();
+  if (named && !sync_folder_of(path_))
+    return file_error(Error::Code::failed, "is written, but its folder cannot be synchronised",
+                      "check the disk", path_);
+  out_ = Descriptor();
   return {};
 }
 
 Result<std::string> read_text(const std::string& path) {
-  constexpr std::uintmax_t kLargestText = std::uintmax_t{64} << 20;  // no scene or task comes near
-  std::error_code failure;
-  const auto size = std::filesystem::file_size(path, failure);
-  if (failure) return cannot_open(path, "reading");
-  if (size > kLargestText)
-    return Error{Error::Code::bad_input,
-                 "is larger than 64 MiB",
-                 "check that it is the right file",
-                 path,
-                 0,
-                 ""};
-  std::ifstream in(path, std::ios::binary);
-  std::string text(size, '\0');
-  if (!in.read(text.data(), static_cast<std::streamsize>(size)))
+  constexpr std::uint64_t kLargestText = std::uint64_t{64} << 20;  // no scene or task comes near
+  auto file = InputFile::open(path);
+  if (!file) return file.error();
+  if (file->size() > kLargestText)
+    return file_error(Error::Code::bad_input, "is larger than 64 MiB",
+                      "check that it is the right file", path);
+  std::string text(file->size(), '\0');
+  if (file->read(text) != static_cast<std::ptrdiff_t>(text.size()))
     return cannot_open(path, "reading");
   return text;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole files: read at once, or written so that they appear complete or not at all.
+// Whole files: read without ever waiting, or written so that they appear complete or not at all.
 #pragma once
 
-#include <fstream>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,10 +11,45 @@
 
 namespace isograsp {
 
-/// Writes a file that appears under its name only when complete: temporary file, then rename. A
-/// path that is a device or a pipe is written to directly.
+/// An open file; closed by its end.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) noexcept : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept;
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  ~Descriptor();
+  [[nodiscard]] int number() const noexcept { return number_; }
+  [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
+
+ private:
+  int number_ = -1;
+};
+
+/// A user's file, opened to be read from its beginning. Only a plain file (or a link to one): a
+/// folder, pipe, socket or device is refused at once, since it might let a reader wait for ever or
+/// never end. Every reader of a file that a user names opens it here.
+class InputFile {
+ public:
+  [[nodiscard]] static Result<InputFile> open(const std::string& path);
+  /// When it was opened [bytes].
+  [[nodiscard]] std::uint64_t size() const noexcept { return size_; }
+  /// Fills `to` unless the file ends before; the number of bytes. -1: the disk fails.
+  [[nodiscard]] std::ptrdiff_t read(std::span<char> to) noexcept;
+
+ private:
+  Descriptor file_;
+  std::uint64_t size_ = 0;
+};
+
+/// Writes a file that appears under its name only when complete and on the disk: a temporary file
+/// (".NAME.part" in the same folder, which no link can lead elsewhere), synchronised, then renamed.
+/// What a writer that was killed has left is cleared away by the next one. A new file is for its
+/// owner only (0600); one that replaces the user's own keeps its permissions. A path that is a
+/// device or a pipe is written to directly.
 class FileWriter {
  public:
+  /// Errors: also that another program is writing this file now.
   [[nodiscard]] static Result<FileWriter> create(const std::string& path);
   FileWriter(FileWriter&& other) noexcept;
   FileWriter& operator=(FileWriter&&) = delete;
@@ -25,9 +61,13 @@ class FileWriter {
 
  private:
   FileWriter() = default;
+  void flush() noexcept;
+
   std::string path_;
-  std::string temporary_;
-  std::ofstream out_;
+  std::string temporary_;  ///< empty: written to directly
+  Descriptor out_;
+  std::string waiting_;  ///< not yet given to the system
+  bool good_ = true;
 };
 
 /// A whole text file. Files over 64 MiB are refused.

@@ -19,6 +19,8 @@ struct Measure {
   std::int64_t samples = 0;     ///< samples used
   std::int64_t excluded = 0;    ///< samples left out: missing, held, saturated
   std::string reason;           ///< why there is no value
+  /// From the stored signals, after the trial was scored by an older version.
+  bool recomputed = false;
 };
 
 }  // namespace isograsp

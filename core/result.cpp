@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/result.hpp"
 
+#include "core/printable.hpp"
+
 namespace isograsp {
 
 std::string Error::message() const {
@@ -13,7 +15,7 @@ std::string Error::message() const {
   if (!field.empty()) text += field + ": ";
   text += what;
   if (!remedy.empty()) text += "; " + remedy;
-  return text;
+  return printable(text);
 }
 
 }  // namespace isograsp

@@ -23,7 +23,7 @@ struct Error {
   int line = 0;        ///< 1-based; 0: no line
   std::string field;   ///< column or key
 
-  /// "<file>:<line>: <field>: <what>; <remedy>", absent parts left out.
+  /// "<file>:<line>: <field>: <what>; <remedy>", absent parts left out; printable().
   [[nodiscard]] std::string message() const;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which scheme of a device URI is opened by whom.
-#include "device/force_device.hpp"
-#include "device/open_sensors.hpp"
-#include "device/replay_device.hpp"
-#include "device/sim_device.hpp"
-#include "device/uri.hpp"
+#include "device/config/uri.hpp"
+#include "device/recording/replay_device.hpp"
+#include "device/sensors/force_device.hpp"
+#include "device/sensors/open_sensors.hpp"
+#include "device/simulated/sim_device.hpp"
 
 namespace isograsp {
 

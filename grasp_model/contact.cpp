@@ -10,7 +10,7 @@ namespace isograsp {
 namespace {
 
 /// |(a, b)| at the price of a square root; hypot only where a square would leave the doubles.
-double length(double a, double b) noexcept {
+double tangential_length(double a, double b) noexcept {
   const double square = a * a + b * b;
   if (square > 1e-280 && square < 1e280) return std::sqrt(square);
   return std::hypot(a, b);
@@ -33,9 +33,9 @@ FrictionLimit::FrictionLimit(const Contact& contact) noexcept
 double utilisation(const FrictionLimit& limit, const Wrench& F_C) noexcept {
   const double fz = F_C.force.z();
   if (!(fz > 0.0) || !limit.tangential) return 0.0;
-  const double sliding = share(length(F_C.force.x(), F_C.force.y()), limit.mu * fz);
+  const double sliding = share(tangential_length(F_C.force.x(), F_C.force.y()), limit.mu * fz);
   if (!limit.torsional || F_C.torque.z() == 0.0) return sliding;
-  return length(sliding, share(std::abs(F_C.torque.z()), limit.gamma_m * fz));
+  return tangential_length(sliding, share(std::abs(F_C.torque.z()), limit.gamma_m * fz));
 }
 
 ContactForce clamp_to_friction(const FrictionLimit& limit, const Wrench& F_C) noexcept {
@@ -47,7 +47,7 @@ ContactForce clamp_to_friction(const FrictionLimit& limit, const Wrench& F_C) no
   const double tz = limit.torsional ? F_C.torque.z() : 0.0;
   double kept = 1.0;
   if (tz == 0.0) {
-    const double tangential = length(fx, fy);
+    const double tangential = tangential_length(fx, fy);
     const double holds = limit.mu * fz;
     if (tangential > holds) kept = holds / tangential;
   } else {

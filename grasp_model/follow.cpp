@@ -33,7 +33,8 @@ double FreeAxes::fastest_rate() const noexcept {
   return rate;
 }
 
-Panel::Panel(const FreeAxes& axes, const Quadrature& nodes, double length_s) noexcept
+QuadraturePanel::QuadraturePanel(const FreeAxes& axes, const Quadrature& nodes,
+                                 double length_s) noexcept
     : nodes_(nodes.size), length_s_(length_s) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (!axes.free[i]) continue;
@@ -46,8 +47,8 @@ Panel::Panel(const FreeAxes& axes, const Quadrature& nodes, double length_s) noe
   }
 }
 
-Motion Panel::advance(Eigen::Index axis, const Motion& start,
-                      const PanelForces& forces) const noexcept {
+Motion QuadraturePanel::advance(Eigen::Index axis, const Motion& start,
+                                const PanelForces& forces) const noexcept {
   const auto i = static_cast<std::size_t>(axis);
   // What a stiff axis remembers is the end of the panel, where the difference vanishes.
   Motion end = whole_[i].advance(start, forces.end[axis]);

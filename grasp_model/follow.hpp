@@ -43,9 +43,9 @@ struct FreeAxes {
 };
 
 /// Response of the axes over one panel. Real-time safe.
-class Panel {
+class QuadraturePanel {
  public:
-  Panel(const FreeAxes& axes, const Quadrature& nodes, double length_s) noexcept;
+  QuadraturePanel(const FreeAxes& axes, const Quadrature& nodes, double length_s) noexcept;
   [[nodiscard]] double length_s() const noexcept { return length_s_; }
   /// Moves one free axis; x from the spring's rest.
   [[nodiscard]] Motion advance(Eigen::Index axis, const Motion& start,
@@ -68,12 +68,12 @@ class Follower {
   Follower() = default;
   Follower(const FreeAxes& axes, const Quadrature& nodes, double hold_s);
   /// One of the 2^level panels of the hold.
-  [[nodiscard]] const Panel& panel(int level) const noexcept {
+  [[nodiscard]] const QuadraturePanel& panel(int level) const noexcept {
     return levels_[static_cast<std::size_t>(level)];
   }
   [[nodiscard]] double hold_s() const noexcept { return hold_s_; }
   /// A panel of any length, made now.
-  [[nodiscard]] Panel panel_of(double length_s) const noexcept {
+  [[nodiscard]] QuadraturePanel panel_of(double length_s) const noexcept {
     return {axes_, *nodes_, length_s};
   }
   [[nodiscard]] const FreeAxes& axes() const noexcept { return axes_; }
@@ -83,7 +83,7 @@ class Follower {
   FreeAxes axes_;
   const Quadrature* nodes_ = nullptr;
   double hold_s_ = 0.0;
-  std::vector<Panel> levels_;
+  std::vector<QuadraturePanel> levels_;
 };
 
 }  // namespace isograsp

@@ -11,9 +11,9 @@
 
 #include <Eigen/Core>
 
-#include "core/finger.hpp"
 #include "core/result.hpp"
 #include "grasp_model/scene.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

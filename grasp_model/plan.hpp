@@ -7,7 +7,6 @@
 #include <array>
 #include <memory>
 
-#include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/spatial.hpp"
 #include "grasp_model/contact.hpp"
@@ -18,6 +17,7 @@
 #include "grasp_model/spin.hpp"
 #include "grasp_model/travel.hpp"
 #include "grasp_model/zoh.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 
@@ -143,7 +143,7 @@ class Plan {
   /// Translations over one panel of a force that turns; `between(from, to)` gives the forces of a
   /// part of it, should a limit be met inside.
   template <class Between>
-  void push_over(const Panel& panel, const PanelForces& forces, const Between& between,
+  void push_over(const QuadraturePanel& panel, const PanelForces& forces, const Between& between,
                  ObjectState& state) const noexcept;
 
   /// All free axes side by side, two to a register: up to three translations, then the rotation.

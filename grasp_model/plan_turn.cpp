@@ -42,8 +42,8 @@ Vec3 turned(const so3::SpinVector& y, const Vec3& force_O) noexcept {
 }  // namespace
 
 template <class Between>
-void Plan::push_over(const Panel& panel, const PanelForces& forces, const Between& between,
-                     ObjectState& state) const noexcept {
+void Plan::push_over(const QuadraturePanel& panel, const PanelForces& forces,
+                     const Between& between, ObjectState& state) const noexcept {
   for (std::size_t a = 0; a < axis_count_; ++a) {
     const Eigen::Index axis = axes_[a];
     const auto i = static_cast<std::size_t>(axis);
@@ -118,8 +118,8 @@ void Plan::follow_about_axis(const Coefficients& steps, const Vec6& held,
   const int panels = 1 << level;
   const double panel_s = hold_s / panels;
 
-  std::optional<Panel> fresh;
-  const Panel& panel =
+  std::optional<QuadraturePanel> fresh;
+  const QuadraturePanel& panel =
       hold_s == hold_s_ ? follower_.panel(level) : fresh.emplace(follower_.panel_of(panel_s));
   Motion turn{state.angle_rad, state.w_WO_W[axis_]};
   const auto after = [&](double time_s) {
@@ -208,7 +208,7 @@ void Plan::turn_freely(double hold_s, const Vec6& held, ObjectState& state) cons
         const so3::SpinVector at = from_s > 0.0 ? take(y, from_s).end : y;
         return forces_along(at, take(at, to_s - from_s).end, to_s - from_s);
       };
-      std::optional<Panel> fresh;
+      std::optional<QuadraturePanel> fresh;
       push_over(hold_s == hold_s_ ? follower_.panel(level) : fresh.emplace(follower_.panel_of(h_s)),
                 forces, between, state);
     }

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/spatial.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

@@ -2,15 +2,18 @@
 #include "gui/application.hpp"
 
 #include <QApplication>
+#include <QTimer>
 #include <cstdlib>
 #include <utility>
 
 #include <xcb/xcb.h>
 
-#include "gui/background.hpp"
-#include "gui/look.hpp"
-#include "gui/texts.hpp"
+#include "gui/clinic/background.hpp"
+#include "gui/file_in_use.hpp"
+#include "gui/look/look.hpp"
+#include "gui/office_pages/rescue_question.hpp"
 #include "gui/windows.hpp"
+#include "gui/words/texts.hpp"
 
 namespace isograsp {
 
@@ -36,6 +39,18 @@ Error no_display(const std::string& what) {
           0,
           ""};
 }
+
+bool is_to_end(const ApplicationConfig& config) {
+  return config.stop != nullptr && *config.stop;
+}
+
+/// Closes the windows as a therapist does, whatever is open above them; true once the session is
+/// written to its end.
+bool has_closed(Windows& windows) {
+  windows.therapist().close();
+  return !windows.presenter().busy();
+}
+
 }  // namespace
 
 Result<void> run_application(const ApplicationConfig& config) {
@@ -55,11 +70,29 @@ Result<void> run_application(const ApplicationConfig& config) {
   QApplication::setApplicationVersion(QString::fromStdString(config.software_version));
   std::string database = config.database;
   std::string device = config.device_uri;
+  Windows* open = nullptr;
+  QTimer stopping;
+  QObject::connect(&stopping, &QTimer::timeout, [&] {
+    if (is_to_end(config) && (open == nullptr || has_closed(*open))) QApplication::quit();
+  });
+  constexpr int kLook_ms = 200;
+  stopping.start(kLook_ms);
   bool again = true;
   while (std::exchange(again, false)) {
-    Windows windows({database, device, config.library, config.software_version,
-                     config.operator_name, config.realtime,
-                     SettingsFile::usual_path().toStdString()});
+    const auto settings_path = SettingsFile::usual_path();
+    {
+      const SettingsFile settings(
+          settings_path);  // a question before the windows wears their looks
+      speak(settings.now().language);
+      dress(application, settings.now().font_percent);
+    }
+    const auto file = file_to_open(database);
+    if (!file || is_to_end(config)) break;
+    if (!file->look_only) ask_about_emergency_files(file->database);
+    if (is_to_end(config)) break;
+    Windows windows({file->database, device, config.library, config.software_version,
+                     config.operator_name, config.realtime, settings_path.toStdString(),
+                     file->look_only});
     Background maker;
     windows.open_demonstration = [&] {
       if (!config.make_demonstration) return;
@@ -72,7 +105,11 @@ Result<void> run_application(const ApplicationConfig& config) {
                 });
     };
     windows.show();
+    open = &windows;
     QApplication::exec();
+    open = nullptr;
+    // Nobody may have looked at the screen.
+    if (const auto& lost = windows.presenter().lost(); lost && is_to_end(config)) return *lost;
   }
   return {};
 }

@@ -6,26 +6,28 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/device_page.hpp"
-#include "gui/identity_card.hpp"
-#include "gui/library_page.hpp"
-#include "gui/login_page.hpp"
-#include "gui/look.hpp"
-#include "gui/patient_page.hpp"
-#include "gui/profile_panel.hpp"
-#include "gui/reports_page.hpp"
-#include "gui/session_page.hpp"
-#include "gui/settings_page.hpp"
-#include "gui/start_page.hpp"
-#include "gui/texts.hpp"
+#include "gui/library_pages/library_page.hpp"
+#include "gui/look/look.hpp"
+#include "gui/office_pages/login_page.hpp"
+#include "gui/office_pages/reports_page.hpp"
+#include "gui/office_pages/settings_page.hpp"
+#include "gui/record_pages/identity_card.hpp"
+#include "gui/record_pages/patient_page.hpp"
+#include "gui/record_pages/profile_panel.hpp"
+#include "gui/session_pages/device_page.hpp"
+#include "gui/session_pages/session_page.hpp"
+#include "gui/session_pages/start_page.hpp"
+#include "gui/words/texts.hpp"
 
 namespace isograsp {
 
@@ -64,9 +66,12 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
   const auto close_at_last = [this] {
     if (closing_) close();
   };
-  connect(&presenter_, &SessionPresenter::settled, this, close_at_last);
-  // Whoever waits for files wants to know that there are none.
+  // Whoever waits for files, or for a session to be stored, wants to know that there are none.
   const auto stay = [this] { closing_ = false; };
+  connect(&presenter_, &SessionPresenter::settled, this, [this, close_at_last, stay] {
+    if (presenter_.lost()) stay();
+    close_at_last();
+  });
   connect(&clinic_.report(), &ReportWork::written, this, close_at_last);
   connect(&clinic_.report(), &ReportWork::cancelled, this, close_at_last);
   connect(&clinic_.report(), &ReportWork::failed, this, stay);
@@ -127,12 +132,19 @@ QWidget* TherapistWindow::make_header() {
   message_->setWordWrap(true);
   message_->hide();
 
+  auto* said = new QHBoxLayout;  // how things stand, in a line of its own with large letters
+  said->setSpacing(12);
+  said->addWidget(light_);
+  said->addWidget(sentence_, 1);
   auto* top = new QHBoxLayout;
   top->setSpacing(12);
   top->addWidget(wordmark);
   top->addSpacing(10);
-  top->addWidget(light_);
-  top->addWidget(sentence_, 1);
+  const bool in_a_row = side_by_side() == QBoxLayout::LeftToRight;
+  if (in_a_row)
+    top->addLayout(said, 1);
+  else
+    top->addStretch(1);
   top->addWidget(device_light_);
   top->addWidget(device_words_);
   top->addWidget(simulated_);
@@ -142,6 +154,7 @@ QWidget* TherapistWindow::make_header() {
   column->setContentsMargins(16, 10, 16, 10);
   column->setSpacing(6);
   column->addLayout(top);
+  if (!in_a_row) column->addLayout(said);
   column->addWidget(message_);
   return header;
 }
@@ -198,6 +211,7 @@ void TherapistWindow::make_pages() {
     if (open_demonstration) open_demonstration();
   });
   connect(session, &SessionPage::other_patient, this, [this] { show_page(Page::start); });
+  connect(session, &SessionPage::report_wanted, this, &TherapistWindow::write_report);
 }
 
 QWidget* TherapistWindow::make_patient() {
@@ -273,12 +287,26 @@ void TherapistWindow::add_shortcuts() {
     show_page(Page::session);
     findChild<QLineEdit*>("note")->setFocus();
   });
-  add(QKeySequence("Ctrl+R"), [this] {
-    show_page(Page::reports);
-    findChild<QTabWidget*>("report_tabs")->setCurrentIndex(0);
-    findChild<QPushButton*>("report")->click();
-  });
+  add(QKeySequence("Ctrl+R"), [this] { write_report(); });
   add(QKeySequence::Quit, [this] { close(); });
+}
+
+void TherapistWindow::write_report() {
+  show_page(Page::reports);
+  findChild<QTabWidget*>("report_tabs")->setCurrentIndex(0);
+  findChild<QPushButton*>("report")->click();
+}
+
+/// A button that has the focus is pressed by Enter as well as by the space bar.
+void TherapistWindow::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  auto* button = qobject_cast<QAbstractButton*>(focusWidget());
+  const bool pressed = enter && !event->isAutoRepeat() &&
+                       (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier &&
+                       (qobject_cast<QPushButton*>(button) != nullptr ||
+                        qobject_cast<QToolButton*>(button) != nullptr);
+  if (!pressed) return QMainWindow::keyPressEvent(event);
+  button->click();
 }
 
 void TherapistWindow::refresh() {
@@ -307,6 +335,8 @@ void TherapistWindow::show_who_is_in() {
   cover_->setCurrentIndex(staff_.closed() ? 1 : 0);
   if (!staff_.closed()) return show_patient();
   person_->forget();
+  course_->show_patient("");
+  reports_->forget();
   // A dialog stands above the cover.
   for (auto* window : QApplication::topLevelWidgets())
     if (auto* dialog = qobject_cast<QDialog*>(window); dialog != nullptr && dialog->isVisible())

@@ -10,11 +10,11 @@
 #include <functional>
 #include <vector>
 
-#include "gui/clinic.hpp"
-#include "gui/session_presenter.hpp"
-#include "gui/settings.hpp"
-#include "gui/staff.hpp"
-#include "gui/state_light.hpp"
+#include "gui/clinic/clinic.hpp"
+#include "gui/clinic/settings.hpp"
+#include "gui/clinic/staff.hpp"
+#include "gui/presenter/session_presenter.hpp"
+#include "gui/session_pages/state_light.hpp"
 
 class QShortcut;
 
@@ -56,6 +56,7 @@ class TherapistWindow final : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   QWidget* make_header();
@@ -65,6 +66,7 @@ class TherapistWindow final : public QMainWindow {
   [[nodiscard]] QWidget* make_patient();
   void show_patient();
   void add_shortcuts();
+  void write_report();
   void refresh();
   void show_who_is_in();
 

@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <utility>
 
-#include "gui/look.hpp"
+#include "gui/look/look.hpp"
 
 namespace isograsp {
 
@@ -35,6 +35,7 @@ Windows::Windows(const GuiConfig& config)
       staff_(config.database),
       clinic_(config.database),
       backups_(config.database),
+      look_only_(config.look_only),
       presenter_(config, clinic_, settings_) {
   speak(applied_.language);
   dress(*qApp, applied_.font_percent);
@@ -58,10 +59,12 @@ void Windows::watch_staff() {
       [this](std::function<void()> then) { clinic_.when_done(std::move(then)); });
   QObject::connect(&staff_, &Staff::changed, &presenter_, [this] { follow_staff(); });
   QObject::connect(&staff_, &Staff::opened, &clinic_, [this] {
-    reads_only_ = !staff_.allows(Right::write_records);
+    reads_only_ = look_only_ || !staff_.allows(Right::write_records);
     clinic_.open(*reads_only_);
   });
-  QObject::connect(&clinic_, &Clinic::opened, &backups_, &BackupWork::begin);
+  QObject::connect(&clinic_, &Clinic::opened, &backups_, [this] {
+    if (!look_only_) backups_.begin();
+  });
   QObject::connect(&presenter_, &SessionPresenter::changed, &backups_,
                    [this] { backups_.hold(presenter_.busy()); });
   QObject::connect(&backups_, &BackupWork::failed, &presenter_,
@@ -76,7 +79,7 @@ void Windows::follow_staff() {
   // Whoever comes back has not seen what was said before.
   if (was_closed && !backups_.problem().isEmpty()) therapist_->say(backups_.problem());
   if (!reads_only_ || staff_.busy()) return;
-  const bool reads_only = !staff_.allows(Right::write_records);
+  const bool reads_only = look_only_ || !staff_.allows(Right::write_records);
   if (std::exchange(reads_only_, reads_only) != reads_only) clinic_.open(reads_only);
   if (clinic_.is_open() && clinic_.file_of() != presenter_.patient())
     clinic_.load_profile(presenter_.patient());
@@ -96,8 +99,7 @@ void Windows::log_what_leaves() {
   };
   QObject::connect(&research, &ExportWork::written, &staff_, [log_export] { log_export(true); });
   QObject::connect(&research, &ExportWork::failed, &staff_, [log_export] { log_export(false); });
-  QObject::connect(&backups_, &BackupWork::made, &staff_,
-                   [this] { staff_.log("backup", "", true); });
+  // A backup that was made logs itself.
   QObject::connect(&backups_, &BackupWork::failed, &staff_,
                    [this] { staff_.log("backup", "", false); });
 }

@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "gui/backup_work.hpp"
-#include "gui/clinic.hpp"
-#include "gui/patient_window.hpp"
-#include "gui/session_presenter.hpp"
-#include "gui/settings.hpp"
-#include "gui/staff.hpp"
+#include "gui/clinic/backup_work.hpp"
+#include "gui/clinic/clinic.hpp"
+#include "gui/clinic/settings.hpp"
+#include "gui/clinic/staff.hpp"
+#include "gui/patient_screen/patient_window.hpp"
+#include "gui/presenter/session_presenter.hpp"
 #include "gui/therapist_window.hpp"
 
 namespace isograsp {
@@ -52,6 +52,7 @@ class Windows {
   std::optional<bool> reads_only_;  ///< the database is open so; nothing: not open yet
   Clinic clinic_;
   BackupWork backups_;
+  bool look_only_;  ///< another program works with the file
   SessionPresenter presenter_;
   std::unique_ptr<TherapistWindow> therapist_;
   std::unique_ptr<PatientWindow> patient_;

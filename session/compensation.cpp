@@ -30,13 +30,14 @@ void Compensation::strapped() noexcept {
 }
 
 void Compensation::add(const Snapshot& snapshot) noexcept {
-  const double step_s = last_s_ < 0.0 ? 0.0 : snapshot.session_time_s - last_s_;
-  if (last_s_ >= 0.0 && step_s <= 0.0) return;
-  last_s_ = snapshot.session_time_s;
+  if (snapshot.frames == 0) return;  // nothing has arrived
+  const double step_s = newest_s_ ? snapshot.session_time_s - *newest_s_ : 0.0;
+  if (newest_s_ && step_s <= 0.0) return;
+  newest_s_ = snapshot.session_time_s;
   const double dt_s = std::min(step_s, kLongestStep_s);
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     if (snapshot.stage == Stage::trial && snapshot.has_object && snapshot.grasp.slip[f])
-      slip_seen_until_s_[f] = last_s_ + kSlipSeen_s;
+      slip_seen_until_s_[f] = *newest_s_ + kSlipSeen_s;
     const auto& pressed = snapshot.centre_of_pressure[f];
     if (!pressed) continue;
     Pad& pad = pads_[f];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What spoils a trial while it runs: arm or trunk that push the platform, fingers that slide on their
-// supports, or on the virtual object. Watched from snapshots, for the eye of the therapist;
+// What spoils a trial while it runs: arm or trunk that push the platform, fingers that slide on
+// their supports, or on the virtual object. Watched from snapshots, for the eye of the therapist;
 // deterministic, no clock.
 #pragma once
 
 #include <array>
 #include <optional>
 
-#include "session/snapshot.hpp"
+#include "session/acquisition/snapshot.hpp"
 
 namespace isograsp {
 
@@ -28,19 +28,20 @@ class Compensation {
   [[nodiscard]] std::optional<double> pad_shift_m(Finger finger) const noexcept;
   /// The finger slips on the virtual object, or did within the last two seconds.
   [[nodiscard]] bool slips(Finger finger) const noexcept {
-    return last_s_ < slip_seen_until_s_[index_of(finger)];
+    const auto& until_s = slip_seen_until_s_[index_of(finger)];
+    return newest_s_ && until_s && *newest_s_ < *until_s;
   }
 
  private:
   struct Pad {
-    double seen_s = 0.0;                           ///< of pressing
+    double seen_s = 0.0;                              ///< of pressing
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< average of the first half second [m]
     Eigen::Vector2d now = Eigen::Vector2d::Zero();    ///< running average [m]
   };
   std::array<Pad, kFingerCount> pads_{};
-  std::array<double, kFingerCount> slip_seen_until_s_{};  ///< session time
+  std::array<std::optional<double>, kFingerCount> slip_seen_until_s_{};  ///< session time
   std::optional<double> push_percent_;
-  double last_s_ = -1.0;  ///< session time of the newest snapshot
+  std::optional<double> newest_s_;  ///< session time of the newest snapshot; nothing: none yet
 };
 
 }  // namespace isograsp

@@ -7,9 +7,9 @@
 #include <array>
 #include <optional>
 
-#include "core/finger.hpp"
 #include "grasp_model/scene.hpp"
-#include "storage/session_store.hpp"
+#include "hand/finger.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace isograsp {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/demonstration.hpp"
 
-#include "device/uri.hpp"
+#include "device/config/uri.hpp"
 #include "session/simulated_person.hpp"
 #include "session/trial_setup.hpp"
 

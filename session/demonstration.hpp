@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "session/snapshot.hpp"
+#include "session/acquisition/snapshot.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp {

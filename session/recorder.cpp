@@ -54,9 +54,9 @@ std::string remark_on(const InstrumentZeroRecord& zero) {
   return remark;
 }
 
-Recorder::Recorder(std::unique_ptr<SessionStore> store, const SessionRecord& session,
+Recorder::Recorder(std::unique_ptr<SessionWriter> writer, const SessionRecord& session,
                    Ring<RecordItem>& records, bool live_score)
-    : store_(std::move(store)),
+    : store_(std::move(writer)),
       session_(session),
       rows_per_block_(static_cast<std::size_t>(std::lround(session.rate_Hz))),
       records_(records),
@@ -68,9 +68,13 @@ bool Recorder::pump() {
   return !finished_;
 }
 
+void Recorder::look() {
+  stored(store_->look());
+}
+
 void Recorder::take_remarks() {
   std::vector<EventRecord> events;
-  std::vector<RatingRecord> ratings;
+  std::vector<Rating> ratings;
   std::vector<SessionAnswer> answers;
   std::vector<std::pair<RowId, bool>> helped;
   {
@@ -82,17 +86,23 @@ void Recorder::take_remarks() {
   }
   for (auto& event : events) {
     event.trial_id = trial_id_;
-    stored(store_->add_event(session_.id, event));
+    stored(store_->add_event(event));
   }
-  for (auto& rating : ratings) {
-    rating.session_id = session_.id;
-    rating.trial_id = last_trial_id_;
-    rating.recorded_utc = utc_at(rating.session_time_s);
-    const auto id = store_->add_rating(rating);
-    if (!id) stored(id.error());
-  }
-  if (!answers.empty()) stored(store_->add_answers(session_.id, answers));
+  for (const auto& rating : ratings) take_rating(rating.record, rating.corrects);
+  if (!answers.empty()) stored(store_->add_answers(answers));
   for (const auto& [trial, mark] : helped) stored(store_->mark_helped(trial, mark));
+}
+
+void Recorder::take_rating(RatingRecord rating, bool corrects) {
+  rating.session_id = session_.id;
+  if (corrects) {
+    rating.id = last_rating_id_;
+    stored(store_->correct_rating(rating));
+    return;
+  }
+  rating.trial_id = last_trial_id_;
+  rating.recorded_utc = utc_at(rating.session_time_s);
+  stored(store_->add_rating(rating, last_rating_id_));
 }
 
 void Recorder::take(const RecordItem& item) {
@@ -102,15 +112,14 @@ void Recorder::take(const RecordItem& item) {
     case RecordItem::Kind::end: end(item); break;
     case RecordItem::Kind::zero: add_zero(item); break;
     case RecordItem::Kind::finished: finished_ = true; break;
-    case RecordItem::Kind::event: add_pause(item); break;
+    case RecordItem::Kind::event: add_event(item); break;
   }
 }
 
-void Recorder::add_pause(const RecordItem& item) {
-  if (!failed_)
-    stored(store_->add_event(session_.id,
-                             {trial_id_, item.session_time_s, item.event_kind, item.reason}));
-  if (std::string_view(item.event_kind) != kFaultEvent) return;
+void Recorder::add_event(const RecordItem& item) {
+  if (!item.told_before)
+    stored(store_->add_event({trial_id_, item.session_time_s, item.event_kind, item.reason}));
+  if (!item.pauses) return;
   SessionNews news;
   news.fault = item.reason;
   publish(std::move(news));
@@ -129,13 +138,8 @@ void Recorder::begin(TrialSetup& setup) {
     names.insert(names.end(), group.columns.begin(), group.columns.end());
   signals_ = Signals(std::move(names));
   block_.assign(setup.record.groups.size(), {});
-  if (failed_) return;
-  const auto id = store_->begin_trial(setup.record);
-  if (!id) {
-    stored(id.error());
-    return;
-  }
-  trial_id_ = setup.record.id = *id;
+  stored(store_->begin_trial(setup.record, trial_id_));
+  setup.record.id = trial_id_;
 }
 
 void Recorder::add_sample(const TrialSample& sample) {
@@ -158,7 +162,7 @@ void Recorder::add_sample(const TrialSample& sample) {
 }
 
 void Recorder::write_block() {
-  if (!failed_) stored(store_->append_blocks(trial_id_, second_, block_));
+  stored(store_->append_blocks(trial_id_, second_, block_));
   ++second_;
   for (auto& group : block_) group.clear();
 }
@@ -183,12 +187,9 @@ void Recorder::end(const RecordItem& item) {
   }
   outcome.reason = item.reason;
   outcome.measures = score(trial_->spec, signals_);
-  if (!failed_) {
-    if (item.status == TrialStatus::aborted)
-      stored(
-          store_->add_event(session_.id, {trial_id_, item.session_time_s, "abort", item.reason}));
-    stored(store_->end_trial(outcome.trial, outcome.measures));
-  }
+  if (item.status == TrialStatus::aborted)
+    stored(store_->add_event({trial_id_, item.session_time_s, "abort", item.reason}));
+  stored(store_->end_trial(outcome.trial, outcome.measures));
   if (item.status == TrialStatus::completed && std::holds_alternative<RestSpec>(trial_->spec.kind))
     outcome.rest = add_rest(item);
   trial_ = nullptr;
@@ -214,11 +215,7 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
   record.samples = rest->samples;
   record.mean = rest->mean;
   record.sd = rest->sd;
-  if (failed_) return outcome;
-  if (const auto id = store_->add_resting_force(record))
-    record.id = *id;
-  else
-    stored(id.error());
+  stored(store_->add_resting_force(record, record.id));
   return outcome;
 }
 
@@ -248,21 +245,16 @@ void Recorder::take_zero(const RecordItem& item, ZeroOutcome& outcome) {
   InstrumentZeroRecord& zero = outcome.zero;
   zero.change_confirmed = item.change_confirmed;
   outcome.remark = remark_on(zero);
-  if (failed_) return;
-  if (const auto id = store_->add_zero(zero))
-    zero_id_ = zero.id = *id;
-  else
-    stored(id.error());
+  stored(store_->add_zero(zero, zero.id));
+  zero_id_ = zero.id;
   if (!outcome.remark.empty())
-    stored(store_->add_event(session_.id, {0, item.session_time_s, "zero", outcome.remark}));
+    stored(store_->add_event({0, item.session_time_s, "zero", outcome.remark}));
 }
 
 void Recorder::refuse_zero(const RecordItem& item, ZeroOutcome& outcome) {
   outcome.reason = describe(*item.zero_refusal);
   outcome.only_changed = item.zero_refusal->why == ZeroRefusal::Why::changed;
-  if (!failed_)
-    stored(
-        store_->add_event(session_.id, {0, item.session_time_s, "zero refused", outcome.reason}));
+  stored(store_->add_event({0, item.session_time_s, "zero refused", outcome.reason}));
 }
 
 std::string Recorder::utc_at(double session_time_s) const {
@@ -271,8 +263,12 @@ std::string Recorder::utc_at(double session_time_s) const {
 }
 
 bool Recorder::stored(const Result<void>& result) {
-  if (result || failed_) return result.ok();
-  failed_ = true;
+  if (result) return true;
+  {
+    const std::lock_guard lock(mutex_);
+    if (failure_) return false;
+    failure_ = result.error();
+  }
   SessionNews news;
   news.failure = result.error().message();
   publish(std::move(news));
@@ -310,7 +306,12 @@ void Recorder::add_event(const EventRecord& event) {
 
 void Recorder::add_rating(const RatingRecord& rating) {
   const std::lock_guard lock(mutex_);
-  ratings_.push_back(rating);
+  ratings_.push_back({rating, false});
+}
+
+void Recorder::correct_rating(const RatingRecord& rating) {
+  const std::lock_guard lock(mutex_);
+  ratings_.push_back({rating, true});
 }
 
 void Recorder::add_answers(const std::vector<SessionAnswer>& answers) {
@@ -328,8 +329,13 @@ void Recorder::mark_helped(RowId trial, bool helped) {
   helped_.emplace_back(trial, helped);
 }
 
-Result<void> Recorder::end_session(std::optional<double> session_time_s) {
-  return store_->end_session(session_.id, session_time_s ? utc_at(*session_time_s) : "");
+void Recorder::end_session(std::optional<double> session_time_s) {
+  stored(store_->end_session(session_time_s ? utc_at(*session_time_s) : ""));
+}
+
+std::optional<Error> Recorder::failure() const {
+  const std::lock_guard lock(mutex_);
+  return failure_;
 }
 
 }  // namespace isograsp

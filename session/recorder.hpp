@@ -11,8 +11,9 @@
 
 #include "core/ring.hpp"
 #include "core/signals.hpp"
-#include "session/acquisition.hpp"
+#include "session/acquisition/acquisition.hpp"
 #include "session/session.hpp"
+#include "session/session_writer.hpp"
 
 namespace isograsp {
 
@@ -23,11 +24,13 @@ class Recorder {
  public:
   /// `session` has its row in the store. `live_score`: renew live_score() after every second of a
   /// trial.
-  Recorder(std::unique_ptr<SessionStore> store, const SessionRecord& session,
+  Recorder(std::unique_ptr<SessionWriter> writer, const SessionRecord& session,
            Ring<RecordItem>& records, bool live_score);
 
   /// Takes all that waits in the ring; recorder thread. False once the device has finished.
   bool pump();
+  /// Is the database still there? News if not; recorder thread, now and then.
+  void look();
 
   /// Owner thread.
   [[nodiscard]] std::vector<SessionNews> take_news();
@@ -37,6 +40,8 @@ class Recorder {
   // These go to the database with the next pump().
   void add_event(const EventRecord& event);
   void add_rating(const RatingRecord& rating);  ///< after the newest trial
+  /// Of the rating that was added last; its time is that of the correction.
+  void correct_rating(const RatingRecord& rating);
   void add_answers(const std::vector<SessionAnswer>& answers);
   void mark_helped(RowId trial, bool helped);
   /// Stored with the trial that ends next.
@@ -44,12 +49,15 @@ class Recorder {
 
   /// Closes the session's record. Owner thread, after the last pump().
   /// `session_time_s`: when it ended, in virtual time; nothing: now.
-  [[nodiscard]] Result<void> end_session(std::optional<double> session_time_s);
+  void end_session(std::optional<double> session_time_s);
+  /// Why not all of the session is in its database; nothing: it is.
+  [[nodiscard]] std::optional<Error> failure() const;
 
  private:
   void take(const RecordItem& item);
   void take_remarks();
-  void add_pause(const RecordItem& item);
+  void take_rating(RatingRecord rating, bool corrects);
+  void add_event(const RecordItem& item);
   void begin(TrialSetup& setup);
   void add_sample(const TrialSample& sample);
   void write_block();
@@ -62,21 +70,21 @@ class Recorder {
   /// Wall time of this moment of the session.
   [[nodiscard]] std::string utc_at(double session_time_s) const;
   void publish(SessionNews news);
-  /// Reports a failed write once; nothing more is written afterwards.
+  /// Reports a failed write once; what follows goes to the emergency file.
   bool stored(const Result<void>& result);
 
-  std::unique_ptr<SessionStore> store_;
+  std::unique_ptr<SessionWriter> store_;
   SessionRecord session_;
   std::size_t rows_per_block_;
   Ring<RecordItem>& records_;
   bool live_score_wanted_;
-  bool failed_ = false;
   bool finished_ = false;
   RecordItem item_;
 
   TrialSetup* trial_ = nullptr;
   RowId trial_id_ = 0;
   RowId last_trial_id_ = 0;  ///< that ended
+  RowId last_rating_id_ = 0;
   RowId zero_id_ = 0;
   bool has_object_ = false;
   int second_ = 0;
@@ -87,11 +95,16 @@ class Recorder {
   Signals signals_;  ///< the whole trial, for its score
 
   mutable std::mutex mutex_;  ///< guards what follows
+  std::optional<Error> failure_;
   std::condition_variable changed_;
   std::vector<SessionNews> news_;
   std::vector<Measure> live_;
   std::vector<EventRecord> events_;
-  std::vector<RatingRecord> ratings_;
+  struct Rating {
+    RatingRecord record;
+    bool corrects = false;  ///< the one before
+  };
+  std::vector<Rating> ratings_;
   std::vector<SessionAnswer> answers_;
   ScreenShown screen_;
   std::vector<std::pair<RowId, bool>> helped_;

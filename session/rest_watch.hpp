@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "session/snapshot.hpp"
+#include "session/acquisition/snapshot.hpp"
 
 namespace isograsp {
 

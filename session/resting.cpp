@@ -26,7 +26,7 @@ std::vector<std::size_t> rows_that_count(const Signals& trial) {
   return rows;
 }
 
-std::string newtons(double force_N) {
+std::string rounded_newtons(double force_N) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", force_N);
   return text;
@@ -67,7 +67,7 @@ std::string describe(const RestingForce& rest) {
   for (const Finger finger : kFingers) {
     const std::size_t f = index_of(finger);
     const double normal_N = rest.mean[f][kNormalForce];
-    text += (f == 0 ? " " : ", ") + std::string(name_of(finger)) + " " + newtons(normal_N);
+    text += (f == 0 ? " " : ", ") + std::string(name_of(finger)) + " " + rounded_newtons(normal_N);
     if (normal_N >= kTone_N) add(pressing, finger);
     if (normal_N <= -kTone_N) add(pulling, finger);
     unsteady_N = std::max(unsteady_N, rest.sd[f][kNormalForce]);

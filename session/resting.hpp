@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/signals.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

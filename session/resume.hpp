@@ -9,7 +9,7 @@
 
 #include "core/measure.hpp"
 #include "core/result.hpp"
-#include "storage/session_store.hpp"
+#include "storage/records/session_store.hpp"
 #include "tasks/agenda.hpp"
 
 namespace isograsp {

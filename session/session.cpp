@@ -86,7 +86,9 @@ void Session::strapped() {
 
 double Session::settling_s() noexcept {
   const auto& at_s = parts_->strapped_at_s;
-  return at_s ? std::max(0.0, *at_s + kSettleAfterStrapping_s - snapshot().session_time_s) : 0.0;
+  return at_s ? std::max(0.0, *at_s + parts_->config.settle_after_strapping_s -
+                                  snapshot().session_time_s)
+              : 0.0;
 }
 
 Result<void> Session::start_zero(const ZeroRequest& request) {
@@ -121,6 +123,7 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice,
                  "",
                  0,
                  ""};
+  if (auto fresh = p.check_zero_is_fresh(); !fresh) return fresh;
   const TaskContext context = next_context();
   const auto scene =
       read_trial_scene(spec, p.config.hand, contact_thresholds_N(), p.config.library);
@@ -193,6 +196,16 @@ std::optional<std::string> Session::rate(int effort, int pain) {
   return reason_to_stop(parts_->ratings);
 }
 
+std::optional<std::string> Session::correct_rating(int effort, int pain) {
+  RatingRecord& rating = parts_->ratings.back();
+  rating.effort = effort;
+  rating.pain = pain;
+  RatingRecord correction = rating;
+  correction.session_time_s = snapshot().session_time_s;
+  parts_->recorder->correct_rating(correction);
+  return reason_to_stop(parts_->ratings);
+}
+
 std::vector<SessionNews> Session::take_news() {
   auto news = parts_->recorder->take_news();
   parts_->learn(news);
@@ -203,7 +216,7 @@ std::vector<SessionNews> Session::wait_for_news() {
   Parts& p = *parts_;
   for (;;) {
     auto news = take_news();
-    if (!news.empty() || !p.pending) return news;
+    if (!news.empty() || !p.pending || is_to_stop()) return news;
     if (p.virtual_time()) {
       if (p.finished) return take_news();
       p.step();
@@ -223,27 +236,41 @@ std::vector<SessionNews> Session::wait_for_news() {
 void Session::let_pass(double duration_s) {
   Parts& p = *parts_;
   if (!p.virtual_time()) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));
+    using Steady = std::chrono::steady_clock;
+    const auto end = Steady::now() + std::chrono::duration_cast<Steady::duration>(
+                                         std::chrono::duration<double>(duration_s));
+    constexpr auto kLook = std::chrono::milliseconds(100);
+    while (!is_to_stop() && !failure() && Steady::now() < end)
+      std::this_thread::sleep_for(std::min<Steady::duration>(kLook, end - Steady::now()));
     return;
   }
   const double until_s = snapshot().session_time_s + duration_s;
-  while (!p.finished && snapshot().session_time_s < until_s) p.step();
+  while (!p.finished && !is_to_stop() && snapshot().session_time_s < until_s) p.step();
 }
 
 void Session::close() {
   Parts& p = *parts_;
   if (p.closed) return;
   p.closed = true;
-  if (p.pending) {
-    abort("The session was closed.");
-    (void)wait_for_news();
-  }
+  p.config.stop = nullptr;  // the end is waited for
+  if (p.pending) abort("The session was closed.");
+  constexpr int kTries = 3;  // news of a failure may come before those of the trial
+  for (int tries = 0; p.pending && tries < kTries; ++tries) (void)wait_for_news();
   p.stop_threads();
   p.stop_device();
   p.recorder->pump();
   // Virtual time has its own end.
-  (void)p.recorder->end_session(p.virtual_time() ? std::optional(snapshot().session_time_s)
-                                                 : std::nullopt);
+  p.recorder->end_session(p.virtual_time() ? std::optional(snapshot().session_time_s)
+                                           : std::nullopt);
+}
+
+std::optional<Error> Session::failure() const {
+  return parts_->recorder->failure();
+}
+
+bool Session::is_to_stop() const noexcept {
+  const auto* const stop = parts_->config.stop;
+  return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
 }  // namespace isograsp

@@ -6,6 +6,7 @@
 // drive everything, deterministically. Commands return at once; what came of them arrives as news.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,12 +14,14 @@
 
 #include "core/measure.hpp"
 #include "core/result.hpp"
+#include "session/acquisition/realtime.hpp"
+#include "session/acquisition/snapshot.hpp"
 #include "session/library.hpp"
-#include "session/realtime.hpp"
+#include "session/resting.hpp"
 #include "session/resume.hpp"
-#include "session/snapshot.hpp"
 #include "session/training.hpp"
-#include "storage/session_store.hpp"
+#include "storage/file/open_mode.hpp"
+#include "storage/records/session_store.hpp"
 #include "tasks/references.hpp"
 #include "tasks/task.hpp"
 #include "tasks/task_spec.hpp"
@@ -44,14 +47,21 @@ struct SessionConfig {
   Realtime realtime = Realtime::prefer;  ///< of the acquisition thread; not in virtual time
   std::optional<Effort> allowed;    ///< outcome of the screening for this hand; nothing: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
-  std::vector<SessionAnswer> answers;     ///< what was asked before: screening, posture
+  std::vector<SessionAnswer> answers;  ///< what was asked before: screening, posture
+  double settle_after_strapping_s = kSettleAfterStrapping_s;  ///< before a resting force
   std::optional<double> display_delay_s;  ///< of the patient's screen; nothing: not measured
+  /// The clock of this computer may be behind the newest session of the file: somebody was asked
+  /// and says that it is right. Without it such a session is refused (field "clock").
+  bool clock_is_right = false;
+  /// Set by somebody who wants the session to end: waiting ends at once, and what is closed then is
+  /// closed in good order. May be null; outlives the session.
+  const std::atomic<bool>* stop = nullptr;
   /// Goes on with the protocol that the patient's newest session with this hand has not finished.
   /// Refused if there is none, or if it began more than kLongestBreak_s ago. What its screening
   /// said holds on where `allowed` or `ceiling_N` say nothing.
   bool resume = false;
   bool virtual_time = false;  ///< simulated and replayed devices only
-  /// The database is made for a moment and removed again (SessionStore::Open::scratch); in virtual
+  /// The database is made for a moment and removed again (OpenMode::scratch); in virtual
   /// time only: nobody's data are recorded so.
   bool scratch_database = false;
 };
@@ -130,8 +140,9 @@ class Session {
   void strapped();
   /// Time until a resting force may be measured [s]; 0: now, as far as is known.
   [[nodiscard]] double settling_s() noexcept;
-  /// Prepares and starts a trial. Fails if one is running, if the task lacks its context (maximum)
-  /// or if a hand that is to rest was strapped less than a minute ago. News: TrialOutcome.
+  /// Prepares and starts a trial. Fails if one is running, if a sensor started anew after the zero
+  /// was set (field "zero"), if the task lacks its context (maximum) or if a hand that is to rest
+  /// was strapped less than a minute ago. News: TrialOutcome.
   /// `place`: in the session's protocol; nothing: chosen by hand.
   [[nodiscard]] Result<void> start_trial(const TaskSpec& spec, bool practice,
                                          std::optional<TrialPlace> place = std::nullopt);
@@ -152,6 +163,8 @@ class Session {
   /// What the patient says of the work so far, 0 to 10 each.
   /// @return why work should stop now; nothing: it may go on.
   [[nodiscard]] std::optional<std::string> rate(int effort, int pain);
+  /// The last rating was meant to be this. @pre rate() was called in this session
+  [[nodiscard]] std::optional<std::string> correct_rating(int effort, int pain);
 
   /// What an interrupted session did of this protocol; empty unless SessionConfig::resume.
   [[nodiscard]] const EarlierWork& earlier() const noexcept;
@@ -183,6 +196,11 @@ class Session {
 
   /// Ends a running trial as aborted, writes all that is pending and closes the session's record.
   void close();
+  /// Why not all of the session is in its database, where it is and what to do; nothing: it is, as
+  /// far as was written. After close(): all of it was read back.
+  [[nodiscard]] std::optional<Error> failure() const;
+  /// Somebody has set SessionConfig::stop.
+  [[nodiscard]] bool is_to_stop() const noexcept;
 
  private:
   struct Parts;

@@ -5,9 +5,12 @@
 
 #include "core/csv.hpp"
 #include "core/time.hpp"
-#include "device/uri.hpp"
+#include "device/config/uri.hpp"
 #include "session/session_parts.hpp"
 #include "session/simulated_person.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/crypto/content_hash.hpp"
+#include "storage/records/patient_code.hpp"
 
 namespace isograsp {
 
@@ -20,6 +23,17 @@ std::string cpu_features() {
 }
 
 namespace {
+
+/// Of the newest session, if that lies ahead of the clock of this computer.
+std::optional<std::string> clock_behind(const std::vector<SessionRecord>& newest) {
+  if (newest.empty()) return std::nullopt;
+  const SessionRecord& last = newest.front();
+  // Sessions in virtual time end ahead of every clock.
+  const bool lived = !last.simulated && !last.recorded;
+  const std::string latest = lived ? std::max(last.started_utc, last.ended_utc) : last.started_utc;
+  if (latest <= utc_text(std::time(nullptr))) return std::nullopt;
+  return latest;
+}
 
 std::string joined_lines(const std::vector<std::string>& lines) {
   std::string text;
@@ -101,12 +115,21 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   if (auto started = parts->device->start(*parts->clock); !started) return started.error();
   parts->streaming = true;
   const Timestamp start = parts->device->now(*parts->clock);
-
-  using Open = SessionStore::Open;
-  auto store = SessionStore::open(config.database, config.scratch_database  ? Open::scratch
-                                                   : config.create_database ? Open::create
-                                                                            : Open::existing);
+  auto store = open_store(config.database, config.scratch_database  ? OpenMode::scratch
+                                           : config.create_database ? OpenMode::create
+                                                                    : OpenMode::existing);
   if (!store) return store.error();
+  const auto newest = (*store)->recent_sessions(1);
+  if (!newest) return newest.error();
+  const auto behind = config.started_utc.empty() ? clock_behind(*newest) : std::nullopt;
+  if (behind && !config.clock_is_right)
+    return Error{Error::Code::bad_input,
+                 "the clock of this computer says " + utc_text(std::time(nullptr)) +
+                     ", but the newest session of this file is of " + *behind,
+                 "set the clock, or say that it is right",
+                 config.database,
+                 0,
+                 "clock"};
   auto patient = (*store)->find_patient(config.patient_code);
   if (!patient) return patient.error();
   if (!*patient) {
@@ -160,28 +183,27 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   references.resolution_N = resolution_N(info);
   for (const EarlierTrial& trial : parts->earlier.trials)
     if (!trial.record.helped) learn_maxima(trial.measures, references);
-  const auto newest = (*store)->recent_sessions(1);
-  if (!newest) return newest.error();
+  if (!config.scratch_database) record.uuid = random_uuid();
   const auto session_id = (*store)->begin_session(record, config.answers);
   if (!session_id) return session_id.error();
   record.id = *session_id;
   // Progress is put in order by these times.
-  if (config.started_utc.empty() && !newest->empty() &&
-      newest->front().started_utc > record.started_utc)
-    if (auto told = (*store)->add_event(
-            record.id, {0, 0.0, "clock",
-                        "The clock of this computer is behind the newest session of this file (" +
-                            newest->front().started_utc + ")."});
-        !told)
-      return told.error();
+  std::optional<EventRecord> clock_event;
+  if (behind)
+    clock_event = EventRecord{
+        0, 0.0, "clock",
+        "The clock of this computer is behind the newest session of this file (" + *behind + ")."};
 
   Acquisition::Options options;
   options.resume_by_itself = info.recorded;
   options.viewer = parts->viewer.get();
   if (*last_zero) options.last_zero = (*last_zero)->mean;
   parts->acquisition = std::make_unique<Acquisition>(*parts->device, *parts->clock, start, options);
-  parts->recorder = std::make_unique<Recorder>(std::move(*store), record,
+  auto writer = std::make_unique<SessionWriter>(std::move(*store), **patient, record,
+                                                config.answers, !config.scratch_database);
+  parts->recorder = std::make_unique<Recorder>(std::move(writer), record,
                                                parts->acquisition->records(), !config.virtual_time);
+  if (clock_event) parts->recorder->add_event(*clock_event);
   if (!config.virtual_time) parts->start_threads();
   return std::unique_ptr<Session>(new Session(std::move(parts)));
 }

@@ -41,7 +41,7 @@ void learn_maxima(const std::vector<Measure>& measures, ForceReferences& referen
 
 void Session::Parts::learn(std::vector<SessionNews>& news) {
   for (auto& item : news) {
-    if (item.zero || item.trial || item.failure) pending = in_trial = false;
+    if (item.zero || item.trial) pending = in_trial = false;
     if (item.zero && item.zero->accepted) {
       zero = item.zero->zero;
       lesson.references.noise_sd_N = before_last.references.noise_sd_N = noise_of(*zero);

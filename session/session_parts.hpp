@@ -10,7 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "session/acquisition.hpp"
+#include "session/acquisition/acquisition.hpp"
+#include "session/acquisition/zeroing.hpp"
 #include "session/recorder.hpp"
 #include "session/session.hpp"
 #include "virtual_patient/virtual_patient.hpp"
@@ -94,8 +95,10 @@ struct Session::Parts {
     let_go();
     recorder_thread = std::thread([this] {
       constexpr auto kPoll = std::chrono::milliseconds(10);
-      while (!stop.load(std::memory_order_relaxed)) {
+      constexpr int kPollsPerLook = 100;
+      for (int polls = 1; !stop.load(std::memory_order_relaxed); ++polls) {
         recorder->pump();
+        if (polls % kPollsPerLook == 0) recorder->look();
         std::this_thread::sleep_for(kPoll);
       }
     });
@@ -112,6 +115,22 @@ struct Session::Parts {
     if (acquisition->commands().push(command)) return {};
     return Error{
         Error::Code::failed, "the session does not answer", "close it and start again", "", 0, ""};
+  }
+
+  /// An outdated zero would be subtracted from the forces of a sensor that it does not belong to.
+  /// Trials without any zero are the owner's affair.
+  Result<void> check_zero_is_fresh() {
+    const Snapshot& now = acquisition->snapshots().read();
+    if (standing_of_zero(device->info().recorded, now.zeroed, now.restarted.has_value()) !=
+        ZeroStanding::outdated)
+      return {};
+    return Error{Error::Code::failed,
+                 "since the zero was set a sensor started anew (" +
+                     std::string(name_of(*now.restarted)) + ")",
+                 "take the hand out and set the zero again",
+                 "",
+                 0,
+                 "zero"};
   }
 
   /// What the news say about references, zero and training. Trials that were helped are marked.

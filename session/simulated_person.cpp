@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: every integer below is a double
 constexpr double kLatestDay = 10000.0;
+constexpr double kLeastStrength = 0.1;  // of that of the person named
+constexpr double kMostStrength = 5.0;
 
 fs::path people_folder(const std::string& library) {
   return fs::path(library) / "patients";
@@ -91,7 +93,11 @@ Result<PatientTraits> simulated_traits(const Uri& uri, const std::string& librar
   if (!found) return found.error();
   const auto recovery = uri.number_or("recovery", 0.0, 0.0, 1.0);
   if (!recovery) return recovery.error();
-  const PatientTraits traits = recovered(*found, *recovery);
+  const auto strength = uri.number_or("strength", 1.0, kLeastStrength, kMostStrength);
+  if (!strength) return strength.error();
+  PatientTraits traits = recovered(*found, *recovery);
+  traits.maximum_force_N *= *strength;
+  traits = clamped(traits);
   const auto seed = seed_of(uri);
   if (!seed) return seed.error();
   const std::string course_name = uri.text_or("course", "");

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "device/uri.hpp"
+#include "device/config/uri.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
 namespace isograsp {

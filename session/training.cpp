@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "tasks/measure_version.hpp"
+#include "tasks/score.hpp"
+
 namespace isograsp {
 
 namespace {
@@ -12,22 +15,55 @@ constexpr std::size_t kBaselineDays = 2;
 /// Best maximum of each channel on one day.
 using DayMaxima = std::map<ForceChannel, double>;
 
+constexpr const char* kMaximum = "maximum_force";
+
+/// A trial that gave maxima.
+struct MaximumTrial {
+  TrialRecord trial;
+  std::vector<Measure> measures;
+};
+using Days = std::map<std::string, std::vector<MaximumTrial>>;
+
+/// Newtons of an older definition are not those that a target is reckoned from now: they follow
+/// again from the signals of the trial. It does not count if they cannot be read.
+void renew_maxima(SessionStore& store, MaximumTrial& one) {
+  std::erase_if(one.measures, [](const Measure& measure) { return measure.name != kMaximum; });
+  if (!any_is_older(one.measures)) return;
+  const auto spec = parse_task(one.trial.task_text, one.trial.task_name);
+  const auto signals = store.signals(one.trial);
+  if (spec && signals) renew(one.measures, score(*spec, *signals));
+  std::erase_if(one.measures, is_older);
+}
+
 void learn_maxima(const std::vector<Measure>& measures, DayMaxima& day) {
   for (const Measure& measure : measures) {
     const auto channel = force_channel_from_name(measure.channel);
-    if (measure.name != "maximum_force" || !measure.value || !channel) continue;
+    if (measure.name != kMaximum || !measure.value || !channel) continue;
     const auto [best, first] = day.try_emplace(*channel, *measure.value);
     if (!first) best->second = std::max(best->second, *measure.value);
   }
 }
 
-std::map<ForceChannel, double> baseline_of(const std::map<std::string, DayMaxima>& days) {
+/// The first days that have a maximum, kBaselineDays of each channel. Later ones are not looked at.
+std::map<ForceChannel, double> baseline_of(SessionStore& store, Days& days) {
   std::map<ForceChannel, std::vector<double>> of;
-  for (const auto& [date, day] : days)
+  const auto is_wanted = [&of](const Measure& measure) {
+    const auto channel = force_channel_from_name(measure.channel);
+    return measure.name == kMaximum && channel && of[*channel].size() < kBaselineDays;
+  };
+  for (auto& [date, trials] : days) {
+    DayMaxima day;
+    for (auto& one : trials) {
+      if (std::none_of(one.measures.begin(), one.measures.end(), is_wanted)) continue;
+      renew_maxima(store, one);
+      learn_maxima(one.measures, day);
+    }
     for (const auto& [channel, force_N] : day)
       if (of[channel].size() < kBaselineDays) of[channel].push_back(force_N);
+  }
   std::map<ForceChannel, double> baseline_N;
   for (const auto& [channel, forces_N] : of) {
+    if (forces_N.empty()) continue;
     double sum_N = 0.0;
     for (const double force_N : forces_N) sum_N += force_N;
     baseline_N[channel] = sum_N / static_cast<double>(forces_N.size());
@@ -52,7 +88,7 @@ Result<Training> Training::read(SessionStore& store, const SessionRecord& sessio
   std::map<RowId, std::vector<Measure>> measures_of;  // by trial
   for (const MeasurePoint& point : *points) measures_of[point.trial_id].push_back(point.measure);
   Training training;
-  std::map<std::string, DayMaxima> days;
+  Days days;
   for (const SessionRecord& earlier : *sessions) {
     if (earlier.hand != session.hand || earlier.simulated != session.simulated ||
         earlier.recorded || earlier.id == session.id)
@@ -63,13 +99,14 @@ Result<Training> Training::read(SessionStore& store, const SessionRecord& sessio
     for (const TrialRecord& trial : *trials) {
       if (trial.status != TrialStatus::completed || trial.helped) continue;
       const auto& measures = measures_of[trial.id];
-      if (!trial.practice) learn_maxima(measures, days[earlier.started_utc.substr(0, kDateLength)]);
+      if (!trial.practice)
+        days[earlier.started_utc.substr(0, kDateLength)].push_back({trial, measures});
       if (trial.task_text.find("\n[chosen]\n") == std::string::npos) continue;
       if (const auto spec = parse_task(trial.task_text, trial.task_name))
         training.learn(*spec, trial, measures);
     }
   }
-  training.baseline_N_ = baseline_of(days);
+  training.baseline_N_ = baseline_of(store, days);
   return training;
 }
 

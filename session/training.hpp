@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "core/force_channel.hpp"
 #include "core/result.hpp"
-#include "storage/session_store.hpp"
+#include "hand/force_channel.hpp"
+#include "storage/records/session_store.hpp"
 #include "tasks/staircase.hpp"
 #include "tasks/task_spec.hpp"
 

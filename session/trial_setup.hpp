@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/result.hpp"
-#include "session/acquisition.hpp"
+#include "session/acquisition/acquisition.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp {

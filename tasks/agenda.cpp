@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/random.hpp"
-#include "tasks/measures/attempts.hpp"
+#include "tasks/attempts.hpp"
 
 namespace isograsp {
 

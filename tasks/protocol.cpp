@@ -8,7 +8,7 @@ namespace isograsp {
 
 namespace {
 
-constexpr int kMostRepetitions = 100;
+constexpr int kMostStepRepetitions = 100;
 
 void read_tasks(TomlReader& table, ProtocolStep& step) {
   const bool several = table.has("tasks");
@@ -32,7 +32,7 @@ void read_agreement(TomlReader& table, ProtocolStep& step) {
   agreement.measure = table.text("agree_measure");
   agreement.percent = read_within(table, "agree_percent", 0.1, 100.0, agreement.percent);
   agreement.most_repetitions =
-      read_count(table, "most_repetitions", agreement.most_repetitions, kMostRepetitions);
+      read_count(table, "most_repetitions", agreement.most_repetitions, kMostStepRepetitions);
   if (step.repetitions < 2)
     table.fail("repetitions", "is below 2", "attempts can only agree with each other");
   if (agreement.most_repetitions < step.repetitions)
@@ -52,7 +52,7 @@ ProtocolStep read_step(TomlReader& table) {
   step.rest_s = read_wait(table, "rest_s", 0.0);
   if (step.kind == ProtocolStep::Kind::instrument_zero) return step;
   read_tasks(table, step);
-  step.repetitions = read_count(table, "repetitions", 1, kMostRepetitions);
+  step.repetitions = read_count(table, "repetitions", 1, kMostStepRepetitions);
   read_agreement(table, step);
   step.practice = table.boolean("practice", false);
   step.adaptive = table.boolean("adaptive", false);

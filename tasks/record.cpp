@@ -4,18 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statistics/weighted.hpp"
+#include "tasks/measure_version.hpp"
 #include "tasks/measures/motion.hpp"
-#include "tasks/measures/weighted.hpp"
 
 namespace isograsp {
 
-std::vector<double> Section::values(std::span<const double> column) const {
+namespace {
+
+std::vector<double> values_in(const std::vector<std::size_t>& rows,
+                              std::span<const double> column) {
   std::vector<double> chosen(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) chosen[k] = column[rows[k]];
   return chosen;
 }
-
-namespace {
 
 /// A phase number that nobody knows counts as paused: it is never scored.
 Phase phase_from(double number) {
@@ -23,6 +25,28 @@ Phase phase_from(double number) {
       number != std::floor(number))
     return Phase::paused;
   return static_cast<Phase>(static_cast<int>(number));
+}
+
+/// Measures multiply up to four values with each other: of sizes beyond these, products are 0 or
+/// infinite where the measure itself is neither.
+constexpr double kLeastSize = 1e-60;
+constexpr double kMostSize = 1e60;
+
+std::string out_of_range(double size) {
+  if (size > kMostSize) return "the values are too large to compute with";
+  if (size > 0.0 && size < kLeastSize) return "the values are too small to compute with";
+  return {};
+}
+
+/// Times, and what is known of hand and device beside the signals.
+std::string unusable_context(const Signals& signals, std::span<const double> hold_s) {
+  for (const double length_s : hold_s)
+    if (std::string why = out_of_range(length_s); !why.empty()) return why;
+  for (const char* name : {"t_s", "resting_force_N", "maximum_force_N", "noise_sd_N",
+                           "resolution_N", "device_delay_s", "display_delay_s"})
+    for (const double value : signals.column(name))  // next to nothing these may be
+      if (std::abs(value) > kMostSize) return out_of_range(std::abs(value));
+  return {};
 }
 
 }  // namespace
@@ -53,21 +77,43 @@ Record::Record(const Signals& signals) : signals_(signals) {
     elapsed_s += hold_s_[row];
     ++unpaused;
   }
+  unusable_ = unusable_context(signals, hold_s_);
 }
 
-Section Record::select(std::initializer_list<Phase> phases,
-                       std::initializer_list<std::string_view> columns, TimeAxis axis) const {
+bool Section::has(std::string_view column) const {
+  return std::find(columns.begin(), columns.end(), column) != columns.end();
+}
+
+std::vector<double> Section::values(std::string_view column) const {
+  if (!has(column)) return std::vector<double>(rows.size(), std::nan(""));
+  return values_in(rows, signals->column(column));
+}
+
+std::string Record::unusable(const Section& section,
+                             const std::vector<std::string>& columns) const {
+  if (!unusable_.empty()) return unusable_;
+  double largest = 0.0;
+  for (const std::string& name : columns) {
+    const auto column = signals_.column(name);
+    if (column.empty()) continue;
+    for (const std::size_t row : section.rows) largest = std::max(largest, std::abs(column[row]));
+  }
+  return out_of_range(largest);
+}
+
+Section Record::select(std::initializer_list<Phase> phases, const std::vector<std::string>& columns,
+                       TimeAxis axis) const {
   return select(0, rows(), phases, columns, axis);
 }
 
 Section Record::select(std::size_t first, std::size_t last, std::initializer_list<Phase> phases,
-                       std::initializer_list<std::string_view> columns, TimeAxis axis) const {
+                       const std::vector<std::string>& columns, TimeAxis axis) const {
   Section section;
   std::vector<char> usable(last - first);
   for (std::size_t row = first; row < last; ++row) usable[row - first] = counts(row);
-  for (const auto name : columns) {
+  for (const std::string& name : columns) {
     if (!signals_.has(name)) {
-      section.reason = "the column " + std::string(name) + " is missing";
+      section.reason = "the column " + name + " is missing";
       return section;
     }
     const auto column = signals_.column(name);
@@ -84,8 +130,16 @@ Section Record::select(std::size_t first, std::size_t last, std::initializer_lis
     else
       ++section.excluded;
   }
-  section.t_s = section.values(axis == TimeAxis::task ? task_time_s_ : signals_.column("t_s"));
-  section.weight_s = section.values(hold_s_);
+  if (std::string why = unusable(section, columns); !why.empty()) {
+    section = {};
+    section.reason = std::move(why);
+    return section;
+  }
+  section.t_s =
+      values_in(section.rows, axis == TimeAxis::task ? task_time_s_ : signals_.column("t_s"));
+  section.weight_s = values_in(section.rows, hold_s_);
+  section.signals = &signals_;
+  section.columns = columns;
   return section;
 }
 
@@ -111,6 +165,7 @@ std::optional<double> Record::known_delay_s() const {
 Measure make_measure(std::string name, std::string channel, std::string unit,
                      const Section& section, Computed computed) {
   Measure measure;
+  measure.version = measure_version(name);
   measure.name = std::move(name);
   measure.channel = std::move(channel);
   measure.unit = std::move(unit);
@@ -124,44 +179,46 @@ Measure make_measure(std::string name, std::string channel, std::string unit,
     measure.reason = "the result is not finite";
   } else {
     measure.value = computed.value;
+    if (measure.value) *measure.value += 0.0;  // 0 has no sign
     measure.reason = std::move(computed.reason);
   }
   return measure;
 }
 
-Computed mean_over(const Section& section, std::span<const double> column) {
-  return weighted_mean_of(section.weight_s, [&](std::size_t k) { return column[section.rows[k]]; });
+Computed mean_over(const Section& section, std::string_view column) {
+  const auto values = section.values(column);
+  return weighted_mean_of(section.weight_s, [&](std::size_t k) { return values[k]; });
 }
 
 namespace {
 
-std::vector<std::span<const double>> position_columns(const Signals& signals) {
-  std::vector<std::span<const double>> axes{signals.column("actual_x_m"),
-                                            signals.column("actual_y_m")};
-  if (signals.has("actual_z_m")) axes.push_back(signals.column("actual_z_m"));
+/// x, y, and z if selected, in the rows of the section.
+std::vector<std::vector<double>> position_axes(const Section& section) {
+  std::vector<std::vector<double>> axes{section.values("actual_x_m"), section.values("actual_y_m")};
+  if (section.has("actual_z_m")) axes.push_back(section.values("actual_z_m"));
   return axes;
 }
 
 }  // namespace
 
-std::vector<Vec3> path_of(const Section& section, const Signals& signals) {
-  const auto axes = position_columns(signals);
+std::vector<Vec3> path_of(const Section& section) {
+  const auto axes = position_axes(section);
   std::vector<Vec3> path_m(section.rows.size(), Vec3::Zero());
   for (std::size_t k = 0; k < path_m.size(); ++k)
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
-      path_m[k][static_cast<Eigen::Index>(axis)] = axes[axis][section.rows[k]];
+      path_m[k][static_cast<Eigen::Index>(axis)] = axes[axis][k];
   return path_m;
 }
 
-Measure path_length(const Section& motion, const Signals& signals) {
+Measure path_length(const Section& motion) {
   return make_measure("path_length", "position", "m", motion,
-                      motion.rows.empty() ? 0.0 : path_length(path_of(motion, signals)));
+                      motion.rows.empty() ? 0.0 : path_length(path_of(motion)));
 }
 
-std::vector<UniformSamples> position_of(const Section& section, const Signals& signals) {
+std::vector<UniformSamples> position_of(const Section& section) {
   std::vector<UniformSamples> position;
-  for (const auto& axis : position_columns(signals))
-    position.push_back(on_uniform_grid(section.t_s, section.values(axis)));
+  for (const auto& axis : position_axes(section))
+    position.push_back(on_uniform_grid(section.t_s, axis));
   return position;
 }
 

@@ -9,21 +9,25 @@
 #include "core/measure.hpp"
 #include "core/signals.hpp"
 #include "core/spatial.hpp"
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp {
 
-/// Rows chosen for a measure, without the excluded ones.
+/// Rows chosen for a measure, without the excluded ones, and the columns that it may read there.
 struct Section {
   std::vector<std::size_t> rows;
   std::vector<double> t_s;       ///< one per row
   std::vector<double> weight_s;  ///< hold length of each row
   std::int64_t excluded = 0;
   std::string reason;  ///< why there is nothing: a column is absent
+  const Signals* signals = nullptr;
+  std::vector<std::string> columns;  ///< those that have a value in each of the rows
 
-  /// The column's values in these rows.
-  [[nodiscard]] std::vector<double> values(std::span<const double> column) const;
+  /// The column's values in these rows. One that was not selected reads as empty: whether its
+  /// fields have a value was not looked at.
+  [[nodiscard]] std::vector<double> values(std::string_view column) const;
+  [[nodiscard]] bool has(std::string_view column) const;
 };
 
 class Record {
@@ -36,6 +40,7 @@ class Record {
   [[nodiscard]] double hold_s(std::size_t row) const { return hold_s_[row]; }
   /// Sum of the holds of all unpaused rows before this one [s].
   [[nodiscard]] double task_time_s(std::size_t row) const { return task_time_s_[row]; }
+  [[nodiscard]] std::span<const double> task_times_s() const noexcept { return task_time_s_; }
   /// `active` if there is no column `phase`.
   [[nodiscard]] Phase phase(std::size_t row) const { return phase_[row]; }
   [[nodiscard]] bool paused(std::size_t row) const { return phase_[row] == Phase::paused; }
@@ -46,19 +51,24 @@ class Record {
 
   enum class TimeAxis { task, record };
   /// Rows in one of `phases` in which all `columns` have a value; paused, flagged and empty ones
-  /// are excluded and counted. No phases: every row.
+  /// are excluded and counted. No phases: every row. Without rows and with a reason if a column is
+  /// missing or unusable().
   [[nodiscard]] Section select(std::initializer_list<Phase> phases,
-                               std::initializer_list<std::string_view> columns,
+                               const std::vector<std::string>& columns,
                                TimeAxis axis = TimeAxis::task) const;
   /// The same for the rows in [first, last).
   [[nodiscard]] Section select(std::size_t first, std::size_t last,
                                std::initializer_list<Phase> phases,
-                               std::initializer_list<std::string_view> columns,
+                               const std::vector<std::string>& columns,
                                TimeAxis axis = TimeAxis::task) const;
   /// Rows in [first, last) in which the object's position is known: x and y, and z if recorded.
   [[nodiscard]] Section select_position(std::size_t first, std::size_t last,
                                         std::initializer_list<Phase> phases,
                                         TimeAxis axis = TimeAxis::task) const;
+  /// Why nothing can be computed with these columns in the rows of the section: their squares and
+  /// products would leave the range of numbers. Empty: it can.
+  [[nodiscard]] std::string unusable(const Section& section,
+                                     const std::vector<std::string>& columns) const;
   /// First value of a column that is constant over the trial.
   [[nodiscard]] std::optional<double> constant(std::string_view column) const;
   /// From what happens to what is recorded, and from the target to the eye where that was measured:
@@ -72,6 +82,7 @@ class Record {
   std::vector<Phase> phase_;
   std::vector<bool> flagged_;
   std::vector<bool> missing_;
+  std::string unusable_;  ///< why no measure at all can be computed; empty: they can
 };
 
 /// Puts a computed value on record. A section that could not be made gives its reason.
@@ -79,13 +90,12 @@ class Record {
                                    const Section& section, Computed computed);
 
 /// sum of the column's value times hold / sum of holds, over the section.
-[[nodiscard]] Computed mean_over(const Section& section, std::span<const double> column);
-/// Positions of the object in the rows of the section [m]; without a column z in the plane z = 0.
-[[nodiscard]] std::vector<Vec3> path_of(const Section& section, const Signals& signals);
+[[nodiscard]] Computed mean_over(const Section& section, std::string_view column);
+/// Positions of the object in the rows of the section [m]; z = 0 where it was not selected.
+[[nodiscard]] std::vector<Vec3> path_of(const Section& section);
 /// The measure path_length over a section of select_position().
-[[nodiscard]] Measure path_length(const Section& motion, const Signals& signals);
-/// The position columns that the signals have, on a grid: x and y, and z if present.
-[[nodiscard]] std::vector<UniformSamples> position_of(const Section& section,
-                                                      const Signals& signals);
+[[nodiscard]] Measure path_length(const Section& motion);
+/// The position on a grid: x and y, and z if selected.
+[[nodiscard]] std::vector<UniformSamples> position_of(const Section& section);
 
 }  // namespace isograsp

@@ -14,16 +14,16 @@ namespace isograsp {
 
 namespace {
 
-constexpr double kCutoff_Hz = 2.0;       // above what a hand follows, below tremor
-constexpr double kPointsPerSecond = 10;  // five times that
-constexpr double kLeast_m = 0.005;       // less comes about by itself: half a shipped tolerance
+constexpr double kCourseCutoff_Hz = 2.0;  // above what a hand follows, below tremor
+constexpr double kPointsPerSecond = 10;   // five times that
+constexpr double kLeast_m = 0.005;        // less comes about by itself: half a shipped tolerance
 constexpr double kLeast_rad = 5.0 * std::numbers::pi / 180.0;
 constexpr double kLeast_N = 0.5;     // several steps of a coarse sensor
 constexpr double kStillness = 0.02;  // of the range
 constexpr double kKeptStill_s = 0.5;
 constexpr double kShortest_s = 1.0;
 
-Error refused(const TaskSpec& spec, std::string what, std::string remedy) {
+Error refused_course(const TaskSpec& spec, std::string what, std::string remedy) {
   return {Error::Code::bad_input, spec.name + ": " + std::move(what), std::move(remedy), "", 0, ""};
 }
 
@@ -37,18 +37,18 @@ struct Course {
 };
 
 /// Angles without jumps of a whole turn.
-void unwrap(std::vector<double>& angle_rad) {
+void unwrap_course(std::vector<double>& angle_rad) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   for (std::size_t k = 1; k < angle_rad.size(); ++k)
     angle_rad[k] -= kTurn * std::round((angle_rad[k] - angle_rad[k - 1]) / kTurn);
 }
 
 /// Turn about axis 0, 1 or 2 of the world, as far as the object turned about that one.
-std::vector<double> turns(const Section& rows, const Signals& signals, std::size_t axis) {
-  const auto w = rows.values(signals.column("actual_qw"));
-  auto turn = rows.values(signals.column(std::string("actual_q") + "xyz"[axis]));
+std::vector<double> turns(const Section& rows, std::size_t axis) {
+  const auto w = rows.values("actual_qw");
+  auto turn = rows.values(std::string("actual_q") + "xyz"[axis]);
   for (std::size_t k = 0; k < turn.size(); ++k) turn[k] = 2.0 * std::atan2(turn[k], w[k]);
-  unwrap(turn);
+  unwrap_course(turn);
   return turn;
 }
 
@@ -59,13 +59,15 @@ class Recording {
 
   Result<std::string> text() {
     if (!(wanted_.slower > 0.0))
-      return refused(spec_, "the time cannot be stretched by " + format_number(wanted_.slower),
-                     "give a number above 0");
+      return refused_course(spec_,
+                            "the time cannot be stretched by " + format_number(wanted_.slower),
+                            "give a number above 0");
     if (auto found = wanted_.force || spec_.scene().empty() ? find_force() : find_path(); !found)
       return found.error();
     cut_stillness();
     if (duration_s() < kShortest_s)
-      return refused(spec_, "the movement lasted less than a second", "record it again, slower");
+      return refused_course(spec_, "the movement lasted less than a second",
+                            "record it again, slower");
     std::string text = spec_.scene().empty() || wanted_.force ? force_task() : pose_task();
     if (auto good = parse_task(text, wanted_.name); !good) return good.error();
     return text;
@@ -76,7 +78,7 @@ class Recording {
   [[nodiscard]] std::vector<double> smooth(const Section& rows, const std::vector<double>& values) {
     const UniformSamples grid = on_uniform_grid(rows.t_s, values);
     step_s_ = grid.step_s;
-    return filtered_zero_phase(butterworth2(1.0 / grid.step_s, kCutoff_Hz), grid.values);
+    return filtered_zero_phase(butterworth2(1.0 / grid.step_s, kCourseCutoff_Hz), grid.values);
   }
   void add(std::string dof, std::string unit, double per_unit, std::vector<double> values) {
     for (double& value : values) value /= per_unit;
@@ -94,10 +96,11 @@ class Recording {
   Result<void> find_force() {
     const Section rows =
         record_.select({Phase::active, Phase::transport, Phase::hold}, {"actual_force_N"});
-    if (!enough(rows)) return refused(spec_, "it holds no force", "record one");
-    auto force_N = smooth(rows, rows.values(signals_.column("actual_force_N")));
+    if (!enough(rows)) return refused_course(spec_, "it holds no force", "record one");
+    auto force_N = smooth(rows, rows.values("actual_force_N"));
     if (range_of(force_N) < kLeast_N)
-      return refused(spec_, "the force changed by less than 0.5 N", "press while it is recorded");
+      return refused_course(spec_, "the force changed by less than 0.5 N",
+                            "press while it is recorded");
     add("", "N", 1.0, std::move(force_N));
     return {};
   }
@@ -106,23 +109,23 @@ class Recording {
     const Section rows = record_.select({Phase::active, Phase::transport, Phase::hold},
                                         {"actual_x_m", "actual_y_m", "actual_z_m", "actual_qw",
                                          "actual_qx", "actual_qy", "actual_qz"});
-    if (!enough(rows)) return refused(spec_, "it holds no path of an object", "record one");
+    if (!enough(rows)) return refused_course(spec_, "it holds no path of an object", "record one");
     int axes_turned = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string name(1, "xyz"[axis]);
-      auto path_m = smooth(rows, rows.values(signals_.column("actual_" + name + "_m")));
+      auto path_m = smooth(rows, rows.values("actual_" + name + "_m"));
       if (range_of(path_m) > kLeast_m) add(name, "m", 1.0, std::move(path_m));
-      auto turn_rad = smooth(rows, turns(rows, signals_, axis));
+      auto turn_rad = smooth(rows, turns(rows, axis));
       if (range_of(turn_rad) < kLeast_rad) continue;
       ++axes_turned;
       add("r" + name, "deg", std::numbers::pi / 180.0, std::move(turn_rad));
     }
     if (courses_.empty())
-      return refused(spec_, "the object moved by less than 5 mm and 5 degrees",
-                     "move it while it is recorded");
+      return refused_course(spec_, "the object moved by less than 5 mm and 5 degrees",
+                            "move it while it is recorded");
     if (axes_turned > 1)
-      return refused(spec_, "the object turned about more than one axis",
-                     "choose a scene in which it can turn about one alone");
+      return refused_course(spec_, "the object turned about more than one axis",
+                            "choose a scene in which it can turn about one alone");
     return {};
   }
 

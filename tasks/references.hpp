@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "core/force_channel.hpp"
 #include "core/result.hpp"
+#include "hand/force_channel.hpp"
 #include "tasks/kinds/force_kinds.hpp"
 
 namespace isograsp {

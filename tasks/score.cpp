@@ -2,8 +2,7 @@
 // Measures of the force tasks and of free handling. Definitions: docs/measures.md.
 #include "tasks/score.hpp"
 
-#include <algorithm>
-
+#include "tasks/kinds/object_score.hpp"
 #include "tasks/kinds/score_kinds.hpp"
 
 namespace isograsp {
@@ -14,39 +13,20 @@ std::vector<Measure> score(const TaskSpec& spec, const Signals& signals) {
   return std::visit([&](const auto& kind) { return measures_of(kind, record); }, spec.kind);
 }
 
-namespace {
-
-/// Time in which any finger touches [s]; a finger that the scene lacks has an empty column.
-Computed contact_time(const Section& section, const Signals& signals) {
-  double touching_s = 0.0;
-  for (std::size_t i = 0; i < section.rows.size(); ++i) {
-    const bool touches = std::any_of(kFingers.begin(), kFingers.end(), [&](Finger finger) {
-      const auto column = signals.column("contact_" + std::string(name_of(finger)));
-      return !column.empty() && column[section.rows[i]] > 0.5;
-    });
-    if (touches) touching_s += section.weight_s[i];
-  }
-  return touching_s;
-}
-
-}  // namespace
-
 std::vector<Measure> measures_of(const ObserveSpec&, const Record& record) {
-  const Signals& signals = record.signals();
-  const auto grip = signals.column("actual_force_N");
+  const ObjectRecord object(record);
   const Section force = record.select({Phase::active}, {"actual_force_N"});
   const Section motion = record.select_position(0, record.rows(), {Phase::active});
-  Section contact = record.select({Phase::active}, {});
-  const bool known = std::any_of(kFingers.begin(), kFingers.end(), [&](Finger finger) {
-    return signals.has("contact_" + std::string(name_of(finger)));
-  });
-  if (!known) contact.reason = "the columns contact_* are missing";
+  Section contact = record.select({Phase::active}, object.contact_columns());
+  if (contact.reason.empty()) contact.reason = object.no_contact_columns();
+  double touching_s = 0.0;
+  for (std::size_t k = 0; k < contact.rows.size(); ++k)
+    if (object.touched(contact.rows[k])) touching_s += contact.weight_s[k];
   Computed most = "no samples";
-  for (const std::size_t row : force.rows)
-    if (!most.value || grip[row] > *most.value) most = grip[row];
-  return {make_measure("mean_grip", "grip", "N", force, mean_over(force, grip)),
-          make_measure("peak_force", "grip", "N", force, most), path_length(motion, signals),
-          make_measure("contact_time", "contact", "s", contact, contact_time(contact, signals))};
+  for (const double force_N : force.values("actual_force_N"))
+    if (!most.value || force_N > *most.value) most = force_N;
+  return {object.mean_grip({Phase::active}), make_measure("peak_force", "grip", "N", force, most),
+          path_length(motion), make_measure("contact_time", "contact", "s", contact, touching_s)};
 }
 
 }  // namespace isograsp

@@ -17,7 +17,7 @@ namespace isograsp {
 namespace {
 
 constexpr std::string_view kTarget = "target_";
-constexpr const char* kTooShort = "fewer than two samples";
+constexpr const char* kPairTooShort = "fewer than two samples";
 
 /// "force_N" is the channel "force" in "N".
 struct Quantity {
@@ -39,8 +39,8 @@ void score_pair(const Record& record, const std::string& quantity_column,
   const std::string actual_column = "actual_" + quantity_column;
   const Quantity quantity = quantity_of(quantity_column);
   const Section both = record.select({}, {target_column, actual_column}, Record::TimeAxis::record);
-  const auto target = both.values(record.signals().column(target_column));
-  const auto actual = both.values(record.signals().column(actual_column));
+  const auto target = both.values(target_column);
+  const auto actual = both.values(actual_column);
   const auto& weight_s = both.weight_s;
   const auto add = [&](const char* name, const std::string& unit, const Computed& computed) {
     measures.push_back(make_measure(name, quantity.channel, unit, both, computed));
@@ -51,7 +51,7 @@ void score_pair(const Record& record, const std::string& quantity_column,
                                            [](double value) { return std::isnan(value); });
   const Section alone =
       target_has_gaps ? record.select({}, {actual_column}, Record::TimeAxis::record) : both;
-  const auto all_actual = alone.values(record.signals().column(actual_column));
+  const auto all_actual = alone.values(actual_column);
   const auto add_alone = [&](const char* name, const std::string& unit, const Computed& computed) {
     measures.push_back(make_measure(name, quantity.channel, unit, alone, computed));
   };
@@ -61,11 +61,11 @@ void score_pair(const Record& record, const std::string& quantity_column,
   add("time_in_range", "%", time_in_range(target, actual, weight_s));
   add_alone("cv", "%", cv(alone.t_s, all_actual));
   if (alone.rows.size() < 2)
-    add_alone("sample_entropy", "", kTooShort);
+    add_alone("sample_entropy", "", kPairTooShort);
   else
     add_alone("sample_entropy", "", sample_entropy(on_uniform_grid(alone.t_s, all_actual).values));
   if (both.rows.size() < 2)
-    add("lag", "s", kTooShort);
+    add("lag", "s", kPairTooShort);
   else
     add("lag", "s", lag(on_uniform_grid(both.t_s, target), on_uniform_grid(both.t_s, actual)));
 }
@@ -74,10 +74,10 @@ void score_motion(const Record& record, std::vector<Measure>& measures) {
   const Signals& signals = record.signals();
   if (!signals.has("actual_x_m") || !signals.has("actual_y_m")) return;
   const Section motion = record.select_position(0, record.rows(), {}, Record::TimeAxis::record);
-  Computed smooth = kTooShort;
-  Computed jerk = kTooShort;
+  Computed smooth = kPairTooShort;
+  Computed jerk = kPairTooShort;
   if (motion.rows.size() >= 2) {
-    const UniformSamples speed = speed_of(position_of(motion, signals));
+    const UniformSamples speed = speed_of(position_of(motion));
     smooth = sparc(speed);
     jerk = ldlj(speed);
   }

@@ -6,10 +6,10 @@
 #include <limits>
 #include <memory>
 
-#include "core/finger.hpp"
 #include "core/result.hpp"
-#include "core/stimulus.hpp"
 #include "grasp_model/plan.hpp"
+#include "hand/finger.hpp"
+#include "hand/stimulus.hpp"
 #include "tasks/references.hpp"
 #include "tasks/task_spec.hpp"
 

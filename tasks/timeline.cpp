@@ -11,7 +11,8 @@ namespace isograsp {
 
 namespace {
 
-Error refused(const TaskSpec& spec, std::string field, std::string what, std::string remedy) {
+Error refused_timeline(const TaskSpec& spec, std::string field, std::string what,
+                       std::string remedy) {
   return {Error::Code::bad_input, std::move(what), std::move(remedy), spec.file, 0,
           std::move(field)};
 }
@@ -29,13 +30,13 @@ Result<void> check_effort(const TaskSpec& spec, const Timeline& timeline,
                           const ForceReferences& references) {
   if (std::holds_alternative<RestSpec>(spec.kind)) return {};
   if (references.allowed == Effort::none)
-    return refused(spec, "kind", "the screening allows this hand no effort",
-                   "leave the task out, or repeat the screening");
+    return refused_timeline(spec, "kind", "the screening allows this hand no effort",
+                            "leave the task out, or repeat the screening");
   if (references.allowed == Effort::maximum) return {};
   const bool squeezes = std::any_of(timeline.segments.begin(), timeline.segments.end(),
                                     [](const Segment& s) { return s.cue == Cue::squeeze; });
   if (squeezes || std::holds_alternative<FatigueSpec>(spec.kind))
-    return refused(
+    return refused_timeline(
         spec, "kind", "the screening allows this hand comfortable force only",
         "use the comfortable-force task, and targets in newtons or of comfortable force");
   return {};
@@ -61,11 +62,11 @@ Result<void> check_resolution(const TaskSpec& spec, const Segment& segment,
   const double band = aim->band_fraction * target_N;
   constexpr double kRounding = 1e-9;
   if (band >= least_band_N * (1.0 - kRounding)) return {};
-  return refused(spec, "band_fraction",
-                 "the target of " + newtons(target_N) + " has a band of +-" + newtons(band) +
-                     ", which the sensors cannot resolve",
-                 "choose a level of at least " + newtons(least_band_N / aim->band_fraction) +
-                     ", or a wider band");
+  return refused_timeline(spec, "band_fraction",
+                          "the target of " + newtons(target_N) + " has a band of +-" +
+                              newtons(band) + ", which the sensors cannot resolve",
+                          "choose a level of at least " +
+                              newtons(least_band_N / aim->band_fraction) + ", or a wider band");
 }
 
 Result<void> check(const TaskSpec& spec, const Timeline& timeline,
@@ -73,10 +74,11 @@ Result<void> check(const TaskSpec& spec, const Timeline& timeline,
   if (auto allowed = check_effort(spec, timeline, references); !allowed) return allowed;
   for (const Segment& segment : timeline.segments) {
     if (references.ceiling_N && largest_N(segment) > *references.ceiling_N)
-      return refused(spec, "",
-                     "the target of " + newtons(largest_N(segment)) + " is above the ceiling of " +
-                         newtons(*references.ceiling_N) + " for this hand",
-                     "choose a lower level");
+      return refused_timeline(spec, "",
+                              "the target of " + newtons(largest_N(segment)) +
+                                  " is above the ceiling of " + newtons(*references.ceiling_N) +
+                                  " for this hand",
+                              "choose a lower level");
     if (auto resolved = check_resolution(spec, segment, references); !resolved) return resolved;
   }
   return {};
@@ -152,8 +154,9 @@ std::int64_t Timeline::frames() const noexcept {
 Result<Timeline> timeline_of(const TaskSpec& spec, const TaskContext& context) {
   if (const auto* tracking = std::get_if<ForceTrackingSpec>(&spec.kind))
     if (tracking->waveform.shape == Waveform::Shape::csv && tracking->waveform.values.empty())
-      return refused(spec, "csv", "the points of " + tracking->waveform.csv + " were not loaded",
-                     "put the file beside the task");
+      return refused_timeline(spec, "csv",
+                              "the points of " + tracking->waveform.csv + " were not loaded",
+                              "put the file beside the task");
   std::optional<Error> problem;
   const Aim* aim = spec.aim();
   const Unit unit = [&](ForceChannel channel) {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/random.hpp"
-#include "core/stimulus.hpp"
+#include "hand/stimulus.hpp"
 #include "virtual_patient/motor.hpp"
 #include "virtual_patient/traits.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <array>
 
-#include "core/finger.hpp"
 #include "core/random.hpp"
+#include "hand/finger.hpp"
 #include "virtual_patient/traits.hpp"
 
 namespace isograsp {

@@ -4,8 +4,8 @@
 // wrench and squeeze enough not to slip. Frames: W world, O object, C contact. SI units.
 #pragma once
 
-#include "core/stimulus.hpp"
 #include "grasp_model/scene.hpp"
+#include "hand/stimulus.hpp"
 #include "virtual_patient/motor.hpp"
 #include "virtual_patient/traits.hpp"
 

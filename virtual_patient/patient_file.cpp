@@ -24,10 +24,10 @@ std::array<double, 3> three(TomlReader& table, std::string_view key, double leas
 
 }  // namespace
 
-Result<PatientFile> parse_patient(std::string_view text, const std::string& file) {
+Result<VirtualPatientFile> parse_patient(std::string_view text, const std::string& file) {
   auto root = TomlReader::parse(text, file, "isograsp-patient-1");
   if (!root) return root.error();
-  PatientFile patient;
+  VirtualPatientFile patient;
   patient.name = root->text("name");
   patient.description = root->text("description");
   std::map<std::string_view, TomlReader> tables;

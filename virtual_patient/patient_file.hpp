@@ -11,7 +11,7 @@
 
 namespace isograsp {
 
-struct PatientFile {
+struct VirtualPatientFile {
   std::string name;         ///< for people to read
   std::string description;  ///< what is wrong with this hand
   PatientTraits traits;
@@ -19,6 +19,7 @@ struct PatientFile {
 
 /// Unknown keys, missing traits and values out of range are errors with their line. `file` is used
 /// in errors only.
-[[nodiscard]] Result<PatientFile> parse_patient(std::string_view text, const std::string& file);
+[[nodiscard]] Result<VirtualPatientFile> parse_patient(std::string_view text,
+                                                       const std::string& file);
 
 }  // namespace isograsp

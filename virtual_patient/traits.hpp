@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/finger.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

@@ -16,27 +16,6 @@ namespace {
 constexpr double kRise_s = 1.0;      ///< "build up over one second"
 constexpr double kHeldOver_s = 0.5;  ///< the force remembered is that of about this long
 
-/// What the screen asks for; the channel counts only where the cue is about one.
-struct Instruction {
-  Cue cue = Cue::hand_out;
-  ForceChannel channel;
-  bool operator==(const Instruction&) const = default;
-};
-
-Instruction instruction(const Stimulus& picture) noexcept {
-  switch (picture.cue) {
-    case Cue::squeeze:
-    case Cue::press:
-    case Cue::follow:
-    case Cue::reproduce: return {picture.cue, picture.channel};
-    case Cue::hand_out:
-    case Cue::relax:
-    case Cue::let_go:
-    case Cue::move: break;
-  }
-  return {picture.cue, {}};
-}
-
 FingerForces nothing() noexcept {
   return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 }
@@ -44,6 +23,13 @@ FingerForces nothing() noexcept {
 }  // namespace
 
 struct VirtualPatient::Mind {
+  /// What the screen asks for; the channel counts only where the cue is about one.
+  struct Instruction {
+    Cue cue = Cue::hand_out;
+    ForceChannel channel;
+    bool operator==(const Instruction&) const = default;
+  };
+
   Mind(const PatientTraits& person, std::uint64_t seed)
       : traits(person),
         random(seed, 100),
@@ -52,6 +38,7 @@ struct VirtualPatient::Mind {
         motor(person, seed),
         following(person, seed) {}
 
+  [[nodiscard]] static Instruction instruction(const Stimulus& picture) noexcept;
   void perceive(const Stimulus& picture, double t_s) noexcept;
   void notice(const Instruction& next, double t_s) noexcept;
   void act(double t_s) noexcept;
@@ -88,6 +75,21 @@ struct VirtualPatient::Mind {
   int missed_cues = 0;
   int pain_stops = 0;
 };
+
+VirtualPatient::Mind::Instruction VirtualPatient::Mind::instruction(
+    const Stimulus& picture) noexcept {
+  switch (picture.cue) {
+    case Cue::squeeze:
+    case Cue::press:
+    case Cue::follow:
+    case Cue::reproduce: return {picture.cue, picture.channel};
+    case Cue::hand_out:
+    case Cue::relax:
+    case Cue::let_go:
+    case Cue::move: break;
+  }
+  return {picture.cue, {}};
+}
 
 void VirtualPatient::Mind::perceive(const Stimulus& picture, double t_s) noexcept {
   if (const Instruction next = instruction(picture); next != seen) notice(next, t_s);

@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include "core/stimulus.hpp"
 #include "grasp_model/scene.hpp"
+#include "hand/stimulus.hpp"
 #include "virtual_patient/traits.hpp"
 
 namespace isograsp {

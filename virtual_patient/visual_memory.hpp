@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/stimulus.hpp"
+#include "hand/stimulus.hpp"
 
 namespace isograsp {
 

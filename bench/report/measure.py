@@ -154,7 +154,7 @@ def machine(source, build, core, peers, counter):
         found = re.search(rf"^\s*{re.escape(name)}:\s*(.*)$", lscpu, re.MULTILINE)
         return found[1] if found else ""
 
-    measured = ["core", "grasp_model", "tasks", "bench", "CMakeLists.txt", "cmake"]
+    measured = ["core", "hand", "grasp_model", "statistics", "tasks", "bench", "CMakeLists.txt", "cmake"]
     git = ["git", "-C", str(source)]
     return {
         "processor": cpu("Model name"), "family_model_stepping":

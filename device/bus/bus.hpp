@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

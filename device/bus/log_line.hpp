@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "core/lines.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
 
@@ -32,48 +32,33 @@ template <class Entry, Result<std::optional<Entry>> (*Parse)(std::string_view)>
 class LogReader {
  public:
   [[nodiscard]] static Result<LogReader> open(const std::string& path) {
-    LogReader reader;
-    reader.path_ = path;
-    reader.in_.open(path, std::ios::binary);
-    if (!reader.in_)
-      return Error{
-          Error::Code::bad_input, "the log cannot be opened", "check its name", path, 0, ""};
-    return reader;
+    constexpr std::size_t kLongestLine = std::size_t{256} << 10;
+    constexpr const char* kLogRemedy = "check that it is a log";
+    auto lines = LineReader::open(path, kLongestLine, kLogRemedy);
+    if (!lines) return lines.error();
+    return LogReader(std::move(*lines));
   }
   /// False at the end. Errors name file and line.
   [[nodiscard]] Result<bool> next(Entry& entry) {
-    while (in_.getline(text_.data(), static_cast<std::streamsize>(text_.size()))) {
-      ++line_;
-      const auto count = static_cast<std::size_t>(in_.gcount());  // with the end, if it has one
-      auto parsed = Parse(std::string_view(text_.data(), in_.eof() ? count : count - 1));
+    for (;;) {
+      auto more = lines_.next();
+      if (!more || !*more) return more;
+      auto parsed = Parse(lines_.text());
       if (!parsed) {
         Error error = parsed.error();
-        error.file = path_;
-        error.line = line_;
+        error.file = lines_.path();
+        error.line = lines_.line();
         return error;
       }
       if (!parsed->has_value()) continue;
       entry = std::move(**parsed);
       return true;
     }
-    if (!in_.bad() && !in_.eof())
-      return Error{Error::Code::bad_input,
-                   "this line is longer than 256 KiB",
-                   "check that it is a log",
-                   path_,
-                   line_ + 1,
-                   ""};
-    if (in_.bad())
-      return Error{
-          Error::Code::failed, "the log cannot be read", "check the disk", path_, line_, ""};
-    return false;
   }
 
  private:
-  std::string path_;
-  std::ifstream in_;
-  std::string text_ = std::string(std::size_t{256} << 10, '\0');
-  int line_ = 0;
+  explicit LogReader(LineReader lines) : lines_(std::move(lines)) {}
+  LineReader lines_;
 };
 
 }  // namespace isograsp

@@ -33,7 +33,7 @@ constexpr std::size_t kPiece = 16;  // bytes: none completes two packets of 19
 constexpr Timestamp kReopen = std::chrono::milliseconds(250);  // adapter unplugged
 
 /// Of one port; outlives the io_context.
-struct Wait {
+struct PortWait {
   WaitMemory memory;
   bool pending = false;
 };
@@ -41,7 +41,7 @@ struct Wait {
 /// The port of one sensor.
 class Port {
  public:
-  Port(asio::io_context& io, Wait& wait) : io_(io), wait_(wait), descriptor_(io) {}
+  Port(asio::io_context& io, PortWait& wait) : io_(io), wait_(wait), descriptor_(io) {}
 
   void set(std::string name, unsigned baud) {
     name_ = std::move(name);
@@ -117,7 +117,7 @@ class Port {
   asio::io_context& io_;
   std::string name_;
   unsigned baud_ = 115200;
-  Wait& wait_;
+  PortWait& wait_;
   Descriptor descriptor_;
 };
 
@@ -207,7 +207,7 @@ class Serial final : public KernelBus {
     }
   }
 
-  std::array<Wait, kFingerCount> waits_;
+  std::array<PortWait, kFingerCount> waits_;
   asio::io_context io_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   std::array<Port, kFingerCount> ports_{Port(io_, waits_[0]), Port(io_, waits_[1]),

@@ -26,7 +26,8 @@ namespace asio = boost::asio;
 
 namespace {
 
-constexpr Timestamp kLook = std::chrono::milliseconds(100);  // interface switched off or unplugged
+constexpr Timestamp kLookAtInterface =
+    std::chrono::milliseconds(100);  // interface switched off or unplugged
 
 class SocketCan final : public KernelBus {
  public:
@@ -53,7 +54,8 @@ class SocketCan final : public KernelBus {
     while (true) {
       if (!works() && clock_->now() >= look_at_) look_again();
       send_waiting(clock_->now());
-      // Before the frames that came after it: those from before the loss were read when it was told.
+      // Before the frames that came after it: those from before the loss were read when it was
+      // told.
       if (untold_ == bit(BusEvent::restarted)) return next_untold(out);
       BusEvent event;
       // The wire cannot bring frames as fast as they are read here, so this ends.
@@ -165,7 +167,7 @@ class SocketCan final : public KernelBus {
   void note_loss(BusEvent event) noexcept {
     off_ = false;
     waiting_.give_up_all();
-    look_at_ = clock_->now() + kLook;
+    look_at_ = clock_->now() + kLookAtInterface;
     untold_ &= ~bit(BusEvent::restarted);
     tell(event);
   }
@@ -175,7 +177,7 @@ class SocketCan final : public KernelBus {
   }
 
   void look_again() noexcept {
-    look_at_ = clock_->now() + kLook;
+    look_at_ = clock_->now() + kLookAtInterface;
     if (!is_switched_on(interface_)) return;
     if (!gone_) return note_up();
     try {

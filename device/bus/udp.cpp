@@ -27,10 +27,10 @@ namespace asio = boost::asio;
 
 namespace {
 
-constexpr int kReceiveBuffer = 1 << 20;  // 1 MiB: a second of datagrams at 1000 Hz
+constexpr int kDatagramBuffer = 1 << 20;  // 1 MiB: a second of datagrams at 1000 Hz
 constexpr Timestamp kReconnect = std::chrono::milliseconds(250);  // the network is gone
 constexpr int kMostErrors = 8;                                    // that wait in one socket
-constexpr std::size_t kLargestLength = 255;                       // that BusFrame can tell
+constexpr std::size_t kLongestFrame = 255;                        // that BusFrame can tell
 
 /// The way to the sensor is gone: a cable, an adapter or an address of this computer.
 bool is_network_failure(int failure) noexcept {
@@ -44,7 +44,7 @@ bool set(int descriptor, int option, const T& value) noexcept {
 }
 
 /// Of one sensor; outlives the io_context.
-struct Wait {
+struct DatagramWait {
   WaitMemory memory;
   bool pending = false;
 };
@@ -54,7 +54,7 @@ class Channel {
  public:
   using Socket = asio::basic_datagram_socket<asio::ip::udp, asio::io_context::executor_type>;
 
-  Channel(asio::io_context& io, Wait& wait) : wait_(wait), socket_(io) {}
+  Channel(asio::io_context& io, DatagramWait& wait) : wait_(wait), socket_(io) {}
 
   /// errno of the step that failed, or 0.
   int open(const Endpoint& peer) noexcept {
@@ -65,8 +65,8 @@ class Channel {
     if (!set(descriptor, SO_TIMESTAMPNS, 1) || !set(descriptor, SO_RXQ_OVFL, 1)) return errno;
     // The larger buffer needs a privilege or a raised net.core.rmem_max; as much as allowed is
     // fine.
-    if (!set(descriptor, SO_RCVBUFFORCE, kReceiveBuffer))
-      (void)set(descriptor, SO_RCVBUF, kReceiveBuffer);
+    if (!set(descriptor, SO_RCVBUFFORCE, kDatagramBuffer))
+      (void)set(descriptor, SO_RCVBUF, kDatagramBuffer);
     if (socket_.non_blocking(true, failure)) return failure.value();
     return connect();
   }
@@ -109,7 +109,7 @@ class Channel {
     }
     out.wall_time = notes.wall_time;
     out.frame.length = static_cast<std::uint8_t>(
-        std::min<std::size_t>(static_cast<std::size_t>(n), kLargestLength));
+        std::min<std::size_t>(static_cast<std::size_t>(n), kLongestFrame));
     return 0;
   }
   void begin_wait() {
@@ -119,7 +119,7 @@ class Channel {
   }
 
  private:
-  Wait& wait_;
+  DatagramWait& wait_;
   Socket socket_;
   asio::ip::udp::endpoint peer_;
   std::uint32_t drops_told_ = 0;
@@ -218,7 +218,7 @@ class Udp final : public KernelBus {
   }
 
   ClockMap clock_map_;
-  std::array<Wait, kFingerCount> waits_;
+  std::array<DatagramWait, kFingerCount> waits_;
   asio::io_context io_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
   std::array<Channel, kFingerCount> channels_{Channel(io_, waits_[0]), Channel(io_, waits_[1]),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A JR3 PCI card as a bus: a question (device/protocol/jr3_comedi_codec.hpp) is answered at once by
+// A JR3 PCI card as a bus: a question (device/codec/jr3_comedi_codec.hpp) is answered at once by
 // reading the card; one that the card does not answer makes no frame.
 #pragma once
 
@@ -10,8 +10,8 @@
 #include <string>
 
 #include "device/bus/bus.hpp"
+#include "device/codec/jr3_comedi_codec.hpp"
 #include "device/comedi/comedi_card.hpp"
-#include "device/protocol/jr3_comedi_codec.hpp"
 
 namespace isograsp {
 

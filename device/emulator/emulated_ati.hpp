@@ -5,8 +5,8 @@
 
 #include <optional>
 
+#include "device/codec/ati_codec.hpp"
 #include "device/emulator/emulated_sensor.hpp"
-#include "device/protocol/ati_codec.hpp"
 
 namespace isograsp {
 

@@ -5,8 +5,8 @@
 
 #include <array>
 
+#include "device/codec/jr3_codec.hpp"
 #include "device/emulator/emulated_sensor.hpp"
-#include "device/protocol/jr3_codec.hpp"
 
 namespace isograsp {
 

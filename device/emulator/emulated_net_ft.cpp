@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "device/codec/net_ft_codec.hpp"
 #include "device/emulator/emulated_sensor.hpp"
-#include "device/protocol/net_ft_codec.hpp"
 
 namespace isograsp {
 

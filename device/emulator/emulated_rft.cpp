@@ -6,9 +6,9 @@
 #include <numbers>
 #include <variant>
 
+#include "device/codec/rft_codec.hpp"
+#include "device/codec/rft_stream.hpp"
 #include "device/emulator/emulated_sensor.hpp"
-#include "device/protocol/rft_codec.hpp"
-#include "device/protocol/rft_stream.hpp"
 
 namespace isograsp {
 

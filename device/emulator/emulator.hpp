@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "core/finger.hpp"
 #include "core/time.hpp"
-#include "device/device_config.hpp"
+#include "device/config/device_config.hpp"
 #include "device/emulator/emulated_sensor.hpp"
 #include "device/emulator/fault.hpp"
 #include "device/emulator/finger_play.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "core/finger.hpp"
 #include "core/result.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

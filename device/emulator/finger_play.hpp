@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/finger.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

@@ -12,7 +12,7 @@
 #include "core/result.hpp"
 #include "device/bus/bus.hpp"
 #include "device/bus/endpoint.hpp"
-#include "device/protocol/net_ft_box_config.hpp"
+#include "device/codec/net_ft_box_config.hpp"
 
 namespace isograsp {
 

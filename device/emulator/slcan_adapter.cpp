@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kSlcanDiscipline = 17;  // N_SLCAN
 constexpr Timestamp kLongestSwitchingOn = std::chrono::seconds(5);
-constexpr Timestamp kLook = std::chrono::milliseconds(10);
+constexpr Timestamp kLookAtPort = std::chrono::milliseconds(10);
 
 Error adapter_error(const std::string& interface, std::string what, std::string remedy) {
   return {Error::Code::failed, std::move(what), std::move(remedy), "", 0, interface};
@@ -72,7 +72,7 @@ Result<std::unique_ptr<SlcanAdapter>> SlcanAdapter::open(const std::string& inte
   const Timestamp give_up_at = adapter->clock_->now() + kLongestSwitchingOn;
   ReceivedFrame ignored;
   while (adapter->switching_on_ >= 0 && adapter->clock_->now() < give_up_at)
-    if (adapter->receive(adapter->clock_->now() + kLook, ignored) == BusEvent::interface_gone)
+    if (adapter->receive(adapter->clock_->now() + kLookAtPort, ignored) == BusEvent::interface_gone)
       return adapter_error(interface, "the interface could not be switched on",
                            "run as root; the program ip must be installed");
   if (!adapter->open_)
@@ -275,7 +275,7 @@ BusEvent SlcanAdapter::receive(Timestamp deadline, ReceivedFrame& out) noexcept 
 
 void SlcanAdapter::wait_until(Timestamp deadline) noexcept {
   const Timestamp now = clock_->now();
-  if (switching_on_ >= 0) deadline = std::min(deadline, now + kLook);
+  if (switching_on_ >= 0) deadline = std::min(deadline, now + kLookAtPort);
   if (!plugged_in() || stalled_) return clock_->wait_until(deadline);
   const Timestamp rest = std::max(deadline - now, Timestamp{0});
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(rest);

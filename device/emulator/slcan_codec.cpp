@@ -8,7 +8,7 @@ namespace isograsp {
 namespace {
 
 constexpr std::string_view kHex = "0123456789ABCDEF";
-constexpr char kEnd = '\r';
+constexpr char kEndOfLine = '\r';
 constexpr char kNotUnderstood = '\a';
 constexpr std::array<unsigned, 9> kBitRates{10'000,  20'000,  50'000,  100'000,  125'000,
                                             250'000, 500'000, 800'000, 1'000'000};
@@ -86,7 +86,7 @@ SlcanText format_slcan(const BusFrame& frame) noexcept {
   add_hex(text, frame.length, 1);
   if (!frame.remote)
     for (const std::uint8_t byte : frame.bytes()) add_hex(text, byte, 2);
-  text.add(kEnd);
+  text.add(kEndOfLine);
   return text;
 }
 
@@ -97,7 +97,7 @@ SlcanText format_slcan_state(SlcanState state, unsigned receive_errors,
   text.add(static_cast<char>(state));
   add_decimal(text, receive_errors);
   add_decimal(text, transmit_errors);
-  text.add(kEnd);
+  text.add(kEndOfLine);
   return text;
 }
 
@@ -105,7 +105,7 @@ SlcanText format_slcan_error(SlcanError error) noexcept {
   SlcanText text;
   text.add("e1");  // one error follows
   text.add(static_cast<char>(error));
-  text.add(kEnd);
+  text.add(kEndOfLine);
   return text;
 }
 
@@ -117,7 +117,7 @@ SlcanText format_slcan_answer(const std::optional<SlcanCommand>& command) noexce
   }
   if (command->kind == SlcanCommand::Kind::frame) text.add(command->frame.extended ? 'Z' : 'z');
   if (command->kind == SlcanCommand::Kind::read_flags) text.add("F00");
-  text.add(kEnd);
+  text.add(kEndOfLine);
   return text;
 }
 

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/finger.hpp"
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
-#include "device/protocol/ati_codec.hpp"
+#include "device/codec/ati_codec.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

@@ -8,20 +8,22 @@ namespace isograsp {
 
 namespace {
 
-constexpr Timestamp kAnswerTime = std::chrono::milliseconds(100);  // while it is set up
+constexpr Timestamp kAtiAnswerTime = std::chrono::milliseconds(100);  // while it is set up
 constexpr Timestamp kSampleTime = std::chrono::milliseconds(5);
 
-// The set-up in its order.
-enum Step : int {
-  calibration,
-  serial_number,
-  firmware,
-  first_row,
-  last_row = first_row + 5,
-  counts,
-  units,
-  first_reading,
-  all
+// The set-up in its order: numbers, with names of their own.
+struct AtiStep {
+  enum : int {
+    calibration,
+    serial_number,
+    firmware,
+    first_row,
+    last_row = first_row + 5,
+    counts,
+    units,
+    first_reading,
+    all
+  };
 };
 
 std::string name_of(std::uint8_t base) {
@@ -51,27 +53,27 @@ BusFrame AtiSession::select() const noexcept {
 }
 
 int AtiSession::steps() const noexcept {
-  return Step::all;
+  return AtiStep::all;
 }
 
 std::optional<SensorSession::Question> AtiSession::question(int step) const noexcept {
   const auto ask = [&](AtiOpcode opcode) {
-    return Question{ati_request(base_, opcode), kAnswerTime};
+    return Question{ati_request(base_, opcode), kAtiAnswerTime};
   };
   switch (step) {
-    case Step::calibration: return Question{select(), kAnswerTime};
-    case Step::serial_number: return ask(AtiOpcode::serial_number);
-    case Step::firmware: return ask(AtiOpcode::firmware);
-    case Step::counts:
+    case AtiStep::calibration: return Question{select(), kAtiAnswerTime};
+    case AtiStep::serial_number: return ask(AtiOpcode::serial_number);
+    case AtiStep::firmware: return ask(AtiOpcode::firmware);
+    case AtiStep::counts:
       if (!firmware_.tells_counts()) return std::nullopt;
       return ask(AtiOpcode::counts);
-    case Step::units:
+    case AtiStep::units:
       if (!firmware_.tells_counts()) return std::nullopt;
       return ask(AtiOpcode::units);
-    case Step::first_reading: return ask(AtiOpcode::gages);
+    case AtiStep::first_reading: return ask(AtiOpcode::gages);
     default: {
-      const auto row = static_cast<std::uint8_t>(step - Step::first_row);
-      return Question{ati_request(base_, AtiOpcode::matrix_row, {row}), kAnswerTime};
+      const auto row = static_cast<std::uint8_t>(step - AtiStep::first_row);
+      return Question{ati_request(base_, AtiOpcode::matrix_row, {row}), kAtiAnswerTime};
     }
   }
 }
@@ -96,7 +98,7 @@ SensorSession::Heard AtiSession::hear(int step, const BusFrame& frame, Timestamp
 }
 
 SensorSession::Heard AtiSession::hear_slot(int step, std::uint8_t slot) noexcept {
-  if (step == Step::calibration) {
+  if (step == AtiStep::calibration) {
     if (slot == slot_) return Heard::answer;
     objection_ = Objection::slot;
     other_slot_ = slot;
@@ -114,31 +116,31 @@ SensorSession::Heard AtiSession::hear_answer(int step, const BusFrame& frame, Ti
     case AtiOpcode::odd_gages: {
       const auto paired = pairing_.push(frame, stamp);
       if (!paired) return Heard::nothing;
-      if (step == Step::first_reading) return hear_first_reading(paired->reading);
+      if (step == AtiStep::first_reading) return hear_first_reading(paired->reading);
       return hear_reading(paired->reading, stamp, out);
     }
     case AtiOpcode::matrix_row:
     case AtiOpcode::row_middle:
     case AtiOpcode::row_end: {
-      if (step < Step::first_row || step > Step::last_row) return Heard::nothing;
+      if (step < AtiStep::first_row || step > AtiStep::last_row) return Heard::nothing;
       const auto row = assembly_.push(frame);
       if (!row) return Heard::nothing;
       for (std::size_t i = 0; i < row->size(); ++i)
-        calibration_.matrix(step - Step::first_row, static_cast<Eigen::Index>(i)) = (*row)[i];
+        calibration_.matrix(step - AtiStep::first_row, static_cast<Eigen::Index>(i)) = (*row)[i];
       return Heard::answer;
     }
     case AtiOpcode::serial_number:
-      return step == Step::serial_number ? hear_serial(ati_serial_of(frame)) : Heard::nothing;
+      return step == AtiStep::serial_number ? hear_serial(ati_serial_of(frame)) : Heard::nothing;
     case AtiOpcode::firmware:
-      if (step != Step::firmware) return Heard::nothing;
+      if (step != AtiStep::firmware) return Heard::nothing;
       firmware_ = ati_firmware_of(frame);
       return Heard::answer;
     case AtiOpcode::counts:
-      if (step != Step::counts) return Heard::nothing;
+      if (step != AtiStep::counts) return Heard::nothing;
       calibration_.counts = ati_counts_of(frame);
       return Heard::answer;
     case AtiOpcode::units:
-      if (step != Step::units) return Heard::nothing;
+      if (step != AtiStep::units) return Heard::nothing;
       calibration_.units = ati_units_of(frame);
       return Heard::answer;
     default: return Heard::nothing;

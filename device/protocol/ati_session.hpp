@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "device/device_config.hpp"
-#include "device/protocol/ati_codec.hpp"
+#include "device/codec/ati_codec.hpp"
+#include "device/config/device_config.hpp"
 #include "device/protocol/sensor_session.hpp"
 
 namespace isograsp {

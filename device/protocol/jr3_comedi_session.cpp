@@ -9,7 +9,7 @@ namespace isograsp {
 
 namespace {
 
-constexpr Timestamp kAnswerTime = std::chrono::milliseconds(100);
+constexpr Timestamp kCardAnswerTime = std::chrono::milliseconds(100);
 
 unsigned subdevice_of(const DeviceConfig& config, std::size_t finger) {
   return std::get<Jr3ComediSensor>(config.sensors[finger].way).subdevice;
@@ -44,7 +44,7 @@ BusFrame Jr3ComediSession::ask(Jr3ComediQuestion::Kind kind) const noexcept {
 }
 
 std::optional<SensorSession::Question> Jr3ComediSession::question(int) const noexcept {
-  return Question{ask(Jr3ComediQuestion::Kind::identity), kAnswerTime};
+  return Question{ask(Jr3ComediQuestion::Kind::identity), kCardAnswerTime};
 }
 
 SensorSession::Heard Jr3ComediSession::hear(int step, const BusFrame& frame, Timestamp,

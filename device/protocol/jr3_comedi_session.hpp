@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "device/device_config.hpp"
-#include "device/protocol/jr3_comedi_codec.hpp"
+#include "device/codec/jr3_comedi_codec.hpp"
+#include "device/config/device_config.hpp"
 #include "device/protocol/sensor_session.hpp"
 
 namespace isograsp {

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/finger.hpp"
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
-#include "device/protocol/jr3_codec.hpp"
+#include "device/codec/jr3_codec.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

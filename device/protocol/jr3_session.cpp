@@ -8,13 +8,16 @@ namespace isograsp {
 
 namespace {
 
-constexpr Timestamp kAnswerTime = std::chrono::milliseconds(100);
-constexpr Timestamp kStopTime = std::chrono::milliseconds(20);  // what was under way is discarded
+constexpr Timestamp kJr3AnswerTime = std::chrono::milliseconds(100);
+constexpr Timestamp kJr3StopTime =
+    std::chrono::milliseconds(20);  // what was under way is discarded
 constexpr Timestamp kSettleTime = std::chrono::milliseconds(100);
 constexpr int kPatience = 3;  // answers "not initialised" until that is a failure
 
-// The set-up in its order.
-enum Step : int { stop, state, force_scales, moment_scales, start_sync, settle, all };
+// The set-up in its order: numbers, with names of their own.
+struct Jr3Step {
+  enum : int { stop, state, force_scales, moment_scales, start_sync, settle, all };
+};
 
 std::uint8_t node_of(const DeviceConfig& config, std::size_t finger) {
   return std::get<Jr3Sensor>(config.sensors[finger].way).node;
@@ -47,20 +50,20 @@ double Jr3Session::sensor_delay_s() const noexcept {
 }
 
 int Jr3Session::steps() const noexcept {
-  return Step::all;
+  return Jr3Step::all;
 }
 
 std::optional<SensorSession::Question> Jr3Session::question(int step) const noexcept {
   const auto ask = [&](Jr3Opcode opcode) {
-    return Question{jr3_request(node_, opcode), kAnswerTime};
+    return Question{jr3_request(node_, opcode), kJr3AnswerTime};
   };
   switch (step) {
     // Acknowledgements look alike: the one of a stop is not waited for, so that none is left over.
-    case Step::stop: return Question{stop_frame(), kStopTime, false};
-    case Step::state: return ask(Jr3Opcode::state);
-    case Step::force_scales: return ask(Jr3Opcode::force_scales);
-    case Step::moment_scales: return ask(Jr3Opcode::moment_scales);
-    case Step::start_sync: return Question{jr3_start_sync(node_, cutoff_cHz_), kAnswerTime};
+    case Jr3Step::stop: return Question{stop_frame(), kJr3StopTime, false};
+    case Jr3Step::state: return ask(Jr3Opcode::state);
+    case Jr3Step::force_scales: return ask(Jr3Opcode::force_scales);
+    case Jr3Step::moment_scales: return ask(Jr3Opcode::moment_scales);
+    case Jr3Step::start_sync: return Question{jr3_start_sync(node_, cutoff_cHz_), kJr3AnswerTime};
     default: return Question{std::nullopt, kSettleTime, false};
   }
 }
@@ -85,8 +88,8 @@ SensorSession::Heard Jr3Session::hear(int step, const BusFrame& frame, Timestamp
 
 SensorSession::Heard Jr3Session::hear_acknowledge(int step,
                                                   const Jr3Acknowledge& content) noexcept {
-  const bool asked_scales = step == Step::force_scales || step == Step::moment_scales;
-  const bool asked = asked_scales || step == Step::state || step == Step::start_sync;
+  const bool asked_scales = step == Jr3Step::force_scales || step == Jr3Step::moment_scales;
+  const bool asked = asked_scales || step == Jr3Step::state || step == Jr3Step::start_sync;
   if (!asked || content.scales.has_value() != asked_scales) return Heard::nothing;
   if (!content.ready) {
     if (++not_ready_ < kPatience) return Heard::nothing;  // asked again after the waiting time
@@ -95,8 +98,8 @@ SensorSession::Heard Jr3Session::hear_acknowledge(int step,
     return Heard::refusal;
   }
   not_ready_ = 0;
-  if (step == Step::force_scales) calibration_.force_N = *content.scales;
-  if (step == Step::moment_scales) {
+  if (step == Jr3Step::force_scales) calibration_.force_N = *content.scales;
+  if (step == Jr3Step::moment_scales) {
     calibration_.moment_dNm = *content.scales;
     if (!calibration_.usable()) {
       objection_ = Objection::scales;

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "device/codec/rft_codec.hpp"
 #include "device/protocol/ati_decoder.hpp"
 #include "device/protocol/jr3_decoder.hpp"
-#include "device/protocol/rft_codec.hpp"
 
 namespace isograsp {
 

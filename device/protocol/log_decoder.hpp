@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "core/finger.hpp"
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
-#include "device/device_config.hpp"
+#include "device/config/device_config.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 

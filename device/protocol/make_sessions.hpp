@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
-#include "device/device_config.hpp"
-#include "device/protocol/net_ft_box_config.hpp"
+#include "device/codec/net_ft_box_config.hpp"
+#include "device/config/device_config.hpp"
 #include "device/protocol/sensor_session.hpp"
 
 namespace isograsp {

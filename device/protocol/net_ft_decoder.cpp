@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "device/protocol/net_ft_box_config.hpp"
+#include "device/codec/net_ft_box_config.hpp"
 
 namespace isograsp {
 
@@ -16,7 +16,9 @@ void NetFtDecoder::push(std::span<const std::uint8_t> datagram, Timestamp stamp,
   }
   for (; !datagram.empty(); datagram = datagram.subspan(kNetFtRecord)) {
     const auto record = decode_net_ft_record(datagram.first(kNetFtRecord));
-    if (sequence_.push(*record, stamp) == NetFtSequence::Place::duplicate) continue;
+    using Place = NetFtSequence::Place;
+    const Place place = sequence_.push(*record, stamp);
+    if (place == Place::duplicate || place == Place::impossible) continue;
     samples.push_back(
         {stamp, *record, wrench_of(record->raw, scale_), judge(*record, product_).valid()});
   }

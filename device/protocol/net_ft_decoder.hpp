@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "core/finger.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "device/bus/endpoint.hpp"
-#include "device/device_config.hpp"
-#include "device/protocol/net_ft_codec.hpp"
-#include "device/protocol/net_ft_sequence.hpp"
+#include "device/codec/net_ft_codec.hpp"
+#include "device/codec/net_ft_sequence.hpp"
+#include "device/config/device_config.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp {
 
@@ -27,8 +27,8 @@ struct NetFtSample {
   bool valid = false;  ///< no critical status and nothing saturated
 };
 
-/// A record that comes late is a sample all the same, at its place in the log; one that came before
-/// is none.
+/// A record that comes late is a sample all the same, at its place in the log; one that came
+/// before, or that no box can have sent yet, is none.
 class NetFtDecoder {
  public:
   explicit NetFtDecoder(const NetFtScale& scale = {},
@@ -41,8 +41,8 @@ class NetFtDecoder {
 
   [[nodiscard]] NetFtProduct product() const noexcept { return product_; }
   [[nodiscard]] const NetFtSequence& sequence() const noexcept { return sequence_; }
-  /// Datagrams that hold neither whole records nor a request.
-  [[nodiscard]] std::uint64_t foreign() const noexcept { return foreign_; }
+  /// Datagrams that hold neither whole records nor a request, and impossible records.
+  [[nodiscard]] std::uint64_t foreign() const noexcept { return foreign_ + sequence_.impossible(); }
   [[nodiscard]] std::uint64_t requests() const noexcept { return requests_; }
 
  private:

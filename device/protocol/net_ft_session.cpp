@@ -10,9 +10,10 @@ namespace isograsp {
 
 namespace {
 
-constexpr Timestamp kStopTime = std::chrono::milliseconds(20);  // what was under way is discarded
-constexpr Timestamp kAnswerTime = std::chrono::milliseconds(100);
-enum Step : int { kStop, kProbe, kSteps };
+constexpr Timestamp kNetFtStopTime =
+    std::chrono::milliseconds(20);  // what was under way is discarded
+constexpr Timestamp kNetFtAnswerTime = std::chrono::milliseconds(100);
+enum NetFtStep : int { kStop, kProbe, kSteps };
 
 }  // namespace
 
@@ -20,7 +21,8 @@ NetFtSession::NetFtSession(const DeviceConfig& config, std::size_t finger, NetFt
     : SensorSession({config.sensors[finger].serial_number,
                      std::get<NetFtSensor>(config.sensors[finger].way).host, 1.0 / config.rate_Hz}),
       finger_(static_cast<std::uint32_t>(finger)),
-      box_(std::move(box)) {
+      box_(std::move(box)),
+      sequence_(config.rate_Hz) {
   // Whether it is the right one was seen when the box was asked: its records do not tell.
   (void)hear_serial(box_.serial_number);
 }
@@ -43,8 +45,8 @@ int NetFtSession::steps() const noexcept {
 }
 
 std::optional<SensorSession::Question> NetFtSession::question(int step) const noexcept {
-  if (step == kStop) return Question{stop_frame(), kStopTime, false};
-  return Question{encode_net_ft_request(finger_, {NetFtCommand::start, 1}), kAnswerTime};
+  if (step == kStop) return Question{stop_frame(), kNetFtStopTime, false};
+  return Question{encode_net_ft_request(finger_, {NetFtCommand::start, 1}), kNetFtAnswerTime};
 }
 
 std::optional<BusFrame> NetFtSession::start(Timestamp now) noexcept {
@@ -92,6 +94,7 @@ SessionCounters NetFtSession::protocol_counters() const noexcept {
   counted.lost = sequence_.lost();
   counted.duplicate = sequence_.duplicate();
   counted.late = sequence_.late();
+  counted.foreign = sequence_.impossible();
   return counted;
 }
 

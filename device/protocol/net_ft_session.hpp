@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "device/device_config.hpp"
-#include "device/protocol/net_ft_box_config.hpp"
-#include "device/protocol/net_ft_codec.hpp"
-#include "device/protocol/net_ft_sequence.hpp"
+#include "device/codec/net_ft_box_config.hpp"
+#include "device/codec/net_ft_codec.hpp"
+#include "device/codec/net_ft_sequence.hpp"
+#include "device/config/device_config.hpp"
 #include "device/protocol/sensor_session.hpp"
 
 namespace isograsp {

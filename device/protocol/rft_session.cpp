@@ -8,20 +8,14 @@ namespace isograsp {
 
 namespace {
 
-constexpr Timestamp kAnswerTime = std::chrono::milliseconds(100);
-constexpr Timestamp kStopTime = std::chrono::milliseconds(20);    // what was under way is discarded
+constexpr Timestamp kRftAnswerTime = std::chrono::milliseconds(100);
+constexpr Timestamp kRftStopTime =
+    std::chrono::milliseconds(20);                                // what was under way is discarded
 constexpr Timestamp kCommandTime = std::chrono::milliseconds(1);  // after one without an answer
 
-// The set-up in its order.
-enum Step : int {
-  stop,
-  serial_number,
-  read_filter,
-  set_filter,
-  read_rate,
-  set_rate,
-  clear_bias,
-  all
+// The set-up in its order: numbers, with names of their own.
+struct RftStep {
+  enum : int { stop, serial_number, read_filter, set_filter, read_rate, set_rate, clear_bias, all };
 };
 
 std::string name_of(const RftWay& way, const std::string& address) {
@@ -79,22 +73,23 @@ std::optional<BusFrame> RftSession::stop_frame() const noexcept {
 }
 
 int RftSession::steps() const noexcept {
-  return Step::all;
+  return RftStep::all;
 }
 
 std::optional<SensorSession::Question> RftSession::question(int step) const noexcept {
   const std::uint8_t filter_type = filter_code_ == 0 ? 0 : 1;
   switch (step) {
-    case Step::stop: return Question{command(RftCommand::stop), kStopTime, false};
-    case Step::serial_number: return Question{command(RftCommand::serial_number), kAnswerTime};
-    case Step::read_filter: return Question{command(RftCommand::read_filter), kAnswerTime};
-    case Step::set_filter:
+    case RftStep::stop: return Question{command(RftCommand::stop), kRftStopTime, false};
+    case RftStep::serial_number:
+      return Question{command(RftCommand::serial_number), kRftAnswerTime};
+    case RftStep::read_filter: return Question{command(RftCommand::read_filter), kRftAnswerTime};
+    case RftStep::set_filter:
       if (filter_is_right_) return std::nullopt;
-      return Question{command(RftCommand::set_filter, {filter_type, filter_code_}), kAnswerTime};
-    case Step::read_rate: return Question{command(RftCommand::read_rate), kAnswerTime};
-    case Step::set_rate:
+      return Question{command(RftCommand::set_filter, {filter_type, filter_code_}), kRftAnswerTime};
+    case RftStep::read_rate: return Question{command(RftCommand::read_rate), kRftAnswerTime};
+    case RftStep::set_rate:
       if (rate_is_right_) return std::nullopt;
-      return Question{command(RftCommand::set_rate, {rate_code_}), kAnswerTime};
+      return Question{command(RftCommand::set_rate, {rate_code_}), kRftAnswerTime};
     // A sensor forgets its bias when its power dips; the zero is therefore kept on this side.
     default: return Question{command(RftCommand::set_bias, {0}), kCommandTime, false};
   }
@@ -132,24 +127,24 @@ SensorSession::Heard RftSession::hear_packet(int step, const RftPacket& packet, 
     return packet.command == static_cast<std::uint8_t>(asked);
   };
   switch (step) {
-    case Step::serial_number: {
+    case RftStep::serial_number: {
       if (!answers(RftCommand::serial_number)) return Heard::nothing;
       std::array<char, 15> text{};
       for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(r[i]);
       return hear_serial({text.data(), text.size()});
     }
-    case Step::read_filter:
+    case RftStep::read_filter:
       if (!answers(RftCommand::read_filter)) return Heard::nothing;
       filter_is_right_ =
           filter_code_ == 0 ? r[0] == 0 || r[1] == 0 : r[0] == 1 && r[1] == filter_code_;
       return Heard::answer;
-    case Step::read_rate:
+    case RftStep::read_rate:
       if (!answers(RftCommand::read_rate)) return Heard::nothing;
       rate_is_right_ = rft_rate_Hz(r[0]) == rft_rate_Hz(rate_code_);
       return Heard::answer;
-    case Step::set_filter:
-    case Step::set_rate:
-      if (!answers(step == Step::set_filter ? RftCommand::set_filter : RftCommand::set_rate))
+    case RftStep::set_filter:
+    case RftStep::set_rate:
+      if (!answers(step == RftStep::set_filter ? RftCommand::set_filter : RftCommand::set_rate))
         return Heard::nothing;
       if (r[0] == 1) return Heard::answer;
       refusal_ = r[1];

@@ -6,8 +6,8 @@
 #include <optional>
 #include <variant>
 
-#include "device/protocol/rft_codec.hpp"
-#include "device/protocol/rft_stream.hpp"
+#include "device/codec/rft_codec.hpp"
+#include "device/codec/rft_stream.hpp"
 #include "device/protocol/sensor_session.hpp"
 
 namespace isograsp {

@@ -185,9 +185,7 @@ Error SensorSession::error(std::string_view finger, const std::string& place) co
       error.what = sensor + " refused a setting (" + refusal() + ")";
       error.remedy = "check rate and filter_Hz against the sensor's model";
       break;
-    default:
-      error.what = sensor + " does not answer";
-      error.remedy = no_answer_remedy();
+    default: error.what = sensor + " does not answer"; error.remedy = no_answer_remedy();
   }
   return error;
 }

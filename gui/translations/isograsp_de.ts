@@ -289,6 +289,42 @@
         <source>The straps have been on for 20 minutes: look at the skin, then confirm that the hand is in and strapped.</source>
         <translation>Die Gurte sitzen seit 20 Minuten: Sehen Sie die Haut an und bestätigen Sie dann, dass die Hand angegurtet ist.</translation>
     </message>
+    <message>
+        <source>%1 Strap the hand in and say so; after a minute the resting force begins.</source>
+        <translation>%1 Gurten Sie die Hand an und bestätigen Sie es; nach einer Minute beginnt die Ruhekraft.</translation>
+    </message>
+    <message>
+        <source>Hand strapped. It settles: %1 s, then the resting force begins.</source>
+        <translation>Hand angegurtet. Sie kommt zur Ruhe: noch %1 s, dann beginnt die Ruhekraft.</translation>
+    </message>
+    <message>
+        <source>Only to look: another program has this file open. Sessions begin there.</source>
+        <translation>Nur zum Ansehen: Ein anderes Programm hat diese Datei geöffnet. Sitzungen beginnen dort.</translation>
+    </message>
+    <message>
+        <source>Next: %1, which cannot be made. Skip it.</source>
+        <translation>Als Nächstes: %1, das nicht möglich ist. Lassen Sie es aus.</translation>
+    </message>
+    <message>
+        <source>Zero is set. Strap the hand in again and say so.</source>
+        <translation>Der Nullabgleich ist erfolgt. Gurten Sie die Hand wieder an und bestätigen Sie es.</translation>
+    </message>
+    <message>
+        <source>The resting force is not known: choose it first, or go on without it.</source>
+        <translation>Die Ruhekraft ist nicht bekannt: Wählen Sie sie zuerst, oder arbeiten Sie ohne sie weiter.</translation>
+    </message>
+    <message>
+        <source>The device sends no more forces. Disconnect to end the session.</source>
+        <translation>Das Gerät sendet keine Kräfte mehr. Trennen Sie es, um die Sitzung zu beenden.</translation>
+    </message>
+    <message>
+        <source>One moment …</source>
+        <translation>Einen Moment …</translation>
+    </message>
+    <message>
+        <source>Say first that the hand is in and strapped.</source>
+        <translation>Bestätigen Sie zuerst, dass die Hand angegurtet ist.</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPreview</name>
@@ -1620,6 +1656,21 @@
     </message>
 </context>
 <context>
+    <name>Rescue</name>
+    <message>
+        <source>The database was taken away while these sessions were recorded. They are kept:</source>
+        <translation>Die Datenbank verschwand, während diese Sitzungen aufgezeichnet wurden. Sie sind aufbewahrt:</translation>
+    </message>
+    <message>
+        <source>Take them in with this command:</source>
+        <translation>Mit diesem Befehl werden sie aufgenommen:</translation>
+    </message>
+    <message>
+        <source>Take them into the database now?</source>
+        <translation>Jetzt in die Datenbank aufnehmen?</translation>
+    </message>
+</context>
+<context>
     <name>Screening</name>
     <message>
         <source>No clearance for maximal effort</source>
@@ -1728,6 +1779,38 @@
 <context>
     <name>Texts</name>
     <message>
+        <source>this folder does not exist</source>
+        <translation>diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>choose another folder, or make it first</source>
+        <translation>einen anderen Ordner wählen oder ihn zuerst anlegen</translation>
+    </message>
+    <message>
+        <source>this is no folder</source>
+        <translation>das ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>nothing may be written into this folder</source>
+        <translation>in diesen Ordner darf nichts geschrieben werden</translation>
+    </message>
+    <message>
+        <source>choose another folder, or ask for the permission</source>
+        <translation>einen anderen Ordner wählen oder um die Berechtigung bitten</translation>
+    </message>
+    <message>
+        <source>check its number and that of its session</source>
+        <translation>seine Nummer und die seiner Sitzung prüfen</translation>
+    </message>
+    <message>
+        <source>correcting a rating</source>
+        <translation>Berichtigen einer Einschätzung</translation>
+    </message>
+    <message>
+        <source>rating %1 does not exist</source>
+        <translation>Einschätzung %1 gibt es nicht</translation>
+    </message>
+    <message>
         <source> at %1 %</source>
         <translation> bei %1 %</translation>
     </message>
@@ -1746,6 +1829,14 @@
     <message>
         <source> target %1</source>
         <translation> Ziel %1</translation>
+    </message>
+    <message>
+        <source>%1 KiB</source>
+        <translation>%1 KiB</translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 MiB</translation>
     </message>
     <message>
         <source>, all digits</source>
@@ -3376,6 +3467,10 @@
         <translation>Wenn das Ziel springt, folgen Sie ihm sofort und bleiben Sie darauf.</translation>
     </message>
     <message>
+        <source>a group of signals has no columns</source>
+        <translation>eine Gruppe von Signalen hat keine Spalten</translation>
+    </message>
+    <message>
         <source>a signal does not vary</source>
         <translation>ein Signal ändert sich nicht</translation>
     </message>
@@ -3390,6 +3485,14 @@
     <message>
         <source>checking trial %1</source>
         <translation>Versuch %1 wird geprüft</translation>
+    </message>
+    <message>
+        <source>do not use it: take a backup that you trust</source>
+        <translation>verwenden Sie sie nicht: nehmen Sie eine Sicherung, der Sie vertrauen</translation>
+    </message>
+    <message>
+        <source>end it and go on with another one</source>
+        <translation>beenden Sie ihn und machen Sie mit einem anderen weiter</translation>
     </message>
     <message>
         <source>fewer than %1 trials</source>
@@ -3420,12 +3523,36 @@
         <translation>Kräfte, Kontakte oder Ausnutzung der Finger fehlen</translation>
     </message>
     <message>
+        <source>give at most %1</source>
+        <translation>geben Sie höchstens %1 an</translation>
+    </message>
+    <message>
         <source>grip or load does not vary</source>
         <translation>Griff oder Last ändert sich nicht</translation>
     </message>
     <message>
         <source>higher is better</source>
         <translation>höher ist besser</translation>
+    </message>
+    <message>
+        <source>holds views or computed columns, which isograsp never makes</source>
+        <translation>enthält Sichten oder berechnete Spalten, die isograsp nie anlegt</translation>
+    </message>
+    <message>
+        <source>is being written by another program now</source>
+        <translation>wird gerade von einem anderen Programm geschrieben</translation>
+    </message>
+    <message>
+        <source>is not a file but a pipe, a socket or a device</source>
+        <translation>ist keine Datei, sondern eine Pipe, ein Socket oder ein Gerät</translation>
+    </message>
+    <message>
+        <source>is written, but its folder cannot be synchronised</source>
+        <translation>ist geschrieben, aber der Ordner lässt sich nicht mit dem Datenträger abgleichen</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 samples of %2 columns, more than any trial</source>
+        <translation>er gibt %1 Werte in %2 Spalten an, mehr als jeder Versuch hat</translation>
     </message>
     <message>
         <source>k of n</source>
@@ -3442,6 +3569,10 @@
     <message>
         <source>let go before the cue</source>
         <translation>vor dem Signal losgelassen</translation>
+    </message>
+    <message>
+        <source>longer than any trial</source>
+        <translation>länger als jeder Versuch</translation>
     </message>
     <message>
         <source>longer than the limit</source>
@@ -3500,20 +3631,8 @@
         <translation>keine Messwerte nach dem Signal</translation>
     </message>
     <message>
-        <source>no target was brought to and held</source>
-        <translation>kein Ziel wurde erreicht und gehalten</translation>
-    </message>
-    <message>
-        <source>no target was held</source>
-        <translation>kein Ziel wurde gehalten</translation>
-    </message>
-    <message>
         <source>no templates match</source>
         <translation>keine Muster stimmen überein</translation>
-    </message>
-    <message>
-        <source>no transport reached its target</source>
-        <translation>kein Transport erreichte sein Ziel</translation>
     </message>
     <message>
         <source>no uninterrupted window of valid samples is long enough</source>
@@ -3546,10 +3665,6 @@
     <message>
         <source>nothing moved</source>
         <translation>nichts bewegte sich</translation>
-    </message>
-    <message>
-        <source>nothing was held above rest</source>
-        <translation>nichts wurde über Ruhe gehalten</translation>
     </message>
     <message>
         <source>nothing was placed</source>
@@ -3684,6 +3799,10 @@
         <translation>die Hand wurde vor weniger als einer Minute angegurtet und kommt noch zur Ruhe</translation>
     </message>
     <message>
+        <source>the header names %1 columns</source>
+        <translation>die Kopfzeile nennt %1 Spalten</translation>
+    </message>
+    <message>
         <source>the last attempts ended before the limit</source>
         <translation>die letzten Versuche endeten vor dem Limit</translation>
     </message>
@@ -3804,6 +3923,10 @@
         <translation>der Versuch endete vor diesem Ziel</translation>
     </message>
     <message>
+        <source>the trial holds more values than can be read again</source>
+        <translation>der Versuch enthält mehr Werte, als wieder gelesen werden können</translation>
+    </message>
+    <message>
         <source>the two digits did not touch together</source>
         <translation>die beiden Finger berührten nicht gleichzeitig</translation>
     </message>
@@ -3842,6 +3965,10 @@
     <message>
         <source>there was no repetition</source>
         <translation>es gab keine Wiederholung</translation>
+    </message>
+    <message>
+        <source>this line is longer than %1</source>
+        <translation>diese Zeile ist länger als %1</translation>
     </message>
     <message>
         <source>thumb and fingers did not hold the object together</source>
@@ -4042,6 +4169,10 @@
     <message>
         <source>not larger than measurement error</source>
         <translation>nicht größer als der Messfehler</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or give another name</source>
+        <translation>warten Sie, bis es fertig ist, oder geben Sie einen anderen Namen an</translation>
     </message>
     <message>
         <source>worsened (confirmed)</source>
@@ -4824,10 +4955,6 @@
         <translation>das Kabel prüfen; nach dem Einstecken braucht die Karte zehn Sekunden</translation>
     </message>
     <message>
-        <source>check its name</source>
-        <translation>den Namen prüfen</translation>
-    </message>
-    <message>
         <source>check its permissions</source>
         <translation>die Zugriffsrechte prüfen</translation>
     </message>
@@ -4906,10 +5033,6 @@
     <message>
         <source>check the disk and the permissions of its folder</source>
         <translation>Datenträger und Zugriffsrechte des Ordners prüfen</translation>
-    </message>
-    <message>
-        <source>check the name and the permissions</source>
-        <translation>Namen und Zugriffsrechte prüfen</translation>
     </message>
     <message>
         <source>check the path</source>
@@ -6084,10 +6207,6 @@
         <translation>eine neue Datei nennen</translation>
     </message>
     <message>
-        <source>name a plain file</source>
-        <translation>eine gewöhnliche Datei nennen</translation>
-    </message>
-    <message>
         <source>name at least one digit</source>
         <translation>mindestens einen Finger nennen</translation>
     </message>
@@ -7020,14 +7139,6 @@
         <translation>die Zeile hat mehr Felder als die Kopfzeile</translation>
     </message>
     <message>
-        <source>the log cannot be opened</source>
-        <translation>der Mitschnitt kann nicht geöffnet werden</translation>
-    </message>
-    <message>
-        <source>the log cannot be read</source>
-        <translation>der Mitschnitt kann nicht gelesen werden</translation>
-    </message>
-    <message>
         <source>the middle finger&apos;s sensor (%1)</source>
         <translation>der Sensor des Mittelfingers (%1)</translation>
     </message>
@@ -7254,14 +7365,6 @@
     <message>
         <source>this library has none</source>
         <translation>diese Vorlagen haben keine</translation>
-    </message>
-    <message>
-        <source>this line is longer than 1 MiB</source>
-        <translation>diese Zeile ist länger als 1 MiB</translation>
-    </message>
-    <message>
-        <source>this line is longer than 256 KiB</source>
-        <translation>diese Zeile ist länger als 256 KiB</translation>
     </message>
     <message>
         <source>this program was built without libcomedi</source>
@@ -7624,6 +7727,10 @@
         <translation>in doppelte Anführungszeichen setzen</translation>
     </message>
     <message>
+        <source>write it to a file first and name that</source>
+        <translation>schreiben Sie es erst in eine Datei und nennen Sie diese</translation>
+    </message>
+    <message>
         <source>write its points into [axis.csv_data], or choose another shape</source>
         <translation>die Punkte in [axis.csv_data] schreiben oder eine andere Form wählen</translation>
     </message>
@@ -7854,6 +7961,166 @@
     <message>
         <source>what was removed may still stand in the file and its log: another program reads them</source>
         <translation>Entferntes kann noch in der Datei und ihrem Protokoll stehen: ein anderes Programm liest sie</translation>
+    </message>
+    <message>
+        <source>Grips that were not made</source>
+        <translation>Griffe, die ausblieben</translation>
+    </message>
+    <message>
+        <source>no grip was made</source>
+        <translation>es wurde nicht gegriffen</translation>
+    </message>
+    <message>
+        <source>no held target appeared outside its tolerance</source>
+        <translation>kein gehaltenes Ziel erschien außerhalb seiner Toleranz</translation>
+    </message>
+    <message>
+        <source>no level transport reached its target</source>
+        <translation>kein gerader Transport erreichte sein Ziel</translation>
+    </message>
+    <message>
+        <source>no reached target appeared outside its tolerance</source>
+        <translation>kein erreichtes Ziel erschien außerhalb seiner Toleranz</translation>
+    </message>
+    <message>
+        <source>no row of a hold counts</source>
+        <translation>keine Zeile eines Haltens zählt</translation>
+    </message>
+    <message>
+        <source>no target that asks for a hold was reached</source>
+        <translation>kein Ziel, das ein Halten verlangt, wurde erreicht</translation>
+    </message>
+    <message>
+        <source>no target was reached</source>
+        <translation>kein Ziel wurde erreicht</translation>
+    </message>
+    <message>
+        <source>the targets ask for no hold</source>
+        <translation>die Ziele verlangen kein Halten</translation>
+    </message>
+    <message>
+        <source>the values are too large to compute with</source>
+        <translation>die Werte sind zu groß, um damit zu rechnen</translation>
+    </message>
+    <message>
+        <source>the values are too small to compute with</source>
+        <translation>die Werte sind zu klein, um damit zu rechnen</translation>
+    </message>
+    <message>
+        <source> was deleted or moved away</source>
+        <translation> wurde gelöscht oder verschoben</translation>
+    </message>
+    <message>
+        <source> was replaced</source>
+        <translation> wurde ersetzt</translation>
+    </message>
+    <message>
+        <source>%1: %2 while it was open</source>
+        <translation>%1: %2, während sie offen war</translation>
+    </message>
+    <message>
+        <source>%1: the file has reached the size that this program may write (RLIMIT_FSIZE), or the disk is full</source>
+        <translation>%1: die Datei hat die Größe erreicht, die dieses Programm schreiben darf (RLIMIT_FSIZE), oder der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>; all of this session is in %1: isograsp db rescue %2 takes it in</source>
+        <translation>; diese Sitzung ist ganz in %1: isograsp db rescue %2 nimmt sie auf</translation>
+    </message>
+    <message>
+        <source>; an emergency file could not be made either: %1</source>
+        <translation>; auch eine Notfalldatei konnte nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>; this was the emergency file</source>
+        <translation>; das war die Notfalldatei</translation>
+    </message>
+    <message>
+        <source>check the disk, and restore the last backup</source>
+        <translation>Datenträger prüfen und die letzte Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>closing a trial: another program has closed or removed it</source>
+        <translation>einen Versuch abschließen: ein anderes Programm hat ihn abgeschlossen oder entfernt</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>er ist nicht da</translation>
+    </message>
+    <message>
+        <source>it is there as &apos;%1&apos; with %2 samples instead of &apos;%3&apos; with %4</source>
+        <translation>er ist da als &apos;%1&apos; mit %2 Messwerten statt &apos;%3&apos; mit %4</translation>
+    </message>
+    <message>
+        <source>its measures are not those that were stored</source>
+        <translation>seine Maße sind nicht die gespeicherten</translation>
+    </message>
+    <message>
+        <source>its signals are not those that were stored</source>
+        <translation>seine Signale sind nicht die gespeicherten</translation>
+    </message>
+    <message>
+        <source>leave the file -lock where it is while a program records</source>
+        <translation>die Datei -lock liegen lassen, während ein Programm aufzeichnet</translation>
+    </message>
+    <message>
+        <source>let only one program record into a file</source>
+        <translation>nur ein Programm in eine Datei aufzeichnen lassen</translation>
+    </message>
+    <message>
+        <source>making an emergency file</source>
+        <translation>eine Notfalldatei anlegen</translation>
+    </message>
+    <message>
+        <source>put it back as it was, or restore the last backup</source>
+        <translation>wieder hinlegen, wie sie war, oder die letzte Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>raise that limit (ulimit -f unlimited), or free some space; everything confirmed before is stored</source>
+        <translation>diese Grenze anheben (ulimit -f unlimited) oder Platz schaffen; alles vorher Bestätigte ist gespeichert</translation>
+    </message>
+    <message>
+        <source>reading an emergency file</source>
+        <translation>eine Notfalldatei lesen</translation>
+    </message>
+    <message>
+        <source>reading back trial %1: %2</source>
+        <translation>Versuch %1 zurücklesen: %2</translation>
+    </message>
+    <message>
+        <source>reading who the database is</source>
+        <translation>die Kennung der Datenbank lesen</translation>
+    </message>
+    <message>
+        <source>set the clock, or connect again if it is right</source>
+        <translation>die Uhr stellen oder erneut verbinden, wenn sie richtig geht</translation>
+    </message>
+    <message>
+        <source>set the clock, or say that it is right</source>
+        <translation>die Uhr stellen oder sagen, dass sie richtig geht</translation>
+    </message>
+    <message>
+        <source>the clock of this computer says %1, but the newest session of this file is of %2</source>
+        <translation>die Uhr dieses Computers zeigt %1, aber die neueste Sitzung dieser Datei ist von %2</translation>
+    </message>
+    <message>
+        <source>the differences are too large for a number of the computer</source>
+        <translation>die Unterschiede sind zu groß für eine Zahl des Computers</translation>
+    </message>
+    <message>
+        <source>the lock (-lock) beside the file was deleted or replaced while it was recorded into: other programs take the running trial for an interrupted one</source>
+        <translation>die Sperre (-lock) neben der Datei wurde gelöscht oder ersetzt, während in sie aufgezeichnet wurde: andere Programme halten den laufenden Versuch für abgebrochen</translation>
+    </message>
+    <message>
+        <source>since the zero was set a sensor started anew (%1)</source>
+        <translation>seit dem Nullabgleich hat ein Sensor neu gestartet (%1)</translation>
+    </message>
+    <message>
+        <source>take the hand out and set the zero again</source>
+        <translation>nehmen Sie die Hand heraus und wiederholen Sie den Nullabgleich</translation>
+    </message>
+    <message>
+        <source>keeping results of a newer version</source>
+        <translation>Ergebnisse einer neueren Version aufbewahren</translation>
     </message>
 </context>
 <context>
@@ -8395,6 +8662,57 @@
             <numerusform>%n Person ausgelassen: nicht für die Forschung freigegeben.</numerusform>
             <numerusform>%n Personen ausgelassen: nicht für die Forschung freigegeben.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::FileInUse</name>
+    <message>
+        <source>IsoGrasp</source>
+        <translation>IsoGrasp</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>This file is open in another window</source>
+        <translation>Diese Datei ist in einem anderen Fenster geöffnet</translation>
+    </message>
+    <message>
+        <source>%1&lt;br&gt;is open: %2.&lt;br&gt;&lt;br&gt;Two windows must not change the same records. Look at them here, work in the other window, or open another file.</source>
+        <translation>%1&lt;br&gt;ist geöffnet: %2.&lt;br&gt;&lt;br&gt;Zwei Fenster dürfen nicht dieselben Daten ändern. Sehen Sie sie hier an, arbeiten Sie im anderen Fenster, oder öffnen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Look only</source>
+        <translation>&amp;Nur ansehen</translation>
+    </message>
+    <message>
+        <source>Courses and reports are shown; nothing is changed (Alt+L)</source>
+        <translation>Verläufe und Berichte werden gezeigt; nichts wird geändert (Alt+L)</translation>
+    </message>
+    <message>
+        <source>&amp;Open another file …</source>
+        <translation>&amp;Andere Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Choose another database (Alt+O)</source>
+        <translation>Eine andere Datenbank wählen (Alt+O)</translation>
+    </message>
+    <message>
+        <source>L&amp;eave</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Open nothing (Alt+E, Escape)</source>
+        <translation>Nichts öffnen (Alt+E, Escape)</translation>
+    </message>
+    <message>
+        <source>Open another file</source>
+        <translation>Andere Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Databases (*.db);;All files (*)</source>
+        <translation>Datenbanken (*.db);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -8974,7 +9292,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::PathView</name>
+    <name>isograsp::ObjectPathView</name>
     <message>
         <source>From the front</source>
         <translation>Von vorn</translation>
@@ -9374,6 +9692,10 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>once more</source>
+        <translation>noch einmal</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::PrimaryCard</name>
@@ -9557,6 +9879,22 @@
 </context>
 <context>
     <name>isograsp::RatingPanel</name>
+    <message>
+        <source>Kept: effort %1, pain %2. Another number corrects it.</source>
+        <translation>Behalten: Anstrengung %1, Schmerz %2. Eine andere Zahl berichtigt.</translation>
+    </message>
+    <message>
+        <source>The other number is missing: nothing is kept yet.</source>
+        <translation>Die andere Zahl fehlt: noch ist nichts behalten.</translation>
+    </message>
+    <message>
+        <source>Correct: effort %1, pain %2</source>
+        <translation>Ändern: Anstrengung %1, Schmerz %2</translation>
+    </message>
+    <message>
+        <source>Shows the last answer again; another number corrects it, and what it was is kept (Tab, then space)</source>
+        <translation>Zeigt die letzte Antwort wieder; eine andere Zahl berichtigt sie, und was sie war, bleibt erhalten (Tab, dann Leertaste)</translation>
+    </message>
     <message>
         <source>The patient says</source>
         <translation>Der Patient sagt</translation>
@@ -10026,6 +10364,30 @@
         <source>Difficulty %1 %</source>
         <translation>Schwierigkeit %1 %</translation>
     </message>
+    <message>
+        <source>Write the report …</source>
+        <translation>Bericht schreiben …</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>The report of this patient, on its page (Ctrl+R)</source>
+        <translation>Der Bericht über diesen Patienten, auf seiner Seite (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Verbindung trennen</translation>
+    </message>
+    <message>
+        <source>Disconnect: end the session</source>
+        <translation>Trennen: die Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>End the session and disconnect (Tab, then Enter)</source>
+        <translation>Sitzung beenden und trennen (Tab, dann Eingabe)</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::ScoreCard</name>
@@ -10204,30 +10566,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::Section</name>
-    <message>
-        <source>done</source>
-        <translation>erledigt</translation>
-    </message>
-    <message>
-        <source>next</source>
-        <translation>als Nächstes</translation>
-    </message>
-    <message>
-        <source>to come</source>
-        <translation>kommt noch</translation>
-    </message>
-    <message>
-        <source>Step %1 of %2, %3: %4</source>
-        <translation>Schritt %1 von %2, %3: %4</translation>
-    </message>
-    <message>
-        <source>%1: %2. Opens and closes this step (Alt+%3)</source>
-        <translation>%1: %2. Öffnet und schließt diesen Schritt (Alt+%3)</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::Segments</name>
+    <name>isograsp::SegmentedChoice</name>
     <message>
         <source>%1; pressed again: not told (%2)</source>
         <translation>%1; noch einmal gedrückt: nicht angegeben (%2)</translation>
@@ -10761,6 +11100,29 @@
     <message>
         <source>State: %1</source>
         <translation>Zustand: %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::StepSection</name>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>als Nächstes</translation>
+    </message>
+    <message>
+        <source>to come</source>
+        <translation>kommt noch</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2, %3: %4</source>
+        <translation>Schritt %1 von %2, %3: %4</translation>
+    </message>
+    <message>
+        <source>%1: %2. Opens and closes this step (Alt+%3)</source>
+        <translation>%1: %2. Öffnet und schließt diesen Schritt (Alt+%3)</translation>
     </message>
 </context>
 <context>

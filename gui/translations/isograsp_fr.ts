@@ -289,6 +289,42 @@
         <source>The straps have been on for 20 minutes: look at the skin, then confirm that the hand is in and strapped.</source>
         <translation>Les sangles sont en place depuis 20 minutes : regardez la peau, puis confirmez que la main est en place et sanglée.</translation>
     </message>
+    <message>
+        <source>%1 Strap the hand in and say so; after a minute the resting force begins.</source>
+        <translation>%1 Sanglez la main et confirmez-le&#xa0;; après une minute, la force de repos commence.</translation>
+    </message>
+    <message>
+        <source>Hand strapped. It settles: %1 s, then the resting force begins.</source>
+        <translation>Main sanglée. Elle se stabilise&#xa0;: %1 s, puis la force de repos commence.</translation>
+    </message>
+    <message>
+        <source>Only to look: another program has this file open. Sessions begin there.</source>
+        <translation>Lecture seule&#xa0;: un autre programme a ouvert ce fichier. Les séances commencent là-bas.</translation>
+    </message>
+    <message>
+        <source>Next: %1, which cannot be made. Skip it.</source>
+        <translation>Ensuite&#xa0;: %1, qui est impossible. Passez-le.</translation>
+    </message>
+    <message>
+        <source>Zero is set. Strap the hand in again and say so.</source>
+        <translation>La mise à zéro est faite. Sanglez de nouveau la main et confirmez-le.</translation>
+    </message>
+    <message>
+        <source>The resting force is not known: choose it first, or go on without it.</source>
+        <translation>La force de repos n’est pas connue&#xa0;: choisissez-la d’abord, ou continuez sans elle.</translation>
+    </message>
+    <message>
+        <source>The device sends no more forces. Disconnect to end the session.</source>
+        <translation>L’appareil n’envoie plus de forces. Déconnectez-le pour finir la séance.</translation>
+    </message>
+    <message>
+        <source>One moment …</source>
+        <translation>Un instant …</translation>
+    </message>
+    <message>
+        <source>Say first that the hand is in and strapped.</source>
+        <translation>Confirmez d’abord que la main est en place et sanglée.</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPreview</name>
@@ -1620,6 +1656,21 @@
     </message>
 </context>
 <context>
+    <name>Rescue</name>
+    <message>
+        <source>The database was taken away while these sessions were recorded. They are kept:</source>
+        <translation>La base de données a disparu pendant l’enregistrement de ces séances. Elles sont conservées&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Take them in with this command:</source>
+        <translation>Cette commande les reprend&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Take them into the database now?</source>
+        <translation>Les reprendre maintenant dans la base de données&#xa0;?</translation>
+    </message>
+</context>
+<context>
     <name>Screening</name>
     <message>
         <source>No clearance for maximal effort</source>
@@ -1728,6 +1779,38 @@
 <context>
     <name>Texts</name>
     <message>
+        <source>this folder does not exist</source>
+        <translation>ce dossier n’existe pas</translation>
+    </message>
+    <message>
+        <source>choose another folder, or make it first</source>
+        <translation>choisir un autre dossier, ou le créer d’abord</translation>
+    </message>
+    <message>
+        <source>this is no folder</source>
+        <translation>ce n’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>nothing may be written into this folder</source>
+        <translation>rien ne peut être écrit dans ce dossier</translation>
+    </message>
+    <message>
+        <source>choose another folder, or ask for the permission</source>
+        <translation>choisir un autre dossier, ou demander le droit d’écrire</translation>
+    </message>
+    <message>
+        <source>check its number and that of its session</source>
+        <translation>vérifier son numéro et celui de sa séance</translation>
+    </message>
+    <message>
+        <source>correcting a rating</source>
+        <translation>correction d’une évaluation</translation>
+    </message>
+    <message>
+        <source>rating %1 does not exist</source>
+        <translation>l’évaluation %1 n’existe pas</translation>
+    </message>
+    <message>
         <source> at %1 %</source>
         <translation> à %1 %</translation>
     </message>
@@ -1746,6 +1829,14 @@
     <message>
         <source> target %1</source>
         <translation> cible %1</translation>
+    </message>
+    <message>
+        <source>%1 KiB</source>
+        <translation>%1 Kio</translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 Mio</translation>
     </message>
     <message>
         <source>, all digits</source>
@@ -3376,6 +3467,10 @@
         <translation>Quand la cible saute, suivez-la aussitôt et restez dessus.</translation>
     </message>
     <message>
+        <source>a group of signals has no columns</source>
+        <translation>un groupe de signaux n’a pas de colonnes</translation>
+    </message>
+    <message>
         <source>a signal does not vary</source>
         <translation>un signal ne varie pas</translation>
     </message>
@@ -3390,6 +3485,14 @@
     <message>
         <source>checking trial %1</source>
         <translation>vérification de l’essai %1</translation>
+    </message>
+    <message>
+        <source>do not use it: take a backup that you trust</source>
+        <translation>ne l’utilisez pas : prenez une sauvegarde digne de confiance</translation>
+    </message>
+    <message>
+        <source>end it and go on with another one</source>
+        <translation>terminez-le et continuez avec un autre</translation>
     </message>
     <message>
         <source>fewer than %1 trials</source>
@@ -3420,12 +3523,36 @@
         <translation>les forces, contacts ou utilisations des doigts manquent</translation>
     </message>
     <message>
+        <source>give at most %1</source>
+        <translation>donnez-en au plus %1</translation>
+    </message>
+    <message>
         <source>grip or load does not vary</source>
         <translation>la prise ou la charge ne varie pas</translation>
     </message>
     <message>
         <source>higher is better</source>
         <translation>plus haut est mieux</translation>
+    </message>
+    <message>
+        <source>holds views or computed columns, which isograsp never makes</source>
+        <translation>contient des vues ou des colonnes calculées, qu’isograsp ne crée jamais</translation>
+    </message>
+    <message>
+        <source>is being written by another program now</source>
+        <translation>est en cours d’écriture par un autre programme</translation>
+    </message>
+    <message>
+        <source>is not a file but a pipe, a socket or a device</source>
+        <translation>n’est pas un fichier mais un tube, une socket ou un périphérique</translation>
+    </message>
+    <message>
+        <source>is written, but its folder cannot be synchronised</source>
+        <translation>est écrit, mais son dossier ne peut pas être synchronisé</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 samples of %2 columns, more than any trial</source>
+        <translation>il annonce %1 échantillons de %2 colonnes, plus que tout essai</translation>
     </message>
     <message>
         <source>k of n</source>
@@ -3442,6 +3569,10 @@
     <message>
         <source>let go before the cue</source>
         <translation>relâché avant le signal</translation>
+    </message>
+    <message>
+        <source>longer than any trial</source>
+        <translation>plus long que tout essai</translation>
     </message>
     <message>
         <source>longer than the limit</source>
@@ -3500,20 +3631,8 @@
         <translation>aucun échantillon après le signal</translation>
     </message>
     <message>
-        <source>no target was brought to and held</source>
-        <translation>aucune cible atteinte et maintenue</translation>
-    </message>
-    <message>
-        <source>no target was held</source>
-        <translation>aucune cible maintenue</translation>
-    </message>
-    <message>
         <source>no templates match</source>
         <translation>aucun motif ne concorde</translation>
-    </message>
-    <message>
-        <source>no transport reached its target</source>
-        <translation>aucun transport n’a atteint sa cible</translation>
     </message>
     <message>
         <source>no uninterrupted window of valid samples is long enough</source>
@@ -3546,10 +3665,6 @@
     <message>
         <source>nothing moved</source>
         <translation>rien n’a bougé</translation>
-    </message>
-    <message>
-        <source>nothing was held above rest</source>
-        <translation>rien n’a été maintenu au-dessus du repos</translation>
     </message>
     <message>
         <source>nothing was placed</source>
@@ -3684,6 +3799,10 @@
         <translation>la main est sanglée depuis moins d’une minute et se stabilise encore</translation>
     </message>
     <message>
+        <source>the header names %1 columns</source>
+        <translation>l’en-tête nomme %1 colonnes</translation>
+    </message>
+    <message>
         <source>the last attempts ended before the limit</source>
         <translation>les dernières tentatives ont fini avant la limite</translation>
     </message>
@@ -3804,6 +3923,10 @@
         <translation>l’essai a fini avant cette cible</translation>
     </message>
     <message>
+        <source>the trial holds more values than can be read again</source>
+        <translation>l’essai contient plus de valeurs qu’on ne peut en relire</translation>
+    </message>
+    <message>
         <source>the two digits did not touch together</source>
         <translation>les deux doigts n’ont pas touché ensemble</translation>
     </message>
@@ -3842,6 +3965,10 @@
     <message>
         <source>there was no repetition</source>
         <translation>il n’y a pas eu de répétition</translation>
+    </message>
+    <message>
+        <source>this line is longer than %1</source>
+        <translation>cette ligne est plus longue que %1</translation>
     </message>
     <message>
         <source>thumb and fingers did not hold the object together</source>
@@ -4042,6 +4169,10 @@
     <message>
         <source>not larger than measurement error</source>
         <translation>pas plus grand que l’erreur de mesure</translation>
+    </message>
+    <message>
+        <source>wait until it is done, or give another name</source>
+        <translation>attendez qu’il ait fini ou donnez un autre nom</translation>
     </message>
     <message>
         <source>worsened (confirmed)</source>
@@ -4824,10 +4955,6 @@
         <translation>vérifier son câble&#xa0;; après le branchement, la carte a besoin de dix secondes</translation>
     </message>
     <message>
-        <source>check its name</source>
-        <translation>vérifier son nom</translation>
-    </message>
-    <message>
         <source>check its permissions</source>
         <translation>vérifier ses droits d’accès</translation>
     </message>
@@ -4906,10 +5033,6 @@
     <message>
         <source>check the disk and the permissions of its folder</source>
         <translation>vérifier le disque et les droits d’accès de son dossier</translation>
-    </message>
-    <message>
-        <source>check the name and the permissions</source>
-        <translation>vérifier le nom et les droits d’accès</translation>
     </message>
     <message>
         <source>check the path</source>
@@ -6084,10 +6207,6 @@
         <translation>nommer un nouveau fichier</translation>
     </message>
     <message>
-        <source>name a plain file</source>
-        <translation>nommer un fichier ordinaire</translation>
-    </message>
-    <message>
         <source>name at least one digit</source>
         <translation>nommer au moins un doigt</translation>
     </message>
@@ -7020,14 +7139,6 @@
         <translation>la ligne a plus de champs que l’en-tête</translation>
     </message>
     <message>
-        <source>the log cannot be opened</source>
-        <translation>le journal ne peut pas être ouvert</translation>
-    </message>
-    <message>
-        <source>the log cannot be read</source>
-        <translation>le journal ne peut pas être lu</translation>
-    </message>
-    <message>
         <source>the middle finger&apos;s sensor (%1)</source>
         <translation>le capteur du majeur (%1)</translation>
     </message>
@@ -7254,14 +7365,6 @@
     <message>
         <source>this library has none</source>
         <translation>ces modèles n’en ont aucun</translation>
-    </message>
-    <message>
-        <source>this line is longer than 1 MiB</source>
-        <translation>cette ligne dépasse 1 Mio</translation>
-    </message>
-    <message>
-        <source>this line is longer than 256 KiB</source>
-        <translation>cette ligne dépasse 256 Kio</translation>
     </message>
     <message>
         <source>this program was built without libcomedi</source>
@@ -7624,6 +7727,10 @@
         <translation>l’écrire entre guillemets doubles</translation>
     </message>
     <message>
+        <source>write it to a file first and name that</source>
+        <translation>écrivez-le d’abord dans un fichier et nommez celui-ci</translation>
+    </message>
+    <message>
         <source>write its points into [axis.csv_data], or choose another shape</source>
         <translation>écrire ses points dans [axis.csv_data], ou choisir une autre forme</translation>
     </message>
@@ -7841,7 +7948,7 @@
     </message>
     <message>
         <source>protect it: isograsp db protect FILE</source>
-        <translation>protégez-la : isograsp db protect FICHIER</translation>
+        <translation>protégez-la&#xa0;: isograsp db protect FICHIER</translation>
     </message>
     <message>
         <source>reading an erased code</source>
@@ -7853,7 +7960,167 @@
     </message>
     <message>
         <source>what was removed may still stand in the file and its log: another program reads them</source>
-        <translation>ce qui a été retiré peut encore se trouver dans le fichier et son journal : un autre programme les lit</translation>
+        <translation>ce qui a été retiré peut encore se trouver dans le fichier et son journal&#xa0;: un autre programme les lit</translation>
+    </message>
+    <message>
+        <source>Grips that were not made</source>
+        <translation>Prises non réalisées</translation>
+    </message>
+    <message>
+        <source>no grip was made</source>
+        <translation>aucune prise n’a été réalisée</translation>
+    </message>
+    <message>
+        <source>no held target appeared outside its tolerance</source>
+        <translation>aucune cible tenue n’est apparue hors de sa tolérance</translation>
+    </message>
+    <message>
+        <source>no level transport reached its target</source>
+        <translation>aucun transport droit n’a atteint sa cible</translation>
+    </message>
+    <message>
+        <source>no reached target appeared outside its tolerance</source>
+        <translation>aucune cible atteinte n’est apparue hors de sa tolérance</translation>
+    </message>
+    <message>
+        <source>no row of a hold counts</source>
+        <translation>aucune ligne d’un maintien ne compte</translation>
+    </message>
+    <message>
+        <source>no target that asks for a hold was reached</source>
+        <translation>aucune cible qui demande un maintien n’a été atteinte</translation>
+    </message>
+    <message>
+        <source>no target was reached</source>
+        <translation>aucune cible n’a été atteinte</translation>
+    </message>
+    <message>
+        <source>the targets ask for no hold</source>
+        <translation>les cibles ne demandent aucun maintien</translation>
+    </message>
+    <message>
+        <source>the values are too large to compute with</source>
+        <translation>les valeurs sont trop grandes pour calculer</translation>
+    </message>
+    <message>
+        <source>the values are too small to compute with</source>
+        <translation>les valeurs sont trop petites pour calculer</translation>
+    </message>
+    <message>
+        <source> was deleted or moved away</source>
+        <translation> a été supprimé ou déplacé</translation>
+    </message>
+    <message>
+        <source> was replaced</source>
+        <translation> a été remplacé</translation>
+    </message>
+    <message>
+        <source>%1: %2 while it was open</source>
+        <translation>%1&#xa0;: %2 pendant qu’il était ouvert</translation>
+    </message>
+    <message>
+        <source>%1: the file has reached the size that this program may write (RLIMIT_FSIZE), or the disk is full</source>
+        <translation>%1&#xa0;: le fichier a atteint la taille que ce programme peut écrire (RLIMIT_FSIZE), ou le disque est plein</translation>
+    </message>
+    <message>
+        <source>; all of this session is in %1: isograsp db rescue %2 takes it in</source>
+        <translation>&#xa0;; toute cette séance est dans %1&#xa0;: isograsp db rescue %2 la reprend</translation>
+    </message>
+    <message>
+        <source>; an emergency file could not be made either: %1</source>
+        <translation>&#xa0;; un fichier de secours n’a pas pu être créé non plus&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; this was the emergency file</source>
+        <translation>&#xa0;; c’était le fichier de secours</translation>
+    </message>
+    <message>
+        <source>check the disk, and restore the last backup</source>
+        <translation>vérifiez le disque et restaurez la dernière sauvegarde</translation>
+    </message>
+    <message>
+        <source>closing a trial: another program has closed or removed it</source>
+        <translation>clôture d’un essai&#xa0;: un autre programme l’a clos ou retiré</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>il n’est pas là</translation>
+    </message>
+    <message>
+        <source>it is there as &apos;%1&apos; with %2 samples instead of &apos;%3&apos; with %4</source>
+        <translation>il est là comme &apos;%1&apos; avec %2 échantillons au lieu de &apos;%3&apos; avec %4</translation>
+    </message>
+    <message>
+        <source>its measures are not those that were stored</source>
+        <translation>ses mesures ne sont pas celles qui ont été enregistrées</translation>
+    </message>
+    <message>
+        <source>its signals are not those that were stored</source>
+        <translation>ses signaux ne sont pas ceux qui ont été enregistrés</translation>
+    </message>
+    <message>
+        <source>leave the file -lock where it is while a program records</source>
+        <translation>laissez le fichier -lock où il est pendant qu’un programme enregistre</translation>
+    </message>
+    <message>
+        <source>let only one program record into a file</source>
+        <translation>ne laissez qu’un programme enregistrer dans un fichier</translation>
+    </message>
+    <message>
+        <source>making an emergency file</source>
+        <translation>création d’un fichier de secours</translation>
+    </message>
+    <message>
+        <source>put it back as it was, or restore the last backup</source>
+        <translation>remettez-le comme il était, ou restaurez la dernière sauvegarde</translation>
+    </message>
+    <message>
+        <source>raise that limit (ulimit -f unlimited), or free some space; everything confirmed before is stored</source>
+        <translation>relevez cette limite (ulimit -f unlimited) ou libérez de la place&#xa0;; tout ce qui a été confirmé avant est enregistré</translation>
+    </message>
+    <message>
+        <source>reading an emergency file</source>
+        <translation>lecture d’un fichier de secours</translation>
+    </message>
+    <message>
+        <source>reading back trial %1: %2</source>
+        <translation>relecture de l’essai %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>reading who the database is</source>
+        <translation>lecture de l’identité de la base de données</translation>
+    </message>
+    <message>
+        <source>set the clock, or connect again if it is right</source>
+        <translation>réglez l’horloge, ou reconnectez si elle est juste</translation>
+    </message>
+    <message>
+        <source>set the clock, or say that it is right</source>
+        <translation>réglez l’horloge, ou dites qu’elle est juste</translation>
+    </message>
+    <message>
+        <source>the clock of this computer says %1, but the newest session of this file is of %2</source>
+        <translation>l’horloge de cet ordinateur indique %1, mais la séance la plus récente de ce fichier est du %2</translation>
+    </message>
+    <message>
+        <source>the differences are too large for a number of the computer</source>
+        <translation>les différences sont trop grandes pour un nombre de l’ordinateur</translation>
+    </message>
+    <message>
+        <source>the lock (-lock) beside the file was deleted or replaced while it was recorded into: other programs take the running trial for an interrupted one</source>
+        <translation>le verrou (-lock) à côté du fichier a été supprimé ou remplacé pendant l’enregistrement&#xa0;: d’autres programmes prennent l’essai en cours pour un essai interrompu</translation>
+    </message>
+    <message>
+        <source>since the zero was set a sensor started anew (%1)</source>
+        <translation>un capteur a redémarré depuis la mise à zéro (%1)</translation>
+    </message>
+    <message>
+        <source>take the hand out and set the zero again</source>
+        <translation>retirez la main et refaites la mise à zéro</translation>
+    </message>
+    <message>
+        <source>keeping results of a newer version</source>
+        <translation>conservation de résultats d’une version plus récente</translation>
     </message>
 </context>
 <context>
@@ -8392,9 +8659,60 @@
     <message numerus="yes">
         <source>%n patient(s) left out: not released for research.</source>
         <translation>
-            <numerusform>%n personne laissée de côté : non autorisée pour la recherche.</numerusform>
-            <numerusform>%n personnes laissées de côté : non autorisées pour la recherche.</numerusform>
+            <numerusform>%n personne laissée de côté&#xa0;: non autorisée pour la recherche.</numerusform>
+            <numerusform>%n personnes laissées de côté&#xa0;: non autorisées pour la recherche.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::FileInUse</name>
+    <message>
+        <source>IsoGrasp</source>
+        <translation>IsoGrasp</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>un autre programme</translation>
+    </message>
+    <message>
+        <source>This file is open in another window</source>
+        <translation>Ce fichier est ouvert dans une autre fenêtre</translation>
+    </message>
+    <message>
+        <source>%1&lt;br&gt;is open: %2.&lt;br&gt;&lt;br&gt;Two windows must not change the same records. Look at them here, work in the other window, or open another file.</source>
+        <translation>%1&lt;br&gt;est ouvert&#xa0;: %2.&lt;br&gt;&lt;br&gt;Deux fenêtres ne doivent pas modifier les mêmes données. Consultez-les ici, travaillez dans l’autre fenêtre, ou ouvrez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>&amp;Look only</source>
+        <translation>&amp;Consulter seulement</translation>
+    </message>
+    <message>
+        <source>Courses and reports are shown; nothing is changed (Alt+L)</source>
+        <translation>Les évolutions et les rapports sont montrés&#xa0;; rien n’est modifié (Alt+L)</translation>
+    </message>
+    <message>
+        <source>&amp;Open another file …</source>
+        <translation>&amp;Ouvrir un autre fichier…</translation>
+    </message>
+    <message>
+        <source>Choose another database (Alt+O)</source>
+        <translation>Choisir une autre base de données (Alt+O)</translation>
+    </message>
+    <message>
+        <source>L&amp;eave</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Open nothing (Alt+E, Escape)</source>
+        <translation>Ne rien ouvrir (Alt+E, Échap)</translation>
+    </message>
+    <message>
+        <source>Open another file</source>
+        <translation>Ouvrir un autre fichier</translation>
+    </message>
+    <message>
+        <source>Databases (*.db);;All files (*)</source>
+        <translation>Bases de données (*.db);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -8974,7 +9292,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::PathView</name>
+    <name>isograsp::ObjectPathView</name>
     <message>
         <source>From the front</source>
         <translation>De face</translation>
@@ -9229,7 +9547,7 @@
     </message>
     <message>
         <source>Sex: female</source>
-        <translation>Sexe : féminin</translation>
+        <translation>Sexe&#xa0;: féminin</translation>
     </message>
     <message>
         <source>Male</source>
@@ -9237,7 +9555,7 @@
     </message>
     <message>
         <source>Sex: male</source>
-        <translation>Sexe : masculin</translation>
+        <translation>Sexe&#xa0;: masculin</translation>
     </message>
     <message>
         <source>Other</source>
@@ -9245,7 +9563,7 @@
     </message>
     <message>
         <source>Sex: other</source>
-        <translation>Sexe : autre</translation>
+        <translation>Sexe&#xa0;: autre</translation>
     </message>
     <message>
         <source>Year of birth</source>
@@ -9253,7 +9571,7 @@
     </message>
     <message>
         <source>Four digits; empty: not known; the day belongs to the name (Ctrl+Shift+B)</source>
-        <translation>Quatre chiffres ; vide : non connue ; le jour va avec le nom (Ctrl+Maj+B)</translation>
+        <translation>Quatre chiffres&#xa0;; vide&#xa0;: non connue&#xa0;; le jour va avec le nom (Ctrl+Maj+B)</translation>
     </message>
     <message>
         <source>Sex</source>
@@ -9373,6 +9691,10 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>once more</source>
+        <translation>à refaire</translation>
     </message>
 </context>
 <context>
@@ -9557,6 +9879,22 @@
 </context>
 <context>
     <name>isograsp::RatingPanel</name>
+    <message>
+        <source>Kept: effort %1, pain %2. Another number corrects it.</source>
+        <translation>Conservé&#xa0;: effort %1, douleur %2. Un autre nombre corrige.</translation>
+    </message>
+    <message>
+        <source>The other number is missing: nothing is kept yet.</source>
+        <translation>L’autre nombre manque&#xa0;: rien n’est encore conservé.</translation>
+    </message>
+    <message>
+        <source>Correct: effort %1, pain %2</source>
+        <translation>Corriger&#xa0;: effort %1, douleur %2</translation>
+    </message>
+    <message>
+        <source>Shows the last answer again; another number corrects it, and what it was is kept (Tab, then space)</source>
+        <translation>Montre de nouveau la dernière réponse&#xa0;; un autre nombre la corrige, et ce qu’elle était est conservé (Tab, puis espace)</translation>
+    </message>
     <message>
         <source>The patient says</source>
         <translation>Le patient dit</translation>
@@ -10026,6 +10364,30 @@
         <source>Difficulty %1 %</source>
         <translation>Difficulté %1 %</translation>
     </message>
+    <message>
+        <source>Write the report …</source>
+        <translation>Rédiger le rapport…</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Rédiger le rapport</translation>
+    </message>
+    <message>
+        <source>The report of this patient, on its page (Ctrl+R)</source>
+        <translation>Le rapport de ce patient, sur sa page (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Déconnecter</translation>
+    </message>
+    <message>
+        <source>Disconnect: end the session</source>
+        <translation>Déconnecter&#xa0;: finir la séance</translation>
+    </message>
+    <message>
+        <source>End the session and disconnect (Tab, then Enter)</source>
+        <translation>Finir la séance et déconnecter (Tab, puis Entrée)</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::ScoreCard</name>
@@ -10204,30 +10566,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::Section</name>
-    <message>
-        <source>done</source>
-        <translation>fait</translation>
-    </message>
-    <message>
-        <source>next</source>
-        <translation>ensuite</translation>
-    </message>
-    <message>
-        <source>to come</source>
-        <translation>à venir</translation>
-    </message>
-    <message>
-        <source>Step %1 of %2, %3: %4</source>
-        <translation>Étape %1 sur %2, %3&#xa0;: %4</translation>
-    </message>
-    <message>
-        <source>%1: %2. Opens and closes this step (Alt+%3)</source>
-        <translation>%1&#xa0;: %2. Ouvre et ferme cette étape (Alt+%3)</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::Segments</name>
+    <name>isograsp::SegmentedChoice</name>
     <message>
         <source>%1; pressed again: not told (%2)</source>
         <translation>%1&#xa0;; nouvel appui&#xa0;: non indiqué (%2)</translation>
@@ -10761,6 +11100,29 @@
     <message>
         <source>State: %1</source>
         <translation>État&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::StepSection</name>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>ensuite</translation>
+    </message>
+    <message>
+        <source>to come</source>
+        <translation>à venir</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2, %3: %4</source>
+        <translation>Étape %1 sur %2, %3&#xa0;: %4</translation>
+    </message>
+    <message>
+        <source>%1: %2. Opens and closes this step (Alt+%3)</source>
+        <translation>%1&#xa0;: %2. Ouvre et ferme cette étape (Alt+%3)</translation>
     </message>
 </context>
 <context>

@@ -14,9 +14,10 @@ namespace isograsp {
 
 namespace {
 
-double resolution_in(const Record& record, const Part& part) {
-  const double resolution_N = known_in(record, part, "resolution_N");
-  return std::isnan(resolution_N) ? 0.0 : resolution_N;
+/// 0: not known.
+double known_or_zero(const Record& record, const Part& part, std::string_view column) {
+  const double value = known_in(record, part, column);
+  return std::isnan(value) ? 0.0 : value;
 }
 
 /// Times of an event that may be censored, and the same without the known delay: their
@@ -56,7 +57,7 @@ void add_reactions(const std::string& name, const std::string& channel, const Re
 
 std::vector<Measure> measures_of(const StepResponseSpec& spec, const Record& record) {
   MeasureList list;
-  std::vector<Section> sections;
+  std::vector<Section> sections, with_target;
   std::vector<Reaction> reactions;
   std::vector<EventTime> t63, settling;
   std::vector<Computed> rise, overshoot, error;
@@ -69,8 +70,8 @@ std::vector<Measure> measures_of(const StepResponseSpec& spec, const Record& rec
     const double to_N = known_in(record, part, "target_force_N");
     if (trace.empty() || !(from_N != to_N)) continue;
     const CuedStep step{record.task_time_s(part.first), from_N, to_N};
-    const CuedStepResponse response =
-        cued_step_response(trace.t_s, trace.force_N, step, resolution_in(record, part));
+    const CuedStepResponse response = cued_step_response(
+        trace.t_s, trace.force_N, step, known_or_zero(record, part, "resolution_N"));
     reactions.push_back(response.reaction);
     t63.push_back(response.t63);
     settling.push_back(response.settling);
@@ -78,7 +79,8 @@ std::vector<Measure> measures_of(const StepResponseSpec& spec, const Record& rec
     overshoot.push_back(response.overshoot_percent);
     const Trace after = trace_of(record, part.first, part.last, true);
     error.push_back(rmse(after.target_N, after.force_N, after.weight_s));
-    sections.push_back(after.section);
+    with_target.push_back(after.section);
+    sections.push_back(trace_of(record, part.first, part.last).section);
   }
   const Section all = join(sections);
   const std::string channel = name_of(spec.aim.channel);
@@ -87,7 +89,7 @@ std::vector<Measure> measures_of(const StepResponseSpec& spec, const Record& rec
   list.add_times("settling_time", channel, all, settling, spec.hold_s);
   list.add_mean("rise_time", channel, "s", all, rise);
   list.add_mean("overshoot", channel, "%", all, overshoot);
-  list.add_mean("rmse", channel, "N", all, error);
+  list.add_mean("rmse", channel, "N", join(with_target), error);
   add_force_of_maximum(record, spec.aim.channel, list);
   add_net_push(record, spec.aim.channel, list);
   return list.take();
@@ -99,6 +101,7 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
   std::vector<Reaction> initiations;
   std::vector<EventTime> releases;
   std::vector<Computed> residual, fastest, opening;
+  int missed = 0;
   const auto parts = parts_of(record);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const Part& part = parts[i];
@@ -111,9 +114,12 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
       for (std::size_t k = 0; k < trace.t_s.size(); ++k)
         if (trace.section.rows[k] >= part.first) trace.force_N[k] = -trace.force_N[k];
     const double resting_N = known_in(record, held, "resting_force_N");
-    const RestingLevel resting{std::isnan(resting_N) ? 0.0 : resting_N, 0.0};
-    const Release let_go = release(trace.t_s, trace.force_N, record.task_time_s(part.first),
-                                   resting, resolution_in(record, part));
+    const AskedGrip asked{known_or_zero(record, held, "target_force_N"),
+                          known_or_zero(record, held, "resting_force_N"),
+                          known_or_zero(record, held, "noise_sd_N"),
+                          known_or_zero(record, part, "resolution_N")};
+    const Release let_go = release(trace.t_s, trace.force_N, record.task_time_s(part.first), asked);
+    if (!let_go.grip_made.value_or(true)) ++missed;
     initiations.push_back(let_go.initiation);
     const bool rested = !std::isnan(resting_N);
     const char* unknown = "the resting force was not measured";
@@ -131,6 +137,9 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
   const std::string channel = name_of(spec.aim.channel);
   add_reactions("release_initiation", channel, record, all, initiations, spec.after_s, list);
   add_delayed_times("release_time", channel, record, all, releases, spec.after_s, list);
+  list.add(
+      "grips_missed", channel, "", all,
+      initiations.empty() ? Computed("there was no cue") : Computed(static_cast<double>(missed)));
   list.add_mean("residual_force", channel, "N", all, residual);
   list.add_mean("fastest_release", channel, "N/s", all, fastest);
   if (spec.open) list.add_mean("opening_force", "opening", "N", all, opening);
@@ -146,17 +155,12 @@ std::vector<Measure> measures_of(const ForceSenseSpec& spec, const Record& recor
     if (part.phase != Phase::active) continue;
     const Trace trace = trace_of(record, part.first, part.last, true);
     if (trace.empty()) continue;
-    const double end_s = trace.t_s.back() + trace.weight_s.back();
-    double sum = 0.0;
-    double weight_s = 0.0;
-    for (std::size_t k = 0; k < trace.t_s.size(); ++k) {
-      if (trace.t_s[k] < end_s - spec.window_s) continue;
-      sum += trace.weight_s[k] * trace.force_N[k];
-      weight_s += trace.weight_s[k];
-    }
-    if (!(weight_s > 0.0)) continue;
+    const std::size_t first = first_row_from(trace.t_s, end_of(record, part) - spec.window_s);
+    const Computed mean = weighted_mean(std::span(trace.force_N).subspan(first),
+                                        std::span(trace.weight_s).subspan(first));
+    if (!mean.value) continue;
     target_N.push_back(trace.target_N.front());
-    reproduced_N.push_back(sum / weight_s);
+    reproduced_N.push_back(*mean.value);
     sections.push_back(trace.section);
   }
   const Section all = join(sections);

@@ -66,7 +66,11 @@ std::vector<Measure> measures_of(const ForceDirectionSpec&, const Record& record
     for (const Part& part : parts_of(record)) {
       if (part.phase != Phase::active) continue;
       const Vectors target = vectors_of(record, part.first, part.last, "target_" + name);
-      if (target.force_N.empty()) continue;  // this digit was not asked
+      if (target.force_N.empty()) {  // this digit was not asked, or nothing can be computed
+        if (record.signals().has("target_" + name + "_fz_N") && !target.section.reason.empty())
+          sections.push_back(target.section);
+        continue;
+      }
       const Vectors actual = vectors_of(record, part.first, part.last, name);
       const Vec3 wanted_N = target.force_N.front();
       const double noise_N = known_in(record, part, "noise_sd_N");

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/force_channel.hpp"
+#include "hand/force_channel.hpp"
 
 namespace isograsp {
 

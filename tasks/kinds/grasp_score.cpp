@@ -5,9 +5,9 @@
 #include <cmath>
 #include <functional>
 
+#include "statistics/quantile.hpp"
 #include "tasks/kinds/object_score.hpp"
 #include "tasks/measures/coupling.hpp"
-#include "tasks/measures/quantile.hpp"
 
 namespace isograsp {
 
@@ -64,9 +64,9 @@ Grasp grasp_of(const Section& section, const std::array<Touch, kFingerCount>& fi
 
 Coupling coupling_of(const Section& section, const Grasp& grasp) {
   const auto runs = stretches(section.t_s, grasp.opposed, 0.0);
-  const auto longest =
-      std::max_element(runs.begin(), runs.end(),
-                       [](const Stretch& a, const Stretch& b) { return a.length_s < b.length_s; });
+  auto longest = runs.begin();  // the first of those that are as long
+  for (auto run = runs.begin(); run != runs.end(); ++run)
+    if (is_earlier(longest->length_s, run->length_s)) longest = run;
   const char* const none = "thumb and fingers did not hold the object together";
   if (longest == runs.end() || longest->end - longest->first < 2) return {none, none, none};
   const auto piece = [&](const std::vector<double>& x) {
@@ -98,16 +98,27 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
                std::initializer_list<Phase> phases) {
   std::array<Touch, kFingerCount> fingers;
   bool known = false;
+  std::vector<std::string> forces, columns;
   for (const Finger finger : kFingers) {
     const std::string name(name_of(finger));
-    const auto column = [&](const std::string& of) { return record.signals().column(of); };
-    Touch& touch = fingers[index_of(finger)];
-    touch = {column(name + "_fx_N"), column(name + "_fy_N"), column(name + "_fz_N"),
-             column("contact_" + name), column("utilisation_" + name)};
+    const std::vector<std::string> names{name + "_fx_N", name + "_fy_N", name + "_fz_N",
+                                         "contact_" + name, "utilisation_" + name};
+    const auto column = [&](std::size_t i) { return record.signals().column(names[i]); };
+    const Touch touch{column(0), column(1), column(2), column(3), column(4)};
     known = known || touch.known();
+    // Never a contact, not even a 0: the scene lacks this finger.
+    if (!touch.known() || !record.constant("contact_" + name)) continue;
+    fingers[index_of(finger)] = touch;
+    forces.insert(forces.end(), names.begin(), names.begin() + 3);
+    columns.insert(columns.end(), names.begin(), names.end());
   }
-  Section section = record.select(phases, {});
+  Section section = record.select(phases, columns);
   if (!known) section.reason = "forces, contacts or utilisation of the fingers are missing";
+  // Beside a contact of 1 no force looks small.
+  if (std::string why = record.unusable(section, forces); section.reason.empty() && !why.empty()) {
+    section = {};
+    section.reason = std::move(why);
+  }
   const Grasp grasp = grasp_of(section, fingers);
   const Coupling coupling = coupling_of(section, grasp);
   const auto add = [&](const char* name, const char* channel, const char* unit,

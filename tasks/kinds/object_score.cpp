@@ -47,9 +47,11 @@ ObjectRecord::Flags ObjectRecord::flags(const std::string& prefix) const {
   Flags found;
   bool known = false;
   for (const Finger finger : kFingers) {
-    found.columns[index_of(finger)] =
-        record_.signals().column(prefix + std::string(name_of(finger)));
-    known = known || !found.columns[index_of(finger)].empty();
+    const std::string name = prefix + std::string(name_of(finger));
+    known = known || record_.signals().has(name);
+    if (!record_.constant(name)) continue;  // never a value: the scene lacks this finger
+    found.names.push_back(name);
+    found.columns.push_back(record_.signals().column(name));
   }
   if (!known) found.absent = "the columns " + prefix + "* are missing";
   return found;
@@ -57,7 +59,12 @@ ObjectRecord::Flags ObjectRecord::flags(const std::string& prefix) const {
 
 bool ObjectRecord::any(const Flags& flags, std::size_t row) {
   return std::any_of(flags.columns.begin(), flags.columns.end(),
-                     [row](const auto& column) { return !column.empty() && column[row] > 0.5; });
+                     [row](const auto& column) { return column[row] > 0.5; });
+}
+
+bool ObjectRecord::touch_known(std::size_t row) const {
+  return std::none_of(contact_.columns.begin(), contact_.columns.end(),
+                      [row](const auto& column) { return std::isnan(column[row]); });
 }
 
 Section ObjectRecord::select_positions(std::size_t first, std::size_t last,
@@ -72,9 +79,14 @@ Section ObjectRecord::select_positions(std::size_t first, std::size_t last,
 
 Section ObjectRecord::select_attitudes(std::size_t first, std::size_t last,
                                        std::initializer_list<Phase> phases) const {
-  const char* const actual = actual_q_[0].empty() ? "actual_angle_rad" : "actual_qw";
-  const char* const target = target_q_[0].empty() ? "target_angle_rad" : "target_qw";
-  return record_.select(first, last, phases, {actual, target});
+  std::vector<std::string> columns;
+  const auto add = [&](const std::string& of, const Components& q) {
+    if (q[0].empty()) return columns.push_back(of + "_angle_rad");
+    for (const char part : {'w', 'x', 'y', 'z'}) columns.push_back(of + "_q" + part);
+  };
+  add("actual", actual_q_);
+  add("target", target_q_);
+  return record_.select(first, last, phases, columns);
 }
 
 std::vector<Quat> ObjectRecord::attitudes(const Section& section) const {
@@ -118,8 +130,11 @@ Computed ObjectRecord::tilt(const Section& section) const {
 }
 
 Measure ObjectRecord::slip(std::initializer_list<Phase> phases) const {
-  Section section = record_.select(phases, {});
-  section.reason = !contact_.absent.empty() ? contact_.absent : slip_.absent;
+  std::vector<std::string> columns = contact_.names;
+  columns.insert(columns.end(), slip_.names.begin(), slip_.names.end());
+  Section section = record_.select(phases, columns);
+  if (section.reason.empty())
+    section.reason = !contact_.absent.empty() ? contact_.absent : slip_.absent;
   double contact_s = 0.0;
   double slip_s = 0.0;
   for (std::size_t i = 0; i < section.rows.size(); ++i) {
@@ -134,22 +149,21 @@ Measure ObjectRecord::slip(std::initializer_list<Phase> phases) const {
 
 Measure ObjectRecord::mean_grip(std::initializer_list<Phase> phases) const {
   const Section force = record_.select(phases, {"actual_force_N"});
-  return make_measure("mean_grip", "grip", "N", force,
-                      mean_over(force, record_.signals().column("actual_force_N")));
+  return make_measure("mean_grip", "grip", "N", force, mean_over(force, "actual_force_N"));
 }
 
 Smoothness ObjectRecord::smoothness_of_motion(const Section& section) const {
   const char* const too_short = "fewer than two samples";
   if (section.rows.size() < 2) return {too_short, too_short};
-  const UniformSamples speed = speed_of(position_of(section, record_.signals()));
+  const UniformSamples speed = speed_of(position_of(section));
   return {sparc(speed), ldlj(speed)};
 }
 
 Smoothness ObjectRecord::smoothness_of_grip(const Section& section) const {
   const char* const too_short = "fewer than two samples";
   if (section.rows.size() < 2) return {too_short, too_short};
-  const UniformSamples rate = rate_of(
-      on_uniform_grid(section.t_s, section.values(record_.signals().column("actual_force_N"))));
+  const UniformSamples rate =
+      rate_of(on_uniform_grid(section.t_s, section.values("actual_force_N")));
   return {sparc(rate), ldlj(rate)};
 }
 

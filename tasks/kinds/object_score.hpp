@@ -4,10 +4,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "core/spatial.hpp"
-#include "tasks/measures/survival.hpp"
+#include "statistics/survival.hpp"
 #include "tasks/record.hpp"
 
 namespace isograsp {
@@ -31,7 +32,8 @@ class ObjectRecord {
   /// Rows in [first, last) in which object and target have a position: x and y, z if recorded.
   [[nodiscard]] Section select_positions(std::size_t first, std::size_t last,
                                          std::initializer_list<Phase> phases) const;
-  /// Rows in which both have an attitude: quaternions, or the angle about z where there are none.
+  /// Rows in which both have an attitude: whole quaternions, or the angle about z where there are
+  /// none.
   [[nodiscard]] Section select_attitudes(std::size_t first, std::size_t last,
                                          std::initializer_list<Phase> phases) const;
 
@@ -52,7 +54,11 @@ class ObjectRecord {
     return angle_between(target_attitude(row), attitude(row));
   }
   [[nodiscard]] bool touched(std::size_t row) const { return any(contact_, row); }
+  /// Whether each finger of the scene touches or not is known in this row.
+  [[nodiscard]] bool touch_known(std::size_t row) const;
   [[nodiscard]] bool slips(std::size_t row) const { return any(slip_, row); }
+  /// What touched() reads. A finger that the scene lacks has an empty column, or none.
+  [[nodiscard]] const std::vector<std::string>& contact_columns() const { return contact_.names; }
 
   /// Hold errors of position, attitude and, of an object that leans out of the plane of the screen,
   /// its main axis, over sections of select_positions() and select_attitudes().
@@ -75,7 +81,8 @@ class ObjectRecord {
   using Axes = std::array<std::span<const double>, 3>;
   using Components = std::array<std::span<const double>, 4>;  ///< w x y z; empty: angle instead
   struct Flags {
-    std::array<std::span<const double>, kFingerCount> columns;
+    std::vector<std::string> names;
+    std::vector<std::span<const double>> columns;
     std::string absent;  ///< why there are none
   };
 

@@ -36,8 +36,7 @@ class PickPlaceScore {
   [[nodiscard]] Measure drops() const {
     Section section = record_.select(kMoving, {"drops"});
     double most = 0.0;
-    for (const std::size_t row : section.rows)
-      most = std::max(most, record_.signals().column("drops")[row]);
+    for (const double drops : section.values("drops")) most = std::max(most, drops);
     return make_measure("drops", "contact", "", section, most);
   }
 
@@ -46,14 +45,17 @@ class PickPlaceScore {
   [[nodiscard]] Section last_way(const Attempt& attempt) const {
     const auto drops = record_.signals().column("drops");
     std::size_t first = attempt.first_row + 1;
-    if (!drops.empty())
-      for (std::size_t row = first; row <= attempt.hold_row; ++row)
-        if (drops[row] > drops[row - 1]) first = row + 1;
+    if (!drops.empty()) {
+      double before = drops[attempt.first_row];
+      for (std::size_t row = first; row <= attempt.hold_row; ++row) {
+        if (drops[row] > before) first = row + 1;
+        if (!std::isnan(drops[row])) before = drops[row];
+      }
+    }
     return record_.select_position(first, attempt.hold_row + 1, kMoving);
   }
 
   [[nodiscard]] Measure path_efficiency() const {
-    const Signals& signals = record_.signals();
     Section ways;
     ways.reason = attempts_.absent;
     std::vector<std::vector<Vec3>> ways_m;
@@ -61,7 +63,7 @@ class PickPlaceScore {
       if (!attempt.reached) continue;
       const Section way = last_way(attempt);
       append(ways, way);
-      ways_m.push_back(path_of(way, signals));
+      ways_m.push_back(path_of(way));
     }
     if (ways.reason.empty() && ways.rows.empty()) ways.reason = kNothingPlaced;
     return make_measure("path_efficiency", "position", "%", ways,

@@ -40,6 +40,21 @@ class PoseScore {
   [[nodiscard]] bool held(std::size_t target) const {
     return attempts_.all[target].reached && spec_.targets[target].hold_s > 0.0;
   }
+  /// Why nothing is known of holds, and of ways to a target: what of it is missing. `otherwise`:
+  /// though targets were held.
+  [[nodiscard]] const char* nothing_held(const char* otherwise) const {
+    const bool asked = std::any_of(spec_.targets.begin(), spec_.targets.end(),
+                                   [](const PoseTarget& target) { return target.hold_s > 0.0; });
+    if (!asked) return "the targets ask for no hold";
+    for (std::size_t i = 0; i < attempts_.all.size(); ++i)
+      if (held(i)) return otherwise;
+    return "no target that asks for a hold was reached";
+  }
+  [[nodiscard]] const char* nothing_reached() const {
+    const bool reached = std::any_of(attempts_.all.begin(), attempts_.all.end(),
+                                     [](const Attempt& attempt) { return attempt.reached; });
+    return reached ? "no reached target appeared outside its tolerance" : "no target was reached";
+  }
 
   /// Over the holds that reached their target: from entering for exactly hold_s.
   void add_hold_errors(std::vector<Measure>& all) const {
@@ -53,7 +68,7 @@ class PoseScore {
       append(angle, object_.select_attitudes(attempt.hold_row, attempt.last_row, {Phase::hold}));
     }
     if (position.reason.empty() && position.rows.empty())
-      position.reason = angle.reason = "no target was held";
+      position.reason = angle.reason = nothing_held("no row of a hold counts");
     object_.add_hold_errors(all, position, angle);
   }
 
@@ -80,9 +95,8 @@ class PoseScore {
   }
 
   void add_path(std::vector<Measure>& all) const {
-    const Signals& signals = record_.signals();
     const Section motion = record_.select_position(0, record_.rows(), kMoving);
-    all.push_back(path_length(motion, signals));
+    all.push_back(path_length(motion));
     Section transports;
     transports.reason = attempts_.absent.empty() ? motion.reason : attempts_.absent;
     std::vector<std::vector<Vec3>> ways_m;
@@ -90,24 +104,25 @@ class PoseScore {
       if (!attempt.reached) continue;
       const Section way = way_to(attempt);
       if (!is_transport(way)) continue;
-      ways_m.push_back(path_of(way, signals));
+      ways_m.push_back(path_of(way));
       append(transports, way);
     }
-    if (transports.reason.empty() && transports.rows.empty())
-      transports.reason = "no transport reached its target";
+    if (transports.reason.empty() && transports.rows.empty()) transports.reason = nothing_reached();
     all.push_back(
         make_measure("path_efficiency", "position", "%", transports, path_efficiency(ways_m)));
   }
 
   /// Touch lost on the way; across a pause nothing is the patient's doing.
   [[nodiscard]] Measure drops() const {
-    Section touched = record_.select(kMoving, {});
-    touched.reason = attempts_.absent.empty() ? object_.no_contact_columns() : attempts_.absent;
+    Section touched = record_.select(kMoving, object_.contact_columns());
+    if (touched.reason.empty())
+      touched.reason = attempts_.absent.empty() ? object_.no_contact_columns() : attempts_.absent;
     int drops = 0;
     bool held_before = false;
     for (std::size_t row = 0; row < record_.rows(); ++row) {
       const Phase phase = record_.phase(row);
-      if ((phase != Phase::transport && phase != Phase::hold) || record_.missing(row)) {
+      if ((phase != Phase::transport && phase != Phase::hold) || record_.missing(row) ||
+          !object_.touch_known(row)) {
         held_before = false;
         continue;
       }
@@ -141,10 +156,13 @@ class PoseScore {
       force_arcs.push_back(of_grip.sparc);
       force_jerks.push_back(of_grip.ldlj);
     }
+    const char* const none =
+        has_level ? "no level transport reached its target" : "no target was reached";
+    for (Section* section : {&motion, &force})
+      if (section->reason.empty() && section->rows.empty()) section->reason = none;
     const auto add = [&](const char* name, const char* channel, const Section& section,
                          const std::vector<Computed>& each) {
-      all.push_back(make_measure(name, channel, "", section,
-                                 mean_of_repetitions(each, "no transport reached its target")));
+      all.push_back(make_measure(name, channel, "", section, mean_of_repetitions(each, none)));
     };
     add("sparc", "transport", motion, motion_arcs);
     add("sparc", "force_rate", force, force_arcs);
@@ -186,11 +204,11 @@ class PoseScore {
       least_m = trials.size() == 1 ? distance_m : std::min(least_m, distance_m);
       most_m = std::max(most_m, distance_m);
     }
-    const char* const kNone = "no target was brought to and held";
-    if (section.reason.empty() && trials.empty()) section.reason = kNone;
+    if (section.reason.empty() && trials.empty())
+      section.reason = nothing_held("no held target appeared outside its tolerance");
     all.push_back(make_measure(
         "index_of_difficulty", "position", "bit", section,
-        trials.empty() ? Computed(kNone)
+        trials.empty() ? Computed(section.reason)
                        : Computed(difficulty_bit / static_cast<double>(trials.size()))));
     // Every start lies within the tolerance of the target before.
     const bool alike = most_m - least_m <= 2.0 * spec_.position_tolerance_m;

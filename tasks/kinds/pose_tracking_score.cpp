@@ -41,9 +41,8 @@ class TrackingScore {
     std::vector<Measure> all;
     for (const auto& axis : spec_.axes) add_axis(all, axis);
     add_whole(all);
-    const Signals& signals = record_.signals();
     const Section motion = record_.select_position(0, record_.rows(), kScored);
-    all.push_back(path_length(motion, signals));
+    all.push_back(path_length(motion));
     const Section force = record_.select(kScored, {"actual_force_N"});
     const Smoothness of_motion = object_.smoothness_of_motion(motion);
     const Smoothness of_grip = object_.smoothness_of_grip(force);
@@ -66,8 +65,8 @@ class TrackingScore {
       const std::string actual = "actual_" + name;
       result.section = record_.select(kScored, {target, actual});
       if (!result.section.reason.empty()) return result;
-      result.target = result.section.values(record_.signals().column(target));
-      result.actual = result.section.values(record_.signals().column(actual));
+      result.target = result.section.values(target);
+      result.actual = result.section.values(actual);
       return result;
     }
     result.section = object_.select_attitudes(0, record_.rows(), kScored);
@@ -116,7 +115,6 @@ class TrackingScore {
                                  ? channel
                                  : channel + "_" + format_number(answer.frequency_Hz) + "_Hz";
       add("gain", of, "", answer.gain);
-      all.back().version = kGainVersion;
       add("phase", of, "rad", answer.phase_rad);
       add("phase_lag", of, "s", answer.lag_s);
     }

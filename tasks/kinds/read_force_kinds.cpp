@@ -135,38 +135,38 @@ void read_csv_data(TomlReader& reader, Waveform& waveform) {
 }  // namespace
 
 Waveform read_waveform(TomlReader& reader, double duration_s) {
-  using Shape = Waveform::Shape;
+  using Wave = Waveform::Shape;
   Waveform waveform;
   waveform.shape =
-      static_cast<Shape>(reader.choice("waveform",
-                                       {"constant", "ramp", "trapezoid", "triangle", "sine",
-                                        "swept_sine", "rectangle", "multi_sine", "random", "csv"},
-                                       static_cast<std::size_t>(Shape::sine)));
+      static_cast<Wave>(reader.choice("waveform",
+                                      {"constant", "ramp", "trapezoid", "triangle", "sine",
+                                       "swept_sine", "rectangle", "multi_sine", "random", "csv"},
+                                      static_cast<std::size_t>(Wave::sine)));
   switch (waveform.shape) {
-    case Shape::constant: break;
-    case Shape::trapezoid:
+    case Wave::constant: break;
+    case Wave::trapezoid:
       waveform.hold_s = read_wait(reader, "hold_s", waveform.hold_s);
       waveform.fall_s = read_duration(reader, "fall_s", waveform.fall_s);
       [[fallthrough]];
-    case Shape::ramp: waveform.rise_s = read_duration(reader, "rise_s", waveform.rise_s); break;
-    case Shape::swept_sine:
+    case Wave::ramp: waveform.rise_s = read_duration(reader, "rise_s", waveform.rise_s); break;
+    case Wave::swept_sine:
       waveform.last_frequency_Hz =
           read_within(reader, "last_frequency_Hz", kLeast_Hz, kMost_Hz, waveform.last_frequency_Hz);
       [[fallthrough]];
-    case Shape::triangle:
-    case Shape::sine:
-    case Shape::rectangle:
+    case Wave::triangle:
+    case Wave::sine:
+    case Wave::rectangle:
       waveform.frequency_Hz =
           read_within(reader, "frequency_Hz", kLeast_Hz, kMost_Hz, waveform.frequency_Hz);
       break;
-    case Shape::multi_sine:
+    case Wave::multi_sine:
       waveform.frequencies = reader.numbers("frequencies_Hz", 1, 20);
       for (const double frequency : waveform.frequencies)
         if (!(frequency >= kLeast_Hz && frequency <= kMost_Hz))
           reader.fail("frequencies_Hz", format_number(frequency) + " is out of range",
                       "write frequencies up to 5 Hz");
       break;
-    case Shape::random:
+    case Wave::random:
       waveform.bandwidth_Hz =
           read_within(reader, "bandwidth_Hz", kLeast_Hz, kMost_Hz, waveform.bandwidth_Hz);
       if (waveform.bandwidth_Hz * duration_s > kMostSines)
@@ -176,9 +176,9 @@ Waveform read_waveform(TomlReader& reader, double duration_s) {
         reader.fail("bandwidth_Hz", "is below one cycle in this duration",
                     "raise it, or make the target longer");
       break;
-    case Shape::csv: read_csv_data(reader, waveform); break;
+    case Wave::csv: read_csv_data(reader, waveform); break;
   }
-  const bool seeded = waveform.shape == Shape::multi_sine || waveform.shape == Shape::random;
+  const bool seeded = waveform.shape == Wave::multi_sine || waveform.shape == Wave::random;
   if (seeded && reader.has("seed")) {
     const auto seed = reader.integer("seed");
     if (seed < 0) reader.fail("seed", "is negative", "write 0 or more");
@@ -240,8 +240,8 @@ ForceTrackingSpec read_force_tracking(TomlReader& reader) {
   spec.duration_s = read_duration(reader, "duration_s", spec.duration_s);
   spec.waveform = read_waveform(reader, spec.duration_s);
   // Axes of a pose would meet in another path: those are no parallel forms.
-  using Shape = Waveform::Shape;
-  if (spec.waveform.shape == Shape::sine || spec.waveform.shape == Shape::triangle)
+  using Wave = Waveform::Shape;
+  if (spec.waveform.shape == Wave::sine || spec.waveform.shape == Wave::triangle)
     spec.waveform.forms = read_count(reader, "forms", spec.waveform.forms, kMostForms);
   return spec;
 }

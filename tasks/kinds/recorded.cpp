@@ -51,9 +51,8 @@ namespace {
 void add_corridor(const Record& record, MeasureList& list) {
   const Section section = record.select({}, {"actual_force_N", "corridor_error_N"});
   // The error is a distance from the nearer edge: the corridor seen from there is a line at 0.
-  const auto error_N = section.reason.empty()
-                           ? section.values(record.signals().column("corridor_error_N"))
-                           : std::vector<double>();
+  const auto error_N =
+      section.reason.empty() ? section.values("corridor_error_N") : std::vector<double>();
   const std::vector<double> edge_N(error_N.size(), 0.0);
   const Corridor found = corridor(edge_N, edge_N, error_N, section.weight_s);
   list.add("corridor_rms", "force", "N", section, found.rms_outside);
@@ -73,7 +72,7 @@ void add_maximum(const RecordedSpec& spec, const Record& record, MeasureList& li
       record.select(rows - spec.window.first, rows - spec.window.last, {}, {"actual_force_N"});
   Computed mean = section.reason;
   if (section.reason.empty()) {
-    auto size_N = section.values(record.signals().column("actual_force_N"));
+    auto size_N = section.values("actual_force_N");
     for (double& force_N : size_N) force_N = std::abs(force_N);
     mean = weighted_mean(size_N, section.weight_s);
   }
@@ -103,33 +102,12 @@ struct FingerForces {
 };
 
 FingerForces finger_forces_of(const RecordedSpec& spec, const Record& record) {
+  std::vector<std::string> columns;
+  for (const std::string& finger : spec.fingers) columns.push_back(finger + "_fz_N");
   FingerForces forces;
-  forces.section = record.select({}, {});
-  const Signals& signals = record.signals();
-  std::vector<std::span<const double>> columns;
-  for (const std::string& finger : spec.fingers) {
-    const std::string name = finger + "_fz_N";
-    if (!signals.has(name)) {
-      forces.section.reason = "the column " + name + " is missing";
-      return forces;
-    }
-    columns.push_back(signals.column(name));
-  }
-  Section complete;
-  complete.excluded = forces.section.excluded;
-  for (std::size_t k = 0; k < forces.section.rows.size(); ++k) {
-    const std::size_t row = forces.section.rows[k];
-    if (std::any_of(columns.begin(), columns.end(),
-                    [row](const auto& column) { return std::isnan(column[row]); })) {
-      ++complete.excluded;
-      continue;
-    }
-    complete.rows.push_back(row);
-    complete.t_s.push_back(forces.section.t_s[k]);
-    complete.weight_s.push_back(forces.section.weight_s[k]);
-  }
-  forces.section = std::move(complete);
-  for (const auto& column : columns) forces.force_N.push_back(forces.section.values(column));
+  forces.section = record.select({}, columns);
+  if (!forces.section.reason.empty()) return forces;
+  for (const std::string& column : columns) forces.force_N.push_back(forces.section.values(column));
   return forces;
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "statistics/survival.hpp"
 #include "tasks/measures/direction.hpp"
 #include "tasks/measures/error.hpp"
-#include "tasks/measures/survival.hpp"
 
 namespace isograsp {
 
@@ -30,7 +30,9 @@ std::vector<Part> parts_of(const Record& record) {
   const auto direction = signals.column("channel_direction");
   std::vector<Part> parts;
   double before = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t row = 0; row < record.rows(); ++row) {
+  std::size_t rows = 0;
+  while (rows < record.rows() && record.phase(rows) != Phase::done) ++rows;  // then it is over
+  for (std::size_t row = 0; row < rows; ++row) {
     const bool paused = record.paused(row);
     const double here = paused            ? before
                         : segment.empty() ? static_cast<double>(record.phase(row))
@@ -51,8 +53,14 @@ std::vector<Part> parts_of(const Record& record) {
       before = here;
     }
   }
-  if (!parts.empty()) parts.back().last = record.rows();
+  if (!parts.empty()) parts.back().last = rows;
   return parts;
+}
+
+double end_of(const Record& record, const Part& part) {
+  std::size_t row = part.last;
+  while (row > part.first + 1 && record.paused(row - 1)) --row;
+  return record.task_time_s(row - 1) + record.hold_s(row - 1);
 }
 
 Trace trace_of(const Record& record, std::size_t first, std::size_t last, bool with_target) {
@@ -62,8 +70,8 @@ Trace trace_of(const Record& record, std::size_t first, std::size_t last, bool w
   if (!trace.section.reason.empty()) return trace;
   trace.t_s = trace.section.t_s;
   trace.weight_s = trace.section.weight_s;
-  trace.force_N = trace.section.values(record.signals().column("actual_force_N"));
-  if (with_target) trace.target_N = trace.section.values(record.signals().column("target_force_N"));
+  trace.force_N = trace.section.values("actual_force_N");
+  if (with_target) trace.target_N = trace.section.values("target_force_N");
   return trace;
 }
 
@@ -100,19 +108,18 @@ NormalForces normal_forces(const Record& record, std::size_t first, std::size_t 
   if (!forces.section.reason.empty()) return forces;
   for (const Finger finger : kFingers)
     forces.force_N[index_of(finger)] =
-        forces.section.values(record.signals().column(std::string(name_of(finger)) + "_fz_N"));
+        forces.section.values(std::string(name_of(finger)) + "_fz_N");
   return forces;
 }
 
 Vectors vectors_of(const Record& record, std::size_t first, std::size_t last,
                    const std::string& prefix) {
-  const std::array<std::string, 3> names{prefix + "_fx_N", prefix + "_fy_N", prefix + "_fz_N"};
+  const std::string x = prefix + "_fx_N", y = prefix + "_fy_N", z = prefix + "_fz_N";
   Vectors vectors;
-  vectors.section = record.select(first, last, {}, {names[0], names[1], names[2]});
+  vectors.section = record.select(first, last, {}, {x, y, z});
   for (const std::size_t row : vectors.section.rows)
-    vectors.force_N.emplace_back(record.signals().column(names[0])[row],
-                                 record.signals().column(names[1])[row],
-                                 record.signals().column(names[2])[row]);
+    vectors.force_N.emplace_back(record.signals().column(x)[row], record.signals().column(y)[row],
+                                 record.signals().column(z)[row]);
   return vectors;
 }
 
@@ -124,11 +131,10 @@ double known_in(const Record& record, const Part& part, std::string_view column)
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-Measure& MeasureList::add(std::string name, std::string channel, std::string unit,
-                          const Section& section, Computed computed) {
+void MeasureList::add(std::string name, std::string channel, std::string unit,
+                      const Section& section, Computed computed) {
   measures_.push_back(make_measure(std::move(name), std::move(channel), std::move(unit), section,
                                    std::move(computed)));
-  return measures_.back();
 }
 
 Computed mean_of_repetitions(std::span<const Computed> each, const char* none) {
@@ -192,12 +198,12 @@ void add_net_push(const Record& record, ForceChannel channel, MeasureList& list)
   if (single_digit(channel)) return;
   const Section section = record.select({Phase::active, Phase::hold},
                                         {"net_fx_N", "net_fy_N", "net_fz_N", "actual_force_N"});
-  if (!section.reason.empty()) return;  // finger forces were not recorded
   const Signals& signals = record.signals();
-  const auto x = section.values(signals.column("net_fx_N"));
-  const auto y = section.values(signals.column("net_fy_N"));
-  const auto z = section.values(signals.column("net_fz_N"));
-  auto grip_N = section.values(signals.column("actual_force_N"));
+  if (!signals.has("net_fz_N") || !signals.has("actual_force_N")) return;  // not recorded
+  const auto x = section.values("net_fx_N");
+  const auto y = section.values("net_fy_N");
+  const auto z = section.values("net_fz_N");
+  auto grip_N = section.values("actual_force_N");
   std::vector<double> push_N;
   for (std::size_t k = 0; k < x.size(); ++k) {
     push_N.push_back(std::hypot(x[k], y[k], z[k]));
@@ -214,7 +220,7 @@ void add_sharing(const Record& record, ForceChannel channel, MeasureList& list) 
                          channel.digits == Digits::sum;
   if (!all_press || channel.direction != Direction::plus_z) return;
   const NormalForces forces = normal_forces(record, 0, record.rows(), {Phase::active});
-  if (!forces.section.reason.empty()) return;  // finger forces were not recorded
+  if (!record.signals().has("middle_fz_N")) return;  // finger forces were not recorded
   const PerDigit mean_N = forces.mean();
   for (const Finger finger : kFingers)
     list.add("sharing", std::string(name_of(finger)), "%", forces.section, sharing(mean_N, finger));
@@ -242,7 +248,8 @@ void add_force_of_maximum(const Record& record, ForceChannel channel, MeasureLis
   if (!known) return;
   constexpr double kWindow_s = 0.5;  // that of the maximum itself
   list.add("force_of_maximum", name_of(channel), "%",
-           record.select({Phase::active, Phase::hold}, {"actual_force_N", "maximum_force_N"}),
+           record.select({Phase::active, Phase::hold},
+                         {"actual_force_N", "resting_force_N", "maximum_force_N"}),
            best_moving_mean(of_maximum, weight_s, valid, kWindow_s));
 }
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/force_channel.hpp"
+#include "hand/force_channel.hpp"
+#include "statistics/samples.hpp"
 #include "tasks/measures/digits.hpp"
-#include "tasks/measures/samples.hpp"
 #include "tasks/measures/synergy.hpp"
 #include "tasks/record.hpp"
 
@@ -24,9 +24,12 @@ struct Part {
   Cue cue = Cue::relax;
   ForceChannel channel;
 };
-/// In the order of time. Without a column `segment` the rows of one phase after the other are the
-/// parts, of the grip.
+/// In the order of time, without the row of phase `done` that ends a trial. Without a column
+/// `segment` the rows of one phase after the other are the parts, of the grip.
 [[nodiscard]] std::vector<Part> parts_of(const Record& record);
+
+/// When the part's last row that is not paused ends, in task time [s]. @pre the part has rows
+[[nodiscard]] double end_of(const Record& record, const Part& part);
 
 /// The force of the channel over some rows, without those that do not count.
 struct Trace {
@@ -73,9 +76,8 @@ struct Vectors {
 /// Measures on their way to the record.
 class MeasureList {
  public:
-  /// The measure, so that its version can be raised.
-  Measure& add(std::string name, std::string channel, std::string unit, const Section& section,
-               Computed computed);
+  void add(std::string name, std::string channel, std::string unit, const Section& section,
+           Computed computed);
   /// mean_of_repetitions().
   void add_mean(std::string name, const std::string& channel, std::string unit,
                 const Section& section, std::span<const Computed> each);

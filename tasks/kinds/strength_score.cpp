@@ -24,8 +24,7 @@ std::vector<Measure> measures_of(const RestSpec&, const Record& record) {
   MeasureList list;
   const auto add = [&](const std::string& channel, const std::string& column, const char* unit) {
     const Section rest = record.select({Phase::active}, {column});
-    list.add("resting_force", channel, unit, rest,
-             mean_over(rest, record.signals().column(column)));
+    list.add("resting_force", channel, unit, rest, mean_over(rest, column));
   };
   add("grip", "actual_force_N", "N");
   for (const Finger finger : kFingers)
@@ -115,7 +114,7 @@ void add_coflexion(const Record& record, const Part& part, const std::string& ch
     forces.weight = weight_s;
     share = coflexion(forces, valid, window_s);
   }
-  list.add("coflexion", channel, "%", opening, share).version = kCoflexionVersion;
+  list.add("coflexion", channel, "%", opening, share);
 }
 
 /// Rows of an effort; of old records without segments, those that are active.

@@ -2,6 +2,7 @@
 // Measures of a force that follows a target over time, or holds one.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/csv.hpp"
 #include "tasks/kinds/score_kinds.hpp"
@@ -21,7 +22,7 @@ namespace isograsp {
 
 namespace {
 
-constexpr const char* kTooShort = "fewer than two samples";
+constexpr const char* kTrackingTooShort = "fewer than two samples";
 
 /// Errors of the whole target.
 void add_errors(const Record& record, const Trace& trace, double band_fraction,
@@ -41,7 +42,7 @@ void add_errors(const Record& record, const Trace& trace, double band_fraction,
 /// Lag with the raw value beside the one without the known delay.
 void add_lag(const Record& record, const Trace& trace, const std::string& channel,
              MeasureList& list) {
-  const Computed raw = trace.t_s.size() < 2 ? Computed(kTooShort)
+  const Computed raw = trace.t_s.size() < 2 ? Computed(kTrackingTooShort)
                                             : lag(on_uniform_grid(trace.t_s, trace.target_N),
                                                   on_uniform_grid(trace.t_s, trace.force_N));
   list.add("lag", channel, "s", trace.section, raw);
@@ -58,16 +59,16 @@ void add_sines(const ForceTrackingSpec& spec, const Trace& trace, MeasureList& l
   for (const SineAnswer& answer : answers) {
     const std::string channel =
         answers.size() == 1 ? "force" : "force_" + format_number(answer.frequency_Hz) + "_Hz";
-    list.add("gain", channel, "", trace.section, answer.gain).version = kGainVersion;
+    list.add("gain", channel, "", trace.section, answer.gain);
     list.add("phase", channel, "rad", trace.section, answer.phase_rad);
     list.add("phase_lag", channel, "s", trace.section, answer.lag_s);
   }
 }
 
 void add_smoothness(const Trace& trace, MeasureList& list) {
-  Computed arc = kTooShort;
-  Computed jerk = kTooShort;
-  Computed entropy = kTooShort;
+  Computed arc = kTrackingTooShort;
+  Computed jerk = kTrackingTooShort;
+  Computed entropy = kTrackingTooShort;
   if (trace.t_s.size() >= 2) {
     const UniformSamples force = on_uniform_grid(trace.t_s, trace.force_N);
     const UniformSamples rate = rate_of(force);
@@ -80,21 +81,21 @@ void add_smoothness(const Trace& trace, MeasureList& list) {
   list.add("sample_entropy", "force", "", trace.section, entropy);
 }
 
-/// The piece of a trace from one time to another after its beginning.
-Trace piece_of(const Trace& whole, double from_s, double to_s) {
-  Trace piece;
-  if (whole.empty()) return piece;
-  const double begin_s = whole.t_s.front();
-  for (std::size_t k = 0; k < whole.t_s.size(); ++k) {
-    const double since_s = whole.t_s[k] - begin_s;
-    if (since_s < from_s || since_s >= to_s) continue;
-    piece.section.rows.push_back(whole.section.rows[k]);
-    piece.t_s.push_back(whole.t_s[k]);
-    piece.force_N.push_back(whole.force_N[k]);
-    piece.target_N.push_back(whole.target_N[k]);
-    piece.weight_s.push_back(whole.weight_s[k]);
-  }
-  return piece;
+/// Rows from the first active one to the last: those of the waveform, pauses included.
+RowRange waveform_rows(const Record& record) {
+  RowRange rows{0, record.rows()};
+  while (rows.first < rows.end && record.phase(rows.first) != Phase::active) ++rows.first;
+  while (rows.end > rows.first && record.phase(rows.end - 1) != Phase::active) --rows.end;
+  return rows;
+}
+
+/// The piece of the waveform from one time after its beginning to another.
+Trace piece_of(const Record& record, double from_s, double to_s) {
+  const RowRange wave = waveform_rows(record);
+  if (wave.count() == 0) return trace_of(record, 0, 0, true);
+  const auto t_s = record.task_times_s().subspan(wave.first, wave.count());
+  const RowRange piece = rows_between(t_s, t_s.front() + from_s, t_s.front() + to_s);
+  return trace_of(record, wave.first + piece.first, wave.first + piece.end, true);
 }
 
 void add_steadiness(const Trace& hold, const std::string& channel, double noise_N,
@@ -116,44 +117,60 @@ void add_part(const ForceTrackingSpec& spec, const Record& record, const std::st
                         record.constant("noise_sd_N").value_or(0.0)));
 }
 
-void add_ramps(const ForceTrackingSpec& spec, const Record& record, const Trace& trace,
-               MeasureList& list) {
-  using Shape = Waveform::Shape;
+void add_ramps(const ForceTrackingSpec& spec, const Record& record, MeasureList& list) {
+  using Wave = Waveform::Shape;
   const Waveform& wave = spec.waveform;
-  if (wave.shape != Shape::ramp && wave.shape != Shape::trapezoid) return;
-  const auto add = [&](const std::string& channel, const Trace& ramp, double duration_s) {
+  if (wave.shape != Wave::ramp && wave.shape != Wave::trapezoid) return;
+  const auto add = [&](const std::string& channel, const Trace& ramp) {
     add_part(spec, record, channel, ramp, list);
     Pauses held{"fewer than three samples", "fewer than three samples"};
     constexpr std::size_t kLeast = 3;
     if (ramp.t_s.size() >= kLeast) {
       const double range_N = ramp.target_N.back() - ramp.target_N.front();
-      if (range_N != 0.0) held = pauses(ramp.t_s, ramp.force_N, range_N / duration_s);
+      const double length_s = ramp.t_s.back() - ramp.t_s.front();
+      if (range_N != 0.0) held = pauses(ramp.t_s, ramp.force_N, range_N / length_s);
     }
     list.add("pauses", channel, "", ramp.section, held.count);
     list.add("pause_length", channel, "s", ramp.section, held.mean_length_s);
   };
-  add("force_rise", piece_of(trace, 0.0, wave.rise_s), wave.rise_s);
-  if (wave.shape != Shape::trapezoid) return;
+  add("force_rise", piece_of(record, 0.0, wave.rise_s));
+  if (wave.shape != Wave::trapezoid) return;
   const double fall_at_s = wave.rise_s + wave.hold_s;
   constexpr double kSettle_s = 1.0;  // the end of the ramp is no steady force yet
-  const Trace hold = piece_of(trace, wave.rise_s + kSettle_s, fall_at_s);
+  const Trace hold = piece_of(record, wave.rise_s + kSettle_s, fall_at_s);
   add_part(spec, record, "force_hold", hold, list);
   add_steadiness(hold, "force_hold", record.constant("noise_sd_N").value_or(0.0), list);
-  add("force_fall", piece_of(trace, fall_at_s, fall_at_s + wave.fall_s), wave.fall_s);
+  add("force_fall", piece_of(record, fall_at_s, fall_at_s + wave.fall_s));
+}
+
+/// +1 while the target rises, -1 while it falls, 0 while it does neither: what it does until the
+/// next sample; of the last one, what it did since the one before.
+std::vector<int> directions_of(std::span<const double> target_N) {
+  if (target_N.size() < 2) return std::vector<int>(target_N.size(), 0);
+  const auto [least, most] = std::minmax_element(target_N.begin(), target_N.end());
+  constexpr double kLevel = 1e-9;  // of the range: two rows at the same height beside a turn
+  const double level_N = kLevel * (*most - *least);
+  std::vector<int> directions;
+  for (std::size_t k = 0; k < target_N.size(); ++k) {
+    const std::size_t from = std::min(k, target_N.size() - 2);
+    const double change_N = target_N[from + 1] - target_N[from];
+    directions.push_back(change_N > level_N ? 1 : change_N < -level_N ? -1 : 0);
+  }
+  return directions;
 }
 
 /// Halves of all cycles in which the target rises, and in which it falls.
 void add_halves(const ForceTrackingSpec& spec, const Record& record, const Trace& trace,
                 MeasureList& list) {
-  using Shape = Waveform::Shape;
-  if (spec.waveform.shape != Shape::sine && spec.waveform.shape != Shape::triangle) return;
-  for (const auto& [channel, sign] :
-       {std::pair{"force_rise", 1.0}, std::pair{"force_fall", -1.0}}) {
+  using Wave = Waveform::Shape;
+  if (spec.waveform.shape != Wave::sine && spec.waveform.shape != Wave::triangle) return;
+  const auto directions = directions_of(trace.target_N);
+  for (const auto& [channel, sign] : {std::pair{"force_rise", 1}, std::pair{"force_fall", -1}}) {
     Trace half;
     half.section.reason = trace.section.reason;
     half.section.excluded = trace.section.excluded;
-    for (std::size_t k = 0; k + 1 < trace.t_s.size(); ++k) {
-      if (!(sign * (trace.target_N[k + 1] - trace.target_N[k]) > 0.0)) continue;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      if (directions[k] != sign) continue;
       half.section.rows.push_back(trace.section.rows[k]);
       half.force_N.push_back(trace.force_N[k]);
       half.target_N.push_back(trace.target_N[k]);
@@ -166,9 +183,9 @@ void add_halves(const ForceTrackingSpec& spec, const Record& record, const Trace
 /// UCM analysis over the cycles of the target, where the sum of the digits is what follows it and
 /// there are cycles enough.
 void add_cycles(const ForceTrackingSpec& spec, const Record& record, MeasureList& list) {
-  using Shape = Waveform::Shape;
+  using Wave = Waveform::Shape;
   const auto [shape, f_Hz] = std::pair(spec.waveform.shape, spec.waveform.frequency_Hz);
-  if (shape != Shape::sine && shape != Shape::triangle && shape != Shape::rectangle) return;
+  if (shape != Wave::sine && shape != Wave::triangle && shape != Wave::rectangle) return;
   // Of a minimum of forces the digits have no common gradient.
   const Digits digits = spec.aim.channel.digits;
   if (digits != Digits::sum && digits != Digits::grip_mean) return;
@@ -179,8 +196,7 @@ void add_cycles(const ForceTrackingSpec& spec, const Record& record, MeasureList
       static_cast<std::size_t>(std::floor(spec.duration_s * f_Hz * (1.0 + kRoundingSlack)));
   if (cycles < kLeast + kLeftOut) return;
   const NormalForces forces = normal_forces(record, 0, record.rows(), {Phase::active});
-  std::size_t begin = 0;
-  while (begin < record.rows() && record.phase(begin) != Phase::active) ++begin;
+  const std::size_t begin = waveform_rows(record).first;
   CycleSynergy found{"no samples", "no samples", "no samples", "no samples"};
   if (!forces.section.rows.empty()) {
     std::vector<double> starts_s;
@@ -204,13 +220,13 @@ std::vector<Measure> measures_of(const ForceTrackingSpec& spec, const Record& re
   if (trace.section.reason.empty()) {
     trace.t_s = trace.section.t_s;
     trace.weight_s = trace.section.weight_s;
-    trace.target_N = trace.section.values(record.signals().column("target_force_N"));
-    trace.force_N = trace.section.values(record.signals().column("actual_force_N"));
+    trace.target_N = trace.section.values("target_force_N");
+    trace.force_N = trace.section.values("actual_force_N");
   }
   add_errors(record, trace, spec.aim.band_fraction, "force", list);
   add_lag(record, trace, "force", list);
   add_sines(spec, trace, list);
-  add_ramps(spec, record, trace, list);
+  add_ramps(spec, record, list);
   add_halves(spec, record, trace, list);
   add_smoothness(trace, list);
   add_cycles(spec, record, list);
@@ -220,16 +236,32 @@ std::vector<Measure> measures_of(const ForceTrackingSpec& spec, const Record& re
   return list.take();
 }
 
+namespace {
+
+/// "force_25_percent" or "force_5_N"; what has the name of one before is "force_5_N_2" and so on.
+std::vector<std::string> channels_of_levels(const SteadinessSpec& spec) {
+  std::vector<std::string> channels;
+  std::map<std::string, int> known;
+  for (const double level : spec.levels) {
+    const bool newton = spec.aim.scale == Scale::newton;
+    const std::string name =
+        "force_" + (newton ? format_number(level) + "_N"
+                           : format_number(std::round(1000.0 * level) / 10.0) + "_percent");
+    const int count = ++known[name];
+    channels.push_back(count == 1 ? name : name + "_" + std::to_string(count));
+  }
+  return channels;
+}
+
+}  // namespace
+
 std::vector<Measure> measures_of(const SteadinessSpec& spec, const Record& record) {
   MeasureList list;
+  const auto channels = channels_of_levels(spec);
   std::size_t level = 0;
   for (const Part& part : parts_of(record)) {
-    if (part.phase != Phase::active || level == spec.levels.size()) continue;
-    const bool newton = spec.aim.scale == Scale::newton;
-    const double number = spec.levels[level++];
-    const std::string channel =
-        "force_" + (newton ? format_number(number) + "_N"
-                           : format_number(std::round(1000.0 * number) / 10.0) + "_percent");
+    if (part.phase != Phase::active || level == channels.size()) continue;
+    const std::string& channel = channels[level++];
     const Trace hold = trace_of(record, part.first, part.last, true);
     const double noise_N = known_in(record, part, "noise_sd_N");
     add_steadiness(hold, channel, noise_N, list);
@@ -238,10 +270,13 @@ std::vector<Measure> measures_of(const SteadinessSpec& spec, const Record& recor
     list.add("time_in_range", channel, "%", hold.section,
              time_in_band(hold.target_N, hold.force_N, hold.weight_s, spec.aim.band_fraction,
                           std::isnan(noise_N) ? 0.0 : noise_N));
-    if (hold.t_s.size() < 2) continue;
-    const UniformSamples force = on_uniform_grid(hold.t_s, hold.force_N);
-    list.add("sample_entropy", channel, "", hold.section, sample_entropy(force.values));
-    const PowerSpectrum spectrum = welch(force);
+    const bool enough = hold.t_s.size() >= 2;
+    const UniformSamples force =
+        enough ? on_uniform_grid(hold.t_s, hold.force_N) : UniformSamples{};
+    list.add("sample_entropy", channel, "", hold.section,
+             enough ? sample_entropy(force.values) : Computed(kTrackingTooShort));
+    const PowerSpectrum spectrum =
+        enough ? welch(force) : PowerSpectrum{0.0, {}, kTrackingTooShort};
     for (const auto& [name, band] :
          {std::pair{"power_0.1_0.3_Hz", kVerySlowBand}, std::pair{"power_0.5_0.8_Hz", kSlowBand},
           std::pair{"power_2_8_Hz", kTremorBand}, std::pair{"power_8_12_Hz", kFastTremorBand}})

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "tasks/measures/weighted.hpp"
+#include "statistics/weighted.hpp"
 
 namespace isograsp {
 

@@ -3,7 +3,7 @@
 // of the virtual object: never to be compared with free lifting.
 #pragma once
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

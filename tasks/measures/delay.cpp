@@ -11,13 +11,14 @@ namespace isograsp {
 
 namespace {
 
+constexpr std::ptrdiff_t kLeastOverlap = 3;  // two points always correlate perfectly
+
 /// Pearson r between target[k] and actual[k + shift] over the samples that both have.
 std::optional<double> correlation(std::span<const double> target, std::span<const double> actual,
                                   std::ptrdiff_t shift) {
   const auto n = static_cast<std::ptrdiff_t>(target.size());
   const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, -shift);
   const std::ptrdiff_t count = std::min(n, n - shift) - first;
-  constexpr std::ptrdiff_t kLeastOverlap = 3;  // two points always correlate perfectly
   if (count < kLeastOverlap) return std::nullopt;
   const double* const x = target.data() + first;
   const double* const y = actual.data() + first + shift;
@@ -134,7 +135,7 @@ std::vector<std::optional<double>> rough_correlations(std::span<const double> x,
   std::vector<std::optional<double>> r(xy.size());
   for (std::ptrdiff_t shift = -most; shift <= most; ++shift) {
     const auto lost = static_cast<std::size_t>(std::abs(shift));
-    if (lost >= x.size()) continue;
+    if (lost + kLeastOverlap > x.size()) continue;
     const Sums& of_x = shift < 0 ? x_without_first[lost] : x_without_last[lost];
     const Sums& of_y = shift < 0 ? y_without_last[lost] : y_without_first[lost];
     const auto n = static_cast<double>(x.size() - lost);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

@@ -5,8 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "statistics/quantile.hpp"
 #include "tasks/measures/error.hpp"
-#include "tasks/measures/quantile.hpp"
 
 namespace isograsp {
 

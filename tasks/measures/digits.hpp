@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "core/finger.hpp"
-#include "tasks/measures/samples.hpp"
+#include "hand/finger.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 
@@ -53,9 +53,7 @@ struct Individuation {
 /// (Xu et al. 2017, with five digits and another robust line: not comparable in value)
 [[nodiscard]] Computed individuation_index(std::span<const Individuation> holds);
 
-/// Version of coflexion(): 1 took the largest single samples, to which noise adds.
-inline constexpr int kCoflexionVersion = 2;
-/// Unwanted co-flexion, version 2, in %: largest press of any digit while opening, relative to the
+/// Unwanted co-flexion, version 3, in %: largest press of any digit while opening, relative to the
 /// largest opening force (sum of -fz of the digits that pull), each the best mean over any window
 /// of `window_s` of uninterrupted samples. 0: no digit pressed.
 /// @param forces above rest, while opening was asked for

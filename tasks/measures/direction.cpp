@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "tasks/measures/quantile.hpp"
+#include "statistics/quantile.hpp"
 
 namespace isograsp {
 
@@ -68,7 +68,7 @@ Computed path_deviation(std::span<const std::vector<double>> digits_N,
 }
 
 PushSummary summary_of_push(std::span<const double> push_N, std::span<const double> grip_N,
-                 std::span<const double> weight, double least_grip_N) {
+                            std::span<const double> weight, double least_grip_N) {
   assert(push_N.size() == grip_N.size() && grip_N.size() == weight.size() && least_grip_N >= 0.0);
   constexpr double kFlagged = 20.0;  // % of grip: above, arm or trunk took part
   constexpr double kMedian = 0.5;

@@ -5,8 +5,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "tasks/measures/line.hpp"
-#include "tasks/measures/weighted.hpp"
+#include "statistics/line.hpp"
+#include "statistics/weighted.hpp"
 
 namespace isograsp {
 

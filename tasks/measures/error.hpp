@@ -3,7 +3,7 @@
 // error e = actual - target; weights w are hold lengths [s]. All spans have the same length.
 #pragma once
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

@@ -5,8 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "statistics/line.hpp"
 #include "tasks/measures/error.hpp"
-#include "tasks/measures/line.hpp"
 
 namespace isograsp {
 
@@ -16,10 +16,8 @@ namespace {
 Computed fresh_force(std::span<const double> t_s, std::span<const double> force_N) {
   assert(t_s.size() == force_N.size());
   constexpr double kFresh_s = 5.0;
-  const auto end =
-      t_s.empty() ? t_s.end() : std::lower_bound(t_s.begin(), t_s.end(), t_s.front() + kFresh_s);
-  if (end == t_s.end()) return "no more than 5 s of force";
-  const auto count = static_cast<std::size_t>(end - t_s.begin());
+  const std::size_t count = t_s.empty() ? 0 : first_row_from(t_s, t_s.front() + kFresh_s);
+  if (count == t_s.size()) return "no more than 5 s of force";
   const auto first_N = force_N.first(count);
   Computed mean = weighted_mean(first_N, hold_lengths(t_s.first(count)));
   double largest = 0.0;

@@ -2,7 +2,7 @@
 // How much precision is reached how fast. Distances in any one unit, force or position.
 #pragma once
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "statistics/weighted.hpp"
 #include "tasks/measures/direction.hpp"
-#include "tasks/measures/weighted.hpp"
 
 namespace isograsp {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/spatial.hpp"
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

@@ -26,10 +26,8 @@ std::optional<RestingLevel> level_before(std::span<const double> t_s, std::span<
                                          double cue_s) {
   assert(t_s.size() == x.size());
   constexpr double kLevel_s = 1.0;  // long enough for a slow tremor to show in the SD
-  const auto end = std::lower_bound(t_s.begin(), t_s.end(), cue_s);
-  const auto first = std::lower_bound(t_s.begin(), end, cue_s - kLevel_s);
-  return resting_level(x.subspan(static_cast<std::size_t>(first - t_s.begin()),
-                                 static_cast<std::size_t>(end - first)));
+  const RowRange before = rows_between(t_s, cue_s - kLevel_s, cue_s);
+  return resting_level(x.subspan(before.first, before.count()));
 }
 
 namespace {
@@ -57,13 +55,13 @@ Reaction reaction(std::span<const double> t_s, std::span<const double> x, double
                   const RestingLevel& before, double lsb, Change change) {
   assert(t_s.size() == x.size());
   constexpr double kAnticipation_s = 0.1;
-  if (t_s.empty() || t_s.back() < cue_s) return {{"no samples after the cue", {}}, {}};
+  if (t_s.empty() || is_earlier(t_s.back(), cue_s)) return {{"no samples after the cue", {}}, {}};
   const double margin = before.margin(lsb);
   const double threshold = before.mean + (change == Change::rise ? margin : -margin);
   for (const Stretch& stretch : stretches(t_s, beyond(x, threshold, change), kOnset_s)) {
-    if (t_s[stretch.end - 1] < cue_s) continue;  // over before the cue: no answer to it
+    if (is_earlier(t_s[stretch.end - 1], cue_s)) continue;  // over before the cue: no answer to it
     const double time_s = t_s[stretch.first] - cue_s;
-    if (time_s < kAnticipation_s)
+    if (is_earlier(time_s, kAnticipation_s))
       return {{"anticipated: less than 100 ms after the cue", {}}, time_s};
     return {{time_s, {}}, {}};
   }

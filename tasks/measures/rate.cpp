@@ -57,11 +57,9 @@ Computed early_rate(std::span<const double> t_s, std::span<const double> force_N
                     std::size_t onset) {
   assert(t_s.size() == force_N.size() && onset < t_s.size());
   constexpr double kEarly_s = 0.2;
-  constexpr double kRoundingSlack_s = 1e-9;
   const double end_s = t_s[onset] + kEarly_s;
-  const auto after = std::lower_bound(t_s.begin(), t_s.end(), end_s - kRoundingSlack_s);
-  if (after == t_s.end()) return "the record ends within 0.2 s of the onset";
-  const auto k = static_cast<std::size_t>(after - t_s.begin());
+  const std::size_t k = first_row_from(t_s, end_s);
+  if (k == t_s.size()) return "the record ends within 0.2 s of the onset";
   const double share = (end_s - t_s[k - 1]) / (t_s[k] - t_s[k - 1]);
   const double end_N = force_N[k - 1] + share * (force_N[k] - force_N[k - 1]);
   return (end_N - force_N[onset]) / kEarly_s;

@@ -48,35 +48,39 @@ Computed mean_between(std::span<const double> t_s, std::span<const double> x, do
 
 }  // namespace
 
+double AskedGrip::least_N() const {
+  constexpr double kNearEnough = 0.5;  // of what was asked: less is another force, or none
+  const double told_apart_N = RestingLevel{0.0, noise_sd_N}.margin(resolution_N);
+  return std::max(kNearEnough * (asked_N - resting_N), told_apart_N);
+}
+
 Release release(std::span<const double> t_s, std::span<const double> force_N, double cue_s,
-                const RestingLevel& resting, double lsb_N) {
+                const AskedGrip& grip) {
   assert(t_s.size() == force_N.size());
   constexpr double kResidual_s = 5.0;
   constexpr double kHalfWindow_s = 0.1;
   constexpr double kHeld_s = 1.0;
   constexpr double kReleasedShare = 0.1;
-  const auto first =
-      static_cast<std::size_t>(std::lower_bound(t_s.begin(), t_s.end(), cue_s) - t_s.begin());
+  const auto without = [](std::optional<bool> grip_made, const char* why) {
+    return Release{grip_made, {{why, {}}, {}}, {why, {}}, why, why};
+  };
+  const std::size_t first = first_row_from(t_s, cue_s);
   const auto held = level_before(t_s, force_N, cue_s);
-  if (!held || first == t_s.size()) {
-    const char* const none = held ? "no samples after the cue" : "no force held before the cue";
-    return {{{none, {}}, {}}, {none, {}}, none, none};
-  }
-  const auto hold = static_cast<std::size_t>(
-      std::lower_bound(t_s.begin(), t_s.end(), cue_s - kHeld_s) - t_s.begin());
-  const auto held_N = force_N.subspan(hold, first - hold);
+  if (!held) return without(std::nullopt, "no force held before the cue");
+  if (first == t_s.size()) return without(std::nullopt, "no samples after the cue");
+  const double above_rest_N = held->mean - grip.resting_N;
+  if (!(above_rest_N > 0.0 && above_rest_N >= grip.least_N()))
+    return without(false, "no grip was made");
+  const RowRange hold = rows_between(t_s, cue_s - kHeld_s, cue_s);
+  const auto held_N = force_N.subspan(hold.first, hold.count());
   const double peak_N = *std::max_element(held_N.begin(), held_N.end());
+  const double released_N = grip.resting_N + kReleasedShare * (peak_N - grip.resting_N);
   const auto after_s = t_s.subspan(first);
   const auto after_N = force_N.subspan(first);
   Computed residual_N = mean_between(t_s, force_N, cue_s + kResidual_s - kHalfWindow_s,
                                      cue_s + kResidual_s + kHalfWindow_s);
-  if (residual_N.value) residual_N.value = *residual_N.value - resting.mean;
-  if (peak_N - resting.mean <= resting.margin(lsb_N)) {
-    const char* const none = "nothing was held above rest";
-    return {{{none, {}}, {}}, {none, {}}, residual_N, none};
-  }
-  const double released_N = resting.mean + kReleasedShare * (peak_N - resting.mean);
-  return {reaction(t_s, force_N, cue_s, *held, lsb_N, Change::fall),
+  if (residual_N.value) residual_N.value = *residual_N.value - grip.resting_N;
+  return {true, reaction(t_s, force_N, cue_s, *held, grip.resolution_N, Change::fall),
           time_to_level(after_s, after_N, cue_s, released_N), residual_N,
           peak_relaxation(after_s, after_N)};
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 
@@ -34,9 +34,6 @@ struct SinesFit {
 /// two: less cannot tell them apart.
 [[nodiscard]] SinesFit fit_sines(std::span<const double> t_s, std::span<const double> x,
                                  std::span<const double> frequencies_Hz);
-
-/// Version of the gain as tasks report it: 1 fitted one sine alone, 2 fits all of a target together.
-inline constexpr int kGainVersion = 2;
 
 /// How one sine of the target is answered, version 1 but for the gain.
 struct SineAnswer {

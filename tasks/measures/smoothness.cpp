@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "tasks/measures/fourier.hpp"
+#include "core/fourier.hpp"
 
 namespace isograsp {
 
@@ -41,7 +41,9 @@ Computed sparc(const UniformSamples& speed) {
   if (n < 2) return "fewer than two samples";
   const std::size_t length = std::bit_ceil(n) << kPadding;
   const double line_Hz = 1.0 / (speed.step_s * static_cast<double>(length));
-  const double lines = std::min(kHighest_Hz / line_Hz + 1.0, 0.5 * static_cast<double>(length));
+  constexpr double kRoundingSlack = 1e-9;  // a line at 10 Hz belongs to the range
+  const double highest_Hz = kHighest_Hz * (1.0 + kRoundingSlack);
+  const double lines = std::min(highest_Hz / line_Hz + 1.0, 0.5 * static_cast<double>(length));
   std::vector<double> magnitude =
       low_magnitudes(speed.values, length, static_cast<std::size_t>(lines));
   const double largest = magnitude.front();  // of a signal that is never negative
@@ -50,7 +52,7 @@ Computed sparc(const UniformSamples& speed) {
   std::size_t last = 0;
   for (std::size_t k = 0; k < magnitude.size(); ++k) {
     magnitude[k] /= largest;
-    if (static_cast<double>(k) * line_Hz > kHighest_Hz || magnitude[k] < kLeastAmplitude) continue;
+    if (static_cast<double>(k) * line_Hz > highest_Hz || magnitude[k] < kLeastAmplitude) continue;
     first = std::min(first, k);
     last = k;
   }

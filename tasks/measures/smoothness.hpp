@@ -2,7 +2,7 @@
 // How smooth a movement, or the change of a force, is. Uniform grids only; see on_uniform_grid().
 #pragma once
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

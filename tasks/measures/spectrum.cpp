@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "tasks/measures/fourier.hpp"
+#include "core/fourier.hpp"
 
 namespace isograsp {
 
@@ -45,7 +45,10 @@ double power_between(const PowerSpectrum& spectrum, Band band) {
 std::string unknown(const PowerSpectrum& spectrum, Band band) {
   if (spectrum.density.empty()) return spectrum.reason;
   const double top_Hz = static_cast<double>(spectrum.density.size() - 1) * spectrum.line_Hz;
-  return band.high_Hz > top_Hz ? "the sampling rate is too low for the band" : "";
+  constexpr double kRoundingSlack = 1e-9;
+  return band.high_Hz > top_Hz * (1.0 + kRoundingSlack)
+             ? "the sampling rate is too low for the band"
+             : "";
 }
 
 }  // namespace
@@ -106,10 +109,13 @@ Computed band_share(const PowerSpectrum& spectrum, Band band) {
 Computed peak_frequency(const PowerSpectrum& spectrum, Band band) {
   if (std::string why = unknown(spectrum, band); !why.empty()) return why;
   const auto& density = spectrum.density;
+  constexpr double kRoundingSlack = 1e-9;  // a line on an edge: the lower belongs, the upper not
   std::optional<std::size_t> peak;
   for (std::size_t k = 1; k + 1 < density.size(); ++k) {
     const double f_Hz = static_cast<double>(k) * spectrum.line_Hz;
-    if (f_Hz < band.low_Hz || f_Hz >= band.high_Hz) continue;
+    if (f_Hz < band.low_Hz * (1.0 - kRoundingSlack) ||
+        f_Hz >= band.high_Hz * (1.0 - kRoundingSlack))
+      continue;
     if (!peak || density[k] > density[*peak]) peak = k;
   }
   if (!peak) return "the band has no line of the spectrum";

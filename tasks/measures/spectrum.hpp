@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

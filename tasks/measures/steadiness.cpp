@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "statistics/line.hpp"
 #include "tasks/measures/error.hpp"
-#include "tasks/measures/line.hpp"
 
 namespace isograsp {
 

@@ -71,8 +71,7 @@ EventTime settling_time(const Shares& shares) {
 CuedStepResponse cued_step_response(std::span<const double> t_s, std::span<const double> x,
                                     const CuedStep& step, double lsb) {
   assert(t_s.size() == x.size() && step.from != step.to);
-  const auto first =
-      static_cast<std::size_t>(std::lower_bound(t_s.begin(), t_s.end(), step.cue_s) - t_s.begin());
+  const std::size_t first = first_row_from(t_s, step.cue_s);
   if (first == t_s.size()) {
     const char* const none = "no samples after the cue";
     return {{{none, {}}, {}}, {none, {}}, {none, {}}, {none, {}}, none, none, none, {none, {}}};

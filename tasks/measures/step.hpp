@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
+#include "statistics/samples.hpp"
 #include "tasks/measures/onset.hpp"
-#include "tasks/measures/samples.hpp"
 
 namespace isograsp {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp {
 

@@ -5,11 +5,11 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "core/anatomical_axes.hpp"
 #include "core/csv.hpp"
+#include "hand/anatomical_axes.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp {
+namespace isograsp::database_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -19,11 +19,11 @@ struct DatabaseCommands : testing::Test {
   test::TemporaryFolder folder;
   std::string db = folder.path("clinic.db");
 
-  void record(const std::string& patient) const {
+  void record(const std::string& patient, const std::string& options = "") const {
     const auto run =
         isograsp("run --protocol-file " ISOGRASP_SOURCE_DIR
                  "/library/protocols/short.toml --device 'sim://healthy?seed=4' --db " +
-                 db + " --fast --patient " + patient);
+                 db + " --fast --patient " + patient + options);
     ASSERT_EQ(run.status, 0) << run.err;
   }
   void execute(const std::string& statement) const {
@@ -54,6 +54,48 @@ TEST_F(DatabaseCommands, CheckFindsADamagedBlock) {
   EXPECT_EQ(check.status, 1);
   EXPECT_NE(check.out.find("trial 2 of session 1, group task, seconds 0 to 9"), std::string::npos)
       << check.out;
+}
+
+TEST_F(DatabaseCommands, VerifyCountsResultsOfOlderVersionsApartAndDoesNotFailForThem) {
+  record("T-01");
+  execute(
+      "UPDATE measures SET version = version - 1, value = value * 1.05, sample_count = 1 "
+      "WHERE name = 'rmse'");
+  execute("UPDATE measures SET version = version + 100, value = 1.0 WHERE name = 'mae'");
+  const auto verify = isograsp("db verify --json " + db);
+  EXPECT_EQ(verify.status, 0) << verify.out << verify.err;
+  const auto json = nlohmann::json::parse(verify.out);
+  EXPECT_GT(json.at("older_version").get<int>(), 0);
+  EXPECT_EQ(json.at("older_changed"), json.at("older_version"));
+  EXPECT_GT(json.at("newer_version").get<int>(), 0);
+  EXPECT_TRUE(json.at("problems").empty());
+  EXPECT_NE(isograsp("db verify " + db).out.find("by an older version of their definition"),
+            std::string::npos);
+}
+
+TEST_F(DatabaseCommands, VerifyAgreesWithWhatReportsHaveComputedAgainAndKept) {
+  record("T-01");
+  execute("UPDATE measures SET version = version - 1, value = value * 1.05, sample_count = 1");
+  const auto verified = [&] {
+    const auto verify = isograsp("db verify --json " + db);
+    EXPECT_EQ(verify.status, 0) << verify.out << verify.err;
+    return nlohmann::json::parse(verify.out);
+  };
+  const auto before = verified();
+  EXPECT_EQ(before.at("identical"), 0);
+  ASSERT_EQ(isograsp("report --db " + db + " --all --out " + folder.path("all")).status, 0);
+  const auto after = verified();
+  EXPECT_EQ(after.at("older_version"), before.at("older_version"))
+      << "the old ones are still there";
+  EXPECT_GT(after.at("identical").get<int>(), 0);
+  EXPECT_EQ(after.at("measures").get<int>(),
+            before.at("measures").get<int>() + after.at("identical").get<int>());
+  ASSERT_EQ(isograsp("report --db " + db + " --patient T-01 --out " + folder.path("r.html")).status,
+            0);
+  EXPECT_EQ(verified().at("measures"), after.at("measures")) << "there is nothing to add";
+  EXPECT_EQ(isograsp("db check " + db).status, 0);
+  const auto log = isograsp("db audit " + db);
+  EXPECT_NE(log.out.find("recompute measures"), std::string::npos) << log.out;
 }
 
 TEST_F(DatabaseCommands, JsonNamesAFileWhoseNameIsNoUtf8) {
@@ -109,7 +151,7 @@ TEST_F(DatabaseCommands, MergeTakesInAnotherStationOnce) {
 TEST_F(DatabaseCommands, AClockThatWasSetBackIsToldInTheSession) {
   record("T-01");
   execute("UPDATE sessions SET started_utc = '2099-01-01T00:00:00Z'");
-  record("T-01");
+  record("T-01", " --clock-is-right");
   soci::session sql(soci::sqlite3, db);
   std::string kind;
   sql << "SELECT kind FROM events WHERE session_id = 2 ORDER BY id LIMIT 1", soci::into(kind);
@@ -240,4 +282,4 @@ TEST_F(DatabaseCommands, ExportOverwritesNothingAndLeavesNothingHalfWritten) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::database_test

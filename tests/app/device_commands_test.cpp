@@ -5,7 +5,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace isograsp {
+namespace isograsp::device_commands_test {
 namespace {
 
 using test::isograsp;
@@ -246,6 +246,15 @@ std::string walked_through(bool swapped) {
   return text;
 }
 
+TEST(DeviceCommands, HandsAreWordsInTheHelpAndInTheRefusal) {
+  const auto help = isograsp("devices --help");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.out.find("{right,left}"), std::string::npos) << help.out;
+  const auto refused = isograsp("devices --hand both");
+  EXPECT_NE(refused.status, 0);
+  EXPECT_NE(refused.err.find("both not in {right,left}"), std::string::npos) << refused.err;
+}
+
 TEST(DeviceCommands, TheGuidedCheckPassesAGoodDeviceAndNamesSwappedSensors) {
   const TemporaryFolder folder;
   const std::string check = "devices --check --config " ISOGRASP_SOURCE_DIR
@@ -267,4 +276,4 @@ TEST(DeviceCommands, TheGuidedCheckPassesAGoodDeviceAndNamesSwappedSensors) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::device_commands_test

@@ -10,10 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/csv.hpp"
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp {
+namespace isograsp::export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +53,7 @@ class Export : public testing::Test {
     std::vector<Measure> measures;
   };
   static std::vector<Stored> stored(const std::string& db) {
-    const auto store = SessionStore::open(db, SessionStore::Open::read_only).value();
+    const auto store = open_store(db, OpenMode::read_only).value();
     std::vector<Stored> all;
     for (const auto& patient : store->patients().value())
       for (const auto& session : store->sessions(patient.id).value())
@@ -335,4 +336,4 @@ TEST_F(Export, ATableComesBackWithTheSameMeasuresToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::export_test

@@ -9,11 +9,12 @@
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/recorded_data.hpp"
 
-namespace isograsp {
+namespace isograsp::import_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,7 +45,7 @@ std::vector<Patient> all_of(SessionStore& store) {
   return patients;
 }
 std::unique_ptr<SessionStore> opened(const std::string& db) {
-  return SessionStore::open(db, SessionStore::Open::read_only).value();
+  return open_store(db, OpenMode::read_only).value();
 }
 double value_of(const std::vector<Measure>& measures, const std::string& name,
                 const std::string& channel = "force") {
@@ -538,4 +539,4 @@ TEST(ImportedPeople, FourFingersKeepTheMetronomesRhythmAndShareTheForce) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::import_test

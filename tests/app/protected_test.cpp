@@ -7,7 +7,7 @@
 #include "core/csv.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp {
+namespace isograsp::protected_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -177,7 +177,7 @@ TEST_F(ProtectedCommands, SecretsAreChangedByFiles) {
   must_do("db passphrase " + db + clinic + " --new-passphrase-file " + folder.path("new"));
   refused("db check " + db + clinic, "password is wrong");
   must_do("db check " + db + " --passphrase-file " + folder.path("new"));
-  refused("db check " + db + " --passphrase-file " + folder.path("absent"), "cannot be read");
+  refused("db check " + db + " --passphrase-file " + folder.path("absent"), "cannot be opened");
   refused("db check " + db + " --user Ada", "--password-file");
 }
 
@@ -240,4 +240,4 @@ TEST_F(ProtectedCommands, NoTextLeavesItsPlace) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::protected_test

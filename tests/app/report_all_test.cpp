@@ -6,10 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp {
+namespace isograsp::report_all_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,8 +21,7 @@ constexpr int kPatients = 5;
 
 /// Patients without sessions: their reports say so.
 std::string clinic(const TemporaryFolder& folder) {
-  const auto store =
-      SessionStore::open(folder.path("clinic.db"), SessionStore::Open::create).value();
+  const auto store = open_store(folder.path("clinic.db"), OpenMode::create).value();
   for (int i = 1; i <= kPatients; ++i)
     EXPECT_TRUE(store->add_patient("TK-" + std::to_string(i)).ok());
   return folder.path("clinic.db");
@@ -69,4 +69,4 @@ TEST(ReportAll, OnePatientAndAllExcludeEachOther) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::report_all_test

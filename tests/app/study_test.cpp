@@ -8,7 +8,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace isograsp {
+namespace isograsp::study_test {
 namespace {
 
 using test::CommandResult;
@@ -54,7 +54,8 @@ TEST(Study, OfRecordedSessionsIsWrittenInEveryForm) {
     EXPECT_GT(std::filesystem::file_size(folder.path(name)), 100U);
   }
   EXPECT_NE(test::read_file(folder.path("study.html")).find("SIMULATED DEVICE"), std::string::npos);
-  EXPECT_NE(test::read_file(folder.path("study.csv")).find(",simulated device\n"), std::string::npos)
+  EXPECT_NE(test::read_file(folder.path("study.csv")).find(",simulated device\n"),
+            std::string::npos)
       << "each row says where its forces came from";
   const CommandResult json = test::isograsp(command + " --json");
   ASSERT_EQ(json.status, 0) << json.err;
@@ -76,4 +77,4 @@ TEST(Study, WhatCannotBeReadIsNamedAndNothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::study_test

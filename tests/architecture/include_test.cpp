@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the sources: who may include whom (docs/architecture.md).
-#include <algorithm>
+// Reads the sources: who may include whom, and which headers stay out of headers
+// (docs/rooms.txt).
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
-#include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+#include "tests/architecture/house.hpp"
+
+namespace isograsp::include_test {
 namespace {
 
 namespace fs = std::filesystem;
-using Names = std::set<std::string>;
-
-struct Rule {
-  Names folders;           ///< own folder is always allowed
-  Names libraries;         ///< in headers and sources
-  Names source_libraries;  ///< in .cpp only
-};
+using namespace architecture;
 
 // Libraries by the beginning of the include path.
 const std::map<std::string, std::string> kLibraryOf{{"Eigen/", "Eigen"},
@@ -28,13 +23,13 @@ const std::map<std::string, std::string> kLibraryOf{{"Eigen/", "Eigen"},
                                                     {"boost/asio", "Boost.Asio"},
                                                     {"boost/beast", "Boost.Beast"},
                                                     {"boost/math/", "Boost.Math"},
+                                                    {"boost/uuid/", "Boost.UUID"},
                                                     {"boost/property_tree", "Boost.PropertyTree"},
                                                     {"toml++/", "toml++"},
                                                     {"comedilib", "comedi"},
                                                     {"glpk", "GLPK"},
                                                     {"libqhull", "Qhull"},
                                                     {"CLI/", "CLI11"},
-                                                    {"spdlog/", "spdlog"},
                                                     {"nlohmann/", "nlohmann"},
                                                     {"soci", "SOCI"},
                                                     {"zstd", "zstd"},
@@ -47,90 +42,201 @@ const std::map<std::string, std::string> kLibraryOf{{"Eigen/", "Eigen"},
                                                     {"Inventor/", "Coin"},
                                                     {"GL/", "OpenGL"}};
 
-const Names kAll{"core",    "device",  "grasp_model", "virtual_patient", "tasks", "storage",
-                 "session", "reports", "gui"};
-const Names kEigen{"Eigen"};
-const std::map<std::string, Rule> kRules{
-    {"core", {{}, {"Eigen", "Boost.Lockfree"}, {"toml++"}}},
-    {"device",
-     {{"core"}, kEigen, {"Boost.Asio", "Boost.Beast", "Boost.PropertyTree", "SocketCAN", "comedi"}}},
-    {"grasp_model", {{"core"}, kEigen, {"GLPK", "Qhull"}}},
-    {"virtual_patient", {{"core", "grasp_model"}, kEigen, {}}},
-    {"tasks", {{"core", "grasp_model"}, kEigen, {"Boost.Math"}}},
-    {"storage", {{"core"}, kEigen, {"SOCI", "zstd", "SQLite", "libsodium"}}},
-    {"session",
-     {{"core", "device", "grasp_model", "virtual_patient", "tasks", "storage"}, kEigen, {}}},
-    {"reports", {{"core", "tasks", "storage"}, {"Eigen", "Qt", "QCustomPlot"}, {"Boost.Math", "nlohmann", "HDF5"}}},
-    {"gui", {kAll, {"Eigen", "Qt", "QCustomPlot", "Coin", "OpenGL"}, {}}},
-    {"app", {kAll, {"Eigen", "Qt", "CLI11", "spdlog", "nlohmann"}, {}}}};
+/// A class of Qt's windows: its header stands in the folder QtWidgets.
+bool is_widget(const std::string& included) {
+  return fs::exists(fs::path(ISOGRASP_QT_HEADERS) / "QtWidgets" / included) ||
+         included.starts_with("QtWidgets");
+}
+
+struct Include {
+  std::string folder;
+  std::string file;  ///< from the root of the project
+  bool header = false;
+  bool for_its_room = false;  ///< a header that says so
+  int line = 0;
+  std::string included;
+  bool quoted = false;
+};
 
 /// Empty if the include is allowed, else why not.
-std::string objection(const std::string& folder, const Rule& rule, const std::string& included,
-                      bool quoted, bool header) {
-  if (quoted) {
-    const std::string from = included.substr(0, included.find('/'));
-    if (included.find('/') == std::string::npos)
+std::string objection(const House& house, const Include& what) {
+  const Folder& folder = house.folder(what.folder);
+  const std::size_t room = folder.room_of(what.file);
+  const std::string& here = folder.rooms[room].path;
+  if (what.quoted) {
+    if (what.included.find('/') == std::string::npos)
       return "write the path from the root of the project";
-    if (from == folder || rule.folders.contains(from)) return "";
-    return folder + " may not include " + from;
+    const std::string from = what.included.substr(0, what.included.find('/'));
+    if (from != what.folder)
+      return folder.uses.contains(from) ? "" : what.folder + " may not include " + from;
+    const std::size_t there = folder.room_of(what.included);
+    return there <= room ? "" : folder.rooms[there].path + " stands above " + here;
   }
+  if (folder.rooms[room].no_widgets && is_widget(what.included)) return here + " has no widgets";
   for (const auto& [prefix, library] : kLibraryOf) {
-    if (included.rfind(prefix, 0) != 0) continue;
-    if (rule.libraries.contains(library)) return "";
-    if (rule.source_libraries.contains(library))
-      return header ? library + " belongs into .cpp files of " + folder : "";
-    return folder + " may not use " + library;
+    if (what.included.rfind(prefix, 0) != 0) continue;
+    if (library == "Qt" && folder.rooms[room].no_qt) return here + " knows no Qt";
+    if (folder.libraries.contains(library)) return "";
+    if (folder.source_libraries.contains(library))
+      return what.header && !what.for_its_room
+                 ? library + " belongs into .cpp files of " + what.folder
+                 : "";
+    return what.folder + " may not use " + library;
   }
   return "";
 }
 
-TEST(Includes, EveryFolderIncludesOnlyWhatTheMapAllows) {
+/// A compiler reads it for long: in a header, every file that includes the header would pay for it.
+bool is_heavy(const std::string& included) {
+  static const std::regex kHeavy(
+      R"re(CLI/.*|soci/soci\.h|nlohmann/json\.hpp|toml\+\+/.*|boost/(asio|beast).*|regex|Eigen/Dense|)re"
+      R"re((QtWidgets/)?QtWidgets)re");
+  return std::regex_match(included, kHeavy);
+}
+
+/// "Inside storage/sqlite/ only", from the head of a header; empty: it does not say so.
+std::string only_inside(const Source& source) {
+  static const std::regex kOnly(R"re(Inside ([a-z_/]+/) only)re");
+  std::string head;
+  for (const std::string& line : source.lines) {
+    if (!line.starts_with("//")) break;
+    head += line.substr(2);
+  }
+  std::smatch match;
+  return source.is_header() && std::regex_search(head, match, kOnly) ? match[1].str() : "";
+}
+
+std::vector<Include> all_includes() {
   const std::regex include(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
-  std::size_t lines_seen = 0;
-  for (const auto& [folder, rule] : kRules) {
-    for (const auto& entry :
-         fs::recursive_directory_iterator(fs::path(ISOGRASP_SOURCE_DIR) / folder)) {
-      const std::string extension = entry.path().extension();
-      if (extension != ".hpp" && extension != ".cpp") continue;
-      std::ifstream in(entry.path());
-      std::string line;
-      for (int number = 1; std::getline(in, line); ++number) {
-        std::smatch match;
-        if (!std::regex_search(line, match, include)) continue;
-        ++lines_seen;
-        const std::string why =
-            objection(folder, rule, match[2], match[1] == "\"", extension == ".hpp");
-        if (!why.empty()) ADD_FAILURE() << entry.path().string() << ":" << number << ": " << why;
-      }
+  std::vector<Include> found;
+  for (const Source& source : all_sources()) {
+    const bool for_its_room = !only_inside(source).empty();
+    int number = 0;
+    for (const std::string& line : source.lines) {
+      ++number;
+      std::smatch match;
+      if (std::regex_search(line, match, include))
+        found.push_back({source.folder, source.file, source.is_header(), for_its_room, number,
+                         match[2], match[1] == "\""});
     }
   }
-  EXPECT_GT(lines_seen, 200u) << "the sources were not found";
+  return found;
+}
+
+TEST(Includes, EveryRoomIncludesOnlyWhatTheMapAllows) {
+  for (const Include& include : all_includes()) {
+    const std::string why = objection(House::ours(), include);
+    if (!why.empty()) ADD_FAILURE() << include.file << ":" << include.line << ": " << why;
+  }
+}
+
+TEST(Includes, AHeaderThatIsForOnePlaceOnlyIsReadThereOnly) {
+  std::map<std::string, std::string> only;  // header: where
+  for (const Source& source : all_sources())
+    if (const auto place = only_inside(source); !place.empty()) only[source.file] = place;
+  EXPECT_GT(only.size(), 10U) << "no header says so: is this rule still of use?";
+  for (const auto& [header, place] : only)
+    EXPECT_TRUE(fs::is_directory(fs::path(ISOGRASP_SOURCE_DIR) / place)) << header << ": " << place;
+  for (const Include& include : all_includes())
+    if (const auto at = only.find(include.included);
+        at != only.end() && !include.file.starts_with(at->second))
+      ADD_FAILURE() << include.file << ":" << include.line << ": " << include.included << " is for "
+                    << at->second << " only";
+}
+
+TEST(Includes, NoHeaderPassesAHeavyOneOn) {
+  for (const Include& include : all_includes())
+    if (include.header && is_heavy(include.included))
+      ADD_FAILURE() << include.file << ":" << include.line << ": <" << include.included
+                    << "> is heavy: include it in .cpp files, declare here what is needed of it";
+}
+
+TEST(Includes, OneFileAloneReadsTheLibraryOfTheCommandLine) {
+  constexpr const char* kAlone = "app/command_line.cpp";
+  bool read = false;
+  for (const Include& include : all_includes()) {
+    if (!include.included.starts_with("CLI/")) continue;
+    if (include.file == kAlone)
+      read = true;
+    else
+      ADD_FAILURE() << include.file << ":" << include.line << ": <" << include.included
+                    << "> belongs into " << kAlone << ": use app/command_line.hpp";
+  }
+  EXPECT_TRUE(read) << kAlone << " does not include it: is this rule still of use?";
 }
 
 TEST(Includes, TheRulesForbidWhatTheyShould) {
-  EXPECT_NE(objection("core", kRules.at("core"), "device/uri.hpp", true, true), "");
-  EXPECT_NE(objection("grasp_model", kRules.at("grasp_model"), "toml++/toml.h", false, false), "");
-  EXPECT_NE(objection("grasp_model", kRules.at("grasp_model"), "glpk.h", false, true), "");
-  EXPECT_NE(objection("device", kRules.at("device"), "boost/asio.hpp", false, true), "");
-  EXPECT_EQ(objection("device", kRules.at("device"), "boost/asio.hpp", false, false), "");
-  EXPECT_NE(objection("device", kRules.at("device"), "comedilib.h", false, true), "");
-  EXPECT_NE(objection("session", kRules.at("session"), "comedilib.h", false, false), "");
-  EXPECT_NE(objection("session", kRules.at("session"), "QObject", false, false), "");
-  EXPECT_NE(objection("storage", kRules.at("storage"), "tasks/score.hpp", true, false), "");
+  const House house(
+      "# a comment\n"
+      "core: words\n"
+      "  library: Eigen\n\n"
+      "gui: windows\n"
+      "  uses: core\n"
+      "  library: Qt\n"
+      "  source library: nlohmann\n"
+      "  room words: texts; no widgets\n"
+      "  room facts: what is true; no Qt\n"
+      "  room .: the windows\n");
+  const auto says = [&](const char* file, const char* included, bool quoted,
+                        bool for_its_room = false) {
+    const std::string name = file;
+    return objection(house, {name.substr(0, name.find('/')), name, name.ends_with(".hpp"),
+                             for_its_room, 1, included, quoted});
+  };
+  EXPECT_NE(says("core/time.cpp", "gui/windows.hpp", true), "") << "a folder above";
+  EXPECT_NE(says("gui/windows.cpp", "windows.hpp", true), "") << "not from the root";
+  EXPECT_NE(says("gui/words/texts.cpp", "gui/facts/true.hpp", true), "") << "a room above";
+  EXPECT_NE(says("gui/words/texts.cpp", "gui/windows.hpp", true), "") << "the files above";
+  EXPECT_NE(says("core/time.cpp", "QObject", false), "") << "a library of others";
+  EXPECT_NE(says("gui/facts/true.cpp", "QString", false), "") << "no Qt";
+  EXPECT_NE(says("gui/words/texts.cpp", "QWidget", false), "") << "no widgets";
+  EXPECT_NE(says("gui/words/texts.cpp", "QtWidgets/QLabel", false), "") << "no widgets";
+  EXPECT_NE(says("gui/words/texts.hpp", "nlohmann/json.hpp", false), "") << "in sources only";
+  EXPECT_EQ(says("gui/words/texts.hpp", "nlohmann/json.hpp", false, true), "");
+  EXPECT_EQ(says("gui/words/texts.cpp", "nlohmann/json.hpp", false), "");
+  EXPECT_EQ(says("gui/words/texts.cpp", "QString", false), "");
+  EXPECT_EQ(says("gui/windows.cpp", "QWidget", false), "");
+  EXPECT_EQ(says("gui/windows.cpp", "gui/words/texts.hpp", true), "");
+  EXPECT_EQ(says("gui/facts/true.cpp", "core/time.hpp", true), "");
+  EXPECT_EQ(says("core/time.hpp", "Eigen/Core", false), "");
+  EXPECT_EQ(says("core/time.hpp", "vector", false), "");
+}
+
+TEST(Includes, OfTheMapAreFoldersAndRoomsThatAreThere) {
+  Names below;
+  for (const Folder& folder : House::ours().folders()) {
+    for (const Room& room : folder.rooms)
+      EXPECT_TRUE(fs::is_directory(fs::path(ISOGRASP_SOURCE_DIR) / room.path)) << room.path;
+    for (const std::string& used : folder.uses)
+      EXPECT_TRUE(below.contains(used))
+          << folder.name << " uses " << used << ", which is not below";
+    below.insert(folder.name);
+  }
+}
+
+TEST(Includes, HeavyAndLightHeadersAreToldApart) {
+  for (const char* heavy : {"CLI/CLI.hpp", "soci/soci.h", "nlohmann/json.hpp", "toml++/toml.h",
+                            "boost/asio.hpp", "boost/asio/io_context.hpp", "boost/beast/http.hpp",
+                            "regex", "Eigen/Dense", "QtWidgets", "QtWidgets/QtWidgets"})
+    EXPECT_TRUE(is_heavy(heavy)) << heavy;
+  for (const char* light : {"nlohmann/json_fwd.hpp", "Eigen/Core", "QWidget", "QtWidgets/QWidget",
+                            "regex.h", "core/csv.hpp"})
+    EXPECT_FALSE(is_heavy(light)) << light;
 }
 
 TEST(Sources, EveryFileNamesItsLicence) {
-  for (const auto& [folder, rule] : kRules)
-    for (const auto& entry :
-         fs::recursive_directory_iterator(fs::path(ISOGRASP_SOURCE_DIR) / folder)) {
-      const std::string extension = entry.path().extension();
-      if (extension != ".hpp" && extension != ".cpp") continue;
-      std::ifstream in(entry.path());
-      std::string line;
-      std::getline(in, line);
-      EXPECT_EQ(line, "// SPDX-License-Identifier: GPL-3.0-or-later") << entry.path().string();
-    }
+  for (const Source& source : all_sources()) {
+    ASSERT_FALSE(source.lines.empty()) << source.file;
+    EXPECT_EQ(source.lines[0], "// SPDX-License-Identifier: GPL-3.0-or-later") << source.file;
+  }
+}
+
+TEST(Sources, NoFolderHoldsMoreThanFortyFiles) {
+  constexpr int kMost = 40;  // more is a hall, no room
+  std::map<std::string, int> files;
+  for (const Source& source : all_sources()) ++files[fs::path(source.file).parent_path()];
+  for (const auto& [folder, count] : files) EXPECT_LE(count, kMost) << folder;
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::include_test

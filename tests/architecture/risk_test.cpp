@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::risk_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,8 +32,8 @@ TEST(Risk, EveryProofThatIsNamedIsATest) {
   std::set<std::string> tests;
   for (const auto& file : fs::recursive_directory_iterator(ISOGRASP_SOURCE_DIR "/tests"))
     if (file.path().extension() == ".cpp")
-      tests.merge(matches(text_of(file.path()),
-                          R"re(\nTEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))re", "$1.$2"));
+      tests.merge(matches(text_of(file.path()), R"re(\nTEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))re",
+                          "$1.$2"));
   const auto risk = text_of(ISOGRASP_SOURCE_DIR "/docs/risk.md");
   const auto proofs = matches(risk, R"(`([A-Z]\w+\.[A-Z]\w+)`)", "$1");
   EXPECT_GT(proofs.size(), 60U);
@@ -53,4 +53,4 @@ TEST(Risk, EveryHazardHasAProofOrIsLeftToTheClinicInWords) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::risk_test

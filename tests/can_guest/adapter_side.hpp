@@ -20,6 +20,10 @@
 
 namespace isograsp::test {
 
+constexpr Timestamp kRecovery = std::chrono::seconds(1);  ///< required of the driver
+/// The kernel needs up to 2 s to notice an unplugged adapter.
+constexpr Timestamp kLong = std::chrono::seconds(3);
+
 /// Time is over only for who has looked so often: a computer that stands still proves nothing.
 inline constexpr int kLeastLooks = 400;
 

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/finger_forces.hpp"
-#include "device/force_device.hpp"
+#include "device/sensors/force_device.hpp"
+#include "hand/finger_forces.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/no_alloc.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "device/emulator/emulator.hpp"
-#include "device/force_device.hpp"
+#include "device/sensors/force_device.hpp"
 #include "tests/can_guest/adapter_side.hpp"
 #include "tests/device/counting_play.hpp"
 
@@ -14,9 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 using test::AdapterSide;
 using test::ip_link;
-
-constexpr Timestamp kRecovery = 1s;  // required of the driver
-constexpr Timestamp kLong = 3s;      // the kernel needs up to 2 s to notice an unplugged adapter
+using test::kLong;
+using test::kRecovery;
 
 class SensorsOnAdapter : public testing::Test {
  protected:

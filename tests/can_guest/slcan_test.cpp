@@ -14,13 +14,13 @@ namespace {
 using namespace std::chrono_literals;
 using test::AdapterSide;
 using test::ip_link;
+using test::kLong;
+using test::kRecovery;
 using test::number_of;
 using test::numbered;
 
 constexpr std::uint32_t kFromAdapter = 0x123;
 constexpr std::uint32_t kToAdapter = 0x064;
-constexpr Timestamp kRecovery = 1s;  // required of the driver
-constexpr Timestamp kLong = 3s;      // the kernel needs up to 2 s to notice an unplugged adapter
 
 class Slcan : public testing::Test {
  protected:

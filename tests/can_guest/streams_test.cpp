@@ -8,8 +8,8 @@
 
 #include "device/bus/candump_log.hpp"
 #include "device/bus/tapped_bus.hpp"
-#include "device/open_sensors.hpp"
 #include "device/protocol/log_decoder.hpp"
+#include "device/sensors/open_sensors.hpp"
 #include "tests/can_guest/bus_bench.hpp"
 #include "tests/can_guest/bus_load.hpp"
 #include "tests/device/counting_play.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loaded before the guest kernel (LD_PRELOAD). Linux 6.1 for user mode knows 2,696 bytes of extended
-// processor state. A computer with more (AMX tiles: 11,008 bytes) refuses to set a part of it
-// (EFAULT from xstateregs_set in arch/x86/kernel/fpu/regset.c), and the guest ends before its first
-// process. This ptrace() reads and sets the whole state and gives the guest the part it knows; the
-// rest is zero, which is the initial state of what a program has not used.
+// Loaded before the guest kernel (LD_PRELOAD). Linux 6.1 for user mode knows 2,696 bytes of
+// extended processor state. A computer with more (AMX tiles: 11,008 bytes) refuses to set a part of
+// it (EFAULT from xstateregs_set in arch/x86/kernel/fpu/regset.c), and the guest ends before its
+// first process. This ptrace() reads and sets the whole state and gives the guest the part it
+// knows; the rest is zero, which is the initial state of what a program has not used.
 #include <algorithm>
 #include <array>
 #include <cstdarg>

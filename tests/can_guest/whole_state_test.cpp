@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guest's view of the processor's state, on a computer that has more of it than the guest knows.
+// The guest's view of the processor's state, on a computer that has more of it than the guest
+// knows.
 #include <array>
 #include <csignal>
 #include <cstring>

@@ -9,7 +9,7 @@
 
 #include "core/csv.hpp"
 
-namespace isograsp {
+namespace isograsp::butterworth_test {
 namespace {
 
 std::vector<double> sine(std::size_t count, double frequency_Hz, double rate_Hz) {
@@ -113,4 +113,4 @@ TEST(Butterworth2, ShortSignalsAreFilteredToo) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::butterworth_test

@@ -13,7 +13,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::csv_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -176,5 +176,42 @@ TEST(Csv, AFileThatCannotBeReadIsNotAnEmptyOne) {
   EXPECT_NE(reader.error().message().find("cannot be read"), std::string::npos);
 }
 
+TEST(CsvFormulas, AWordThatLooksLikeAFormulaIsDisarmedAndComesBack) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"=1+1", "'=1+1"},
+      {"+cmd|' /C calc'!A0", "'+cmd|' /C calc'!A0"},
+      {"-2+3", "'-2+3"},
+      {"@SUM(A1)", "'@SUM(A1)"},
+      {"\t=1", "'\t=1"},
+      {"\r=1", "\"'\r=1\""},
+      {"=HYPERLINK(\"http://x\",\"y\")", "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\""},
+      {"'=1", "''=1"},
+      // No formulas: untouched.
+      {"-1.5", "-1.5"},
+      {"+2", "+2"},
+      {"-1e-05", "-1e-05"},
+      {"a=b", "a=b"},
+      {"'quoted'", "'quoted'"},
+      {"'", "'"},
+      {"", ""}};
+  for (const auto& [words, field] : cases) {
+    EXPECT_EQ(csv_field(words), field) << words;
+    EXPECT_EQ(with_formula(without_formula(words)), words);
+  }
+}
+
+TEST(CsvFormulas, AColumnNamedLikeAFormulaIsReadBackAsItWas) {
+  const test::TemporaryFolder folder;
+  Signals signals({"t_s", "=cmd()", "'@x", "-1.5"});
+  signals.append_row(std::vector<double>{0.0, -1.5, 2.0, -3e-5});
+  signals.append_row(std::vector<double>{1.0, 4.0, -0.25, 1.0});
+  ASSERT_TRUE(write_signals(signals, folder.path("a.csv")));
+  EXPECT_EQ(test::read_file(folder.path("a.csv")),
+            "t_s,'=cmd(),''@x,-1.5\n0,-1.5,2,-3e-05\n1,4,-0.25,1\n");
+  const auto back = read_signals(folder.path("a.csv"));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->names(), signals.names());
+}
+
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::csv_test

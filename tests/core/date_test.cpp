@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::date_test {
 namespace {
 
 Date date(const char* text) {
@@ -36,4 +36,4 @@ TEST(Date, DaysAreCountedOverLeapDaysAndBackwards) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::date_test

@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp {
+namespace isograsp::histogram_test {
 namespace {
 
 std::uint64_t in_ns(double duration_s) {
@@ -80,4 +80,4 @@ TEST(Histogram, WhatIsNoDurationCountsAsZeroAndEmptyIsZero) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::histogram_test

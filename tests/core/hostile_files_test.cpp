@@ -7,7 +7,7 @@
 #include "core/toml_reader.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::hostile_files_test {
 namespace {
 
 std::string repeated(const std::string& text, std::size_t times) {
@@ -106,6 +106,26 @@ TEST(CsvBomb, ALineWithoutAnEndIsRefusedInLittleMemory) {
   EXPECT_LT(peak_MiB() - before, kMostGrowth_MiB);
 }
 
+TEST(CsvBomb, AHeaderOfTooManyColumnsIsRefusedInOneLookAtIt) {
+  const test::TemporaryFolder folder;
+  const auto header = [](std::size_t columns) {
+    std::string names = "t_s";
+    for (std::size_t c = 1; c < columns; ++c) names += ",c" + std::to_string(c);
+    return names + "\n";
+  };
+  const auto refused = CsvReader::open(folder.write("wide.csv", header(120'000)));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message().find("wide.csv:1: the header names 120000 columns; give at "
+                                           "most 10000"),
+            std::string::npos)
+      << refused.error().message();
+  const auto most = CsvReader::open(folder.write("most.csv", header(CsvReader::kMostColumns)));
+  ASSERT_TRUE(most.ok());
+  EXPECT_EQ(most->columns().size(), CsvReader::kMostColumns);
+  EXPECT_EQ(most->find("c9999"), 9999);
+  EXPECT_FALSE(CsvReader::open(folder.write("twice.csv", "a,b,a\n")).ok());
+}
+
 TEST(CsvBomb, BrokenTablesNameTheirLine) {
   const test::TemporaryFolder folder;
   const auto why = [&](const std::string& text) {
@@ -127,4 +147,4 @@ TEST(CsvBomb, BrokenTablesNameTheirLine) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::hostile_files_test

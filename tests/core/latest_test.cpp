@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::latest_test {
 namespace {
 
 struct Pair {
@@ -38,4 +38,4 @@ TEST(Latest, ReadingTwiceGivesTheSameValue) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::latest_test

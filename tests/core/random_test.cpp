@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::random_test {
 namespace {
 
 constexpr int kDraws = 100000;
@@ -66,4 +66,4 @@ TEST(Random, NeighbouringSeedsAreNotCorrelated) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::random_test

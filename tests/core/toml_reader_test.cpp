@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::toml_reader_test {
 namespace {
 
 constexpr const char* kFormat = "example-1";
@@ -71,4 +71,4 @@ TEST(TomlReader, AnotherFormatIsRefused) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::toml_reader_test

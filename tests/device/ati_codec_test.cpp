@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/protocol/ati_codec.hpp"
+#include "device/codec/ati_codec.hpp"
 
 #include <limits>
 #include <random>
@@ -12,7 +12,7 @@
 #include "device/emulator/emulated_ati.hpp"
 #include "device/protocol/ati_decoder.hpp"
 
-namespace isograsp {
+namespace isograsp::ati_codec_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -644,4 +644,4 @@ TEST(AtiDecoder, CountsForeignTornAndDuplicateFrames) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::ati_codec_test

@@ -14,7 +14,7 @@
 #include "tests/device/conversation.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::ati_session_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -439,4 +439,4 @@ TEST(AtiSession, StreamsWithoutAllocation) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::ati_session_test

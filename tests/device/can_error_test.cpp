@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::can_error_test {
 namespace {
 
 // Class bits and controller bits as the kernel documents them (linux/can/error.h).
@@ -76,4 +76,4 @@ TEST(CanError, FramesOfTheSlcanDriver) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::can_error_test

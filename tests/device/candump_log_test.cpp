@@ -7,7 +7,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::candump_log_test {
 namespace {
 
 CandumpEntry parse(std::string_view line) {
@@ -135,4 +135,4 @@ TEST(CandumpLog, RefusesALineWithoutAnEnd) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::candump_log_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/csv_mapping.hpp"
+#include "device/recording/csv_mapping.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
-#include "core/finger_forces.hpp"
-#include "device/replay_device.hpp"
+#include "device/recording/replay_device.hpp"
+#include "hand/finger_forces.hpp"
 #include "tests/support/recorded_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::csv_mapping_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -281,4 +281,4 @@ TEST(CsvMapping, TheShippedMappingConvertsTheHandoverRecording) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::csv_mapping_test

@@ -9,7 +9,7 @@
 #include "tests/device/hex.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::datagram_log_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -190,4 +190,4 @@ TEST(NetFtFingers, TheConfigurationMaySayOtherwise) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::datagram_log_test

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/device_check.hpp"
+#include "device/sensors/device_check.hpp"
 
 #include <functional>
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::device_check_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -152,4 +152,4 @@ TEST(DeviceCheck, TellsTheTherapistWhatToDo) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::device_check_test

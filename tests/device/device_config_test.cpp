@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/device_config.hpp"
+#include "device/config/device_config.hpp"
 
 #include <filesystem>
 #include <random>
@@ -8,7 +8,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::device_config_test {
 namespace {
 
 constexpr const char* kMinimal = R"(format = "isograsp-device-1"
@@ -200,4 +200,4 @@ TEST(Mounting, ConservesPowerAndComesBack) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::device_config_test

@@ -4,15 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include "core/finger_forces.hpp"
-#include "device/replay_device.hpp"
-#include "device/sim_device.hpp"
+#include "device/recording/replay_device.hpp"
+#include "device/simulated/sim_device.hpp"
+#include "hand/finger_forces.hpp"
 #include "tests/device/scripted_source.hpp"
 #include "tests/device/sensor_bench.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::device_contract_test {
 namespace {
 
 constexpr Timestamp kStart = std::chrono::seconds{5};
@@ -245,4 +245,4 @@ INSTANTIATE_TEST_SUITE_P(Repeatable, RepeatableDevice, ::testing::ValuesIn(kRepe
                          name_of_maker);
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::device_contract_test

@@ -5,8 +5,8 @@
 #include <array>
 #include <functional>
 
-#include "core/finger.hpp"
 #include "device/comedi/comedi_card.hpp"
+#include "hand/finger.hpp"
 
 namespace isograsp::test {
 

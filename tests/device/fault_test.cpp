@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::fault_test {
 namespace {
 
 TEST(Fault, SaysWhatHappensToWhomAndWhen) {
@@ -86,4 +86,4 @@ TEST(Fault, RefusesWhatItCannotPlay) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::fault_test

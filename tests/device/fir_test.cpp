@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/fir.hpp"
+#include "device/config/fir.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::fir_test {
 namespace {
 
 double decibel(double gain) {
@@ -93,4 +93,4 @@ TEST(Fir, PushingAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::fir_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/frame_clock.hpp"
+#include "device/sensors/frame_clock.hpp"
 
 #include <algorithm>
 #include <random>
@@ -9,7 +9,7 @@
 
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::frame_clock_test {
 namespace {
 
 constexpr Timestamp kStart{5'000'000'000};
@@ -211,4 +211,4 @@ TEST(FrameClock, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::frame_clock_test

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/frame_reader.hpp"
+#include "device/sensors/frame_reader.hpp"
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::frame_reader_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -86,4 +86,4 @@ TEST(FrameReader, ASilentSensorIsMissingAndHoldsNobodyUp) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::frame_reader_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/protocol/jr3_codec.hpp"
+#include "device/codec/jr3_codec.hpp"
 
 #include <algorithm>
 #include <string>
@@ -10,7 +10,7 @@
 #include "device/bus/candump_log.hpp"
 #include "device/protocol/jr3_decoder.hpp"
 
-namespace isograsp {
+namespace isograsp::jr3_codec_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -370,4 +370,4 @@ TEST(Jr3Decoder, ABootUpTearsWhatWaits) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::jr3_codec_test

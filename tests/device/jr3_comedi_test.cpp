@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "device/codec/jr3_comedi_codec.hpp"
 #include "device/comedi/comedi_bus.hpp"
-#include "device/protocol/jr3_comedi_codec.hpp"
 #include "device/protocol/jr3_comedi_session.hpp"
-#include "device/sensor_device.hpp"
+#include "device/sensors/sensor_device.hpp"
 #include "tests/device/fake_comedi_card.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::jr3_comedi_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -301,4 +301,4 @@ TEST(Jr3ComediDevice, StreamsWithoutAllocation) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::jr3_comedi_test

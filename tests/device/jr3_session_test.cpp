@@ -15,7 +15,7 @@
 #include "tests/device/conversation.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::jr3_session_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -355,4 +355,4 @@ TEST(Jr3Session, StreamsWithoutAllocation) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::jr3_session_test

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/protocol/net_ft_box_config.hpp"
+#include "device/codec/net_ft_box_config.hpp"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::net_ft_box_config_test {
 namespace {
 
 const std::string kPage = R"(<?xml version="1.0"?>
@@ -156,4 +156,4 @@ TEST(NetFtAddress, ReadsHostAndPorts) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::net_ft_box_config_test

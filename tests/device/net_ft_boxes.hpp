@@ -16,7 +16,7 @@
 #include "device/emulator/emulator.hpp"
 #include "device/emulator/net_ft_server.hpp"
 #include "device/protocol/net_ft_session.hpp"
-#include "device/sensor_device.hpp"
+#include "device/sensors/sensor_device.hpp"
 #include "tests/device/counting_play.hpp"
 
 namespace isograsp::test {
@@ -25,11 +25,9 @@ inline constexpr std::uint32_t kLoopback = 0x7F000001;
 
 class Boxes {
  public:
-  explicit Boxes(EmulatorOptions options)
-      : Boxes(std::move(options), counting_play(100'000)) {}
+  explicit Boxes(EmulatorOptions options) : Boxes(std::move(options), counting_play(100'000)) {}
   Boxes(EmulatorOptions options, FingerPlay play)
-      : emulator_rate_Hz_(options.config.rate_Hz),
-        emulator_(std::move(options), std::move(play)) {
+      : emulator_rate_Hz_(options.config.rate_Hz), emulator_(std::move(options), std::move(play)) {
     NetFtServerOptions server;
     for (std::uint32_t f = 0; f < kFingerCount; ++f) {
       server.boxes[f].records = {kLoopback + f, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/protocol/net_ft_codec.hpp"
+#include "device/codec/net_ft_codec.hpp"
 
 #include <random>
 
@@ -8,7 +8,7 @@
 #include "tests/device/hex.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::net_ft_codec_test {
 namespace {
 
 using test::bytes_of;
@@ -186,4 +186,4 @@ TEST(NetFtCodec, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::net_ft_codec_test

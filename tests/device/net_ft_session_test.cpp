@@ -11,7 +11,7 @@
 #include "tests/device/hex.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::net_ft_session_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -138,6 +138,29 @@ TEST(NetFtSession, DropsDuplicatesAndLateRecordsAndCountsThem) {
     EXPECT_GT(sample.raw_counts[0], last) << "never backwards";
     last = sample.raw_counts[0];
   }
+}
+
+TEST(NetFtSession, ForgedRecordsAreCountedAsForeignAndTheStreamGoesOn) {
+  Bench bench;
+  bench.begin();
+  bench.run_for(1s);
+  const auto newest_of = [&](std::size_t finger) {
+    std::size_t k = bench.sent.size();
+    while (bench.sent[--k].finger != finger) continue;
+    return *decode_net_ft_record(bench.sent[k].frames.front().bytes());
+  };
+  const auto before = bench.of(1).size();
+  for (const std::uint32_t jump : {1'000'000U, 500U, 100U}) {
+    NetFtRecord forged = newest_of(1);
+    forged.rdt_sequence += jump;
+    forged.ft_sequence += 10;
+    bench.to_host(encode_net_ft_record(1, forged));
+    bench.run_for(1s);
+  }
+  const auto counters = bench.sessions[1]->counters();
+  EXPECT_EQ(counters.foreign, 3u);
+  EXPECT_EQ(counters.lost + counters.late + counters.duplicate + counters.restarts, 0u);
+  EXPECT_EQ(bench.of(1).size(), before + 300);
 }
 
 TEST(NetFtSession, CountsExactlyOnANetworkThatReorders) {
@@ -334,4 +357,4 @@ TEST(NetFtSession, DoesNotAllocateWhileItStreams) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::net_ft_session_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pages of emulated boxes over real connections of the loopback interface.
-#include "device/net_ft_setup.hpp"
+#include "device/sensors/net_ft_setup.hpp"
 
 #include <atomic>
 #include <memory>
@@ -15,7 +15,7 @@
 #include "device/bus/http_get.hpp"
 #include "device/emulator/net_ft_server.hpp"
 
-namespace isograsp {
+namespace isograsp::net_ft_setup_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -194,4 +194,4 @@ TEST(NetFtServer, TakesRequestsAndSendsRecordsToWhoAsked) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::net_ft_setup_test

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/platform.hpp"
+#include "device/config/platform.hpp"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::platform_test {
 namespace {
 
 constexpr double kRounding = 1e-14;  // a few products of numbers up to 10
@@ -75,4 +75,4 @@ TEST(CentreOfPressure, IsNotToldForLightOrPullingFingers) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::platform_test

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/replay_device.hpp"
+#include "device/recording/replay_device.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/finger_forces.hpp"
-#include "device/frame_clock.hpp"
+#include "device/sensors/frame_clock.hpp"
+#include "hand/finger_forces.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::replay_device_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -236,4 +236,4 @@ TEST(ReplayOfRawLogs, RefusesALogWithoutTheseSensors) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::replay_device_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/protocol/rft_codec.hpp"
+#include "device/codec/rft_codec.hpp"
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 #include "device/bus/candump_log.hpp"
 
-namespace isograsp {
+namespace isograsp::rft_codec_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -221,4 +221,4 @@ TEST(RftPairing, DecodesTheGoldenLog) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::rft_codec_test

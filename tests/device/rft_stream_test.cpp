@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/protocol/rft_stream.hpp"
+#include "device/codec/rft_stream.hpp"
 
 #include <random>
 #include <vector>
@@ -9,7 +9,7 @@
 #include "tests/device/hex.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::rft_stream_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -259,4 +259,4 @@ TEST(RftStream, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::rft_stream_test

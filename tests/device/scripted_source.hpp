@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/stimulus.hpp"
+#include "hand/stimulus.hpp"
 
 namespace isograsp::test {
 

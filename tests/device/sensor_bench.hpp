@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "device/fir.hpp"
-#include "device/sensor_device.hpp"
+#include "device/config/fir.hpp"
+#include "device/sensors/sensor_device.hpp"
 #include "tests/device/counting_play.hpp"
 #include "tests/device/emulated_bus.hpp"
 
@@ -26,8 +26,8 @@ struct SensorBench {
     std::vector<double> fir;
     if (config.fir_taps != 0)
       fir = design_fir(config.fir_taps, config.rate_Hz, config.fir_cutoff_Hz).value();
-    device = std::make_unique<SensorDevice>(std::move(owned), make_sessions(config), config,
-                                            fir, "can://test", "test");
+    device = std::make_unique<SensorDevice>(std::move(owned), make_sessions(config), config, fir,
+                                            "can://test", "test");
   }
   /// Reads for a while; returns the samples.
   std::vector<SensorSample> read_for(Timestamp duration) {

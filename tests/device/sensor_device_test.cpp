@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole driver against the emulated sensors, on a bus made of memory, in virtual time.
-#include "device/sensor_device.hpp"
+#include "device/sensors/sensor_device.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "device/frame_clock.hpp"
+#include "device/sensors/frame_clock.hpp"
 #include "tests/device/sensor_bench.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::sensor_device_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -458,4 +458,4 @@ TEST(SensorDevice, AClinicsCalibrationActsInTheSensorFrame) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::sensor_device_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/sensor_model.hpp"
+#include "device/simulated/sensor_model.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::sensor_model_test {
 namespace {
 
 constexpr double kDt_s = 1.0 / kSensorModelRate_Hz;
@@ -152,4 +152,4 @@ TEST(SensorModel, NeverAllocates) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::sensor_model_test

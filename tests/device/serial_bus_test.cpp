@@ -16,12 +16,12 @@
 #include <unistd.h>
 
 #include "device/bus/bus.hpp"
-#include "device/protocol/rft_stream.hpp"
+#include "device/codec/rft_stream.hpp"
 #include "tests/device/hex.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::serial_bus_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -231,4 +231,4 @@ TEST(SerialBusErrors, NameThePort) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::serial_bus_test

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/sim_device.hpp"
+#include "device/simulated/sim_device.hpp"
 
 #include <gtest/gtest.h>
 
-#include "device/frame_clock.hpp"
-#include "device/sensor_model.hpp"
+#include "device/sensors/frame_clock.hpp"
+#include "device/simulated/sensor_model.hpp"
 #include "tests/device/scripted_source.hpp"
 
-namespace isograsp {
+namespace isograsp::sim_device_test {
 namespace {
 
 using test::ScriptedSource;
@@ -177,4 +177,4 @@ TEST(SimDevice, EveryFrameOfTheFrameClockHoldsItsSample) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::sim_device_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::slcan_codec_test {
 namespace {
 
 using Kind = SlcanCommand::Kind;
@@ -123,4 +123,4 @@ TEST(SlcanLines, ALineThatIsTooLongIsMalformedAndTheNextOneIsWhole) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::slcan_codec_test

@@ -8,7 +8,7 @@
 #include "tests/device/sensor_bench.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::soak_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -152,4 +152,4 @@ INSTANTIATE_TEST_SUITE_P(Protocols, Soak,
                          name_of_protocol);
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::soak_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::tapped_bus_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -137,4 +137,4 @@ TEST(TappedBus, NothingIsLostOrDoubledBetweenTwoThreads) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::tapped_bus_test

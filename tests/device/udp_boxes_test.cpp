@@ -9,7 +9,7 @@
 
 #include "tests/device/net_ft_boxes.hpp"
 
-namespace isograsp {
+namespace isograsp::udp_boxes_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -185,4 +185,4 @@ TEST(UdpBusWithBoxes, MinutesOfFaultsLeaveNothingBehind) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::udp_boxes_test

@@ -22,15 +22,15 @@
 #include "device/bus/bus.hpp"
 #include "device/bus/endpoint.hpp"
 #include "device/bus/kernel_stamp.hpp"
+#include "device/codec/net_ft_sequence.hpp"
 #include "device/emulator/emulator.hpp"
 #include "device/emulator/net_ft_server.hpp"
-#include "device/protocol/net_ft_sequence.hpp"
 #include "device/protocol/net_ft_session.hpp"
-#include "device/sensor_device.hpp"
+#include "device/sensors/sensor_device.hpp"
 #include "tests/device/counting_play.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::udp_bus_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -387,4 +387,4 @@ TEST(UdpBusInterface, IsToldWhenItIsSwitchedOffAndFoundWhenItIsBack) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::udp_bus_test

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/uri.hpp"
+#include "device/config/uri.hpp"
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::uri_test {
 namespace {
 
 TEST(Uri, SplitsSchemeTargetAndParameters) {
@@ -46,4 +46,4 @@ TEST(Uri, ReadsNumbersWithinTheirLimitsOnly) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::uri_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::waiting_frames_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -88,4 +88,4 @@ TEST(WaitingFrames, EveryFrameLeavesOnceInTimeOrIsCounted) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::waiting_frames_test

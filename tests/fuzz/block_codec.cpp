@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks of the database: anything is decoded or refused, and what was encoded comes back.
-#include "storage/block_codec.hpp"
+#include "storage/sqlite/block_codec.hpp"
 
 #include "tests/fuzz/support.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mappings of foreign logs, and the conversion itself: the input is a mapping, a NUL and a log that
 // stands for all of its files.
-#include "device/csv_mapping.hpp"
+#include "device/recording/csv_mapping.hpp"
 
 #include <cmath>
 
-#include "core/finger_forces.hpp"
+#include "hand/finger_forces.hpp"
 #include "tests/fuzz/support.hpp"
 #include "tests/support/temporary_folder.hpp"
 

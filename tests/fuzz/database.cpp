@@ -5,7 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 #include "tests/fuzz/support.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -34,7 +35,7 @@ struct Sound {
 
   Sound() {
     {
-      const auto store = must(SessionStore::open(path, SessionStore::Open::create));
+      const auto store = must(open_store(path, OpenMode::create));
       SessionRecord session;
       session.patient_id = must(store->add_patient("P-1")).id;
       session.rate_Hz = static_cast<double>(kRows);
@@ -105,7 +106,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::ofstream out(sound.path, std::ios::binary | std::ios::trunc);
     out << bytes;
   }
-  const auto store = SessionStore::open(sound.path, SessionStore::Open::read_only);
+  const auto store = open_store(sound.path, OpenMode::read_only);
   if (store)
     read(**store, sound.hash);
   else

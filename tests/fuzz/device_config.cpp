@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Device files: what is accepted describes three sensors that can be read.
-#include "device/device_config.hpp"
+#include "device/config/device_config.hpp"
 
 #include <cmath>
 

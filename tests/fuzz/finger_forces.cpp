@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finger-forces files: rising time, finite or absent samples, the same after writing and reading.
-#include "core/finger_forces.hpp"
+#include "hand/finger_forces.hpp"
 
 #include "tests/fuzz/support.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The little frames between a JR3 card and its session: what is understood is said the same way.
-#include "device/protocol/jr3_comedi_codec.hpp"
+#include "device/codec/jr3_comedi_codec.hpp"
 #include "tests/fuzz/support.hpp"
 
 using namespace isograsp;

@@ -3,7 +3,7 @@
 // written.
 #include <cmath>
 
-#include "device/protocol/net_ft_box_config.hpp"
+#include "device/codec/net_ft_box_config.hpp"
 #include "tests/fuzz/support.hpp"
 
 using namespace isograsp;

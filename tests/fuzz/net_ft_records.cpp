@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Datagrams of a Net F/T box: words come back, and anything in any order is counted somewhere.
-#include "device/protocol/net_ft_codec.hpp"
-#include "device/protocol/net_ft_sequence.hpp"
+#include "device/codec/net_ft_codec.hpp"
+#include "device/codec/net_ft_sequence.hpp"
 #include "tests/fuzz/support.hpp"
 
 using namespace isograsp;
@@ -40,6 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (begun) sequence.start(now);
   std::uint64_t duplicate = 0;
   std::uint64_t late = 0;
+  std::uint64_t impossible = 0;
   std::uint64_t stalled = 0;
   std::uint64_t restarts = 0;
   while (!in.empty()) {
@@ -52,12 +53,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using Place = NetFtSequence::Place;
     duplicate += place == Place::duplicate ? 1 : 0;
     late += place == Place::late || place == Place::unplaced ? 1 : 0;
+    impossible += place == Place::impossible ? 1 : 0;
     stalled += place == Place::stalled ? 1 : 0;
     restarts += place == Place::restarted ? 1 : 0;
     fuzz::require(begun || place != Place::stale, "records are stale only after a start");
   }
   fuzz::require(sequence.duplicate() == duplicate && sequence.late() == late &&
-                    sequence.stalled() == stalled && sequence.restarts() == restarts,
+                    sequence.impossible() == impossible && sequence.stalled() == stalled &&
+                    sequence.restarts() == restarts,
                 "the counters are the sums of what was said");
+  // At each beginning a second of records may be under way, and 64 between the two that confirm it.
+  const double most = 1.02 * kNetFtFastest_Hz * (to_seconds(now) + 0.01) +
+                      (kNetFtFastest_Hz + 64.0) * static_cast<double>(1 + restarts);
+  fuzz::require(static_cast<double>(sequence.lost()) <= most, "what is lost agrees with the time");
   return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A Net F/T box whose datagrams are lost, repeated and held back by the input: what was lost is
 // lost() - late(), what came twice is duplicate(), also where the numbers wrap.
-#include "device/protocol/net_ft_sequence.hpp"
+#include "device/codec/net_ft_sequence.hpp"
 
 #include <deque>
 

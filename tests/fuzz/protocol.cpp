@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Protocol files.
+#include "tasks/protocol.hpp"
+
 #include <cmath>
 
-#include "tasks/protocol.hpp"
 #include "tests/fuzz/support.hpp"
 
 using namespace isograsp;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Descriptions of recordings that others made: what is accepted names every column with its unit
 // and scale, and says where the data come from.
-#include "session/recording.hpp"
+#include "session/import/recording.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RFT frames in any order and at any time: every frame is in a packet or is counted, and the counts
 // of a packet are what its frames say.
-#include "device/protocol/rft_codec.hpp"
+#include "device/codec/rft_codec.hpp"
 #include "tests/fuzz/frames.hpp"
 
 using namespace isograsp;

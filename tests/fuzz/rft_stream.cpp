@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RFT packets in a stream of bytes, cut anywhere, against a second reader that has all bytes at
 // once.
-#include "device/protocol/rft_stream.hpp"
+#include "device/codec/rft_stream.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sealed texts, wrapped keys and typed recovery keys from a file that somebody has changed: nothing
 // but what was sealed can be opened.
-#include "storage/seal.hpp"
-#include "storage/vault.hpp"
+#include "storage/access/vault.hpp"
+#include "storage/crypto/seal.hpp"
 #include "tests/fuzz/support.hpp"
 
 using namespace isograsp;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names of devices.
-#include "device/uri.hpp"
+#include "device/config/uri.hpp"
 
 #include "tests/fuzz/support.hpp"
 

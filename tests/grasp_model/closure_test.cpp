@@ -8,7 +8,7 @@
 #include "grasp_model/grasp.hpp"
 #include "tests/grasp_model/grasps.hpp"
 
-namespace isograsp {
+namespace isograsp::closure_test {
 namespace {
 
 using test::kAllRows;
@@ -350,4 +350,4 @@ TEST(EpsilonQuality, OfACubeIsTheDistanceOfItsSides) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::closure_test

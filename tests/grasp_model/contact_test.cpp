@@ -7,7 +7,7 @@
 
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp {
+namespace isograsp::contact_test {
 namespace {
 
 using test::kEpsilon;
@@ -153,4 +153,4 @@ TEST(ContactHysteresis, NoiseBelowHalfTheThresholdDoesNotFlicker) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::contact_test

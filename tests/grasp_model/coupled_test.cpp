@@ -7,7 +7,7 @@
 #include "grasp_model/zoh.hpp"
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp {
+namespace isograsp::coupled_test {
 namespace {
 
 const Quat kTilt = Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, -2).normalized()));
@@ -120,4 +120,4 @@ TEST(CoupledStep, RefusesWhatItCannotDoExactly) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::coupled_test

@@ -3,10 +3,10 @@
 // (tests/data/dynamics).
 #include <cmath>
 
-#include "core/finger_forces.hpp"
+#include "hand/finger_forces.hpp"
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp {
+namespace isograsp::dynamics_test {
 namespace {
 
 constexpr double kHold_s = 0.01;
@@ -105,4 +105,4 @@ TEST(Dynamics, TumblingKeepsEnergyAndMomentumAndStaysNearTheReference) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::dynamics_test

@@ -12,7 +12,7 @@
 #include "tests/grasp_model/grasps.hpp"
 #include "tests/support/recorded_data.hpp"
 
-namespace isograsp {
+namespace isograsp::grasp_oracles_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -183,4 +183,4 @@ TEST(GraspOracles, MapsAndCriteriaAgreeWithSynGrasp) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::grasp_oracles_test

@@ -8,7 +8,7 @@
 #include "tests/grasp_model/grasps.hpp"
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp {
+namespace isograsp::grasp_test {
 namespace {
 
 using test::golden_grasps;
@@ -132,4 +132,4 @@ TEST(GraspRule, TruthTableOfTheDeviceForAllFingerSets) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::grasp_test

@@ -8,7 +8,7 @@
 
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp {
+namespace isograsp::limit_surface_test {
 namespace {
 
 using test::kEpsilon;
@@ -149,4 +149,4 @@ TEST(PatchTorsion, OfAFineDiskIsThatOfTheDisk) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::limit_surface_test

@@ -7,7 +7,7 @@
 #include "tests/grasp_model/support.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::plan_test {
 namespace {
 
 FingerWrenches press(double thumb_N, double index_N, double middle_N,
@@ -406,4 +406,4 @@ TEST(Plan, ShippedScenesRestWhenNobodyTouchesThem) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::plan_test

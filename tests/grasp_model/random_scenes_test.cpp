@@ -7,7 +7,7 @@
 #include "grasp_model/dormand_prince.hpp"
 #include "tests/grasp_model/grasps.hpp"
 
-namespace isograsp {
+namespace isograsp::random_scenes_test {
 namespace {
 
 using Real = long double;
@@ -270,4 +270,4 @@ TEST(RandomScenes, ThreeRotationsAndAForceThatTurnsWithThemFollowTheEquations) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::random_scenes_test

@@ -6,7 +6,7 @@
 
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp::so3 {
+namespace isograsp::so3::rotation_test {
 namespace {
 
 double largest(const Vec3& v) {
@@ -87,4 +87,4 @@ TEST(TorsionSpring, IsTheGradientOfItsEnergy) {
 }
 
 }  // namespace
-}  // namespace isograsp::so3
+}  // namespace isograsp::so3::rotation_test

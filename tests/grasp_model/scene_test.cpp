@@ -4,7 +4,7 @@
 
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp {
+namespace isograsp::scene_test {
 namespace {
 
 const std::string kFree =
@@ -143,4 +143,4 @@ TEST(Scene, TheLeftHandIsTheDeviceTurnedByPiAboutY) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::scene_test

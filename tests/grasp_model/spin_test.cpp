@@ -7,7 +7,7 @@
 #include "grasp_model/rotation.hpp"
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp::so3 {
+namespace isograsp::so3::spin_test {
 namespace {
 
 const double kTolerance_rad = Scene{}.tolerance_rad;
@@ -269,4 +269,4 @@ TEST(ThreeRotations, WithoutInertiaTheDamperFollowsTheTorqueAtOnce) {
 }
 
 }  // namespace
-}  // namespace isograsp::so3
+}  // namespace isograsp::so3::spin_test

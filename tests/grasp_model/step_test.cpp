@@ -8,7 +8,7 @@
 #include "grasp_model/plan.hpp"
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp {
+namespace isograsp::step_test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -229,4 +229,4 @@ TEST(Step, AnyRateFrom50To1000HzTracesTheSameMotion) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::step_test

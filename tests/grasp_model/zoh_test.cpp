@@ -7,7 +7,7 @@
 #include "grasp_model/travel.hpp"
 #include "tests/grasp_model/support.hpp"
 
-namespace isograsp {
+namespace isograsp::zoh_test {
 namespace {
 
 using test::kEpsilon;
@@ -240,4 +240,4 @@ TEST(AdvanceWithin, EnergyNeverGrowsAndNothingLeavesTheTravel) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::zoh_test

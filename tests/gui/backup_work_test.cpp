@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The copy of the day: made beside the database, never begun in a session, and its failure told.
-#include "gui/backup_work.hpp"
+#include "gui/clinic/backup_work.hpp"
 
 #include <QSignalSpy>
 #include <filesystem>
 
 #include "qt_test.hpp"
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::backup_work_test {
 namespace {
 
 class BackupWorkTest : public QtTest {
@@ -19,7 +20,7 @@ class BackupWorkTest : public QtTest {
 };
 
 TEST_F(BackupWorkTest, MakesOneAndNoneWhileASessionHoldsIt) {
-  ASSERT_TRUE(SessionStore::open(database_, SessionStore::Open::create).ok());
+  ASSERT_TRUE(open_store(database_, OpenMode::create).ok());
   BackupWork work(database_);
   QSignalSpy made(&work, &BackupWork::made);
   work.hold(true);
@@ -41,7 +42,7 @@ TEST_F(BackupWorkTest, AFailureIsToldAndStaysKnownUntilOneIsMade) {
   ASSERT_TRUE(wait_until([&] { return !work.problem().isEmpty(); }));
   EXPECT_EQ(failed.count(), 1);
   std::filesystem::remove(database_);
-  ASSERT_TRUE(SessionStore::open(database_, SessionStore::Open::create).ok());
+  ASSERT_TRUE(open_store(database_, OpenMode::create).ok());
   work.look();
   ASSERT_TRUE(wait_until([&] { return made.count() == 1; }));
   EXPECT_TRUE(work.problem().isEmpty());
@@ -49,4 +50,4 @@ TEST_F(BackupWorkTest, AFailureIsToldAndStaysKnownUntilOneIsMade) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::backup_work_test

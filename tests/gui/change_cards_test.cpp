@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Primary measures and stable times in the form about a patient.
-#include "gui/change_cards.hpp"
+#include "gui/record_pages/change_cards.hpp"
 
 #include <QDir>
 #include <QSignalSpy>
 #include <QTableWidget>
 
-#include "gui/profile_panel.hpp"
+#include "gui/record_pages/profile_panel.hpp"
 #include "qt_test.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::change_cards_test {
 namespace {
 
 class ChangeForm : public QtTest {
  protected:
   ChangeForm() {
-    auto store = SessionStore::open(database_, SessionStore::Open::create);
+    auto store = open_store(database_, OpenMode::create);
     EXPECT_TRUE(store.ok());
     add_session(**store, "P-1", {});
     EXPECT_TRUE((*store)->add_patient("P-2").ok());
@@ -55,11 +56,11 @@ class ChangeForm : public QtTest {
     });
   }
   std::vector<PrimaryMeasure> stored_primaries() const {
-    const auto reader = SessionStore::open(database_, SessionStore::Open::read_only).value();
+    const auto reader = open_store(database_, OpenMode::read_only).value();
     return reader->primary_measures(reader->find_patient("P-1").value()->id).value();
   }
   std::vector<StablePeriod> stored_periods() const {
-    const auto reader = SessionStore::open(database_, SessionStore::Open::read_only).value();
+    const auto reader = open_store(database_, OpenMode::read_only).value();
     return reader->stable_periods(reader->find_patient("P-1").value()->id).value();
   }
   void take_picture(const char* state) const {
@@ -181,4 +182,4 @@ TEST_F(ChangeForm, NothingOfOnePersonStaysForTheNext) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::change_cards_test

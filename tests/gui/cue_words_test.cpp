@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Instructions: every cue of every channel has words, short enough to be read from afar, and what
 // is asked differently is said differently.
-#include "gui/cue_words.hpp"
+#include "gui/words/cue_words.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::cue_words_test {
 namespace {
 
 constexpr std::size_t kDigitsCount = 7;
@@ -98,4 +98,4 @@ TEST(CueWords, OnlyDirectionsAlongTheForearmAreMirroredWithTheHand) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::cue_words_test

@@ -9,25 +9,26 @@
 #include <sys/resource.h>
 
 #include "core/files.hpp"
-#include "device/device_config.hpp"
-#include "device/force_device.hpp"
-#include "device/recording.hpp"
+#include "device/config/device_config.hpp"
+#include "device/recording/recording.hpp"
+#include "device/sensors/force_device.hpp"
+#include "exports/research_export.hpp"
 #include "grasp_model/scene.hpp"
-#include "gui/library_files.hpp"
-#include "gui/texts.hpp"
+#include "gui/library/library_files.hpp"
+#include "gui/words/texts.hpp"
 #include "message_texts.hpp"
-#include "reports/progress_report.hpp"
-#include "reports/research_export.hpp"
+#include "reports/findings/progress_report.hpp"
 #include "session/library.hpp"
 #include "session/resume.hpp"
 #include "session/simulated_person.hpp"
 #include "source_messages.hpp"
 #include "spoken.hpp"
-#include "storage/accounts.hpp"
-#include "storage/backups.hpp"
+#include "storage/access/accounts.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/care/backups.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::failures_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -144,28 +145,27 @@ TEST_P(FailuresInEachLanguage, OfATaskSceneOrProtocolThatIsWrong) {
 }
 
 TEST_P(FailuresInEachLanguage, OfADatabaseThatCannotBeOpened) {
-  using Open = SessionStore::Open;
-  expect_translated(SessionStore::open(folder_.path("none.db"), Open::existing));
-  expect_translated(SessionStore::open(folder_.path("sub/none.db"), Open::create));
-  expect_translated(SessionStore::open(folder_.path(), Open::existing));
-  expect_translated(SessionStore::open("", Open::existing));
-  expect_translated(SessionStore::open(folder_.write("text.db", "no database"), Open::existing));
+  expect_translated(open_store(folder_.path("none.db"), OpenMode::existing));
+  expect_translated(open_store(folder_.path("sub/none.db"), OpenMode::create));
+  expect_translated(open_store(folder_.path(), OpenMode::existing));
+  expect_translated(open_store("", OpenMode::existing));
+  expect_translated(open_store(folder_.write("text.db", "no database"), OpenMode::existing));
   const auto path = folder_.path("clinic.db");
-  ASSERT_TRUE(SessionStore::open(path, Open::create).ok());
+  ASSERT_TRUE(open_store(path, OpenMode::create).ok());
   const auto set_format = [&](int version) {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
     constexpr int kUserVersion_byte = 63;
     file.seekp(kUserVersion_byte).put(static_cast<char>(version));
   };
   set_format(99);
-  expect_translated(SessionStore::open(path, Open::existing));
+  expect_translated(open_store(path, OpenMode::existing));
   set_format(1);
-  expect_translated(SessionStore::open(path, Open::existing));
+  expect_translated(open_store(path, OpenMode::existing));
 }
 
 TEST_P(FailuresInEachLanguage, OfWritingWhatCannotBeStored) {
   const auto path = folder_.path("clinic.db");
-  auto store = *SessionStore::open(path, SessionStore::Open::create);
+  auto store = *open_store(path, OpenMode::create);
   ASSERT_TRUE(store->add_patient("P-0427").ok());
   expect_translated(store->add_patient("P-0427"));
   expect_translated(store->add_patient("Maria"));
@@ -181,7 +181,7 @@ TEST_P(FailuresInEachLanguage, OfWritingWhatCannotBeStored) {
 }
 
 TEST_P(FailuresInEachLanguage, OfAFullDisk) {
-  auto store = *SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::create);
+  auto store = *open_store(folder_.path("clinic.db"), OpenMode::create);
   const auto former_signal = std::signal(SIGXFSZ, SIG_IGN);
   rlimit former{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &former), 0);
@@ -216,10 +216,10 @@ TEST_P(FailuresInEachLanguage, OfADatabaseWithoutALogin) {
   const auto path = folder_.path("clinic.db");
   auto made = Access::create(path, Secret("a clinic by the sea"), &kCheapKeyCost);
   ASSERT_TRUE(made.ok());
-  auto store = SessionStore::open(path, SessionStore::Open::existing);
+  auto store = open_store(path, OpenMode::existing);
   ASSERT_TRUE(store.ok());
   made->access->log_out();
-  expect_translated(SessionStore::open(path, SessionStore::Open::existing));
+  expect_translated(open_store(path, OpenMode::existing));
   expect_translated((*store)->add_patient("P-0427"));
 }
 
@@ -260,4 +260,4 @@ TEST(SourceMessages, AreTheSumsOfFixedWordsAndOthersInWhatRefuses) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::failures_test

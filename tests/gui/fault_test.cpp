@@ -7,10 +7,11 @@
 #include <sys/resource.h>
 
 #include "operator.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/device/net_ft_boxes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::fault_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,8 +37,8 @@ class FaultDuringATrial : public QtTest {
     EXPECT_TRUE(wait_until([&] { return !presenter_.busy(); }));
   }
 
-  /// A trial of free handling with three boxes, one of which will have that fault.
-  void start_trial(const std::string& fault) {
+  /// Three boxes, one of which will have that fault; free handling is chosen.
+  void connect(const std::string& fault) {
     EmulatorOptions options;
     options.config = DeviceConfig::standard(Protocol::net_ft);
     constexpr int kDither = 3;  // counts
@@ -51,6 +52,9 @@ class FaultDuringATrial : public QtTest {
     operator_.press("connect");
     operator_.set_zero();
     operator_.choose_task(TaskKind::observe);
+  }
+  void start_trial(const std::string& fault) {
+    connect(fault);
     operator_.start_task();
   }
 
@@ -67,13 +71,20 @@ class FaultDuringATrial : public QtTest {
     QObject::disconnect(watch);
     EXPECT_FALSE(late);
     EXPECT_TRUE(wait_until(
-        [&] { return presenter_.view().device_words.find(word) != std::string::npos; }, 5))
+        [&] { return presenter_.view().device_words.find(word) != std::string::npos; }, 30))
         << presenter_.view().device_words;
     EXPECT_NE(presenter_.picture().notice_words.find("You did nothing wrong"), std::string::npos);
   }
 
+  std::vector<EventRecord> stored_faults() {
+    auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
+    auto events = *(*store)->events((*store)->recent_sessions(1)->front().id);
+    std::erase_if(events, [](const EventRecord& event) { return event.kind != "fault"; });
+    return events;
+  }
+
   std::vector<TrialRecord> stored_trials() {
-    auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::read_only);
+    auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
     return *(*store)->trials((*store)->recent_sessions(1)->front().id);
   }
 
@@ -88,9 +99,7 @@ TEST_F(FaultDuringATrial, AnUnpluggedSensorIsSaidAndTheTrialGoesOnWhenItIsBack) 
   start_trial("silence=index:2s@10s");
   expect_both_screens_say_so("index");
   ASSERT_TRUE(wait_until(
-      [&] {
-        return presenter_.view().may_resume && presenter_.view().device_mood != Mood::fault;
-      },
+      [&] { return presenter_.view().may_resume && presenter_.view().device_mood != Mood::fault; },
       30))
       << presenter_.view().sentence;
   operator_.press("pause");  // now Resume
@@ -119,6 +128,40 @@ TEST_F(FaultDuringATrial, AnOverloadIsSaid) {
   EXPECT_NE(presenter_.view().device_mood, Mood::ready);
   operator_.press("stop");
   operator_.finish_task();
+}
+
+TEST_F(FaultDuringATrial, ARestartBetweenTrialsIsStoredAndNothingStartsBeforeANewZero) {
+  connect("dip=index@15s");
+  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_start; }));
+  ASSERT_TRUE(wait_until(
+      [&] {
+        return presenter_.snapshot().restarted && presenter_.view().device_mood != Mood::fault;
+      },
+      60))
+      << presenter_.view().sentence;
+  const auto& view = presenter_.view();
+  EXPECT_FALSE(view.may_start);
+  EXPECT_EQ(view.mood, Mood::attention);
+  EXPECT_EQ(view.next(), Step::zero);
+  EXPECT_EQ(operator_.find<QLabel>("sentence").text().toStdString(), view.device_words);
+  EXPECT_NE(view.sentence.find("zero again"), std::string::npos) << view.sentence;
+  EXPECT_TRUE(operator_.find<QAbstractButton>("zero").isVisible()) << "its step is open again";
+  EXPECT_FALSE(operator_.find<QAbstractButton>("start").isEnabled());
+  operator_.set_zero();
+  operator_.choose_task(TaskKind::observe);
+  EXPECT_TRUE(wait_until([&] { return presenter_.view().may_start; }, 5) ||
+              presenter_.snapshot().restarted)  // on a busy machine a sensor may be lost again
+      << presenter_.view().sentence;
+  presenter_.end_session();
+  ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+  const auto faults = stored_faults();
+  bool index_told = false;
+  for (const auto& fault : faults) {
+    EXPECT_EQ(fault.trial_id, 0) << "between trials";
+    EXPECT_GT(fault.session_time_s, 0.0);
+    index_told = index_told || fault.text.find("index") != std::string::npos;
+  }
+  EXPECT_TRUE(index_told);
 }
 
 /// Files of this process cannot grow beyond that while it lives: as on a full disk.
@@ -150,12 +193,19 @@ TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) 
     EXPECT_EQ(presenter_.picture().notice, PatientPicture::Notice::fault)
         << presenter_.picture().headline;
     ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+    EXPECT_NE(presenter_.view().sentence.find("disk"), std::string::npos)
+        << presenter_.view().sentence;
+    const auto result = operator_.find<QLabel>("result_remark").text();
+    EXPECT_TRUE(result.contains("Free handling: interrupted")) << result.toStdString();
+    EXPECT_FALSE(presenter_.last_trial()->measures.empty() && presenter_.live_score().empty());
+    QTest::qWait(100);  // the disk is seen full
   }
-  EXPECT_NE(presenter_.view().sentence.find("disk"), std::string::npos)
-      << presenter_.view().sentence;
+  EXPECT_TRUE(wait_until([&] { return presenter_.view().mood != Mood::fault; }))
+      << "there is room again: " << presenter_.view().sentence;
+  EXPECT_EQ(presenter_.view().next(), Step::hand);
   const auto trials = stored_trials();
   ASSERT_EQ(trials.size(), 1U);
-  auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::existing);
+  auto store = open_store(folder_.path("clinic.db"), OpenMode::existing);
   ASSERT_TRUE(store.ok());
   const auto signals = (*store)->signals(trials[0]);
   ASSERT_TRUE(signals.ok()) << signals.error().message();
@@ -163,4 +213,4 @@ TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) 
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::fault_test

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The logic of a session: one sensible next step, nothing possible that must not be.
-#include "gui/flow.hpp"
+#include "gui/presenter/flow.hpp"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::flow_test {
 namespace {
 
 FlowFacts fresh() {
@@ -31,6 +31,13 @@ FlowFacts zeroed() {
   return facts;
 }
 
+/// The hand is in, too: a resting force can begin.
+FlowFacts settled() {
+  FlowFacts facts = zeroed();
+  facts.strapped = true;
+  return facts;
+}
+
 TEST(Flow, LeadsFromPatientToTaskInOrder) {
   FlowFacts facts = fresh();
   EXPECT_EQ(decide(facts).next(), Step::patient);
@@ -44,7 +51,8 @@ TEST(Flow, LeadsFromPatientToTaskInOrder) {
   EXPECT_EQ(decide(facts).next(), Step::zero);
   facts.zeroed = true;
   EXPECT_EQ(decide(facts).next(), Step::rest);
-  facts.rest_done = true;
+  facts.strapped = facts.rest_done = true;
+  facts.task_kind = TaskKind::maximum;
   EXPECT_EQ(decide(facts).next(), Step::work);
   EXPECT_NE(decide(facts).sentence.find("maximum grip force"), std::string::npos);
   facts.maximum_force_N = 40.0;
@@ -101,7 +109,7 @@ TEST(Flow, ConnectsOnlyWithPatientHandScreeningAndDevice) {
 TEST(Flow, StartsNoTrialBeforeTheZero) {
   EXPECT_FALSE(decide(connected()).may_start);
   EXPECT_NE(decide(connected()).start_hint.find("zero"), std::string::npos);
-  EXPECT_TRUE(decide(zeroed()).may_start);
+  EXPECT_TRUE(decide(settled()).may_start);
 }
 
 TEST(Flow, ARecordingNeedsNoZero) {
@@ -112,7 +120,7 @@ TEST(Flow, ARecordingNeedsNoZero) {
 }
 
 TEST(Flow, AScaledTaskWaitsForTheForceThatItIsScaledTo) {
-  FlowFacts facts = zeroed();
+  FlowFacts facts = settled();
   facts.maximum_force_N = 25.0;
   facts.task_lacks = "The target is a share of the maximum force of 'index'.";
   EXPECT_FALSE(decide(facts).may_start) << "the maximum of the grip does not stand for it";
@@ -183,8 +191,113 @@ TEST(Flow, AStrappedHandSettlesBeforeItRestsAndNothingElseWaits) {
   EXPECT_TRUE(decide(facts).may_start);
 }
 
+TEST(Flow, ARestingForceWaitsForTheWordThatTheHandIsIn) {
+  FlowFacts facts = zeroed();
+  EXPECT_FALSE(decide(facts).may_start) << "F8 would skip the minute of settling";
+  EXPECT_EQ(decide(facts).press, NextPress::strap) << "one button is filled, and it is not Start";
+  EXPECT_FALSE(decide(facts).start_hint.empty());
+  facts.strapped = true;
+  EXPECT_EQ(decide(facts).press, NextPress::start);
+}
+
+TEST(Flow, AfterTheMinuteOfSettlingTheProtocolGoesOnByItself) {
+  FlowFacts facts = zeroed();
+  facts.protocol.active = facts.protocol.by_itself = true;
+  facts.protocol.act = ProtocolFacts::Act::trial;
+  facts.strapped = true;
+  facts.settling_s = 42;
+  EXPECT_TRUE(decide(facts).may_start) << "pressed while it settles, Start waits for its time";
+  EXPECT_FALSE(decide(facts).may_begin);
+  facts.protocol.goes_on = true;
+  EXPECT_FALSE(decide(facts).may_start);
+  EXPECT_TRUE(decide(facts).may_stand_by);
+  EXPECT_NE(decide(facts).sentence.find("then the resting force begins"), std::string::npos)
+      << decide(facts).sentence;
+  facts.settling_s = 0;
+  EXPECT_TRUE(decide(facts).may_begin);
+}
+
+TEST(Flow, StartIsNotOfferedWhereItDoesNothing) {
+  FlowFacts facts = settled();
+  facts.rest_done = true;
+  facts.task_kind = TaskKind::other;
+  facts.protocol.active = true;
+  facts.protocol.act = ProtocolFacts::Act::trial;
+  facts.protocol.wait_s = 20;
+  EXPECT_FALSE(decide(facts).may_start) << "nothing goes on by itself";
+  facts.protocol.by_itself = true;
+  EXPECT_TRUE(decide(facts).may_start);
+}
+
+TEST(Flow, AZeroOlderThanARestartIsNone) {
+  FlowFacts facts = settled();
+  facts.rest_done = true;
+  facts.task_kind = TaskKind::other;
+  ASSERT_TRUE(decide(facts).may_start);
+  facts.restarted = Finger::index;
+  const FlowView view = decide(facts);
+  EXPECT_FALSE(view.may_start || view.may_begin || view.may_strap || view.may_repeat);
+  EXPECT_EQ(view.next(), Step::zero) << "the step opens again";
+  EXPECT_EQ(view.press, NextPress::zero);
+  EXPECT_EQ(view.mood, Mood::attention);
+  EXPECT_EQ(view.device_mood, Mood::attention);
+  EXPECT_EQ(view.sentence, view.device_words) << "light and sentence say the same";
+  EXPECT_NE(view.sentence.find("index"), std::string::npos) << view.sentence;
+  EXPECT_TRUE(view.must_stand_by);
+}
+
+TEST(Flow, AZeroYoungerThanTheRestartIsTheAnswerToIt) {
+  FlowFacts facts = settled();
+  facts.health.fault = DeviceFault::restarted;  // told for some seconds
+  facts.health.state = DeviceState::degraded;
+  EXPECT_EQ(decide(facts).device_mood, Mood::ready) << decide(facts).device_words;
+}
+
+TEST(Flow, AHandThatWasTakenOutForAZeroGoesInAgainBeforeWorkGoesOn) {
+  FlowFacts facts = zeroed();
+  facts.rest_done = facts.hand_out = true;
+  facts.task_kind = TaskKind::other;
+  EXPECT_EQ(decide(facts).next(), Step::rest);
+  EXPECT_EQ(decide(facts).press, NextPress::strap);
+}
+
+TEST(Flow, AnOverloadInATrialIsSaidBesideIt) {
+  FlowFacts facts = settled();
+  facts.stage = Stage::trial;
+  facts.task_name = "Grip force";
+  facts.health.state = DeviceState::degraded;
+  facts.health.fault = DeviceFault::overload;
+  const FlowView view = decide(facts);
+  EXPECT_EQ(view.mood, Mood::attention);
+  EXPECT_NE(view.sentence.find("overloaded"), std::string::npos) << view.sentence;
+  EXPECT_NE(view.sentence.find("Grip force"), std::string::npos) << view.sentence;
+}
+
+TEST(Flow, TheEndOfTheWorkOffersReportAndDisconnecting) {
+  FlowFacts facts = settled();
+  EXPECT_FALSE(decide(facts).offers_end);
+  facts.protocol.active = true;
+  facts.protocol.act = ProtocolFacts::Act::none;
+  EXPECT_TRUE(decide(facts).offers_end && decide(facts).may_disconnect);
+  EXPECT_EQ(decide(facts).press, NextPress::report);
+  facts.protocol.act = ProtocolFacts::Act::trial;
+  facts.stop_reason = "Pain 5 of 10: stop the work of this hand for today.";
+  EXPECT_TRUE(decide(facts).offers_end);
+}
+
+TEST(Flow, AFileThatAnotherProgramHasOpenIsOnlyLookedAt) {
+  FlowFacts facts = fresh();
+  facts.patient_chosen = facts.hand_chosen = facts.screened = facts.device_chosen = true;
+  ASSERT_TRUE(decide(facts).may_connect);
+  facts.look_only = true;
+  EXPECT_FALSE(decide(facts).may_connect);
+  EXPECT_TRUE(decide(facts).may_change_patient);
+  EXPECT_NE(decide(facts).sentence.find("another program"), std::string::npos);
+}
+
 TEST(Flow, WhatTheRestingForceSuggestsIsSaid) {
   FlowFacts facts = zeroed();
+  facts.task_kind = TaskKind::maximum;
   facts.rest_done = true;
   facts.rest_words = "At rest thumb 2.1 N.";
   EXPECT_EQ(decide(facts).sentence, "At rest thumb 2.1 N. Next: the maximum grip force.");
@@ -213,9 +326,10 @@ TEST(Flow, EveryMoodHasItsOwnWord) {
 }
 
 FlowFacts in_protocol(ProtocolFacts::Act act) {
-  FlowFacts facts = zeroed();
+  FlowFacts facts = settled();
   facts.rest_done = true;
-  facts.protocol.active = true;
+  facts.task_kind = TaskKind::force_tracking;
+  facts.protocol.active = facts.protocol.by_itself = true;
   facts.protocol.act = act;
   facts.protocol.act_words = "Grip force, sine";
   return facts;
@@ -259,7 +373,6 @@ TEST(Flow, AReasonToStopIsSaidBeforeWhatComesNext) {
 
 TEST(Flow, StrapsThatAreDueComeBeforeTheNextTaskAndCanBeConfirmed) {
   FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
-  facts.strapped = facts.rest_done = true;
   EXPECT_FALSE(decide(facts).may_strap);
   facts.straps_due = true;
   const FlowView view = decide(facts);
@@ -323,4 +436,4 @@ TEST(Flow, ConnectsOnlyWhenItIsKnownWhetherAProtocolWasInterrupted) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::flow_test

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guided check in the window: it hears what the session publishes, not every frame.
-#include "gui/guided_check.hpp"
+#include "gui/presenter/guided_check.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/anatomical_axes.hpp"
+#include "hand/anatomical_axes.hpp"
 
-namespace isograsp {
+namespace isograsp::guided_check_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -90,4 +90,4 @@ TEST_F(GuidedCheckTest, FramesThatNobodyLookedAtCountForTheTimeTheyTook) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::guided_check_test

@@ -1,40 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The therapist's window in every language on the smallest screen: no text is cut off, mnemonics
-// are told apart, and tooltips name the keys that there are.
+// The therapist's window in every language on the smallest screen, with usual and with the largest
+// letters: no text is cut off, mnemonics are told apart, and tooltips name the keys that there are.
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QLabel>
 #include <QPointer>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QTabWidget>
+#include <QTableWidget>
 
-#include "gui/patient_page.hpp"
-#include "gui/section.hpp"
+#include "gui/record_pages/patient_page.hpp"
+#include "gui/session_pages/state_light.hpp"
+#include "gui/session_pages/step_section.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
 #include "spoken.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::languages_fit_test {
 namespace {
 
-class EveryPage : public QtTest, public ::testing::WithParamInterface<const char*> {
+class FilledWindow : public QtTest {
  protected:
-  EveryPage() : spoken_(GetParam()) {
-    auto store = SessionStore::open(path_, SessionStore::Open::create);
+  FilledWindow(const std::string& language, int letters_percent) : spoken_(language.c_str()) {
+    auto store = open_store(path_, OpenMode::create);
     EXPECT_TRUE(store.ok());
     add_course(**store, "P-1", true);
     store->reset();
     GuiConfig config{path_, "", ISOGRASP_SOURCE_DIR "/library", "test"};
     config.settings =
-        folder_.write("isograsp.ini", std::string("[General]\nlanguage=") + GetParam());
+        folder_.write("isograsp.ini", "[General]\nlanguage=" + language +
+                                          "\nfont_percent=" + std::to_string(letters_percent));
     windows_ = std::make_unique<Windows>(config);
     windows_->therapist().resize(1280, 720);
     windows_->therapist().show();
     EXPECT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
     windows_->presenter().choose_patient("P-1");
+  }
+  ~FilledWindow() override {
+    windows_.reset();
+    dress(*qApp);
   }
 
   /// Every page with all that may appear on it: steps opened, questions asked.
@@ -55,7 +66,7 @@ class EveryPage : public QtTest, public ::testing::WithParamInterface<const char
           settle();
           look(window, name + ", tab " + std::to_string(tab + 1));
         }
-      for (auto* section : pages.widget(i)->findChildren<Section*>()) {
+      for (auto* section : pages.widget(i)->findChildren<StepSection*>()) {
         section->open(true);
         settle();
         look(window,
@@ -71,7 +82,19 @@ class EveryPage : public QtTest, public ::testing::WithParamInterface<const char
   Spoken spoken_;
   std::unique_ptr<Windows> windows_;
 };
+
+class EveryPage : public FilledWindow, public ::testing::WithParamInterface<const char*> {
+ protected:
+  EveryPage() : FilledWindow(GetParam(), 100) {}
+};
 INSTANTIATE_TEST_SUITE_P(, EveryPage, ::testing::Values("en", "de", "fr"),
+                         [](const auto& language) { return std::string(language.param); });
+
+class LargestLetters : public FilledWindow, public ::testing::WithParamInterface<const char*> {
+ protected:
+  LargestLetters() : FilledWindow(GetParam(), 200) {}
+};
+INSTANTIATE_TEST_SUITE_P(, LargestLetters, ::testing::Values("en", "de", "fr"),
                          [](const auto& language) { return std::string(language.param); });
 
 /// What a text in one line needs; the numbers of a score stand close, without the air of a button.
@@ -91,6 +114,33 @@ void show_hidden_controls(QWidget& page) {
   }
 }
 
+/// Labels and buttons in one line that need more room than they have.
+std::set<std::string> cut_texts(QWidget& window, const std::string& page, int& seen) {
+  std::set<std::string> cut;
+  QList<QPointer<QWidget>> widgets;
+  for (auto* widget : window.findChildren<QWidget*>()) widgets << widget;
+  for (const auto& widget : widgets) {
+    if (widget == nullptr || !widget->isVisible()) continue;
+    const auto* label = qobject_cast<QLabel*>(widget.data());
+    const auto* button = qobject_cast<QAbstractButton*>(widget.data());
+    if (label != nullptr && (label->wordWrap() || label->text().isEmpty())) continue;
+    if (button != nullptr && button->text().isEmpty()) continue;
+    if (label == nullptr && button == nullptr) continue;
+    if (widget->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;  // elided
+    ++seen;
+    // What a page reads in the background may just have made a text bold.
+    constexpr int kLaidOutWithin_s = 2;
+    const bool fits =
+        wait_until([&] { return widget == nullptr || needed_px(*widget) <= widget->width(); },
+                   kLaidOutWithin_s);
+    if (!fits)
+      cut.insert(page + ": " + widget->property("text").toString().toStdString() + " (" +
+                 std::to_string(widget->width()) + " of " + std::to_string(needed_px(*widget)) +
+                 " px)");
+  }
+  return cut;
+}
+
 TEST_P(EveryPage, CutsNoTextOff) {
   std::set<std::string> cut;
   int seen = 0;
@@ -98,30 +148,76 @@ TEST_P(EveryPage, CutsNoTextOff) {
     show_hidden_controls(*window.findChild<QStackedWidget*>("pages")->currentWidget());
     settle();
     EXPECT_LE(window.width(), 1280) << page;
-    QList<QPointer<QWidget>> widgets;
-    for (auto* widget : window.findChildren<QWidget*>()) widgets << widget;
-    for (const auto& widget : widgets) {
-      if (widget == nullptr || !widget->isVisible()) continue;
-      const auto* label = qobject_cast<QLabel*>(widget.data());
-      const auto* button = qobject_cast<QAbstractButton*>(widget.data());
-      if (label != nullptr && (label->wordWrap() || label->text().isEmpty())) continue;
-      if (button != nullptr && button->text().isEmpty()) continue;
-      if (label == nullptr && button == nullptr) continue;
-      if (widget->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;  // elided
-      ++seen;
-      // What a page reads in the background may just have made a text bold.
-      constexpr int kLaidOutWithin_s = 2;
-      const bool fits =
-          wait_until([&] { return widget == nullptr || needed_px(*widget) <= widget->width(); },
-                     kLaidOutWithin_s);
-      if (!fits)
-        cut.insert(page + ": " + widget->property("text").toString().toStdString() + " (" +
-                   std::to_string(widget->width()) + " of " + std::to_string(needed_px(*widget)) +
-                   " px)");
-    }
+    cut.merge(cut_texts(window, page, seen));
   });
   EXPECT_GE(seen, 200);
   for (const auto& text : cut) ADD_FAILURE() << text;
+}
+
+TEST_P(LargestLetters, CutNoTextOffAndNobodyScrollsSideways) {
+  std::set<std::string> cut;
+  int seen = 0;
+  on_every_page([&](QWidget& window, const std::string& page) {
+    EXPECT_LE(window.width(), 1280) << page;
+    auto* area =
+        qobject_cast<QScrollArea*>(window.findChild<QStackedWidget*>("pages")->currentWidget());
+    ASSERT_NE(area, nullptr);
+    const int beyond_px = area->horizontalScrollBar()->maximum();
+    std::string wide = page + " is " + std::to_string(beyond_px) + " px too wide:";
+    for (const auto* widget : area->widget()->findChildren<QWidget*>())
+      if (widget->minimumSizeHint().width() > area->viewport()->width())
+        wide += std::string(" ") + widget->metaObject()->className() + " " +
+                widget->objectName().toStdString();
+    if (beyond_px > 0) cut.insert(wide);
+    cut.merge(cut_texts(window, page, seen));
+  });
+  EXPECT_GE(seen, 200);
+  for (const auto& text : cut) ADD_FAILURE() << text;
+}
+
+TEST_P(LargestLetters, FitIntoTheRowsOfListsAndTheFieldsOfChoices) {
+  std::set<std::string> cut;
+  int lists = 0;
+  int choices = 0;
+  on_every_page([&](QWidget& window, const std::string& page) {
+    for (auto* list : window.findChildren<QListWidget*>()) {
+      if (!list->isVisible() || list->count() == 0) continue;
+      ++lists;
+      const int row_px = list->sizeHintForRow(0);
+      const auto name = page + ": " + list->objectName().toStdString();
+      if (row_px < list->fontMetrics().height()) cut.insert(name + ", rows are too low");
+      constexpr int kLeastRows = 2;
+      if (list->viewport()->height() < std::min(list->count(), kLeastRows) * row_px)
+        cut.insert(name + ", shows no two rows");
+    }
+    for (auto* choice : window.findChildren<QComboBox*>()) {
+      // A choice of very long names shows their beginning and tells all of it when it is open.
+      if (!choice->isVisible() ||
+          choice->sizeAdjustPolicy() == QComboBox::AdjustToMinimumContentsLengthWithIcon)
+        continue;
+      ++choices;
+      if (choice->minimumSizeHint().width() > choice->width())
+        cut.insert(page + ": " + choice->currentText().toStdString());
+    }
+  });
+  EXPECT_GE(lists, 5);
+  EXPECT_GE(choices, 5);
+  for (const auto& text : cut) ADD_FAILURE() << text;
+}
+
+TEST_P(LargestLetters, ComeWithLargeSigns) {
+  auto& window = windows_->therapist();
+  constexpr int kUsual_px = 28;
+  int largest_px = 0;
+  for (const auto* light : window.findChildren<StateLight*>())
+    largest_px = std::max(largest_px, light->width());
+  EXPECT_EQ(largest_px, 2 * kUsual_px);
+  const auto indicator_px = [](QStyle::PixelMetric size) {
+    return qApp->style()->pixelMetric(size);
+  };
+  const int large_px = indicator_px(QStyle::PM_IndicatorWidth);
+  dress(*qApp, 100);
+  EXPECT_EQ(large_px, 2 * indicator_px(QStyle::PM_IndicatorWidth));
 }
 
 TEST_P(EveryPage, GivesEachMnemonicOnceAndNamesItInTheTooltip) {
@@ -167,4 +263,4 @@ TEST_P(EveryPage, GivesEachMnemonicOnceAndNamesItInTheTooltip) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::languages_fit_test

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The clinic's own library beside the shipped one: nothing shipped is written, nothing that a
 // stored trial used is overwritten, nothing typed is lost.
-#include "gui/library_files.hpp"
+#include "gui/library/library_files.hpp"
 
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "core/files.hpp"
-#include "gui/library_use.hpp"
+#include "gui/library/library_use.hpp"
 #include "session/library.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::library_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,7 +230,7 @@ TEST(LibraryUse, ATaskOfAProtocolThatIsFollowedCountsAsUsed) {
 
 TEST(LibraryUse, IsFoundInTheTextsOfStoredTrialsAndSessions) {
   TemporaryFolder folder;
-  auto store = *SessionStore::open(folder.path("clinic.db"), SessionStore::Open::create);
+  auto store = *open_store(folder.path("clinic.db"), OpenMode::create);
   const auto patient = store->add_patient("P-4T8R2").value();
   SessionRecord session;
   session.patient_id = patient.id;
@@ -273,4 +274,4 @@ TEST(LibraryUse, IsFoundInTheTextsOfStoredTrialsAndSessions) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::library_files_test

@@ -12,15 +12,15 @@
 #include <filesystem>
 
 #include "core/files.hpp"
-#include "gui/library_preview.hpp"
-#include "gui/library_view.hpp"
-#include "gui/toml_editor.hpp"
+#include "gui/library_pages/library_preview.hpp"
+#include "gui/library_pages/library_view.hpp"
+#include "gui/look/toml_editor.hpp"
 #include "operator.hpp"
 #include "session/library.hpp"
 #include "short_library.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::library_page_test {
 namespace {
 
 const std::string kShipped = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -87,7 +87,7 @@ class LibraryPageTest : public QtTest {
 
   void start() {
     windows_ = std::make_unique<Windows>(
-        GuiConfig{folder_.path("clinic.db"), "sim://healthy?seed=7", library_, "test"});
+        settling_soon({folder_.path("clinic.db"), "sim://healthy?seed=7", library_, "test"}));
     operator_ = std::make_unique<Operator>(*windows_);
     windows_->therapist().show();
     ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
@@ -275,6 +275,7 @@ TEST_F(LibraryPageTest, ATaskThatATrialUsedIsKeptAndGetsTheNextVersion) {
     if (tasks[i].name == "Resting force (copy)")
       windows_->presenter().choose_task(static_cast<int>(i));
   ASSERT_EQ(windows_->presenter().next_words(), "Resting force (copy)");
+  operator_->strap_in();
   operator_->run_task();
   ASSERT_TRUE(wait_until([&] { return windows_->presenter().last_trial().has_value(); }));
   ASSERT_EQ(windows_->presenter().last_trial()->trial.task_text, used);
@@ -318,4 +319,4 @@ TEST_F(LibraryPageTest, SearchFindsAFileByAnyPartOfItsName) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::library_page_test

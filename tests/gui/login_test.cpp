@@ -12,17 +12,18 @@
 #include <QTest>
 #include <algorithm>
 
-#include "gui/identity_card.hpp"
-#include "gui/login_page.hpp"
-#include "gui/reports_page.hpp"
+#include "gui/office_pages/login_page.hpp"
+#include "gui/office_pages/reports_page.hpp"
+#include "gui/record_pages/identity_card.hpp"
 #include "gui/windows.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
-#include "storage/accounts.hpp"
-#include "storage/audit_log.hpp"
+#include "storage/access/accounts.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::login_test {
 namespace {
 
 constexpr const char* kPassphrase = "a clinic by the sea";
@@ -41,7 +42,7 @@ class LoginTest : public QtTest {
           add_user(access, "Rosa", Role::researcher, Secret(kPassword), kCheapKeyCost).ok());
       EXPECT_TRUE(access.log_in("Ada", Secret(kPassword)).ok());
       EXPECT_TRUE(set_own_pin(access, Secret(kPin)).ok());
-      auto store = *SessionStore::open(database_, SessionStore::Open::existing);
+      auto store = *open_store(database_, OpenMode::existing);
       EXPECT_TRUE(store->add_patient("P-0427").ok());
       EXPECT_TRUE(set_identity(access, "P-0427", {"Maria Berger", "1950-03-05", "555 0100"}).ok());
     }
@@ -377,4 +378,4 @@ TEST_F(StaffTest, TheLockWaitsForWhatIsBeingStoredButTheLoginDoesNotPassIt) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::login_test

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/files.hpp"
-#include "device/device_config.hpp"
+#include "device/config/device_config.hpp"
 #include "tests/gui/source_messages.hpp"
 
 namespace isograsp {
@@ -29,8 +29,9 @@ Texts messages_below(const std::string& source_folder) {
     const auto code = read_text(file);
     if (code) messages.merge(messages_in(*code));
   };
-  for (const char* folder : {"core", "device", "grasp_model", "virtual_patient", "tasks", "storage",
-                             "session", "reports", "gui"}) {
+  for (const char* folder :
+       {"core", "hand", "device", "grasp_model", "virtual_patient", "statistics", "tasks",
+        "storage", "session", "exports", "reports", "gui"}) {
     fs::recursive_directory_iterator at(source_folder + "/" + folder);
     for (const auto end = fs::end(at); at != end; ++at) {
       if (kElsewhere.count(at->path().filename()) > 0) {
@@ -165,7 +166,7 @@ std::set<std::string> texts_of_messages(const std::string& source_folder) {
 
 std::set<std::string> patterns_of_messages(const std::string& source_folder) {
   Texts texts = texts_of_messages(source_folder);
-  // "3 values" is found by its number (gui/texts.hpp).
+  // "3 values" is found by its number (gui/words/texts.hpp).
   std::erase_if(texts, [](const auto& text) {
     return text.find("%1") == std::string::npos || text == "%1 to %2" || text == "%1 values";
   });

@@ -6,11 +6,17 @@
 #include <QLabel>
 #include <QListWidget>
 
-#include "gui/task_groups.hpp"
+#include "gui/library/task_groups.hpp"
 #include "gui/windows.hpp"
 #include "qt_test.hpp"
 
 namespace isograsp::test {
+
+/// A strapped hand settles for that long, where a test does not ask for the minute itself.
+[[nodiscard]] inline GuiConfig settling_soon(GuiConfig config) {
+  config.settle_after_strapping_s = 1.0;
+  return config;
+}
 
 class Operator {
  public:
@@ -54,7 +60,10 @@ class Operator {
   }
 
   void disconnect() const {
-    open_section(Step::device);
+    // Its step is open by itself until the first forces arrive.
+    ASSERT_TRUE(wait_until(
+        [&] { return windows_.presenter().view().situation != Situation::wait_for_forces; }));
+    if (!find<QAbstractButton>("connect").isVisible()) open_section(Step::device);
     press("connect");
     ASSERT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
   }
@@ -101,7 +110,17 @@ class Operator {
       open_section(Step::zero);
     press("zero");
     press("zero_confirmed");
-    ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().zeroed; }))
+    const auto set = [&] {
+      const auto& now = windows_.presenter().snapshot();
+      return now.zeroed && !now.restarted && windows_.presenter().view().may_choose_task;
+    };
+    ASSERT_TRUE(wait_until(set)) << windows_.presenter().view().sentence;
+  }
+
+  /// The hand is in and has settled: the resting force can begin.
+  void strap_in() const {
+    press("strapped");
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().view().may_begin; }))
         << windows_.presenter().view().sentence;
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the patient page knows of a patient: which measures it shows, what it compares, and what
 // it makes of a damaged trial.
-#include "gui/patient_course.hpp"
+#include "gui/clinic/patient_course.hpp"
 
 #include <algorithm>
 #include <set>
@@ -10,20 +10,21 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "gui/measure_trend.hpp"
-#include "gui/opened_trial.hpp"
-#include "gui/session_comparison.hpp"
-#include "reports/measure_words.hpp"
+#include "gui/record_pages/measure_trend.hpp"
+#include "gui/record_pages/session_comparison.hpp"
+#include "gui/trial_pages/opened_trial.hpp"
+#include "storage/access/open_store.hpp"
+#include "tasks/facts/measure_words.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::patient_course_test {
 namespace {
 
 class PatientCourseTest : public ::testing::Test {
  protected:
   PatientCourseTest() {
-    auto store = SessionStore::open(path_, SessionStore::Open::scratch);
+    auto store = open_store(path_, OpenMode::scratch);
     EXPECT_TRUE(store.ok());
     store_ = *std::move(store);
   }
@@ -232,8 +233,9 @@ TEST_F(PatientCourseTest, ADamagedGroupLeavesTheChannelsBeforeIt) {
   trial.samples = 100;
   trial.status = TrialStatus::completed;
   ASSERT_TRUE(store_->end_trial(trial, {}).ok());
-  execute("UPDATE signal_packs SET values_blake2b = zeroblob(32) WHERE position = 1 AND trial_id = " +
-          std::to_string(trial.id));
+  execute(
+      "UPDATE signal_packs SET values_blake2b = zeroblob(32) WHERE position = 1 AND trial_id = " +
+      std::to_string(trial.id));
   const auto all = course();
   const auto& session = all.sessions[0];
   const auto opened = open_trial(*store_, session.record, session.trials.back().record);
@@ -279,4 +281,4 @@ TEST_F(PatientCourseTest, FactsSayWhatMakesATrialDoubtful) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::patient_course_test

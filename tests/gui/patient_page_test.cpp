@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The therapist's page of one patient, by mouse and by key, without a display.
-#include "gui/patient_page.hpp"
+#include "gui/record_pages/patient_page.hpp"
 
 #include <QComboBox>
 #include <QDir>
@@ -11,16 +11,17 @@
 #include <QTableWidget>
 
 #include "qt_test.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::patient_page_test {
 namespace {
 
 class PatientPageTest : public QtTest {
  protected:
   PatientPageTest() {
-    auto store = SessionStore::open(path_, SessionStore::Open::scratch);
+    auto store = open_store(path_, OpenMode::scratch);
     EXPECT_TRUE(store.ok());
     add_course(**store, "P-1", true);
     EXPECT_TRUE((*store)->add_patient("P-2").ok());
@@ -101,7 +102,7 @@ TEST_F(PatientPageTest, NothingOfOnePatientStaysForTheNext) {
 
 TEST_F(PatientPageTest, APrimaryMeasureSaysItsVerdictOnItsTileAndInTheLargePicture) {
   {
-    auto store = SessionStore::open(path_, SessionStore::Open::existing).value();
+    auto store = open_store(path_, OpenMode::existing).value();
     const RowId id = store->find_patient("P-1").value()->id;
     ASSERT_TRUE(
         store
@@ -197,7 +198,7 @@ TEST_F(PatientPageTest, WithoutOpenGlThePathIsDrawnFlatAndSaysWhy) {
   if (QGuiApplication::platformName() != "offscreen") GTEST_SKIP() << "there may be OpenGL";
   show("P-1");
   open(5, 6);
-  auto* flat = page_->findChild<PathView*>();
+  auto* flat = page_->findChild<ObjectPathView*>();
   ASSERT_NE(flat, nullptr);
   EXPECT_TRUE(flat->isVisible());
   bool told = false;
@@ -295,4 +296,4 @@ TEST_F(PatientPageTest, FitsTheSmallestScreen) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::patient_page_test

@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "gui/direction_page.hpp"
-#include "gui/patient_canvas.hpp"
+#include "gui/patient_screen/patient_canvas.hpp"
+#include "gui/patient_screen/patient_directions.hpp"
 #include "qt_test.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::patient_pages_test {
 namespace {
 
 TaskSpec parse(const std::string& body) {
@@ -322,4 +322,4 @@ TEST(PatientPages, OfEveryKindAreKept) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::patient_pages_test

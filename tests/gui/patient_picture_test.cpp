@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the patient sees: one instruction, fingers that follow force, faults in kind words.
-#include "gui/patient_picture.hpp"
+#include "gui/presenter/patient_picture.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
 
-namespace isograsp {
+namespace isograsp::patient_picture_test {
 namespace {
 
 constexpr double kRounding_m = 1e-12;  // positions of centimetres through one rotation
@@ -97,6 +97,37 @@ TEST(PatientPicture, OnACalmScreenNoFingerApproaches) {
   const auto away = picture_for(facts).fingers[0].tip_W;
   facts.snapshot.forces.wrench_C[0].force.z() = 0.4;
   EXPECT_EQ(picture_for(facts).fingers[0].tip_W, away);
+}
+
+TEST(PatientPicture, TheRingOfAHoldStandsAtTheOutlineAndOnlyWhileTheBlockIsSeenThere) {
+  PatientFacts facts = with_object();
+  TaskView& view = facts.snapshot.task;
+  view.target_index = 1;  // it is to be held for a second
+  view.phase = Phase::hold;
+  view.hold_fraction = 0.5;
+  view.target.p_WO = Vec3(-0.08, -0.06, 0.0);
+  Pose& block = facts.snapshot.object.pose;
+  block.p_WO = view.target.p_WO + Vec3(0.015, 0.0, 0.0);  // the task allows 20 mm
+  auto picture = picture_for(facts);
+  EXPECT_EQ(picture.hold_fraction, 0.5);
+  EXPECT_EQ(picture.ring_W, view.target.p_WO) << "what is to be filled is the outline";
+  facts.snapshot.object.v_WO_W = Vec3(0.5, 0.0, 0.0);
+  facts.ahead_s = 0.02;  // seen 10 mm further on, outside
+  EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
+  facts.ahead_s = 0.0;
+  block.q_WO = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));  // the task allows 15 degrees
+  EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
+}
+
+TEST(PatientPicture, WhereTheBlockOnlyPassesThereIsNoRing) {
+  PatientFacts facts = with_object();
+  TaskView& view = facts.snapshot.task;
+  view.phase = Phase::hold;
+  view.hold_fraction = 1.0;  // reached on entering
+  view.target_index = 0;
+  EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
+  view.target_index = 1;
+  EXPECT_EQ(picture_for(facts).hold_fraction, 1.0);
 }
 
 TEST(PatientPicture, TargetsThatWereNotReachedAreAGoodTryAndNoFailure) {
@@ -229,4 +260,4 @@ TEST(ForceAxis, DoesNotBendSharplyWhereTheTargetsEnd) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::patient_picture_test

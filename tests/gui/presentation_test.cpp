@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What suits one person on the screen, and that an angle on it is what was asked for.
-#include "gui/presentation.hpp"
+#include "gui/presenter/presentation.hpp"
 
 #include <gtest/gtest.h>
 
-#include "gui/posture.hpp"
+#include "gui/presenter/posture.hpp"
 
-namespace isograsp {
+namespace isograsp::presentation_test {
 namespace {
 
 using Half = Presentation::Half;
@@ -78,4 +78,4 @@ TEST(Posture, ADeviationNamesWhatIsAndWhatWas) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::presentation_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The form about a patient: what is typed is stored by itself, what makes no sense is refused in
 // words, and nothing that was typed about one person gets to another.
-#include "gui/profile_panel.hpp"
+#include "gui/record_pages/profile_panel.hpp"
 
 #include <QComboBox>
 #include <QDir>
@@ -18,9 +18,10 @@
 #include <soci/sqlite3/soci-sqlite3.h>
 
 #include "qt_test.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::profile_panel_test {
 namespace {
 
 constexpr const char* kOne = "P-0427";
@@ -33,7 +34,7 @@ QString iso_days_ago(int days) {
 class ProfileForm : public QtTest {
  protected:
   ProfileForm() {
-    auto made = SessionStore::open(database_, SessionStore::Open::create);
+    auto made = open_store(database_, OpenMode::create);
     EXPECT_TRUE(made.ok());
     for (const char* code : {kOne, kOther}) EXPECT_TRUE((*made)->add_patient(code).ok());
     made->reset();
@@ -104,7 +105,7 @@ class ProfileForm : public QtTest {
 
   /// Another program's look at the file.
   std::unique_ptr<SessionStore> store() const {
-    return SessionStore::open(database_, SessionStore::Open::read_only).value();
+    return open_store(database_, OpenMode::read_only).value();
   }
   PatientProfile stored(const char* code = kOne) const {
     const auto reader = store();
@@ -528,4 +529,4 @@ TEST_F(ProfileForm, FitsANarrowAndAWideWindow) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::profile_panel_test

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A protocol as the windows follow it: order, rests, what begins by itself, when patients are
 // asked.
-#include "gui/protocol_guide.hpp"
+#include "gui/presenter/protocol_guide.hpp"
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::protocol_guide_test {
 namespace {
 
 using Kind = ProtocolWalk::Act::Kind;
@@ -151,4 +151,4 @@ TEST(ProtocolGuide, TheSameMaximumWaitsForItsMinute) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::protocol_guide_test

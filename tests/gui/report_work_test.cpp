@@ -7,12 +7,15 @@
 #include <fstream>
 #include <sstream>
 
+#include <unistd.h>
+
 #include "operator.hpp"
 #include "short_library.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::report_work_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,7 +25,7 @@ class LongWork : public QtTest {
   /// A course of six sessions is made once and copied for each test.
   static void SetUpTestSuite() {
     made_ = std::make_unique<TemporaryFolder>();
-    auto store = SessionStore::open(made_->path("clinic.db"), SessionStore::Open::create);
+    auto store = open_store(made_->path("clinic.db"), OpenMode::create);
     ASSERT_TRUE(store.ok());
     add_course(**store, kCode, true);
     ASSERT_TRUE((*store)->add_patient("P-0001").ok());
@@ -175,7 +178,26 @@ TEST_F(ReportInTheBackground, AFileThatCannotBeWrittenIsToldInWords) {
   report().start(kCode, folder_.path("absent/report.pdf"));
   ASSERT_TRUE(wait_until([&] { return !report().running(); }));
   ASSERT_EQ(failed.count(), 1);
-  EXPECT_FALSE(failed.front().front().toString().isEmpty());
+  const auto why = failed.front().front().toString().toStdString();
+  EXPECT_NE(why.find(folder_.path("absent") + ": "), std::string::npos) << why;
+  EXPECT_NE(why.find("does not exist"), std::string::npos) << why;
+  EXPECT_NE(why.find("choose another folder"), std::string::npos) << why;
+}
+
+TEST_F(ReportInTheBackground, AFolderThatMayNotBeWrittenIntoIsNamed) {
+  if (geteuid() == 0) {  // root may write everywhere but where a file stands in the way
+    std::ofstream(folder_.path("closed")) << "a file";
+  } else {
+    fs::create_directory(folder_.path("closed"));
+    fs::permissions(folder_.path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+  }
+  QSignalSpy failed(&report(), &ReportWork::failed);
+  report().start(kCode, folder_.path("closed/report.pdf"));
+  ASSERT_TRUE(wait_until([&] { return !report().running(); }));
+  ASSERT_EQ(failed.count(), 1);
+  const auto why = failed.front().front().toString().toStdString();
+  EXPECT_NE(why.find(folder_.path("closed") + ": "), std::string::npos) << why;
+  EXPECT_NE(why.find("choose another folder"), std::string::npos) << why;
 }
 
 TEST_F(ReportInTheBackground, AnotherPatientsHistoryIsNeverShownWhileOnesOwnIsRead) {
@@ -194,7 +216,8 @@ TEST_F(ReportInTheBackground, AnotherPatientsHistoryIsNeverShownWhileOnesOwnIsRe
 class LongWorkInTheWindow : public LongWork {
  protected:
   LongWorkInTheWindow()
-      : windows_({database_, "sim://healthy?seed=7", make_short_library(folder_, "3"), "test"}),
+      : windows_(settling_soon(
+            {database_, "sim://healthy?seed=7", make_short_library(folder_, "3"), "test"})),
         operator_(windows_) {
     windows_.show();
     EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
@@ -265,6 +288,7 @@ TEST_F(LongWorkInTheWindow, ASessionCanBeginWhileAReportIsWritten) {
 TEST_F(LongWorkInTheWindow, ThePagesWaitForTheEndOfATrial) {
   begin_connecting();
   operator_.set_zero();
+  operator_.strap_in();
   operator_.start_task();
   report().start(kCode, pdf_);
   ASSERT_TRUE(
@@ -300,4 +324,4 @@ TEST_F(LongWorkInTheWindow, ClosingWhileConnectingDoesNotWaitForTheDevice) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::report_work_test

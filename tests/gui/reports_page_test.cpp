@@ -2,6 +2,7 @@
 // The reports page in the therapist's window: the preview is of the chosen patient and period, the
 // export writes what it lists.
 #include <QComboBox>
+#include <QFileDialog>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QSignalSpy>
@@ -9,15 +10,16 @@
 #include <filesystem>
 #include <set>
 
-#include "gui/export_panel.hpp"
-#include "gui/page_view.hpp"
+#include "gui/look/page_view.hpp"
+#include "gui/office_pages/export_panel.hpp"
 #include "operator.hpp"
-#include "reports/progress_report.hpp"
+#include "reports/findings/progress_report.hpp"
 #include "short_library.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::reports_page_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,7 +30,7 @@ class ReportsPageTest : public QtTest {
   /// A course of six sessions is made once and copied for each test.
   static void SetUpTestSuite() {
     made_ = std::make_unique<TemporaryFolder>();
-    auto store = *SessionStore::open(made_->path("clinic.db"), SessionStore::Open::create);
+    auto store = *open_store(made_->path("clinic.db"), OpenMode::create);
     add_course(*store, kCode, true);
     ASSERT_TRUE(store->add_patient("P-0001").ok());
   }
@@ -87,6 +89,46 @@ TEST_F(ReportsPageTest, ShowsThePagesOfTheChosenPatient) {
   EXPECT_EQ(view().pages(), 0) << "never the pages of somebody else";
 }
 
+/// A home without the folder for documents, as a new account has it.
+class BareHome {
+ public:
+  explicit BareHome(const std::string& home) : home_(qgetenv("HOME")) {
+    fs::create_directories(home);
+    qputenv("HOME", QByteArray::fromStdString(home));
+  }
+  ~BareHome() { qputenv("HOME", home_); }
+  BareHome(const BareHome&) = delete;
+  BareHome& operator=(const BareHome&) = delete;
+
+ private:
+  QByteArray home_;
+};
+
+TEST_F(ReportsPageTest, IsSavedWhereTheWindowProposesAlsoWithoutAFolderForDocuments) {
+  const BareHome home(folder_.path("home"));
+  ASSERT_TRUE(painted());
+  operator_->press("report");
+  auto* dialog = windows_->therapist().findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->directory().exists()) << dialog->directory().path().toStdString();
+  QMetaObject::invokeMethod(dialog, "accept");
+  auto& report = windows_->clinic().report();
+  ASSERT_TRUE(wait_until([&] { return !report.running(); }));
+  EXPECT_TRUE(operator_->find<QLabel>("report_remark").text().startsWith("Report written"))
+      << operator_->find<QLabel>("report_remark").text().toStdString();
+  EXPECT_TRUE(fs::exists(folder_.path("home") + "/" + kCode + ".pdf"));
+}
+
+TEST_F(ReportsPageTest, AnExportIsProposedIntoAFolderThatExists) {
+  const BareHome home(folder_.path("home"));
+  show_tab(1);
+  operator_->press("export");
+  auto* dialog = windows_->therapist().findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->directory().path().toStdString(), folder_.path("home"));
+  dialog->reject();
+}
+
 TEST_F(ReportsPageTest, AShorterPeriodHasItsOwnPages) {
   ASSERT_TRUE(painted());
   const int pages = view().pages();
@@ -116,7 +158,7 @@ TEST_F(ReportsPageTest, ZoomPaintsThePagesAnew) {
 }
 
 TEST_F(ReportsPageTest, APreviewThatIsHeldPaintsNothing) {
-  auto store = *SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::read_only);
+  auto store = *open_store(folder_.path("clinic.db"), OpenMode::read_only);
   PageView alone;
   alone.resize(600, 400);
   alone.hold(true);
@@ -231,4 +273,4 @@ TEST_F(ReportsPageTest, WithoutAPatientItSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::reports_page_test

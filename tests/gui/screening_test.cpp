@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The screening: what the answers suggest, and that the therapist decides.
-#include "gui/screening.hpp"
+#include "gui/presenter/screening.hpp"
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::screening_test {
 namespace {
 
 Screening with(Caution caution, int pain = 0) {
@@ -68,4 +68,4 @@ TEST(Screening, IsStoredWithEveryAnswer) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::screening_test

@@ -5,12 +5,12 @@
 #include <QTabWidget>
 #include <cstdio>
 
-#include "gui/language.hpp"
-#include "gui/page_view.hpp"
-#include "gui/texts.hpp"
+#include "gui/look/page_view.hpp"
+#include "gui/words/texts.hpp"
 #include "operator.hpp"
-#include "session/protocol_run.hpp"
+#include "session/protocol/protocol_run.hpp"
 #include "short_library.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::test {
@@ -41,7 +41,10 @@ class Photographer {
  public:
   Photographer(Windows& windows, QString folder) : windows_(windows), folder_(std::move(folder)) {}
 
-  void take_therapist(const char* name) const { save(windows_.therapist().grab().toImage(), name); }
+  void take_therapist(const char* name) const {
+    QTest::qWait(100);  // the page finds its sizes
+    save(windows_.therapist().grab().toImage(), name);
+  }
   void take_patient(const char* name) const {
     QTest::qWait(60);
     save(windows_.patient()->grabFramebuffer(), name);
@@ -63,20 +66,22 @@ class Photographer {
   QString folder_;
 };
 
-void photograph(const QString& output) {
+void photograph(const QString& output, const std::string& language) {
   TemporaryFolder folder;
   const auto library = make_short_library(folder, "30");
   shorten_rests(library, "demonstration.toml");
   const auto database = folder.path("clinic.db");
   {
-    auto store = SessionStore::open(database, SessionStore::Open::create);
+    auto store = open_store(database, OpenMode::create);
     ASSERT_TRUE(store.ok());
     for (const char* code : {"P-4T8R2", "P-6K3W9", "P-7M2H5"})
       ASSERT_TRUE((*store)->add_patient(code).ok());
   }
   make_history(database, "P-7M2H5", library);
 
-  Windows windows({database, kHealthy, library, "isograsp"});
+  GuiConfig config{database, kHealthy, library, "isograsp"};
+  config.settings = folder.write("isograsp.ini", "[General]\nlanguage=" + language);
+  Windows windows(settling_soon(config));
   const Operator therapist(windows);
   const Photographer photographer(windows, output);
   windows.show();
@@ -113,7 +118,7 @@ void photograph(const QString& output) {
   QTest::qWait(100);
   photographer.take_therapist("therapist_posture");
   therapist.press("posture_edit");
-  therapist.press("start");
+  therapist.press("strapped");  // the resting force follows by itself
   ASSERT_TRUE(wait_until([&] { return presenter.view().may_stop; }));
   QTest::qWait(800);
   photographer.take_both("rest");
@@ -243,8 +248,7 @@ int main(int argc, char** argv) {
   }
   ::testing::InitGoogleTest();
   isograsp::test::application();
-  if (argc == 3) isograsp::speak(argv[2]);
   QDir().mkpath(argv[1]);
-  isograsp::test::photograph(argv[1]);
+  isograsp::test::photograph(argv[1], argc == 3 ? argv[2] : "en");
   return ::testing::Test::HasFailure() ? 1 : 0;
 }

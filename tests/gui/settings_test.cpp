@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings of a workstation: kept, checked, and taking effect while a session goes on.
-#include "gui/settings.hpp"
+#include "gui/clinic/settings.hpp"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -12,9 +12,10 @@
 #include "gui/windows.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::settings_test {
 namespace {
 
 class SettingsTest : public QtTest {
@@ -167,7 +168,7 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
   therapist.press("strapped");
   therapist.disconnect();
   {
-    auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::read_only);
+    auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
     const auto session = (*store)->recent_sessions(1)->front();
     const auto answers = *(*store)->answers(session.id);
     EXPECT_EQ(posture_in(answers), posture);
@@ -192,4 +193,4 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::settings_test

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <string>
 
@@ -12,21 +11,25 @@
 
 namespace isograsp::test {
 
+/// Puts `value` behind every "KEY = " at the beginning of a line of a TOML file.
+inline void put_everywhere(const std::filesystem::path& path, const std::string& key,
+                           const std::string& value) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  for (std::string line; std::getline(in, line);)
+    text << (line.starts_with(key + " = ") ? key + " = " + value : line) << "\n";
+  in.close();
+  std::ofstream(path) << text.str();
+}
+
 /// Copies scenes and tasks into `folder` and shortens rest (1.5 s) and sine (`sine_s`). "First
 /// session" is a protocol of these alone, and of a maximum.
 inline std::string make_short_library(const TemporaryFolder& folder, const char* sine_s = "5") {
   namespace fs = std::filesystem;
   const fs::path library = folder.path("library");
   fs::copy(fs::path(ISOGRASP_SOURCE_DIR) / "library", library, fs::copy_options::recursive);
-  const auto shorten = [&](const char* file, const std::string& duration_s) {
-    const fs::path path = library / "tasks" / file;
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    std::ofstream(path) << std::regex_replace(text.str(), std::regex("duration_s = [0-9.]+"),
-                                              "duration_s = " + duration_s);
-  };
-  shorten("resting_force.toml", "1.5");
-  shorten("grip_sine.toml", sine_s);
+  put_everywhere(library / "tasks" / "resting_force.toml", "duration_s", "1.5");
+  put_everywhere(library / "tasks" / "grip_sine.toml", "duration_s", sine_s);
   std::ofstream(library / "protocols" / "first_session.toml")
       << "format = \"isograsp-protocol-1\"\nname = \"First session\"\n"
          "[[step]]\nkind = \"instrument_zero\"\n"
@@ -38,11 +41,7 @@ inline std::string make_short_library(const TemporaryFolder& folder, const char*
 
 /// Makes every rest in a protocol of that library one second long.
 inline void shorten_rests(const std::string& library, const char* protocol) {
-  const auto path = std::filesystem::path(library) / "protocols" / protocol;
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  std::ofstream(path) << std::regex_replace(text.str(), std::regex("rest_s = [0-9.]+"),
-                                            "rest_s = 1");
+  put_everywhere(std::filesystem::path(library) / "protocols" / protocol, "rest_s", "1");
 }
 
 /// Writes 14 s of steady pressing at 100 Hz in which the thumb is silent from 5 s to 9 s.

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "gui/soundtrack.hpp"
+#include "gui/presenter/soundtrack.hpp"
 
-namespace isograsp {
+namespace isograsp::sound_test {
 namespace {
 
 using Sign = PatientPicture::Sign;
@@ -126,4 +126,4 @@ TEST(Soundtrack, APauseIsSilentButIsSaid) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::sound_test

@@ -127,9 +127,9 @@ class Reader {
   /// An argument of something that refuses, or what a variable of that meaning is set to.
   [[nodiscard]] bool is_message(std::size_t i) const {
     static const std::regex kCall(
-        "fail|failed|failure|refused?|refuse_\\w+|bad|bad_\\w+|wrong|damaged|Error|Hdf5Error|"
-        "\\w*_error|error|error_here|give_up|nothing_to_resume|guard|transact|audited|explain|"
-        "empty_log|not_\\w+|report|no_row");
+        "(fail|failed|failure|refused?|refuse|bad|wrong|damaged|error|give_up|nothing_to_resume|"
+        "guard|transact|audited|explain|empty_log|report|no_row)(_\\w+)?|Error|Hdf5Error|"
+        "\\w*_(error|failed)|not_\\w+");
     static const std::regex kName("\\w*what|\\w*remedy|why|doing|k\\w*(Remedy|Shape)");
     auto around = open_.rbegin();
     static const std::set<std::string> kTransparent{"", "string", "move"};

@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QTranslator>
 
-#include "gui/language.hpp"
+#include "gui/words/language.hpp"
 #include "qt_test.hpp"
 
 namespace isograsp::test {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of tasks: what counts as the maximum, and that people find a task among many.
-#include "gui/task_groups.hpp"
+#include "gui/library/task_groups.hpp"
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::task_groups_test {
 namespace {
 
 template <class Kind>
@@ -69,4 +69,4 @@ TEST(TaskGroups, EveryGroupStandsTogetherUnderItsOwnHeading) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::task_groups_test

@@ -4,19 +4,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <regex>
+#include <stdexcept>
 
 #include "core/files.hpp"
-#include "device/device_check.hpp"
-#include "device/force_device.hpp"
-#include "gui/text_patterns.hpp"
-#include "reports/measure_words.hpp"
+#include "device/sensors/device_check.hpp"
+#include "device/sensors/force_device.hpp"
+#include "gui/words/text_patterns.hpp"
+#include "session/acquisition/snapshot.hpp"
+#include "session/acquisition/zeroing.hpp"
 #include "session/library.hpp"
 #include "session/recorder.hpp"
 #include "session/resting.hpp"
 #include "session/resume.hpp"
-#include "session/snapshot.hpp"
 #include "session/work_limits.hpp"
-#include "session/zeroing.hpp"
+#include "tasks/facts/measure_words.hpp"
 #include "tasks/references.hpp"
 #include "tests/gui/message_texts.hpp"
 
@@ -163,8 +164,10 @@ void add_measures(Texts& texts) {
 /// Why a measure has no value: sentences without a capital, wherever measures are computed.
 void add_reasons(Texts& texts, const std::string& source_folder) {
   static const std::regex kReason("\"([a-z]+,? [a-z0-9][A-Za-z0-9 ,.;%'-]*)\"");
-  std::vector<fs::path> files{source_folder + "/tasks/record.cpp",
-                              source_folder + "/tasks/score.cpp"};
+  std::vector<fs::path> files{
+      source_folder + "/tasks/record.cpp", source_folder + "/tasks/score.cpp",
+      source_folder + "/statistics/percentile.cpp", source_folder + "/statistics/quantile.cpp",
+      source_folder + "/statistics/survival.cpp"};
   for (const auto& entry : fs::directory_iterator(source_folder + "/tasks/measures"))
     if (entry.path().extension() == ".cpp") files.push_back(entry.path());
   for (const auto& entry : fs::directory_iterator(source_folder + "/tasks/kinds"))
@@ -172,7 +175,7 @@ void add_reasons(Texts& texts, const std::string& source_folder) {
       files.push_back(entry.path());
   for (const auto& file : files) {
     const auto code = read_text(file);
-    if (!code) continue;
+    if (!code) throw std::runtime_error(file.string() + " cannot be read");
     for (std::sregex_iterator at(code->begin(), code->end(), kReason), end; at != end; ++at)
       if (const auto reason = (*at)[1].str();
           !reason.ends_with(' '))  // or it is the beginning of one

@@ -8,7 +8,7 @@
 
 namespace isograsp {
 
-/// As gui/texts.hpp looks them up: %1, %2 … stand for numbers, or for what a message names.
+/// As gui/words/texts.hpp looks them up: %1, %2 … stand for numbers, or for what a message names.
 /// `library`: the shipped one.
 [[nodiscard]] std::set<std::string> texts_below(const std::string& library,
                                                 const std::string& source_folder);

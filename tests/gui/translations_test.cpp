@@ -10,20 +10,20 @@
 #include <map>
 
 #include "core/csv.hpp"
-#include "gui/cue_words.hpp"
-#include "gui/flow.hpp"
-#include "gui/patient_ink.hpp"
-#include "gui/patient_picture.hpp"
-#include "gui/profile_cards.hpp"
-#include "gui/profile_words.hpp"
-#include "gui/text_patterns.hpp"
-#include "gui/texts.hpp"
-#include "gui/words.hpp"
-#include "session/zeroing.hpp"
+#include "gui/patient_screen/patient_ink.hpp"
+#include "gui/presenter/flow.hpp"
+#include "gui/presenter/patient_picture.hpp"
+#include "gui/record_pages/profile_cards.hpp"
+#include "gui/words/cue_words.hpp"
+#include "gui/words/profile_words.hpp"
+#include "gui/words/text_patterns.hpp"
+#include "gui/words/texts.hpp"
+#include "gui/words/words.hpp"
+#include "session/acquisition/zeroing.hpp"
 #include "spoken.hpp"
 #include "texts_below.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::translations_test {
 namespace {
 
 struct Message {
@@ -169,7 +169,8 @@ TEST_P(EachLanguage, HeadlinesOfThePatientStayLarge) {
   // from the bed.
   constexpr double kLeastShare = 0.5;  // of the size that a short headline has
   const QRectF screen(0, 0, 1280, 720);
-  const double room = 0.88 * screen.width();  // as gui/patient_canvas.cpp leaves for it
+  const double room =
+      0.88 * screen.width();  // as gui/patient_screen/patient_canvas.cpp leaves for it
   const Spoken spoken(GetParam());
   const auto check = [&](const CueWords& words) {
     const auto measure = [&](const std::string& text, double share, bool bold) {
@@ -228,4 +229,4 @@ TEST_F(QtTest, ATextIsFoundWholeByItsNumbersOrSentenceBySentence) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::translations_test

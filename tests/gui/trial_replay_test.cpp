@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stored trial at any instant: linear between measured samples, and nothing made up elsewhere.
-#include "gui/trial_replay.hpp"
+#include "gui/trial_pages/trial_replay.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "gui/trial_curves.hpp"
+#include "gui/trial_pages/trial_curves.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::trial_replay_test {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
@@ -271,4 +271,4 @@ TEST(Playback, SeeksInsideTheTrialOnlyAndGoesOnPlaying) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::trial_replay_test

@@ -16,12 +16,13 @@
 #include <QToolButton>
 #include <set>
 
-#include "gui/patient_canvas.hpp"
+#include "gui/patient_screen/patient_canvas.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test::widgets_test {
 namespace {
 
 class TherapistWindowTest : public QtTest {
@@ -165,7 +166,7 @@ TEST_F(TherapistWindowTest, ARecordingFollowsNoProtocol) {
   ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
   EXPECT_FALSE(presenter.follows());
   operator_.disconnect();
-  auto store = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::read_only);
+  auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
   EXPECT_EQ((*store)->recent_sessions(1)->front().protocol_name, "");
 }
 
@@ -202,7 +203,7 @@ TEST_F(TherapistWindowTest, SearchFindsAPatientByAnyPartOfTheCode) {
 TEST_F(TherapistWindowTest, WhoIsHereTodayStandsFirstAndSaysSo) {
   const auto database = folder_.path("earlier.db");
   {
-    auto store = *SessionStore::open(database, SessionStore::Open::create);
+    auto store = *open_store(database, OpenMode::create);
     for (const auto* code : {"P-0001", "P-0002", "P-0003"})
       ASSERT_TRUE(store->add_patient(code, "2026-01-02T10:00:00Z").ok());
     const auto add_session = [&](const char* code, const char* started_utc) {
@@ -410,4 +411,4 @@ TEST(PatientCanvas, TheDotOnTheTargetIsMarkedByShapeToo) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::test::widgets_test

@@ -9,6 +9,7 @@
 
 #include "operator.hpp"
 #include "short_library.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::test {
@@ -20,7 +21,7 @@ constexpr int kObject_s = 30;
 
 /// Of the last trials of the newest session: what was stored of their frames.
 void print_lateness(const std::string& database, const char* with) {
-  auto store = SessionStore::open(database, SessionStore::Open::read_only);
+  auto store = open_store(database, OpenMode::read_only);
   const auto session = (*store)->recent_sessions(1)->front();
   for (const auto& trial : *(*store)->trials(session.id)) {
     if (trial.samples < 1000) continue;
@@ -48,12 +49,13 @@ struct Pictures {
 
 /// One session with a sine and an object; the same whether the windows are shown.
 std::vector<Pictures> work(const std::string& database, const std::string& library, bool shown) {
-  Windows windows({database, kDevice, library, "rate"});
+  Windows windows(settling_soon({database, kDevice, library, "rate"}));
   const Operator therapist(windows);
   windows.show();
   if (shown) windows.show_patient_screen();
   EXPECT_TRUE(wait_until([&] { return windows.clinic().is_open(); }));
   therapist.prepare(kDevice);
+  therapist.strap_in();
   therapist.run_task();  // rest
   therapist.run_task();  // maximum
   if (!shown) windows.therapist().hide();
@@ -69,8 +71,8 @@ std::vector<Pictures> work(const std::string& database, const std::string& libra
     const auto count = static_cast<double>(after.pictures - before.pictures);
     const double drawing_s = after.mean_s * static_cast<double>(after.pictures) -
                              before.mean_s * static_cast<double>(before.pictures);
-    pictures.push_back({page, count / (static_cast<double>(timer.elapsed()) * 1e-3),
-                        drawing_s / count * 1e3});
+    pictures.push_back(
+        {page, count / (static_cast<double>(timer.elapsed()) * 1e-3), drawing_s / count * 1e3});
   };
   const auto begin = [&] {
     presenter.start();
@@ -83,9 +85,8 @@ std::vector<Pictures> work(const std::string& database, const std::string& libra
   begin();
   QElapsedTimer timer;
   timer.start();
-  measure("object in 3D", [&] {
-    return !presenter.view().may_stop || timer.elapsed() > 1000 * kObject_s;
-  });
+  measure("object in 3D",
+          [&] { return !presenter.view().may_stop || timer.elapsed() > 1000 * kObject_s; });
   presenter.stop();
   presenter.end_session();
   EXPECT_TRUE(wait_until([&] { return !presenter.busy(); }));
@@ -99,12 +100,14 @@ int compare() {
   const auto without = folder.path("without.db");
   const auto pictures = work(with, library, true);
   work(without, library, false);
-  std::printf("| patient's screen, live plots beside it | pictures/s | each drawn in, ms |\n"
-              "|---|---|---|\n");
+  std::printf(
+      "| patient's screen, live plots beside it | pictures/s | each drawn in, ms |\n"
+      "|---|---|---|\n");
   for (const auto& page : pictures)
     std::printf("| %s | %.1f | %.1f |\n", page.page, page.per_second, page.each_ms);
-  std::printf("\n| windows | task | frames | late, median ms | 99 %% | 99.9 %% | largest |\n"
-              "|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "\n| windows | task | frames | late, median ms | 99 %% | 99.9 %% | largest |\n"
+      "|---|---|---|---|---|---|---|\n");
   print_lateness(with, "both");
   print_lateness(without, "none");
   return ::testing::Test::HasFailure() ? 1 : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small logic behind the windows: codes, devices, force history, series, words.
-#include "gui/words.hpp"
+#include "gui/words/words.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -8,14 +8,15 @@
 
 #include <gtest/gtest.h>
 
-#include "device/uri.hpp"
-#include "gui/device_list.hpp"
-#include "gui/force_history.hpp"
-#include "gui/history.hpp"
-#include "gui/patient_code.hpp"
+#include "device/config/uri.hpp"
+#include "gui/clinic/history.hpp"
+#include "gui/clinic/patient_code.hpp"
+#include "gui/look/force_history.hpp"
+#include "gui/session_pages/device_list.hpp"
+#include "storage/records/patient_code.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::words_test {
 namespace {
 
 TEST(PatientCode, IsAcceptedByTheDatabaseAndNeverTakenTwice) {
@@ -158,4 +159,4 @@ TEST(Words, LostSamplesAreCountedOverAllSensors) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::words_test

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formulas of a verdict, by hand.
-#include "reports/change.hpp"
+#include "reports/findings/change.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+#include "core/random.hpp"
+#include "statistics/robust_variance.hpp"
+#include "tests/support/normal.hpp"
+
+namespace isograsp::change_test {
 namespace {
 
 /// Single operations of doubles, and a quantile to some ulp.
 constexpr double kRounding = 1e-12;
+/// All pairs of a pool alike: none is left out, the consistency factors remain. Ten pairs of days,
+/// twenty of trials.
+const double kDaySd = 1.0 / std::sqrt(kUnequalVariances.kept * small_sample_share(10.0));
+const double kTrialSd = 1.0 / std::sqrt(kOneVariance.kept * small_sample_share(20.0));
 
 AssessmentDay day(double number, std::vector<double> trials) {
   return {number, std::move(trials), false};
@@ -59,7 +67,7 @@ TEST(Pool, HalfTheSquareOfADifferenceIsTheVarianceOfADay) {
   for (auto& one : stable) one.days[1].trials = {0.6};
   const auto error = *pool_of(stable).error;
   EXPECT_EQ(error.scale, ErrorScale::linear);
-  EXPECT_NEAR(error.day_sd, 0.6 / std::sqrt(2.0), kRounding);
+  EXPECT_NEAR(error.day_sd, kDaySd * 0.6 / std::sqrt(2.0), kRounding);
   EXPECT_EQ(error.trial_sd, 0.0);
 }
 
@@ -78,8 +86,10 @@ TEST(Pool, WhatTheTrialsExplainIsNoVariationOfDays) {
   for (int person = 0; person < 10; ++person)
     stable.push_back({person, {day(0, {-1.0, 1.0}), day(2, {2.0, 4.0})}});
   const auto error = *pool_of(stable).error;
-  EXPECT_NEAR(error.trial_sd, std::sqrt(2.0), kRounding);
-  EXPECT_NEAR(error.day_sd, std::sqrt(3.0 * 3.0 / 2.0 - 2.0 / 2.0), kRounding);
+  EXPECT_NEAR(error.trial_sd, kTrialSd * std::sqrt(2.0), kRounding);
+  EXPECT_NEAR(error.day_sd,
+              std::sqrt(kDaySd * kDaySd * 3.0 * 3.0 / 2.0 - kTrialSd * kTrialSd * 2.0 / 2.0),
+              kRounding);
 }
 
 TEST(Pool, IsLogarithmicWhereTheErrorClearlyGrowsWithTheMean) {
@@ -100,7 +110,10 @@ TEST(Pool, IsLogarithmicWhereTheErrorClearlyGrowsWithTheMean) {
     EXPECT_EQ(scale(alike(10, 10.0, 1.0), usual), usual) << "alike people do not tell";
   }
   growing[3].days[0].trials = {0.0};
-  EXPECT_EQ(scale(growing, ErrorScale::logarithmic), ErrorScale::linear) << "no logarithm of zero";
+  EXPECT_EQ(scale(growing, ErrorScale::logarithmic), ErrorScale::logarithmic)
+      << "one outlying day in ten pairs";
+  growing[4].days[0].trials = {-0.1};
+  EXPECT_EQ(scale(growing, ErrorScale::logarithmic), ErrorScale::linear) << "no logarithms";
 }
 
 TEST(Pool, WithoutAnyVariationKnowsNoError) {
@@ -110,11 +123,134 @@ TEST(Pool, WithoutAnyVariationKnowsNoError) {
 }
 
 TEST(Pool, TheDegreesOfFreedomAreThoseOfAPersonOutsideThePool) {
-  // v = (31 / 50000) / (7 / 300)^2 - 1, df = 2 / (v + (v + 2 (1 + v)) / n)
+  // v = (31 / 50000) / (7 / 300)^2 - 1, df = 2 / (v + (v + 2 (1 + v) / 0.7) / n)
   const double v = 31.0 / 50000.0 / (7.0 / 300.0 * 7.0 / 300.0) - 1.0;
   for (const int n : {10, 25, 400})
-    EXPECT_NEAR(pool_of(alike(n, 10.0, 1.0)).error->df, 2.0 / (v + (2.0 + 3.0 * v) / n), 1e-9);
+    EXPECT_NEAR(pool_of(alike(n, 10.0, 1.0)).error->df, 2.0 / (v + (v + 2.0 * (1.0 + v) / 0.7) / n),
+                1e-9);
   EXPECT_LT(pool_of(alike(4000, 10.0, 1.0)).error->df, 2.0 / v);
+  // As docs/change.md says them, to their last digit.
+  EXPECT_NEAR(pool_of(alike(10, 10.0, 1.0)).error->df, 4.2, 0.05);
+  EXPECT_NEAR(pool_of(alike(30, 10.0, 1.0)).error->df, 7.9, 0.05);
+  EXPECT_NEAR(2.0 / v, 14.4, 0.05);
+}
+
+/// Ten people whose days differ by about `difference`.
+std::vector<StableDays> ordinary(double level, double difference) {
+  auto all = alike(10, level, 0.0);
+  for (auto& one : all) {
+    const double size = difference * (0.6 + 0.08 * static_cast<double>(one.person));
+    one.days[1].trials = {level + (one.person % 2 == 0 ? size : -size)};
+  }
+  return all;
+}
+
+TEST(Pool, OneOutlyingDayDoesNotMakeTheErrorUselessForEverybody) {
+  for (const auto scale : {ErrorScale::linear, ErrorScale::logarithmic}) {
+    auto stable = ordinary(20.0, 1.5);
+    const auto before = isograsp::pool_of(stable, scale);
+    for (const double wild : {1.0, 0.0, -0.1, 1000.0}) {
+      stable[4].days[1].trials = {wild};
+      const auto after = isograsp::pool_of(stable, scale);
+      EXPECT_EQ(after.people, 10);
+      EXPECT_EQ(after.left_out, 1);
+      EXPECT_EQ(after.error->scale, scale);
+      EXPECT_NEAR(after.error->day_sd / before.error->day_sd, 1.0, 0.05) << wild;
+    }
+  }
+}
+
+TEST(Pool, OneOutlyingTrialDoesNotMakeItUselessEither) {
+  auto stable = ordinary(20.0, 1.5);
+  for (auto& one : stable)
+    for (auto& day : one.days) day.trials = {day.trials[0] - 0.2, day.trials[0] + 0.2};
+  const auto before = pool_of(stable);
+  stable[4].days[1].trials = {20.0, 400.0};
+  const auto after = pool_of(stable);
+  const auto mdc = [](const StablePool& pool) { return mdc95(*pool.error, {2, 4.0}, {1, 2.0}); };
+  EXPECT_NEAR(mdc(after) / mdc(before), 1.0, 0.05);
+}
+
+TEST(Pool, WhereHalfOfThePairsDoNotDifferNothingTellsWhichIsOutlying) {
+  auto stable = alike(10, 5.0, 0.0);
+  for (std::size_t i = 0; i < 3; ++i) stable[i].days[1].trials = {6.0};
+  const auto pool = pool_of(stable);
+  EXPECT_EQ(pool.left_out, 0);
+  EXPECT_NEAR(pool.error->day_sd, std::sqrt(3.0 / 2.0 / 10.0), kRounding);
+}
+
+TEST(Pool, KnowsNoUnit) {
+  const auto error = *pool_of(ordinary(20.0, 1.5)).error;
+  for (const double unit : {1e-300, 1e160, 1e300}) {
+    auto stable = ordinary(20.0, 1.5);
+    for (auto& one : stable)
+      for (auto& day : one.days)
+        for (auto& value : day.trials) value *= unit;
+    const auto scaled = pool_of(stable);
+    ASSERT_TRUE(scaled.error) << unit;
+    EXPECT_NEAR(scaled.error->day_sd / unit / error.day_sd, 1.0, 1e-9) << unit;
+    EXPECT_NEAR(mdc95(*scaled.error, {2, 2.0}, {1, 1.0}) / unit / mdc95(error, {2, 2.0}, {1, 1.0}),
+                1.0, 1e-9);
+  }
+}
+
+TEST(RobustSd, HasTheConsistencyOfItsDistribution) {
+  // Median of (a - b)^2 / 2 and mean of what lies within three SDs, in units of the mean variance:
+  // of normal values, and of normal values whose SDs lie evenly between 1 and 2.
+  const auto share_below = [](double z) { return std::erf(z / std::sqrt(2.0)); };
+  const auto squares_below = [&](double z) {
+    return share_below(z) - z * std::sqrt(2.0 / M_PI) * std::exp(-z * z / 2.0);
+  };
+  const auto check = [&](double least, double most, const Consistency& is) {
+    constexpr int kSteps = 20000;
+    double median = 0.0, kept = 0.0, squares = 0.0;
+    const double mean_square = (least * least + least * most + most * most) / 3.0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double sd = std::lerp(least, most, (i + 0.5) / kSteps) / std::sqrt(mean_square);
+      median += share_below(std::sqrt(is.median) / sd) / kSteps;
+      kept += share_below(kKeptSds / sd) / kSteps;
+      squares += sd * sd * squares_below(kKeptSds / sd) / kSteps;
+    }
+    EXPECT_NEAR(median, 0.5, 1e-7);
+    EXPECT_NEAR(squares / kept, is.kept, 1e-7);
+  };
+  check(1.0, 1.0, kOneVariance);
+  check(1.0, 2.0, kUnequalVariances);
+}
+
+/// Mean of the variances that pairs of `people` give, each with `pairs` of them; the true one is 1.
+/// `least`: smallest SD, in units of the largest.
+double mean_variance(int people, int pairs, double least, const Consistency& consistency) {
+  constexpr int kDraws = 40000;
+  const double mean_square = (1.0 + least + least * least) / 3.0;
+  Random random(61, static_cast<std::uint64_t>(100 * people + pairs));
+  double sum = 0.0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    std::vector<PairDifference> all;
+    for (int person = 0; person < people; ++person) {
+      const double sd = std::lerp(least, 1.0, random.uniform()) / std::sqrt(mean_square);
+      for (int pair = 0; pair < pairs; ++pair)
+        all.push_back({std::sqrt(2.0) * sd * test::normal(random), 1.0 / pairs});
+    }
+    const double found = robust_sd(all, consistency, 0.0).sd;
+    sum += found * found / kDraws;
+  }
+  return sum;
+}
+
+TEST(RobustSd, IsRightOnAverageForFewPairs) {
+  constexpr double kWithin = 0.01;
+  constexpr double kThreeStandardErrors = 0.009;  // of 40,000 draws of relative variance 3 / 10
+  for (const int people : {10, 11, 15, 20, 50}) {
+    EXPECT_NEAR(mean_variance(people, 1, 0.5, kUnequalVariances), 1.0,
+                kWithin + kThreeStandardErrors)
+        << people;
+    EXPECT_NEAR(mean_variance(people, 1, 1.0, kOneVariance), 1.0, kWithin + kThreeStandardErrors)
+        << people;
+  }
+  EXPECT_NEAR(mean_variance(10, 4, 0.5, kUnequalVariances), 1.0, kWithin + kThreeStandardErrors);
+  EXPECT_LT(mean_variance(11, 1, 0.5, kUnequalVariances) * small_sample_share(11.0), 0.98)
+      << "without the correction";
 }
 
 TEST(Mdc95, IsTheFormula) {
@@ -122,8 +258,8 @@ TEST(Mdc95, IsTheFormula) {
   // 2 sqrt(9 (1/2 + 1/1) + 16 (1/4 + 1/2))
   EXPECT_NEAR(mdc95(error, {2, 4.0}, {1, 2.0}), 2.0 * std::sqrt(13.5 + 12.0), kRounding);
   const auto pool = pool_of(alike(10, -10.0, 1.0));
-  EXPECT_NEAR(pool.error->t975, 2.5332, 5e-5)
-      << "t table: 2.571 at 5, 2.447 at 6 degrees of freedom";
+  EXPECT_GT(pool.error->t975, 2.571) << "t table, at 5 degrees of freedom";
+  EXPECT_LT(pool.error->t975, 2.776) << "at 4";
 }
 
 /// A pool whose MDC of one day against two is exactly 1, for one trial a day.
@@ -139,6 +275,17 @@ std::vector<AssessmentDay> course(const std::vector<double>& means) {
 ChangeJudgement judged(const std::vector<double>& means, Better better = Better::higher,
                        const StablePool& pool = unit_pool()) {
   return judge_change(course(means), pool, better);
+}
+
+TEST(Judge, MeansAndChangesNearTheLargestNumberAreNumbersOrNone) {
+  const double huge = 1.7e308;
+  EXPECT_EQ(day_mean(day(0, {huge, huge, huge})), huge);
+  EXPECT_EQ(mean_of(course({huge, huge})), huge);
+  const auto up = judge_change(course({-huge, -huge, huge, huge}), unit_pool(), Better::higher);
+  EXPECT_EQ(up.baseline, -huge);
+  EXPECT_FALSE(up.change) << "too large for a number";
+  EXPECT_EQ(up.verdict, Verdict::improved);
+  EXPECT_TRUE(up.confirmed);
 }
 
 TEST(Judge, TheBaselineIsTheMeanOfTwoDays) {
@@ -170,6 +317,14 @@ TEST(Judge, TheDirectionOfTheMeasureSaysWhatIsBetter) {
   EXPECT_EQ(judged({-3, -3, 3.5}, Better::near_zero).verdict, Verdict::within_error);
   EXPECT_EQ(judged({-3, -3, 4.5}, Better::near_zero).verdict, Verdict::worsened);
   EXPECT_EQ(judged({10, 10, 8}, Better::unknown).why, WhyNotJudged::no_direction);
+}
+
+TEST(Judge, SaysWhereTheWholeWayToZeroIsWithinTheError) {
+  EXPECT_TRUE(judged({1, 0.9, 5}).none_to_zero);
+  EXPECT_FALSE(judged({1, 1.1, 5}).none_to_zero);
+  EXPECT_FALSE(
+      judged({0.1, 0.1, 5}, Better::higher, unit_pool(ErrorScale::logarithmic)).none_to_zero)
+      << "a share of the baseline never reaches it";
 }
 
 TEST(Judge, OnLogarithmsTheErrorIsAShareOfTheBaseline) {
@@ -248,4 +403,4 @@ TEST(Judge, MoreTrialsMakeSmallerErrorsAndUnequalDaysDoNotPretendToHaveMore) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::change_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "storage/session_store.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace isograsp::test {
 

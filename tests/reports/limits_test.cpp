@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What limits a hand: shares of the other hand with their intervals; the compass of both hands.
-#include "reports/limits.hpp"
+#include "reports/findings/limits.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -10,12 +10,14 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/compass.hpp"
-#include "reports/patient_records.hpp"
-#include "reports/practice_dose.hpp"
+#include "reports/findings/compass.hpp"
+#include "reports/findings/patient_records.hpp"
+#include "reports/findings/practice_dose.hpp"
+#include "storage/access/open_store.hpp"
+#include "tests/support/made_up.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::limits_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,7 +118,7 @@ TEST(Repetitions, AreTheEffortsThatATaskAsksFor) {
 class Limits : public testing::Test {
  protected:
   void SetUp() override {
-    store_ = must(SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::scratch));
+    store_ = must(open_store(folder_.path("clinic.db"), OpenMode::scratch));
     patient_ = must(store_->add_patient("TK-1")).id;
     affected(Side::left);
   }
@@ -130,6 +132,7 @@ class Limits : public testing::Test {
     one.channel = channel;
     one.value = value;
     one.unit = unit;
+    one.version = test::kMadeUpVersion;
     return one;
   }
   void session(const std::string& date, Hand hand,
@@ -196,10 +199,31 @@ TEST_F(Limits, AHandWithoutForceIsBelowAndNothingIsDividedByNothing) {
   maxima("2026-03-04", Hand::left, 0.4, 0.0);
   const auto all = limits();
   const auto& strength = of(all, Component::strength);
-  EXPECT_NEAR(*strength.value, 0.25, kRounding) << "mean of 0.1 and 0.4";
+  EXPECT_NEAR(*strength.value, 0.1, kRounding) << "mean of -0.2 and 0.4";
   EXPECT_EQ(strength.standing, Standing::below);
-  EXPECT_LT(strength.share->share, 0.01);
+  EXPECT_NEAR(strength.share->share, std::sqrt(0.1 * 0.4) / 30.0, kRounding);
   EXPECT_NEAR(of(all, Component::opening).share->share, 1.0, kRounding);
+}
+
+TEST_F(Limits, TheValueThatIsPrintedIsTheMeanOfTheTrialsAndOnlyTheShareHasAFloor) {
+  const auto trial = [&](double force_N) {
+    return std::pair{std::string("maximum_grip.toml"),
+                     std::vector{measure("maximum_force", "grip", force_N, "N")}};
+  };
+  session("2026-03-02", Hand::right, {trial(30.0)});
+  session("2026-03-03", Hand::left, {trial(-3.96), trial(2.58)});
+  const auto all = limits();
+  const auto& strength = of(all, Component::strength);
+  EXPECT_NEAR(*strength.value, -0.69, kRounding);
+  EXPECT_NEAR(strength.share->share, 0.1 / 30.0, kRounding) << "less cannot be told from none";
+}
+
+TEST_F(Limits, BeforeAndAfterATreatmentStandMeansAsTheyAre) {
+  maxima("2026-03-02", Hand::left, -2.0, 4.0);
+  maxima("2026-03-20", Hand::left, 14.0, 4.0);
+  const std::vector<TreatmentMark> marks{{1, "2026-03-10", "botulinum_toxin", ""}};
+  const auto text = of(limits(marks), Component::strength).treatment;
+  EXPECT_NE(text.find("\u22122 before, 14 now"), std::string::npos) << text;
 }
 
 TEST_F(Limits, WhatTheHandDidLongAgoIsNotWhatLimitsItNow) {
@@ -228,7 +252,7 @@ TEST_F(Limits, AMeanOverOtherDigitsOrAnotherVersionIsNotComparedWith) {
   openings("2026-03-03", Hand::right, {index});
   EXPECT_NEAR(of(limits(), Component::opening).share->share, 1.0, kRounding);
   Measure newer = index;
-  newer.version = 2;
+  newer.version = test::kMadeUpVersion + 1;
   openings("2026-03-04", Hand::left, {newer});
   EXPECT_FALSE(of(limits(), Component::opening).share);
 }
@@ -251,6 +275,10 @@ TEST_F(Limits, WithoutTheOtherHandItIsTheOwnBestAndWithFewDaysNothing) {
   EXPECT_NEAR(*strength.reference, 20.0, kRounding);
   EXPECT_NEAR(strength.share->share, 0.3, kRounding);
   EXPECT_EQ(strength.reference_basis, "own best day, 2\u00a0Jan\u00a02026");
+  // A day that was as good but for the last bit is not the best one for it.
+  maxima("2026-01-07", Hand::left, std::nextafter(20.0, 99.0), 3.0);
+  EXPECT_EQ(of(limits(), Component::strength).reference_basis,
+            "own best day, 2\u00a0Jan\u00a02026");
   affected(std::nullopt);
   EXPECT_FALSE(limits().other_hand);
   EXPECT_TRUE(of(limits(), Component::strength).share.has_value());
@@ -326,4 +354,4 @@ TEST_F(Limits, TheDoseCountsWeeksWithoutGapsMinutesRepetitionsAndPain) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::limits_test

@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "core/files.hpp"
-#include "reports/measure_words.hpp"
+#include "tasks/facts/measure_words.hpp"
 #include "tasks/kind_name.hpp"
 #include "tests/reports/emitted_measures.hpp"
 
-namespace isograsp {
+namespace isograsp::measure_docs_test {
 namespace {
 
 using test::Emitted;
@@ -126,4 +126,4 @@ TEST(MeasureDocs, TheTableNamesEveryMeasureOfATask) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::measure_docs_test

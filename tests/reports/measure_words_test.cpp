@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every measure that a task can give is called by words, and research stays out of the report.
-#include "reports/measure_words.hpp"
+#include "tasks/facts/measure_words.hpp"
 
 #include <set>
 
@@ -8,7 +8,7 @@
 
 #include "tests/reports/emitted_measures.hpp"
 
-namespace isograsp {
+namespace isograsp::measure_words_test {
 namespace {
 
 using test::Emitted;
@@ -129,4 +129,4 @@ TEST(MeasureWords, ErrorsOfSizesGrowWithTheirMeanThoseOfSharesAndSignedOnesDoNot
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::measure_words_test

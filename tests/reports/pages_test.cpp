@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of a report are the same wherever they are painted; a report of a period says so; an
 // export is what was listed before, all of it or nothing.
-#define QT_NO_KEYWORDS  // "signals" is a word of the store
 #include <QBuffer>
 #include <QPdfWriter>
 #include <algorithm>
@@ -9,18 +8,19 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/pdf_writer.hpp"
-#include "reports/progress_report.hpp"
-#include "reports/qt_application.hpp"
-#include "reports/report_pages.hpp"
-#include "reports/report_text.hpp"
-#include "reports/report_writer.hpp"
-#include "reports/research_export.hpp"
+#include "exports/research_export.hpp"
+#include "reports/findings/progress_report.hpp"
+#include "reports/findings/report_text.hpp"
+#include "reports/paper/pdf_writer.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "reports/paper/report_pages.hpp"
+#include "reports/paper/report_writer.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/files_below.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::pages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ class Pages : public testing::Test {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
     folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *SessionStore::open(folder_->path("clinic.db"), SessionStore::Open::create);
+    store_ = *open_store(folder_->path("clinic.db"), OpenMode::create);
     test::add_course(*store_, "TK-104", false);
     test::add_course(*store_, "TK-105", true);
   }
@@ -196,4 +196,4 @@ TEST_F(Pages, AnExportThatIsCancelledLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::pages_test

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Goals, limits, dose, signature and the page for the patient: the same on paper and on the web; no
 // jargon where the patient reads; breaks, practice and treatments in the trends.
-#define QT_NO_KEYWORDS  // "signals" is a word of the store
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -9,16 +8,17 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/html_writer.hpp"
-#include "reports/panel.hpp"
-#include "reports/pdf_writer.hpp"
-#include "reports/plots.hpp"
-#include "reports/progress_report.hpp"
-#include "reports/qt_application.hpp"
+#include "reports/findings/progress_report.hpp"
+#include "reports/paper/html_writer.hpp"
+#include "reports/paper/panel.hpp"
+#include "reports/paper/pdf_writer.hpp"
+#include "reports/paper/plots.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::panels_test {
 namespace {
 
 /// Letters and digits only: lines are broken, and ligatures of the PDF made two letters again.
@@ -40,7 +40,7 @@ class Panels : public testing::Test {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
     folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *SessionStore::open(folder_->path("clinic.db"), SessionStore::Open::create);
+    store_ = *open_store(folder_->path("clinic.db"), OpenMode::create);
     test::add_course(*store_, "TK-104", false);
     test::DemoSession healthy;
     healthy.hand = Hand::left;
@@ -187,4 +187,4 @@ TEST_F(Panels, OtherConditionsAreABreakWhereTheyBegin) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::panels_test

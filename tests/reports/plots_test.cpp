@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A plot of a long trial holds fewer points than samples, and looks the same.
-#include "reports/plots.hpp"
+#include "reports/paper/plots.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/plot_tools.hpp"
-#include "reports/qt_application.hpp"
+#include "reports/paper/plot_tools.hpp"
+#include "reports/paper/qt_application.hpp"
 
-namespace isograsp {
+namespace isograsp::plots_test {
 namespace {
 
 TEST(VisibleRows, KeepFirstLastSmallestAndLargestOfEveryBin) {
@@ -138,4 +138,4 @@ TEST(TrendPlot, OfAPartHasItsSessionsOnItsAxisAndTreatmentsBetweenThem) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::plots_test

@@ -11,16 +11,17 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/html_writer.hpp"
-#include "reports/measure_words.hpp"
-#include "reports/pdf_writer.hpp"
-#include "reports/progress_report.hpp"
-#include "reports/qt_application.hpp"
-#include "reports/report_text.hpp"
+#include "reports/findings/progress_report.hpp"
+#include "reports/findings/report_text.hpp"
+#include "reports/paper/html_writer.hpp"
+#include "reports/paper/pdf_writer.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "storage/access/open_store.hpp"
+#include "tasks/facts/measure_words.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,7 +42,7 @@ class Report : public testing::Test {
   void SetUp() override {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
-    auto opened = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::create);
+    auto opened = open_store(folder_.path("clinic.db"), OpenMode::create);
     ASSERT_TRUE(opened.ok()) << opened.error().message();
     store_ = std::move(*opened);
   }
@@ -306,4 +307,4 @@ TEST(MeasureWords, NumbersArePrintedWithThreeDigitsAndAPrintedUnit) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::report_test

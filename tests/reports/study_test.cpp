@@ -9,14 +9,15 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
-#include "reports/qt_application.hpp"
-#include "reports/study_report.hpp"
-#include "reports/study_writer.hpp"
-#include "storage/consent.hpp"
-#include "storage/session_store.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "reports/study/study_report.hpp"
+#include "reports/study/study_writer.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/person/consent.hpp"
+#include "storage/records/session_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::study_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,7 +122,7 @@ class StudyOfClinic : public testing::Test {
   void SetUp() override {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
-    auto opened = SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::scratch);
+    auto opened = open_store(folder_.path("clinic.db"), OpenMode::scratch);
     ASSERT_TRUE(opened.ok()) << opened.error().message();
     store_ = std::move(*opened);
   }
@@ -328,6 +329,50 @@ TEST_F(StudyOfClinic, HtmlAndPdfSayTheSameAndNameNobody) {
   EXPECT_GT(cells, 40);
 }
 
+/// Every leaf of a result: no null, and what is undefined says why.
+void expect_told(const nlohmann::json& json, const std::string& path) {
+  EXPECT_FALSE(json.is_null()) << path;
+  if (json.is_object() && json.contains("undefined")) {
+    EXPECT_NE(json["undefined"], "") << path;
+  }
+  if (json.is_structured())
+    for (const auto& [key, value] : json.items()) expect_told(value, path + "/" + key);
+}
+
+TEST_F(StudyOfClinic, ValuesNearTheLargestNumberHaveMeansAndWhatHasNoFigureSaysWhy) {
+  const char* const dates[] = {"2026-03-02", "2026-03-16", "2026-03-30"};
+  const auto maximum_N = [](int person, int session) {
+    return 1e307 * (9.0 + 0.9 * person + ((person * 3 + session * 5) % 4));
+  };
+  for (int person = 0; person < 7; ++person)
+    for (int session = 0; session < 3; ++session)
+      add("TK-10" + std::to_string(person + 1), {dates[session], maximum_N(person, session)});
+  const auto data = gather(kFile);
+  ASSERT_TRUE(data.ok()) << data.error().message();
+  const std::vector<GroupAnalysis> analyses{analyse(study_, data->groups[0])};
+  for (int person = 0; person < 7; ++person)
+    for (int session = 0; session < 3; ++session)
+      EXPECT_DOUBLE_EQ(
+          *data->groups[0]
+               .cells[static_cast<std::size_t>(person)][static_cast<std::size_t>(session)]
+               .value,
+          0.98 * maximum_N(person, session));
+  for (const auto& condition : analyses[0].conditions) {
+    ASSERT_TRUE(condition.mean.value);
+    EXPECT_TRUE(std::isfinite(*condition.mean.value));
+    ASSERT_TRUE(condition.sd.value) << condition.sd.reason;
+    EXPECT_TRUE(std::isfinite(*condition.sd.value));
+  }
+  const auto json = nlohmann::json::parse(study_json(study_, *data, analyses));
+  expect_told(json, "");
+  EXPECT_TRUE(json["groups"][0]["wilcoxon"][0]["p"].is_number());
+  EXPECT_NE(json["groups"][0]["anova"]["effect"]["f"]["undefined"], "");
+  EXPECT_EQ(study_csv(study_, *data).find("inf"), std::string::npos);
+  const auto report = study_report(study_, *data, analyses);
+  EXPECT_EQ(study_html(report).find(">inf"), std::string::npos);
+  EXPECT_FALSE(study_pdf(report).empty());
+}
+
 TEST_F(StudyOfClinic, FewPeopleGetReasonsAndSimulatedOnesAWatermark) {
   for (const char* date : {"2026-03-02", "2026-03-16", "2026-03-30"})
     add("TK-101", {date, 10.0, true});
@@ -342,4 +387,4 @@ TEST_F(StudyOfClinic, FewPeopleGetReasonsAndSimulatedOnesAWatermark) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::study_test

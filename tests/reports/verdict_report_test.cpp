@@ -9,17 +9,20 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/comparable.hpp"
-#include "reports/html_writer.hpp"
-#include "reports/patient_verdicts.hpp"
-#include "reports/pdf_writer.hpp"
-#include "reports/progress_report.hpp"
-#include "reports/qt_application.hpp"
-#include "reports/report_text.hpp"
-#include "reports/verdicts.hpp"
+#include "reports/findings/comparable.hpp"
+#include "reports/findings/patient_verdicts.hpp"
+#include "reports/findings/progress_report.hpp"
+#include "reports/findings/report_text.hpp"
+#include "reports/findings/verdicts.hpp"
+#include "reports/paper/html_writer.hpp"
+#include "reports/paper/pdf_writer.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "storage/access/open_store.hpp"
+#include "tasks/facts/measure_words.hpp"
+#include "tests/support/made_up.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::verdict_report_test {
 namespace {
 
 template <class T>
@@ -59,7 +62,7 @@ class VerdictReport : public testing::Test {
   void SetUp() override {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
-    store_ = must(SessionStore::open(folder_.path("clinic.db"), SessionStore::Open::scratch));
+    store_ = must(open_store(folder_.path("clinic.db"), OpenMode::scratch));
   }
 
   RowId person(const std::string& code, std::optional<Side> affected = Side::left,
@@ -103,6 +106,7 @@ class VerdictReport : public testing::Test {
       measure.channel = "grip";
       measure.unit = "N";
       measure.value = value;
+      measure.version = test::kMadeUpVersion;
       Measure opposition = measure;
       opposition.name = "peak_force";
       must(store_->end_trial(trial, std::vector{measure, opposition}));
@@ -183,8 +187,9 @@ TEST_F(VerdictReport, TheErrorIsThatOfTheFormula) {
   // Logarithms: every pair differs by log(1 +- 0.1 sqrt 2); one trial a day.
   const double up = std::log(1.0 + 0.1 * std::sqrt(2.0));
   const double down = std::log(1.0 - 0.1 * std::sqrt(2.0));
-  const double s_day = std::sqrt((up * up + down * down) / 4.0);
-  constexpr double kT975 = 2.53317;  // 5.257 degrees of freedom
+  const double few = 1.0 - 0.2 * std::pow(10.0, -0.75);  // pairs
+  const double s_day = std::sqrt((up * up + down * down) / 4.0 / (0.94449647 * few));
+  constexpr double kT975 = 2.728961;  // 4.1839 degrees of freedom
   const double mdc = kT975 * s_day * std::sqrt(1.5);
   EXPECT_NEAR(*verdict().change.mdc_up, 10.0 * std::expm1(mdc), 1e-4);
   EXPECT_NEAR(*verdict().change.mdc_down, 10.0 * std::expm1(-mdc), 1e-4);
@@ -511,5 +516,43 @@ TEST(DayCounter, ADayIsTheSessionsWithinTwelveHoursWhateverTheirDates) {
   EXPECT_EQ(europe.day_of("2026-03-02T18:00:00Z"), 26.0 / 24.0);
 }
 
+TEST_F(VerdictReport, SaysWhichPairsWereLeftOutAndWhereAFallCannotBeTold) {
+  Assessed day{"", {}};
+  day.measure = "pauses";  // its error does not grow with its mean
+  for (int i = 0; i < 11; ++i) {
+    const RowId id = person("S-" + std::to_string(i + 1));
+    must(store_->add_stable_period(id, {0, "2026-02-01", "2026-02-28", "", "Dr 3", ""}));
+    day.date = "2026-02-03";
+    day.grip_N = {3.0};
+    assess(id, day);
+    day.date = "2026-02-06";
+    day.grip_N = {i == 5 ? 60.0 : 3.0 + (i % 2 == 0 ? 1.0 : -1.0) * (1.0 + 0.1 * i)};
+    assess(id, day);
+  }
+  const RowId id = person("TK-1");
+  choose(id, "2026-03-01T08:00:00Z", "pauses");
+  for (const auto& [date, pauses] :
+       {std::pair{"2026-03-02", 2.0}, {"2026-03-05", 2.0}, {"2026-03-08", 2.5}}) {
+    day.date = date;
+    day.grip_N = {pauses};
+    assess(id, day);
+  }
+  const auto one = verdict();
+  EXPECT_EQ(one.change.verdict, Verdict::within_error);
+  EXPECT_LT(*one.change.mdc_up, 5.0) << "one outlying day is not everybody's error";
+  EXPECT_EQ(verdict_basis(one),
+            "11 stable people, 1 outlying pair left out; a fall cannot be told");
+  const std::string html = folder_.path("fall.html");
+  must(write_html(gather(), html));
+  EXPECT_NE(test::read_file(html).find("a fall cannot be told"), std::string::npos);
+}
+
+TEST(MeasuresBelowZero, AreThoseWhoseScaleHasNoEndAtZero) {
+  EXPECT_TRUE(words_for("individuation_index", "").below_zero);
+  EXPECT_TRUE(words_for("grip_load_correlation", "").below_zero);
+  EXPECT_FALSE(words_for("maximum_force", "grip").below_zero);
+  EXPECT_FALSE(words_for("lag", "force").below_zero) << "judged by its distance";
+}
+
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::verdict_report_test

@@ -7,14 +7,15 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/html_writer.hpp"
-#include "reports/pdf_writer.hpp"
-#include "reports/progress_report.hpp"
-#include "reports/qt_application.hpp"
+#include "reports/findings/progress_report.hpp"
+#include "reports/paper/html_writer.hpp"
+#include "reports/paper/pdf_writer.hpp"
+#include "reports/paper/qt_application.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::writing_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +35,7 @@ class Writing : public testing::Test {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
     folder_ = std::make_unique<test::TemporaryFolder>();
-    auto opened = SessionStore::open(folder_->path("clinic.db"), SessionStore::Open::create);
+    auto opened = open_store(folder_->path("clinic.db"), OpenMode::create);
     ASSERT_TRUE(opened.ok()) << opened.error().message();
     store_ = std::move(*opened);
     test::add_course(*store_, "TK-104", false);
@@ -137,4 +138,4 @@ TEST_F(Writing, GatheringStopsWhereverItIsAskedTo) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::writing_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/acquisition.hpp"
+#include "session/acquisition/acquisition.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "session/session.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp {
+namespace isograsp::acquisition_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -50,6 +50,101 @@ struct Bench {
   std::unique_ptr<ForceDevice> device;
   std::optional<Acquisition> acquisition;
 };
+
+/// The same device, in the health that a test gives it.
+class Ailing final : public ForceDevice {
+ public:
+  explicit Ailing(std::unique_ptr<ForceDevice> device) : device_(std::move(device)) {}
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return device_->info(); }
+  [[nodiscard]] DeviceHealth health() const noexcept override { return given; }
+  [[nodiscard]] Result<void> start(Clock& clock) override { return device_->start(clock); }
+  [[nodiscard]] ReadStatus read(Timestamp deadline, SensorSample& out) noexcept override {
+    return device_->read(deadline, out);
+  }
+  void stop() noexcept override { device_->stop(); }
+  DeviceHealth given;
+
+ private:
+  std::unique_ptr<ForceDevice> device_;
+};
+
+class Ailment : public ::testing::Test {
+ protected:
+  Ailment() {
+    bench_.device = std::make_unique<Ailing>(std::move(bench_.device));
+    Acquisition::Options options;
+    options.viewer = &bench_.viewer;
+    bench_.acquisition.emplace(*bench_.device, bench_.clock, bench_.clock.now(), options);
+  }
+  DeviceHealth& health() { return static_cast<Ailing&>(*bench_.device).given; }
+  void tick(int frames) {
+    for (int k = 0; k < frames; ++k) ASSERT_TRUE(bench_.acquisition->tick());
+  }
+  void set_zero() {
+    constexpr double kHandLeaves_s = 1.0;
+    ASSERT_TRUE(bench_.acquisition->commands().push(
+        {Command::Kind::zero, nullptr, "", false, kHandLeaves_s}));
+    tick(250);
+  }
+  const Snapshot& now() { return bench_.acquisition->snapshots().read(); }
+  /// What was told of faults since the last call.
+  std::vector<std::string> told() {
+    std::vector<std::string> words;
+    RecordItem item;
+    while (bench_.acquisition->records().pop(item))
+      if (item.kind == RecordItem::Kind::event && !item.told_before)
+        words.emplace_back(item.reason);
+    return words;
+  }
+  Bench bench_;
+};
+
+TEST_F(Ailment, AZeroIsOlderThanTheRestartOfASensorUntilItIsSetAgain) {
+  health().sensors[1].restarts = 2;  // while nothing was zeroed
+  tick(1);
+  set_zero();
+  ASSERT_TRUE(now().zeroed);
+  EXPECT_FALSE(now().restarted);
+  health().sensors[1].restarts = 3;
+  tick(1);
+  EXPECT_EQ(now().restarted, Finger::index);
+  tick(500);
+  EXPECT_EQ(now().restarted, Finger::index) << "however long ago";
+  set_zero();
+  EXPECT_FALSE(now().restarted);
+}
+
+TEST_F(Ailment, ARestartWhileTheZeroIsMeasuredSpoilsThatZero) {
+  ASSERT_TRUE(bench_.acquisition->commands().push({Command::Kind::zero, nullptr, ""}));
+  tick(20);
+  ++health().sensors[0].restarts;
+  tick(130);
+  ASSERT_TRUE(now().zeroed);
+  EXPECT_EQ(now().restarted, Finger::thumb);
+}
+
+TEST_F(Ailment, EveryFaultIsRecordedOnceAlsoBetweenTrials) {
+  const auto suffer = [&](DeviceFault fault, std::optional<Finger> finger) {
+    health().fault = fault;
+    health().finger = finger;
+    tick(5);
+  };
+  suffer(DeviceFault::none, std::nullopt);
+  EXPECT_TRUE(told().empty());
+  suffer(DeviceFault::silence, Finger::index);
+  suffer(DeviceFault::restarted, Finger::index);
+  suffer(DeviceFault::none, std::nullopt);
+  suffer(DeviceFault::overload, Finger::thumb);
+  EXPECT_EQ(told(), (std::vector<std::string>{
+                        std::string(describe(DeviceFault::silence, Finger::index)),
+                        std::string(describe(DeviceFault::restarted, Finger::index)),
+                        std::string(describe(DeviceFault::overload, Finger::thumb))}));
+  TrialSetup setup = bench_.setup("two_target", 0.0);
+  ASSERT_TRUE(bench_.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
+  suffer(DeviceFault::overload, Finger::middle);
+  EXPECT_EQ(now().stage, Stage::trial) << "it does not stop the trial";
+  EXPECT_EQ(told().size(), 1u);
+}
 
 TEST(Acquisition, ASamplesWholeWayToThePublishedSnapshotAllocatesNothing) {
   for (const char* name : {"grip_sine", "two_target"}) {
@@ -110,4 +205,4 @@ TEST(Acquisition, PauseStopsTaskAndObjectAndResumeContinues) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::acquisition_test

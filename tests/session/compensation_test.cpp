@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::compensation_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -18,6 +18,7 @@ class Watched : public ::testing::Test {
     std::normal_distribution<double> noise(0.0, 1.0);
     for (int k = 0; k < std::lround(duration_s / kPeriod_s); ++k) {
       snapshot_.session_time_s += kPeriod_s;
+      ++snapshot_.frames;
       snapshot_.centre_of_pressure[1] =
           place_m + noise_m * Eigen::Vector2d(noise(random_), noise(random_));
       watch_.add(snapshot_);
@@ -88,6 +89,19 @@ TEST_F(Watched, ASlipOnTheObjectIsSeenLongEnoughToReadIt) {
   EXPECT_FALSE(watch_.slips(Finger::index));
 }
 
+TEST_F(Watched, WithoutSamplesNothingIsAlarming) {
+  for (int look = 0; look < 2; ++look) {
+    for (const Finger finger : kFingers) {
+      EXPECT_FALSE(watch_.slips(finger));
+      EXPECT_FALSE(watch_.pad_shift_m(finger));
+    }
+    EXPECT_FALSE(watch_.push_percent());
+    snapshot_.stage = Stage::trial;  // a session is open, and no frame has come
+    snapshot_.has_object = snapshot_.grasp.slip[1] = true;
+    watch_.add(snapshot_);
+  }
+}
+
 TEST_F(Watched, TheSameFrameCountsOnce) {
   press({0.0, 0.0}, 1.0);
   snapshot_.centre_of_pressure[1] = Eigen::Vector2d(0.02, 0.0);
@@ -96,4 +110,4 @@ TEST_F(Watched, TheSameFrameCountsOnce) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::compensation_test

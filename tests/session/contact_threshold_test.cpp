@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::contact_threshold_test {
 namespace {
 
 InstrumentZeroRecord zero_with_noise(double thumb_N, double index_N, double middle_N) {
@@ -72,4 +72,4 @@ TEST(ContactThreshold, WithoutNoiseOrMaximumTheSceneDecides) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::contact_threshold_test

@@ -7,7 +7,7 @@
 
 #include "session/library.hpp"
 
-namespace isograsp {
+namespace isograsp::demonstration_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -61,4 +61,4 @@ TEST(Demonstration, TheForceFollowsTheTargetAndTheSameIsShownEachTime) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::demonstration_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/realtime.hpp"
+#include "session/acquisition/realtime.hpp"
 
 #include <thread>
 
@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace isograsp {
+namespace isograsp::realtime_test {
 namespace {
 
 /// Runs `claim` in a process that may not ask for real time: another user, limits at nothing.
@@ -77,4 +77,4 @@ TEST(Realtime, NamesComeBack) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::realtime_test

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "session/trial_sample.hpp"
+#include "session/acquisition/trial_sample.hpp"
 #include "tasks/score.hpp"
 
-namespace isograsp {
+namespace isograsp::resting_test {
 namespace {
 
 /// A rest trial as it is recorded; `change` alters row k.
@@ -93,4 +93,4 @@ TEST(RestingForce, SpasticToneIsDataNotAnError) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::resting_test

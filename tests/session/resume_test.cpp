@@ -5,10 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "session/protocol_run.hpp"
+#include "session/protocol/protocol_run.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::resume_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -158,11 +159,11 @@ struct Clinic {
     }
   }
   std::vector<SessionRecord> sessions() const {
-    auto store = SessionStore::open_to_read(database).value();
+    auto store = open_store_to_read(database).value();
     return store->sessions(store->find_patient("TEST-01").value()->id).value();
   }
   std::vector<TrialRecord> trials(RowId session) const {
-    return SessionStore::open_to_read(database).value()->trials(session).value();
+    return open_store_to_read(database).value()->trials(session).value();
   }
 };
 
@@ -289,12 +290,14 @@ TEST(Helped, NothingFollowsFromAHelpedTrialAndTheMarkIsStored) {
     EXPECT_GT(session->maximum_force_N(), 5.0) << "the mark was taken away";
     session->mark_helped();
     EXPECT_FALSE(session->rate(3, 1).has_value());
-    EXPECT_TRUE(session->rate(6, 4).has_value());
+    EXPECT_TRUE(session->rate(6, 7).has_value());
+    EXPECT_FALSE(session->correct_rating(6, 2).has_value()) << "as if it had been said at once";
+    EXPECT_TRUE(session->correct_rating(6, 4).has_value());
     session->close();
     const RowId id = clinic.sessions().at(0).id;
     EXPECT_FALSE(clinic.trials(id).at(0).helped);
     EXPECT_TRUE(clinic.trials(id).at(1).helped);
-    const auto ratings = SessionStore::open_to_read(clinic.database).value()->ratings(id).value();
+    const auto ratings = open_store_to_read(clinic.database).value()->ratings(id).value();
     ASSERT_EQ(ratings.size(), 2u);
     EXPECT_EQ(ratings[1].effort, 6);
     EXPECT_EQ(ratings[1].pain, 4);
@@ -303,4 +306,4 @@ TEST(Helped, NothingFollowsFromAHelpedTrialAndTheMarkIsStored) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::resume_test

@@ -7,12 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
-#include "session/protocol_run.hpp"
+#include "session/protocol/protocol_run.hpp"
+#include "storage/access/open_store.hpp"
 #include "tasks/score.hpp"
 #include "tasks/waveform.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::session_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -22,7 +23,7 @@ ReadyProtocol protocol(const std::string& name) {
 }
 
 struct Clinic {
-  Clinic() { EXPECT_TRUE(SessionStore::open(database, SessionStore::Open::create)); }
+  Clinic() { EXPECT_TRUE(open_store(database, OpenMode::create)); }
 
   SessionConfig config(const std::string& device) const {
     SessionConfig c;
@@ -44,7 +45,7 @@ struct Clinic {
   }
 
   std::unique_ptr<SessionStore> store() const {
-    return SessionStore::open(database, SessionStore::Open::existing).value();
+    return open_store(database, OpenMode::existing).value();
   }
 
   test::TemporaryFolder folder;
@@ -336,4 +337,4 @@ TEST(Session, RunsInRealTimeOnThreeThreads) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::session_test

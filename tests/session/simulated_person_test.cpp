@@ -6,7 +6,7 @@
 
 #include "virtual_patient/course.hpp"
 
-namespace isograsp {
+namespace isograsp::simulated_person_test {
 namespace {
 
 const std::string kLibrary = ISOGRASP_SOURCE_DIR "/library";
@@ -49,6 +49,13 @@ TEST(SimulatedPerson, WithoutADayThePersonIsAsNamedAndADayIsTheirForm) {
   EXPECT_EQ(*traits("sim://severe?seed=5&day=3"), *traits("sim://severe?seed=5&day=3"));
 }
 
+TEST(SimulatedPerson, StrengthMultipliesTheMaximumAlone) {
+  PatientTraits stronger = *traits("sim://moderate?seed=5");
+  stronger.maximum_force_N *= 1.5;
+  EXPECT_EQ(*traits("sim://moderate?seed=5&strength=1.5"), stronger);
+  EXPECT_NE(error("sim://moderate?strength=9").find("strength"), std::string::npos);
+}
+
 TEST(SimulatedPerson, ACourseMovesThem) {
   const PatientTraits first = *traits("sim://moderate?day=0&course=recovery");
   const PatientTraits later = *traits("sim://moderate?day=150&course=recovery");
@@ -84,4 +91,4 @@ TEST(SimulatedPerson, ANameIsNotAPath) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::simulated_person_test

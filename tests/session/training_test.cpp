@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "storage/access/open_store.hpp"
+#include "tasks/measure_version.hpp"
+#include "tasks/score.hpp"
+#include "tasks/task.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::training_test {
 namespace {
 
 const std::string kTask =
@@ -21,8 +25,7 @@ TaskSpec task() {
 /// A clinic whose trials are made by hand.
 struct Clinic {
   test::TemporaryFolder folder;
-  std::unique_ptr<SessionStore> store =
-      SessionStore::open(folder.path("c.db"), SessionStore::Open::create).value();
+  std::unique_ptr<SessionStore> store = open_store(folder.path("c.db"), OpenMode::create).value();
   RowId patient = store->add_patient("P-1").value().id;
 
   SessionRecord session(const std::string& utc, Hand hand, bool simulated) {
@@ -54,6 +57,7 @@ Measure measured(const std::string& name, const std::string& channel, double val
   measure.name = name;
   measure.channel = channel;
   measure.value = value;
+  measure.version = measure_version(name);
   return measure;
 }
 Measure on_target(double percent) {
@@ -97,6 +101,48 @@ TEST(Training, TheBaselineIsTheMeanOfTheBestOfTheFirstTwoDays) {
   EXPECT_DOUBLE_EQ(training.baseline_N().at({}), 17.0);
 }
 
+TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
+  constexpr double kForce_N = 12.0;
+  Clinic clinic;
+  const std::string text =
+      "format = \"isograsp-task-1\"\nname = \"max\"\ninstruction = \"press\"\nkind = \"maximum\"\n";
+  const auto add = [&](const std::string& utc) {
+    const auto session = clinic.session(utc, Hand::right, true);
+    TrialRecord trial;
+    trial.session_id = session.id;
+    trial.number = 1;
+    trial.task_name = "max";
+    trial.task_text = text;
+    trial.groups = {{"task", {"t_s", "phase", "actual_force_N", "resting_force_N"}}};
+    trial.id = clinic.store->begin_trial(trial).value();
+    Signals signals(trial.groups[0].columns);
+    for (int second = 0; second < 3; ++second) {
+      std::vector<double> rows;
+      for (int k = 100 * second; k < 100 * (second + 1); ++k) {
+        const std::vector row{0.01 * k, static_cast<double>(Phase::active), kForce_N, 0.0};
+        signals.append_row(row);
+        rows.insert(rows.end(), row.begin(), row.end());
+      }
+      const std::vector<std::vector<double>> block(1, rows);
+      EXPECT_TRUE(clinic.store->append_blocks(trial.id, second, block).ok());
+    }
+    trial.samples = 300;
+    trial.status = TrialStatus::completed;
+    auto measures = score(parse_task(text, "max").value(), signals);
+    for (auto& measure : measures) {
+      if (measure.name != "maximum_force") continue;
+      --measure.version;
+      EXPECT_NEAR(measure.value.value(), kForce_N, 1e-9);
+      measure.value = 99.0;
+    }
+    EXPECT_TRUE(clinic.store->end_trial(trial, measures).ok());
+  };
+  add("2026-01-05T09:00:00Z");
+  const auto now = clinic.session("2026-01-12T09:00:00Z", Hand::right, true);
+  const auto training = Training::read(*clinic.store, now).value();
+  EXPECT_NEAR(training.baseline_N().at({}), kForce_N, 1e-9);
+}
+
 TEST(Training, ALevelChangesTheTaskAndStaysInItsText) {
   const auto easy = at_level(task(), 0.0).value();
   const auto hard = at_level(task(), 1.0).value();
@@ -108,4 +154,4 @@ TEST(Training, ALevelChangesTheTaskAndStaysInItsText) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::training_test

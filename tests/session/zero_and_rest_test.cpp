@@ -9,14 +9,15 @@
 #include <unistd.h>
 
 #include "core/csv.hpp"
-#include "session/acquisition.hpp"
-#include "session/protocol_run.hpp"
+#include "session/acquisition/acquisition.hpp"
+#include "session/protocol/protocol_run.hpp"
 #include "session/recorder.hpp"
 #include "session/session.hpp"
+#include "storage/access/open_store.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp {
+namespace isograsp::zero_and_rest_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -37,7 +38,7 @@ TaskSpec library_task(const std::string& name) {
 }
 
 struct Clinic {
-  Clinic() { EXPECT_TRUE(SessionStore::open(database, SessionStore::Open::create)); }
+  Clinic() { EXPECT_TRUE(open_store(database, OpenMode::create)); }
 
   std::unique_ptr<Session> open(const std::string& uri = "sim://paretic?seed=3") {
     SessionConfig c;
@@ -51,7 +52,7 @@ struct Clinic {
     return Session::open(c).value();
   }
   std::unique_ptr<SessionStore> store() const {
-    return SessionStore::open(database, SessionStore::Open::existing).value();
+    return open_store(database, OpenMode::existing).value();
   }
   SessionRecord last_session() const {
     const auto records = store();
@@ -102,6 +103,7 @@ TEST(InstrumentZero, IsKeptWithWhoWhenAndTheEmptyNoise) {
 void add_earlier_zero(Clinic& clinic, double offset_N, bool same_sensors = true) {
   const auto store = clinic.store();
   SessionRecord earlier = clinic.last_session();
+  earlier.uuid.clear();  // another one
   if (!same_sensors) earlier.serial_numbers = {"A", "B", "C"};
   InstrumentZeroRecord zero;
   zero.session_id = store->begin_session(earlier).value();
@@ -282,12 +284,15 @@ struct Bench {
   Bench() {
     EXPECT_TRUE(device.start(clock));
     acquisition.emplace(device, clock, clock.now(), Acquisition::Options{});
-    auto store = SessionStore::open(folder.path("c.db"), SessionStore::Open::create).value();
-    record.patient_id = store->add_patient("P-1").value().id;
+    auto store = open_store(folder.path("c.db"), OpenMode::create).value();
+    const PatientRecord patient = store->add_patient("P-1").value();
+    record.patient_id = patient.id;
     record.started_utc = "2026-03-01T09:30:00Z";
     record.rate_Hz = 100.0;
     record.id = store->begin_session(record).value();
-    recorder.emplace(std::move(store), record, acquisition->records(), false);
+    recorder.emplace(std::make_unique<SessionWriter>(std::move(store), patient, record,
+                                                     std::vector<SessionAnswer>(), true),
+                     record, acquisition->records(), false);
   }
   void run(double seconds) {
     for (int k = 0; k < std::lround(100.0 * seconds); ++k) {
@@ -311,10 +316,7 @@ struct Bench {
     EXPECT_TRUE(recorder->take_news().at(0).trial);
   }
   std::vector<TrialRecord> trials() {
-    return SessionStore::open(folder.path("c.db"), SessionStore::Open::read_only)
-        .value()
-        ->trials(record.id)
-        .value();
+    return open_store(folder.path("c.db"), OpenMode::read_only).value()->trials(record.id).value();
   }
 
   test::TemporaryFolder folder;
@@ -387,10 +389,8 @@ TEST(Recorded, NetPushHealthAndTimingStandWithTheTrial) {
   bench.device.wrench_C[0].force.x() = 2.0;
   bench.trial();
   const auto trial = bench.trials().at(0);
-  const auto signals = SessionStore::open(bench.folder.path("c.db"), SessionStore::Open::read_only)
-                           .value()
-                           ->signals(trial)
-                           .value();
+  const auto signals =
+      open_store(bench.folder.path("c.db"), OpenMode::read_only).value()->signals(trial).value();
   EXPECT_EQ(signals.column("net_fy_N")[5], 2.0) << "x of the thumb's contact is y of the platform";
   EXPECT_TRUE(std::isnan(signals.column("net_push_percent")[5])) << "no grip";
   for (const char* counter :
@@ -493,4 +493,4 @@ TEST(Session, RequiredRealTimeThatIsRefusedLeavesNoTrace) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::zero_and_rest_test

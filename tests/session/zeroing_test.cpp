@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/zeroing.hpp"
+#include "session/acquisition/zeroing.hpp"
 
 #include <cmath>
 #include <random>
@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp {
+namespace isograsp::zeroing_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -125,4 +125,4 @@ TEST(Zeroing, ALostSampleIsLeftOutAGapStartsAnewAndEndlessGapsAreGivenUp) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::zeroing_test

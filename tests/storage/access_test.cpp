@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Login, roles, PINs, delays, change of passphrase: what opens a protected database and what not.
-#include "storage/access.hpp"
+#include "storage/access/access.hpp"
 
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "storage/identity.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp {
+namespace isograsp::access_test {
 namespace {
-
-using Open = SessionStore::Open;
 const Identity kPerson{"Vera Nováková", "1950-03-05", "+49 123\nBerlin"};
 
 void execute(const std::string& path, const std::string& statement) {
@@ -37,22 +36,22 @@ TEST_F(ProtectedClinic, OpensForPassphraseRecoveryKeyAndPasswordsOnly) {
 
 TEST_F(ProtectedClinic, IsClosedToStoresUntilSomebodyLogsIn) {
   restart();
-  for (const Open how : {Open::create, Open::existing, Open::read_only}) {
-    const auto store = SessionStore::open(path, how);
+  for (const OpenMode how : {OpenMode::create, OpenMode::existing, OpenMode::read_only}) {
+    const auto store = open_store(path, how);
     ASSERT_FALSE(store.ok());
     EXPECT_NE(store.error().message().find("--passphrase-file"), std::string::npos);
   }
-  EXPECT_FALSE(SessionStore::open_to_read(path).ok());
+  EXPECT_FALSE(open_store_to_read(path).ok());
   as("Theo");
-  must(open_store(path)->add_patient("P-1"));
+  must(opened(path)->add_patient("P-1"));
   access->log_out();
-  EXPECT_FALSE(SessionStore::open(path, Open::read_only).ok());
+  EXPECT_FALSE(open_store(path, OpenMode::read_only).ok());
 }
 
 TEST_F(ProtectedClinic, AResearcherReadsRecordsButNeverWhoTheyAreOf) {
   as("Theo");
   {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     const RowId patient = must(store->add_patient("P-1")).id;
     must(store->set_profile(patient, {Side::left, {}, "", "lives in Berlin", "ride a bicycle"}));
     must(set_identity(*access, "P-1", kPerson));
@@ -63,8 +62,8 @@ TEST_F(ProtectedClinic, AResearcherReadsRecordsButNeverWhoTheyAreOf) {
   EXPECT_NE(refusal(read_identity(*access, "P-1", "an emergency")), "");
   EXPECT_NE(refusal(all_identities(*access)), "");
   EXPECT_NE(refusal(set_identity(*access, "P-1", kPerson)), "");
-  EXPECT_FALSE(SessionStore::open(path, Open::existing).ok()) << "may write";
-  const auto store = must(SessionStore::open_to_read(path));
+  EXPECT_FALSE(open_store(path, OpenMode::existing).ok()) << "may write";
+  const auto store = must(open_store_to_read(path));
   const auto patients = must(store->patients());
   ASSERT_EQ(patients.size(), 1u);
   EXPECT_EQ(must(store->profile(patients[0].id)),
@@ -157,7 +156,7 @@ TEST_F(ProtectedClinic, PinsThatAreEasyToGuessAreRefused) {
 TEST_F(ProtectedClinic, ALockClosesTextsAndIdentitiesAndKeepsTheRecordingGoing) {
   as("Theo");
   must(set_own_pin(*access, secret("2580")));
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->add_patient("P-1")).id;
   must(store->set_profile(patient, {{}, {}, "", "a note", ""}));
   must(set_identity(*access, "P-1", kPerson));
@@ -180,7 +179,7 @@ TEST_F(ProtectedClinic, ALockClosesTextsAndIdentitiesAndKeepsTheRecordingGoing) 
 
 TEST_F(ProtectedClinic, AResearcherWhoTakesOverEndsTheRecordingAndWritesNothingElse) {
   as("Theo");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->add_patient("P-1")).id;
   const RowId mark = must(store->add_treatment_mark(patient, {0, "2026-03-01", "drug", ""}));
   const RowId session = must(store->begin_session(example_session(patient)));
@@ -206,7 +205,8 @@ TEST_F(ProtectedClinic, AResearcherWhoTakesOverEndsTheRecordingAndWritesNothingE
         refusal(store->add_answers(session, answers)), refusal(store->add_zero(zero)),
         refusal(store->add_resting_force(rest)),
         refusal(store->begin_trial(example_trial(session, 2))),
-        refusal(store->add_rating({0, session, trial.id, 2.0, "2026-03-01T10:00:00Z", 3, 1}))})
+        refusal(store->add_rating({0, session, trial.id, 2.0, "2026-03-01T10:00:00Z", 3, 1})),
+        refusal(store->correct_rating({1, session, trial.id, 2.0, "", 3, 1}))})
     EXPECT_NE(why.find("the role researcher may not change records"), std::string::npos) << why;
   must(store->end_session(session));
   as("Ada");
@@ -216,7 +216,7 @@ TEST_F(ProtectedClinic, AResearcherWhoTakesOverEndsTheRecordingAndWritesNothingE
 }
 
 TEST_F(ProtectedClinic, ANewPassphraseWrapsTheSameKeys) {
-  must(open_store(path)->add_patient("P-1"));
+  must(opened(path)->add_patient("P-1"));
   must(set_identity(*access, "P-1", kPerson));
   must(change_passphrase(*access, secret("another passphrase"), kCheapKeyCost));
   const Secret new_key = must(new_recovery_key(*access));
@@ -257,7 +257,7 @@ TEST_F(ProtectedClinic, ARemovedAccountIsGoneAndItsNameNotGivenAgain) {
 TEST_F(ProtectedClinic, IdentityAndFreeTextStandNowhereInTheFile) {
   as("Theo");
   {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     const RowId patient = must(store->add_patient("P-1")).id;
     must(set_identity(*access, "P-1", kPerson));
     must(store->set_profile(patient, {{}, {}, "", "SECRETNOTE", "SECRETGOAL"}));
@@ -289,7 +289,7 @@ TEST_F(ProtectedClinic, IdentityAndFreeTextStandNowhereInTheFile) {
 TEST_F(ProtectedClinic, ATextOrIdentityCarriedToAnotherPersonIsNoticed) {
   as("Theo");
   {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     for (const char* code : {"P-1", "P-2"}) {
       const RowId patient = must(store->add_patient(code)).id;
       must(store->set_profile(patient, {{}, {}, "", std::string("note of ") + code, ""}));
@@ -302,7 +302,7 @@ TEST_F(ProtectedClinic, ATextOrIdentityCarriedToAnotherPersonIsNoticed) {
   execute(path,
           "UPDATE identities SET sealed = "
           "(SELECT sealed FROM identities WHERE patient_id = 1)");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   EXPECT_EQ(must(store->profile(1)).notes, "note of P-1");
   EXPECT_NE(refusal(store->profile(2)).find("was changed or is damaged"), std::string::npos);
   EXPECT_EQ(must(read_identity(*access, "P-1"))->name, "Name of P-1");
@@ -312,40 +312,40 @@ TEST_F(ProtectedClinic, ATextOrIdentityCarriedToAnotherPersonIsNoticed) {
 
 TEST_F(ProtectedClinic, ABackupIsMadeBehindTheLock) {
   {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     const RowId patient = must(store->add_patient("P-1")).id;
     must(store->set_profile(patient, {{}, {}, "", "a note", ""}));
     must(store->add_treatment_mark(patient, {0, "2026-03-01", "drug", "a mark"}));
   }
   access->lock();
   const std::string copy = folder.file("copy.db");
-  must(must(SessionStore::open(path, Open::read_only))->backup(copy));
+  must(must(open_store(path, OpenMode::read_only))->backup(copy));
   as("Ada");
-  EXPECT_EQ(must(open_store(copy, Open::read_only)->profile(1)).notes, "a note");
+  EXPECT_EQ(must(opened(copy, OpenMode::read_only)->profile(1)).notes, "a note");
 }
 
 TEST_F(ProtectedClinic, ACheckNamesATextThatCannotBeOpenedAndGoesOn) {
   {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     for (const char* code : {"P-1", "P-2"})
       must(store->set_profile(must(store->add_patient(code)).id, {{}, {}, "", "a note", ""}));
     must(store->add_clinical_score(2, {0, "2026-03-01", "ARAT", 31.0, "a score"}));
   }
   execute(path, "UPDATE patient_profiles SET notes = substr(notes, 1, 40) WHERE patient_id = 1");
   execute(path, "UPDATE clinical_scores SET text = 'sealed:1:'");
-  const auto problems = must(open_store(path)->check());
+  const auto problems = must(opened(path)->check());
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_NE(problems[0].find("patient_profiles.notes of P-1"), std::string::npos) << problems[0];
   EXPECT_NE(problems[1].find("clinical_scores.text of P-2"), std::string::npos) << problems[1];
 }
 
 TEST_F(ProtectedClinic, ABackupOpensWithTheSamePassphraseAndHoldsEverything) {
-  must(open_store(path)->add_patient("P-1"));
+  must(opened(path)->add_patient("P-1"));
   must(set_identity(*access, "P-1", kPerson));
   const std::string copy = folder.file("copy.db");
-  must(open_store(path)->backup(copy));
+  must(opened(path)->backup(copy));
   access.reset();
-  EXPECT_FALSE(SessionStore::open(copy, Open::read_only).ok());
+  EXPECT_FALSE(open_store(copy, OpenMode::read_only).ok());
   access = must(Access::open(copy));
   must(access->log_in_with_passphrase(secret("the clinic's passphrase")));
   EXPECT_EQ(must(read_identity(*access, "P-1")), kPerson);
@@ -355,7 +355,7 @@ TEST_F(ProtectedClinic, ABackupOpensWithTheSamePassphraseAndHoldsEverything) {
 TEST(Unprotected, AsksForNoLoginAndStoresNoIdentity) {
   const TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->add_patient("P-1")).id;
   must(store->set_profile(patient, {{}, {}, "", "a note", ""}));
   const auto access = must(Access::open(path));
@@ -372,7 +372,7 @@ TEST(Unprotected, AsksForNoLoginAndStoresNoIdentity) {
 TEST(Unprotected, ThatAnotherProgramHasLockedIsNoFileThatIsOnlyRead) {
   const TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  open_store(path);
+  opened(path);
   soci::session other(soci::sqlite3, "db=\"" + path + "\"");
   std::string mode;
   int count = 0;
@@ -397,4 +397,4 @@ TEST(Create, RefusesAShortPassphraseAndAnExistingFileAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::access_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The chain of the audit log: complete, and every change, move and cut noticed.
-#include "storage/audit_log.hpp"
+#include "storage/access/audit_log.hpp"
 
 #include <atomic>
 #include <thread>
@@ -8,12 +8,13 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "storage/backups.hpp"
-#include "storage/consent.hpp"
-#include "storage/identity.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/care/backups.hpp"
+#include "storage/person/consent.hpp"
+#include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp {
+namespace isograsp::audit_log_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,7 +39,7 @@ struct Audit : ProtectedClinic {
   Audit() {
     as("Theo");
     {
-      const auto store = open_store(path);
+      const auto store = opened(path);
       const RowId patient = must(store->add_patient("P-1")).id;
       const RowId session = must(store->begin_session(example_session(patient)));
       must(store->end_session(session));
@@ -52,7 +53,7 @@ struct Audit : ProtectedClinic {
 TEST_F(Audit, EveryBackupIsInItWhoeverMakesIt) {
   must(Backups(path).make(std::time(nullptr)));
   as("Rita");
-  must(must(SessionStore::open_to_read(path))->backup(folder.file("ritas.db")));
+  must(must(open_store_to_read(path))->backup(folder.file("ritas.db")));
   access->lock();
   must(Backups(path).make(std::time(nullptr) + 86400));
   as("Ada");
@@ -69,10 +70,10 @@ TEST_F(Audit, TellsWhoDidWhatToWhatWithWhichResult) {
   EXPECT_FALSE(access->log_in("Theo", secret("not his password")).ok());
   EXPECT_FALSE(access->log_in("my secret typed as a name", secret("anything")).ok());
   as("Theo");
-  EXPECT_FALSE(open_store(path)->add_patient("P-1").ok());
-  EXPECT_FALSE(open_store(path)->add_patient("Vera Novak").ok());
+  EXPECT_FALSE(opened(path)->add_patient("P-1").ok());
+  EXPECT_FALSE(opened(path)->add_patient("Vera Novak").ok());
   must(read_identity(*access, "P-1"));
-  must(open_store(path)->backup(folder.file("monday.db")));
+  must(opened(path)->backup(folder.file("monday.db")));
   as("Ada");
   const auto acts = acts_of(*access);
   const std::vector<std::string> expected{"login clinic passphrase done by clinic passphrase",
@@ -124,7 +125,7 @@ TEST_F(Audit, IsNotChangedCutOrReplacedThroughSql) {
 TEST_F(Audit, NoticesAChangeOfAnyFieldOfAnyEntry) {
   const auto count = must(audit_head(*access)).count;
   const std::string good = folder.file("good.db");
-  must(open_store(path)->backup(good));
+  must(opened(path)->backup(good));
   for (std::int64_t id = 1; id <= count; ++id)
     for (const char* field : {"at_utc", "actor", "role", "act", "object", "detail"}) {
       const std::string bad = folder.file("bad.db");
@@ -163,14 +164,14 @@ TEST_F(Audit, NoticesACutEvenIfTheAnchorIsCutToo) {
          {"UPDATE audit_anchor SET count = 5, hash = (SELECT hash FROM audit_log WHERE id = 5)"});
   EXPECT_FALSE(problems().empty()) << "the proof of the anchor was not asked for";
   // What is done after a cut does not heal it.
-  must(open_store(path)->add_patient("P-2"));
+  must(opened(path)->add_patient("P-2"));
   EXPECT_FALSE(problems().empty());
 }
 
 TEST_F(Audit, NoticesAFilePutBackToAnEarlierState) {
   const std::string earlier = folder.file("earlier.db");
-  must(open_store(path)->backup(earlier));
-  must(open_store(path)->add_patient("P-2"));
+  must(opened(path)->backup(earlier));
+  must(opened(path)->add_patient("P-2"));
   EXPECT_TRUE(problems().empty());
   const AuditHead noted = must(audit_head(*access));
   access.reset();
@@ -195,7 +196,7 @@ TEST_F(Audit, ARestoredFileGoesOnFromItsBackupAndKeepsTheEvidence) {
   const std::string link = folder.file("links/clinic.db");
   fs::create_symlink(path, link);
   for (const char* number : {"", "-2"}) {
-    must(open_store(path)->add_patient(std::string("P-9") + (*number == '\0' ? "1" : "2")));
+    must(opened(path)->add_patient(std::string("P-9") + (*number == '\0' ? "1" : "2")));
     const std::string head = bytes_of(path + "-audit");
     access.reset();
     const auto restored = must(restore_backup(backup, link, [this](const std::string& copy) {
@@ -265,9 +266,9 @@ TEST_F(Audit, AnotherKeyCannotMakeTheChain) {
 }
 
 TEST_F(Audit, CheckOfTheStoreProvesTheChain) {
-  EXPECT_TRUE(must(open_store(path)->check()).empty());
+  EXPECT_TRUE(must(opened(path)->check()).empty());
   attack(path, {"UPDATE audit_log SET actor = 'x' WHERE id = 2"});
-  const auto found = must(open_store(path)->check());
+  const auto found = must(opened(path)->check());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NE(found[0].find("entry 2"), std::string::npos);
 }
@@ -275,7 +276,7 @@ TEST_F(Audit, CheckOfTheStoreProvesTheChain) {
 TEST(UnprotectedAudit, IsChainedToo) {
   const TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->add_patient("P-1")).id;
   must(store->set_profile(patient, {Side::left, {}, "", "", ""}));
   const auto access = must(Access::open(path));
@@ -291,7 +292,7 @@ TEST(UnprotectedAudit, IsChainedToo) {
 TEST(UnprotectedAudit, AnActAndItsEntryAreStoredTogether) {
   const TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   attack(path, {"CREATE TRIGGER full BEFORE INSERT ON audit_log BEGIN SELECT RAISE(ABORT, 'full'); "
                 "END"});
   EXPECT_FALSE(store->add_patient("P-1").ok());
@@ -299,4 +300,4 @@ TEST(UnprotectedAudit, AnActAndItsEntryAreStoredTogether) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::audit_log_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Backups in time, their rotation, the way back, and what a file is made of.
-#include "storage/backups.hpp"
+#include "storage/care/backups.hpp"
 
 #include <fstream>
 
@@ -8,13 +8,12 @@
 #include <soci/sqlite3/soci-sqlite3.h>
 
 #include "core/time.hpp"
-#include "storage/file_stats.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/file/file_stats.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::backups_test {
 namespace {
-
-using Open = SessionStore::Open;
 constexpr std::time_t kDay_s = 86400;
 const std::time_t kStart = *time_of_utc("2026-01-05T17:00:00Z");  // a Monday
 
@@ -23,7 +22,7 @@ struct Backup : testing::Test {
   std::string path = folder.file("clinic.db");
 
   void SetUp() override {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     const RowId patient = must(store->add_patient("P-1")).id;
     TrialRecord trial = example_trial(must(store->begin_session(example_session(patient))));
     trial.id = must(store->begin_trial(trial));
@@ -82,7 +81,7 @@ TEST_F(Backup, IsDueOnceADayAndIsASoundCopy) {
   ASSERT_TRUE(made);
   EXPECT_EQ(made->backup.path, path + ".backups/2026-01-05T170000Z.db");
   EXPECT_EQ(made->backup.made_utc, "2026-01-05T17:00:00Z");
-  EXPECT_TRUE(must(open_store(made->backup.path, Open::read_only)->check()).empty());
+  EXPECT_TRUE(must(opened(made->backup.path, OpenMode::read_only)->check()).empty());
   EXPECT_FALSE(must(backups.make_if_due(kStart + 3600)));
   EXPECT_TRUE(must(backups.due(kStart + kDay_s)));
   // The clock is set back: yesterday has none, and the one of tomorrow is no reason to wait.
@@ -111,53 +110,53 @@ TEST_F(Backup, OfADamagedDatabaseIsAnErrorAndNoGoodOneIsRemoved) {
   for (int day = 1; day < 4; ++day) EXPECT_FALSE(backups.make(kStart + day * kDay_s).ok());
   const auto left = must(backups.list());
   ASSERT_EQ(left.size(), 1u);
-  EXPECT_TRUE(must(open_store(left[0].path, Open::read_only)->check()).empty());
+  EXPECT_TRUE(must(opened(left[0].path, OpenMode::read_only)->check()).empty());
 }
 
 TEST_F(Backup, RestoringBringsBackWhatWasAndKeepsWhatIs) {
   const auto made = must(Backups(path).make(kStart));
   const std::string before = bytes_of(made.backup.path);
-  must(open_store(path)->add_patient("P-2"));
+  must(opened(path)->add_patient("P-2"));
   const auto restored = must(restore_backup(made.backup.path, path));
   EXPECT_EQ(bytes_of(made.backup.path), before) << "a backup stays as it is";
   EXPECT_EQ(restored.kept, path + ".before-restore");
-  EXPECT_EQ(must(open_store(path)->patients()).size(), 1u);
-  EXPECT_EQ(must(open_store(restored.kept)->patients()).size(), 2u);
-  must(open_store(path)->add_patient("P-3"));
+  EXPECT_EQ(must(opened(path)->patients()).size(), 1u);
+  EXPECT_EQ(must(opened(restored.kept)->patients()).size(), 2u);
+  must(opened(path)->add_patient("P-3"));
   EXPECT_EQ(must(restore_backup(made.backup.path, path)).kept, path + ".before-restore-2");
-  EXPECT_EQ(must(open_store(path + ".before-restore")->patients()).size(), 2u);
-  EXPECT_TRUE(must(open_store(made.backup.path, Open::read_only)->check()).empty());
+  EXPECT_EQ(must(opened(path + ".before-restore")->patients()).size(), 2u);
+  EXPECT_TRUE(must(opened(made.backup.path, OpenMode::read_only)->check()).empty());
 }
 
 TEST_F(Backup, RestoringOverADamagedFileAndWhereThereIsNone) {
   const auto made = must(Backups(path).make(kStart));
   std::ofstream(path, std::ios::binary) << "not a database any more";
   must(restore_backup(made.backup.path, path));
-  EXPECT_TRUE(must(open_store(path)->check()).empty());
+  EXPECT_TRUE(must(opened(path)->check()).empty());
   EXPECT_EQ(bytes_of(path + ".before-restore"), "not a database any more");
   const std::string fresh = folder.file("fresh.db");
   EXPECT_EQ(must(restore_backup(made.backup.path, fresh)).kept, "");
-  EXPECT_EQ(must(open_store(fresh)->patients()).size(), 1u);
+  EXPECT_EQ(must(opened(fresh)->patients()).size(), 1u);
 }
 
 TEST_F(Backup, TheLogOfALostFileIsSetAsideNotReplayedIntoTheRestoredOne) {
   const auto made = must(Backups(path).make(kStart));
-  const auto store = open_store(path);  // keeps the log
+  const auto store = opened(path);  // keeps the log
   must(store->add_patient("P-2"));
   const std::string lost = folder.file("lost.db");
   std::filesystem::copy_file(path + "-wal", lost + "-wal");
   const std::string log = bytes_of(lost + "-wal");
   ASSERT_FALSE(log.empty());
   must(restore_backup(made.backup.path, lost));
-  EXPECT_EQ(must(open_store(lost)->patients()).size(), 1u);
-  EXPECT_TRUE(must(open_store(lost)->check()).empty());
+  EXPECT_EQ(must(opened(lost)->patients()).size(), 1u);
+  EXPECT_TRUE(must(opened(lost)->check()).empty());
   EXPECT_EQ(bytes_of(lost + ".before-restore-wal"), log);
 }
 
 TEST_F(Backup, IsNotRestoredIfItIsDamagedOrTheFileIsInUse) {
   const auto made = must(Backups(path).make(kStart));
   {
-    const auto in_use = open_store(path);
+    const auto in_use = opened(path);
     must(in_use->patients());
     const auto refused = restore_backup(made.backup.path, path);
     ASSERT_FALSE(refused.ok());
@@ -169,7 +168,7 @@ TEST_F(Backup, IsNotRestoredIfItIsDamagedOrTheFileIsInUse) {
       << "UPDATE signal_packs SET values_blake2b = zeroblob(32)";
   EXPECT_FALSE(restore_backup(made.backup.path, path).ok());
   EXPECT_FALSE(restore_backup(path, path).ok());
-  EXPECT_EQ(must(open_store(path)->patients()).size(), 2u);
+  EXPECT_EQ(must(opened(path)->patients()).size(), 2u);
   for (const auto& name : folder.listing())
     EXPECT_EQ(name.find(".restored"), std::string::npos) << "nothing half made: " << name;
 }
@@ -196,4 +195,4 @@ TEST_F(Backup, StatsCountWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::backups_test

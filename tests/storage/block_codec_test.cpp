@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "storage/block_codec.hpp"
+#include "storage/sqlite/block_codec.hpp"
 
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::block_codec_test {
 namespace {
 
 TEST(BlockCodec, EveryBitOfEveryDoubleComesBack) {
@@ -59,4 +59,4 @@ TEST(BlockCodec, WrongSizeOrTornBytesAreNoBlock) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::block_codec_test

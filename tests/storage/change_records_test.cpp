@@ -9,7 +9,7 @@
 #include "core/time.hpp"
 #include "tests/storage/one_patient.hpp"
 
-namespace isograsp {
+namespace isograsp::change_records_test {
 namespace {
 
 struct ChangeRecords : OnePatient {};
@@ -159,6 +159,19 @@ PoolQuery query_of_examples() {
   return {like.task_name, 3, like.task_text, "scene", "rmse", "force", "N", 1, false, false};
 }
 
+TEST_F(ChangeRecords, ValuesOfOlderVersionsOfTheMeasureComeWithTheirTrialNewerOnesDoNot) {
+  must(store->add_stable_period(patient, period("2026-03-05", "2026-03-20")));
+  record(*store, patient, {"2026-03-05", 1.0});
+  auto query = query_of_examples();
+  query.measure_version = 2;
+  const auto values = must(store->stable_values(query));
+  ASSERT_EQ(values.size(), 1u);
+  EXPECT_EQ(values[0].measure_version, 1);
+  EXPECT_EQ(must(store->trials(values[0].session_id)).at(0).id, values[0].trial_id);
+  query.measure_version = 0;
+  EXPECT_TRUE(must(store->stable_values(query)).empty());
+}
+
 TEST_F(ChangeRecords, OnlyAssessmentsOnStableDaysOfTheSameTaskAndSourceArePooled) {
   const RowId other = must(store->add_patient("P-0428")).id;
   must(store->set_profile(patient, {Side::left, {}, "", "", ""}));
@@ -221,4 +234,4 @@ TEST_F(ChangeRecords, HealthyValuesAreThoseOfPeopleWithoutAnAffectedSide) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::change_records_test

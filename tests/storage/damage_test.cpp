@@ -3,9 +3,10 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::damage_test {
 namespace {
 
 struct Damage : testing::Test {
@@ -14,7 +15,7 @@ struct Damage : testing::Test {
   RowId session_id = 0;
 
   void SetUp() override {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     const auto patient = must(store->add_patient("P-1"));
     session_id = must(store->begin_session(example_session(patient.id)));
     for (int number = 1; number <= 2; ++number) {
@@ -42,7 +43,7 @@ struct Damage : testing::Test {
   }
   /// The signals of trial `number`, with what the file says now.
   [[nodiscard]] Result<Signals> read(int number) const {
-    const auto store = open_store(path, SessionStore::Open::existing);
+    const auto store = opened(path, OpenMode::existing);
     return store->signals(must(store->trials(session_id)).at(static_cast<std::size_t>(number - 1)));
   }
   void expect_named(int number, const std::string& what) const {
@@ -52,7 +53,7 @@ struct Damage : testing::Test {
   }
   /// A trial whose program ended: its signals are in blocks of a second.
   void leave_running(int number) const {
-    const auto store = open_store(path, SessionStore::Open::existing);
+    const auto store = opened(path, OpenMode::existing);
     TrialRecord trial = example_trial(session_id, number);
     trial.id = must(store->begin_trial(trial));
     for (int s = 0; s < 3; ++s)
@@ -72,7 +73,7 @@ TEST_F(Damage, ABitFlipInABlockIsNamedAndOtherTrialsCanBeRead) {
   std::ofstream(path, std::ios::binary) << bytes;
   EXPECT_TRUE(read(1).ok());
   expect_named(2, "trial 2 of session 1, group raw, seconds 0 to 9: the block is damaged");
-  const auto problems = must(open_store(path)->check());
+  const auto problems = must(opened(path)->check());
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_NE(problems[0].find("trial 2"), std::string::npos) << problems[0];
 }
@@ -94,7 +95,7 @@ TEST_F(Damage, NoBitFlipInStoredSignalsGivesOtherValues) {
       char& hit = bytes[at + bit / 8];
       hit = static_cast<char>(hit ^ (1 << (bit % 8)));
       std::ofstream(path, std::ios::binary) << bytes;
-      const auto got = open_store(path, SessionStore::Open::read_only)->signals([&] {
+      const auto got = opened(path, OpenMode::read_only)->signals([&] {
         TrialRecord trial = example_trial(session_id, 2);
         trial.id = 2;
         trial.samples = 300;
@@ -116,7 +117,7 @@ TEST_F(Damage, NoBitFlipInStoredSignalsGivesOtherValues) {
 
 TEST_F(Damage, SignalsOfAnotherTrialAreNoticedThoughEachBlockIsSound) {
   {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     TrialRecord trial = example_trial(session_id, 3);
     trial.id = must(store->begin_trial(trial));
     for (int s = 0; s < 3; ++s)
@@ -144,7 +145,7 @@ TEST_F(Damage, AMissingSecondOfAnInterruptedTrialIsNamedAndTheRestStays) {
   leave_running(3);
   execute("DELETE FROM signal_blocks WHERE trial_id = 3 AND position = 1 AND second = 1");
   expect_named(3, "group raw, second 1: the block is missing");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const auto events = must(store->events(session_id));
   ASSERT_EQ(events.size(), 1u) << "why it was not packed";
   EXPECT_EQ(events[0].kind, "storage");
@@ -164,7 +165,7 @@ TEST_F(Damage, AMissingLastSecondAndABitFlipInASecondAreNamed) {
 TEST_F(Damage, TheBeginningOfADamagedTrialAndItsFirstGroupsCanBeRead) {
   TrialRecord trial = example_trial(session_id, 3);
   {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     trial.id = must(store->begin_trial(trial));
     for (int s = 0; s < 25; ++s)
       must(store->append_blocks(trial.id, s, example_rows(trial, 100, 3)));
@@ -177,7 +178,7 @@ TEST_F(Damage, TheBeginningOfADamagedTrialAndItsFirstGroupsCanBeRead) {
       "UPDATE signal_packs SET values_blake2b = zeroblob(32) "
       "WHERE trial_id = 3 AND position = 1 AND part = 1");
   expect_named(3, "group raw, seconds 10 to 19: the block is damaged (content hash)");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   trial.samples = 950;
   const Signals beginning = must(store->signals(trial));
   ASSERT_EQ(beginning.rows(), 950u);
@@ -193,7 +194,7 @@ TEST_F(Damage, TheBeginningOfADamagedTrialAndItsFirstGroupsCanBeRead) {
 
 TEST_F(Damage, AnOrphanRowIsFoundByTheCheck) {
   execute("DELETE FROM patients");
-  const auto problems = must(open_store(path, SessionStore::Open::existing)->check());
+  const auto problems = must(opened(path, OpenMode::existing)->check());
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_NE(problems[0].find("row 1 of sessions refers to a row of patients"), std::string::npos);
 }
@@ -201,7 +202,7 @@ TEST_F(Damage, AnOrphanRowIsFoundByTheCheck) {
 TEST_F(Damage, ATornFileIsAnErrorNotACrash) {
   const std::string bytes = bytes_of(path);
   std::ofstream(path, std::ios::binary) << bytes.substr(0, 3 * bytes.size() / 5);
-  const auto store = SessionStore::open(path, SessionStore::Open::read_only);
+  const auto store = open_store(path, OpenMode::read_only);
   if (store) {
     const auto problems = (*store)->check();
     EXPECT_TRUE(!problems.ok() || !problems->empty());
@@ -209,15 +210,15 @@ TEST_F(Damage, ATornFileIsAnErrorNotACrash) {
 }
 
 TEST_F(Damage, BackupIsASoundCopyMadeWhileAnotherWrites) {
-  const auto store = open_store(path, SessionStore::Open::existing);
+  const auto store = opened(path, OpenMode::existing);
   TrialRecord trial = example_trial(session_id, 3);
   trial.id = must(store->begin_trial(trial));
   must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 9)));
   const std::string to = folder.file("copy of 'clinic'.db");
-  must(open_store(path, SessionStore::Open::read_only)->backup(to));
+  must(opened(path, OpenMode::read_only)->backup(to));
   must(store->append_blocks(trial.id, 1, example_rows(trial, 100, 9)));
 
-  const auto copy = open_store(to, SessionStore::Open::read_only);
+  const auto copy = opened(to, OpenMode::read_only);
   EXPECT_EQ(must(copy->check()), std::vector<std::string>{});
   const auto trials = must(copy->trials(session_id));
   ASSERT_EQ(trials.size(), 3u);
@@ -227,7 +228,7 @@ TEST_F(Damage, BackupIsASoundCopyMadeWhileAnotherWrites) {
 }
 
 TEST_F(Damage, BackupOverwritesNothingAndLeavesNothingHalfMade) {
-  const auto store = open_store(path, SessionStore::Open::existing);
+  const auto store = opened(path, OpenMode::existing);
   EXPECT_FALSE(store->backup(path).ok());
   EXPECT_FALSE(store->backup(folder.file("absent/copy.db")).ok());
   execute("DELETE FROM signal_packs WHERE trial_id = 1 AND position = 1");
@@ -236,4 +237,4 @@ TEST_F(Damage, BackupOverwritesNothingAndLeavesNothingHalfMade) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::damage_test

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Erasure on request: restricted while the law asks for it, then gone to the last byte; consent.
-#include "storage/erasure.hpp"
+#include "storage/person/erasure.hpp"
 
 #include <set>
 
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "storage/backups.hpp"
-#include "storage/consent.hpp"
-#include "storage/identity.hpp"
-#include "storage/login.hpp"
-#include "storage/merge.hpp"
+#include "storage/access/login.hpp"
+#include "storage/care/backups.hpp"
+#include "storage/care/merge.hpp"
+#include "storage/person/consent.hpp"
+#include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp {
+namespace isograsp::erasure_test {
 namespace {
 
 /// Rows in every table that a person can have rows in.
 void fill(const std::string& path, const std::string& code, const std::string& mark,
           unsigned seed) {
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->add_patient(code, "2020-01-01T08:00:00Z")).id;
   must(store->set_profile(patient, {{}, {}, "", "note " + mark, "goal " + mark}));
   must(store->add_treatment_mark(patient, {0, "2020-01-20", "drug", "text " + mark}));
@@ -117,7 +117,8 @@ TEST_F(Erasure, NamesEveryTableThatHangsOnAPerson) {
   const std::set<std::string> filled_elsewhere{"identities", "restrictions", "consents"};
   for (const auto& [table, count] : before) {
     EXPECT_TRUE(count >= 2 || filled_elsewhere.contains(table))
-        << table << " is not filled by this test: fill it, and see that storage/erasure.cpp erases "
+        << table
+        << " is not filled by this test: fill it, and see that storage/person/erasure.cpp erases "
         << "it";
   }
   must(set_policy(*access, {600, 0}));
@@ -133,7 +134,7 @@ TEST_F(Erasure, LeavesNoByteInTheFileOrItsJournal) {
   EXPECT_TRUE(done.erased);
   EXPECT_FALSE(anywhere("FORGETME"));
   EXPECT_TRUE(anywhere("KEEPME"));
-  const auto store = open_store(path);
+  const auto store = opened(path);
   EXPECT_TRUE(must(store->check()).empty());
   const auto patients = must(store->patients());
   ASSERT_EQ(patients.size(), 1u);
@@ -147,11 +148,11 @@ TEST_F(Erasure, LeavesATombstoneAndTheCodeIsNotGivenAgain) {
   const auto stones = must(tombstones(*access));
   ASSERT_EQ(stones.size(), 1u);
   EXPECT_EQ(stones[0].code, "P-1");
-  EXPECT_NE(refusal(open_store(path)->add_patient("p-1")).find("was erased"), std::string::npos);
+  EXPECT_NE(refusal(opened(path)->add_patient("p-1")).find("was erased"), std::string::npos);
 }
 
 TEST_F(Erasure, OfACodeThatWasErasedRewritesTheFileThatCouldNotBe) {
-  must(open_store(path)->backup(folder.file("monday.db")));
+  must(opened(path)->backup(folder.file("monday.db")));
   must(set_policy(*access, {600, 0}));
   soci::session reader(soci::sqlite3, "db=\"" + path + "\"");
   int count = 0;
@@ -183,7 +184,7 @@ TEST_F(Erasure, RestrictsWhileTheLawAsksForTheRecords) {
   const auto done = must(erase_patient(*access, "P-1", "asked for it"));
   EXPECT_FALSE(done.erased);
   EXPECT_TRUE(must(is_restricted(*access, "P-1")));
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->find_patient("P-1"))->id;
   EXPECT_FALSE(must(store->may_be_used_for_research(patient)));
   EXPECT_NE(refusal(store->begin_session(example_session(patient))).find("restricted until"),
@@ -237,7 +238,7 @@ TEST_F(Erasure, KnowsEveryDateThatIsToldOfAPerson) {
           "primary_measures.chosen_utc", "restrictions.since_utc", "restrictions.until_date",
           "sessions.ended_utc", "sessions.started_utc", "stable_periods.from_date",
           "stable_periods.judged_utc", "stable_periods.until_date", "treatment_marks.on_date"}))
-      << "see whether storage/erasure.cpp counts the new one";
+      << "see whether storage/person/erasure.cpp counts the new one";
 }
 
 TEST_F(Erasure, ErasesAfterTheLastDayThatTheLawAsksFor) {
@@ -249,7 +250,7 @@ TEST_F(Erasure, ErasesAfterTheLastDayThatTheLawAsksFor) {
 }
 
 TEST_F(Erasure, SaysWhatRemainsInBackupsAndExports) {
-  must(open_store(path)->backup(folder.file("monday.db")));
+  must(opened(path)->backup(folder.file("monday.db")));
   const auto scheduled = must(Backups(path).make(std::time(nullptr))).backup.path;
   must(log_act(*access, "export", "", true, "csv"));
   must(log_act(*access, "report", "P-2", true, "pdf"));
@@ -257,7 +258,7 @@ TEST_F(Erasure, SaysWhatRemainsInBackupsAndExports) {
   must(log_act(*access, "study", "", true));
   must(log_act(*access, "restore", "", true, "sunday.db; as it was: clinic.db.before-restore"));
   const std::string station = folder.file("station.db");
-  open_store(station);
+  opened(station);
   must(merge_databases(path, station));
   must(set_policy(*access, {600, 0}));
   const auto done = must(erase_patient(*access, "P-1", "asked for it"));
@@ -272,7 +273,7 @@ TEST_F(Erasure, SaysWhatRemainsInBackupsAndExports) {
 
 TEST_F(Erasure, WaitsForARecording) {
   must(set_policy(*access, {600, 0}));
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->find_patient("P-2"))->id;
   must(store->begin_trial(example_trial(must(store->begin_session(example_session(patient))))));
   EXPECT_NE(refusal(erase_patient(*access, "P-1", "asked for it")).find("records into the file"),
@@ -287,7 +288,7 @@ TEST_F(Erasure, AsksForAReasonOfOneLine) {
 }
 
 TEST_F(ProtectedClinic, ARestrictedIdentityIsSeenInAnEmergencyOnlyAndThatIsLogged) {
-  must(open_store(path)->add_patient("P-1"));
+  must(opened(path)->add_patient("P-1"));
   must(set_identity(*access, "P-1", {"Vera", "", ""}));
   must(erase_patient(*access, "P-1", "asked for it"));
   as("Theo");
@@ -303,7 +304,7 @@ TEST_F(ProtectedClinic, ARestrictedIdentityIsSeenInAnEmergencyOnlyAndThatIsLogge
 }
 
 TEST_F(ProtectedClinic, ErasureTakesTheIdentityToo) {
-  must(open_store(path)->add_patient("P-1"));
+  must(opened(path)->add_patient("P-1"));
   must(set_identity(*access, "P-1", {"Vera", "", ""}));
   std::string sealed;
   {
@@ -318,7 +319,7 @@ TEST_F(ProtectedClinic, ErasureTakesTheIdentityToo) {
 }
 
 TEST_F(ProtectedClinic, TheLastWordOnAPurposeCounts) {
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->add_patient("P-1")).id;
   const auto say = [&](const char* purpose, const char* state) {
     must(add_consent(*access, "P-1",
@@ -342,4 +343,4 @@ TEST_F(ProtectedClinic, TheLastWordOnAPurposeCounts) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::erasure_test

@@ -16,7 +16,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace isograsp {
 
@@ -62,9 +63,9 @@ inline void must(const Result<void>& result) {
   if (!result) throw std::runtime_error(result.error().message());
 }
 
-inline std::unique_ptr<SessionStore> open_store(
-    const std::string& path, SessionStore::Open how = SessionStore::Open::create) {
-  return must(SessionStore::open(path, how));
+inline std::unique_ptr<SessionStore> opened(const std::string& path,
+                                            OpenMode how = OpenMode::create) {
+  return must(open_store(path, how));
 }
 
 inline bool same_bits(double a, double b) {

@@ -5,11 +5,11 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "storage/consent.hpp"
-#include "storage/identity.hpp"
+#include "storage/person/consent.hpp"
+#include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp {
+namespace isograsp::injection_test {
 namespace {
 
 const std::vector<std::string> kInjections{
@@ -30,7 +30,7 @@ int tables_in(const std::string& path) {
 
 TEST_F(ProtectedClinic, SqlInAnyTextStaysText) {
   const int tables = tables_in(path);
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient = must(store->add_patient("P-1")).id;
   for (const std::string& text : kInjections) {
     must(store->set_profile(patient, {{}, {}, "", text, text}));
@@ -104,7 +104,7 @@ TEST_F(ProtectedClinic, SqlInAnyTextStaysText) {
 }
 
 TEST_F(ProtectedClinic, WhatIsNoCodeIsRefusedBeforeItReachesTheDatabase) {
-  const auto store = open_store(path);
+  const auto store = opened(path);
   std::vector<std::string> bad = kInjections;
   bad.insert(bad.end(), {"../../etc/passwd1", "a/b1", "..", "P-1/..", "P-1\n",
                          std::string("P-1\0x", 5), "/tmp/1", "-", "", "P_1", "P 1", "Ä-1",
@@ -123,7 +123,7 @@ TEST_F(ProtectedClinic, WhatIsNoCodeIsRefusedBeforeItReachesTheDatabase) {
 }
 
 TEST_F(ProtectedClinic, OversizedOrBinaryIdentitiesAreRefused) {
-  must(open_store(path)->add_patient("P-1"));
+  must(opened(path)->add_patient("P-1"));
   const std::string huge(kMostIdentityText + 1, 'x');
   for (const Identity& bad :
        {Identity{"", "", ""}, Identity{huge, "", ""}, Identity{"Vera", "", huge},
@@ -136,4 +136,4 @@ TEST_F(ProtectedClinic, OversizedOrBinaryIdentitiesAreRefused) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::injection_test

@@ -3,10 +3,11 @@
 #include <chrono>
 #include <thread>
 
+#include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 #include "tests/storage/writer_process.hpp"
 
-namespace isograsp {
+namespace isograsp::kill_test {
 namespace {
 
 /// Every confirmed second and event is there, nothing is half there, the values are right.
@@ -52,7 +53,7 @@ TEST(Kill, WhileTrialsAreClosedAndPackedLosesNone) {
     ASSERT_TRUE(writer.wait_for("closed 1"));
     std::this_thread::sleep_for(std::chrono::microseconds(random() % (1000 * kLongestLife_ms)));
     const int closed = count_lines(writer.kill_and_read(), "closed ");
-    const auto store = open_store(path, SessionStore::Open::existing);
+    const auto store = opened(path, OpenMode::existing);
     const auto sessions = must(store->sessions(must(store->find_patient("P-1"))->id));
     const auto& session = *std::max_element(
         sessions.begin(), sessions.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
@@ -66,7 +67,7 @@ TEST(Kill, WhileTrialsAreClosedAndPackedLosesNone) {
     }
     for (const auto& trial : trials) EXPECT_TRUE(store->signals(trial).ok());
   }
-  EXPECT_EQ(must(open_store(path)->check()), std::vector<std::string>{});
+  EXPECT_EQ(must(opened(path)->check()), std::vector<std::string>{});
 }
 
 TEST(Kill, WhatWasConfirmedIsThereAndTheTrialIsMarkedInterrupted) {
@@ -80,7 +81,7 @@ TEST(Kill, WhatWasConfirmedIsThereAndTheTrialIsMarkedInterrupted) {
     ASSERT_TRUE(writer.wait_for("second 0"));
     std::this_thread::sleep_for(std::chrono::microseconds(random() % (1000 * kLongestLife_ms)));
     const std::string said = writer.kill_and_read();
-    const auto store = open_store(path, SessionStore::Open::existing);
+    const auto store = opened(path, OpenMode::existing);
     expect_recovered(*store, said, TrialStatus::interrupted);
   }
 }
@@ -96,8 +97,7 @@ TEST(Kill, DuringTheMakingOfTheFileLeavesAWholeFileOrNone) {
       writer.kill_and_read();
     }
     if (!std::filesystem::exists(path)) continue;
-    EXPECT_EQ(must(open_store(path, SessionStore::Open::existing)->check()),
-              std::vector<std::string>{});
+    EXPECT_EQ(must(opened(path, OpenMode::existing)->check()), std::vector<std::string>{});
   }
 }
 
@@ -108,10 +108,11 @@ TEST(FullDisk, IsAnErrorAndLosesNothingConfirmed) {
   WriterProcess writer(path, "1000", kLargestFile);
   const std::string said = writer.end_and_read();
   EXPECT_EQ(writer.exit_status(), 3) << said;
-  EXPECT_NE(said.find("the disk is full or does not answer; free some space"), std::string::npos)
+  EXPECT_NE(said.find("the size that this program may write (RLIMIT_FSIZE), or the disk is full"),
+            std::string::npos)
       << said;
   EXPECT_GT(count_lines(said, "second "), 3);
-  const auto store = open_store(path, SessionStore::Open::existing);
+  const auto store = opened(path, OpenMode::existing);
   expect_recovered(*store, said, TrialStatus::interrupted);
 }
 
@@ -124,4 +125,4 @@ TEST(FullDisk, WhileTheFileIsMadeLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::kill_test

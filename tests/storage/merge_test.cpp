@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Laws of merging: what was there stays, twice is once, either way round gives the same.
-#include "storage/merge.hpp"
+#include "storage/care/merge.hpp"
 
 #include <map>
 #include <set>
@@ -8,14 +8,14 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "storage/consent.hpp"
-#include "storage/erasure.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/care/migration.hpp"
+#include "storage/person/consent.hpp"
+#include "storage/person/erasure.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::merge_test {
 namespace {
-
-using Open = SessionStore::Open;
 
 /// Two sessions of two trials with everything that a file can hold of them.
 void add_sessions(SessionStore& store, RowId patient, unsigned seed) {
@@ -52,7 +52,7 @@ void add_sessions(SessionStore& store, RowId patient, unsigned seed) {
 }
 
 void make_station(const std::string& path, const std::string& code, unsigned seed) {
-  const auto store = open_store(path);
+  const auto store = opened(path);
   const RowId patient =
       must(store->add_patient(code, "2026-01-0" + std::to_string(1 + seed) + "T00:00:00Z")).id;
   must(store->set_profile(patient, {Side::left, Hand::right, "2025-11-01", "notes", "goals"}));
@@ -70,8 +70,8 @@ void make_station(const std::string& path, const std::string& code, unsigned see
 /// All content of a file without the numbers of rows, sorted: a set.
 std::multiset<std::string> content_of(const std::string& path) {
   std::multiset<std::string> all;
-  const auto opened = open_store(path, Open::read_only);
-  SessionStore& store = *opened;
+  const auto held = opened(path, OpenMode::read_only);
+  SessionStore& store = *held;
   EXPECT_EQ(must(store.check()), std::vector<std::string>{});
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
   for (const auto& stone : must(tombstones(*must(Access::open(path)))))
@@ -132,7 +132,7 @@ struct Merge : testing::Test {
 
   [[nodiscard]] std::string copy(const std::string& of, const std::string& name) const {
     const std::string to = folder.file(name);
-    must(open_store(of, Open::read_only)->backup(to));
+    must(opened(of, OpenMode::read_only)->backup(to));
     return to;
   }
   static void execute(const std::string& path, const std::string& statement) {
@@ -162,15 +162,15 @@ struct Merge : testing::Test {
 TEST_F(Merge, OfScratchFilesGivesTheSameBytesEachTime) {
   const auto whole = [&](const std::string& name) {
     const std::string into = folder.file(name);
-    open_store(into, Open::scratch);
+    opened(into, OpenMode::scratch);
     for (const unsigned seed : {1U, 2U}) {
       const std::string part = folder.file(name + std::to_string(seed));
-      add_sessions(*open_store(part, Open::scratch),
-                   must(open_store(part, Open::scratch)
+      add_sessions(*opened(part, OpenMode::scratch),
+                   must(opened(part, OpenMode::scratch)
                             ->add_patient("A-" + std::to_string(seed), "2026-01-01T00:00:00Z"))
                        .id,
                    seed);
-      EXPECT_EQ(must(merge_databases(into, part, {}, Open::scratch)).patients_added, 1);
+      EXPECT_EQ(must(merge_databases(into, part, {}, OpenMode::scratch)).patients_added, 1);
     }
     return bytes_of(into);
   };
@@ -194,7 +194,7 @@ TEST_F(Merge, OfOnePatientThatWasEnteredTwiceJoinsThemOnlyWhenToldSo) {
   EXPECT_NE(refused.conflicts[0].find("--same-patient p-1"), std::string::npos);
   EXPECT_EQ(content_of(a), before);
   expect_laws({"P-1"});
-  const auto store = open_store(folder.file("ab.db"));
+  const auto store = opened(folder.file("ab.db"));
   ASSERT_EQ(must(store->patients()).size(), 1u);
   EXPECT_EQ(must(store->patients())[0].created_utc, "2026-01-02T00:00:00Z");
   const auto sessions = must(store->sessions(must(store->patients())[0].id));
@@ -208,12 +208,12 @@ TEST_F(Merge, OfACopyThatWentOnAddsWhatIsNew) {
   make_station(a, "P-1", 1);
   b = copy(a, "b.db");
   {
-    const auto store = open_store(a);
+    const auto store = opened(a);
     add_sessions(*store, must(store->patients())[0].id, 3);
     must(store->add_patient("Q-1"));
   }
   {
-    const auto store = open_store(b);
+    const auto store = opened(b);
     add_sessions(*store, must(store->patients())[0].id, 4);
     must(store->add_treatment_mark(1, {0, "2026-02-09", "therapy", "at b"}));
   }
@@ -261,7 +261,7 @@ TEST_F(Merge, OfDifferentContentUnderOneUuidIsReportedAndNothingIsChanged) {
 /// A station is copied between two trials of a session that then goes on.
 TEST_F(Merge, OfASessionThatWasStillOpenTakesItsEnd) {
   {
-    const auto store = open_store(a);
+    const auto store = opened(a);
     const RowId session =
         must(store->begin_session(example_session(must(store->add_patient("P-1")).id)));
     InstrumentZeroRecord zero;
@@ -287,7 +287,7 @@ TEST_F(Merge, OfASessionThatWasStillOpenTakesItsEnd) {
   }
   expect_laws();
   for (const char* merged : {"ab.db", "ba.db"}) {
-    const auto store = open_store(folder.file(merged));
+    const auto store = opened(folder.file(merged));
     EXPECT_EQ(must(store->sessions(1)).at(0).ended_utc, "2026-03-01T10:00:00Z") << merged;
     EXPECT_EQ(must(store->trials(1)).at(0).zero_drift_N, 0.5) << merged;
     EXPECT_TRUE(must(store->trials(1)).at(0).zero_drifted) << merged;
@@ -301,7 +301,7 @@ TEST_F(Merge, OfASessionThatWasStillOpenTakesItsEnd) {
 TEST_F(Merge, OfATrialThatIsPackedInOneFileOnlyComparesItsValues) {
   make_station(a, "P-1", 1);
   {
-    const auto store = open_store(a);
+    const auto store = opened(a);
     TrialRecord trial = example_trial(1, 9);
     trial.id = must(store->begin_trial(trial));
     for (int s = 0; s < 12; ++s)
@@ -310,7 +310,7 @@ TEST_F(Merge, OfATrialThatIsPackedInOneFileOnlyComparesItsValues) {
     execute(a, "UPDATE trials SET status = 'completed', sample_count = 1200 WHERE number = 9");
   }
   b = copy(a, "b.db");
-  EXPECT_EQ(must(SessionStore::migrate(b)).packed, 1);
+  EXPECT_EQ(must(migrate_database(b)).packed, 1);
   for (const auto& [into, from] : {std::pair{a, b}, {b, a}}) {
     const auto report = must(merge_databases(into, from));
     EXPECT_EQ(report.conflicts, std::vector<std::string>{});
@@ -338,7 +338,7 @@ TEST_F(Merge, NeverBringsBackWhoWasErased) {
   EXPECT_TRUE(whole.contains("e-1 erased 2026-01-01T00:00:00ZBob")) << "the first time counts";
   EXPECT_TRUE(whole.contains("E-2 erased 2026-01-01T00:00:00ZAda"));
   EXPECT_TRUE(whole.contains("E-3 erased 2026-01-01T00:00:00ZBob"));
-  EXPECT_FALSE(open_store(folder.file("ab.db"))->add_patient("E-3").ok());
+  EXPECT_FALSE(opened(folder.file("ab.db"))->add_patient("E-3").ok());
   execute(b,
           "INSERT INTO tombstones (code, erased_utc, erased_by) VALUES "
           "('a-1', '2026-01-01T00:00:00Z', 'Bob')");
@@ -364,7 +364,7 @@ TEST_F(Merge, TheLastWordOnAConsentIsTheOneThatWasRecordedLast) {
   say(a, "withdrawn", "2026-03-06T10:00:00Z");
   say(b, "given", "2026-03-05T10:00:00Z");
   const auto released = [](const std::string& path) {
-    return must(open_store(path)->may_be_used_for_research(1));
+    return must(opened(path)->may_be_used_for_research(1));
   };
   EXPECT_TRUE(released(b));
   expect_laws();
@@ -385,7 +385,7 @@ TEST_F(Merge, IsRefusedWithAFileThatCannotBeMerged) {
   make_station(c, "C-1", 2);
   const std::vector<std::string> wrong{"C-9"};
   EXPECT_FALSE(merge_databases(a, c, wrong).ok());
-  const auto recording = open_store(c);
+  const auto recording = opened(c);
   TrialRecord trial = example_trial(1, 9);
   trial.id = must(recording->begin_trial(trial));
   const auto running = merge_databases(a, c);
@@ -395,4 +395,4 @@ TEST_F(Merge, IsRefusedWithAFileThatCannotBeMerged) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::merge_test

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file that an older program made: read as it is, brought up to date only when asked, losing
 // nothing. tests/data/format_N.db was made by the last program that wrote format N.
+#include "storage/care/migration.hpp"
+
 #include <map>
 #include <thread>
 
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "storage/audit_log.hpp"
-#include "storage/database.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/file/database.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::migration_test {
 namespace {
-
-using Open = SessionStore::Open;
 namespace fs = std::filesystem;
 
 /// Parameter: the old format.
@@ -91,8 +92,8 @@ std::map<std::string, std::string> schema_of(const std::string& path) {
 
 TEST_P(Migration, AnOldFileIsNotOpenedForWritingAndStaysAsItWas) {
   const std::string before = bytes_of(path);
-  for (const Open how : {Open::create, Open::existing}) {
-    const auto store = SessionStore::open(path, how);
+  for (const OpenMode how : {OpenMode::create, OpenMode::existing}) {
+    const auto store = open_store(path, how);
     ASSERT_FALSE(store.ok());
     EXPECT_NE(
         store.error().message().find("older isograsp (format " + format + ", this program writes " +
@@ -106,7 +107,7 @@ TEST_P(Migration, AnOldFileIsNotOpenedForWritingAndStaysAsItWas) {
 }
 
 TEST_P(Migration, AnOldFileIsReadAsItIs) {
-  const auto store = must(SessionStore::open_to_read(path));
+  const auto store = must(open_store_to_read(path));
   const Contents all = contents_of(*store);
   EXPECT_EQ(all.trials.size(), 2u);
   EXPECT_GT(all.signals[0].rows(), 10u);
@@ -143,12 +144,12 @@ TEST_P(Migration, AnOldFileIsReadAsItIs) {
 }
 
 TEST_P(Migration, KeepsEverythingAndLeavesACheckedCopy) {
-  const Contents before = contents_of(*must(SessionStore::open(path, Open::read_only)));
-  const auto done = must(SessionStore::migrate(path));
+  const Contents before = contents_of(*must(open_store(path, OpenMode::read_only)));
+  const auto done = must(migrate_database(path));
   EXPECT_EQ(done.from, GetParam());
   EXPECT_EQ(done.copy, path + ".format-" + format);
-  expect_same(before, contents_of(*must(SessionStore::open(done.copy, Open::read_only))));
-  const auto store = open_store(path, Open::existing);
+  expect_same(before, contents_of(*must(open_store(done.copy, OpenMode::read_only))));
+  const auto store = opened(path, OpenMode::existing);
   expect_same(before, contents_of(*store));
   EXPECT_TRUE(must(store->check()).empty());
   must(store->add_patient("P-2"));
@@ -161,10 +162,10 @@ TEST_P(Migration, KeepsEverythingAndLeavesACheckedCopy) {
 
 TEST_P(Migration, PacksTheSignalsAndGivesNamesThatTwoCopiesShare) {
   fs::copy_file(path, folder.file("copy.db"));
-  EXPECT_EQ(must(SessionStore::migrate(path)).packed, GetParam() >= 6 ? 0 : 2);
-  must(SessionStore::migrate(folder.file("copy.db")));
-  const auto one = open_store(path);
-  const auto other = open_store(folder.file("copy.db"));
+  EXPECT_EQ(must(migrate_database(path)).packed, GetParam() >= 6 ? 0 : 2);
+  must(migrate_database(folder.file("copy.db")));
+  const auto one = opened(path);
+  const auto other = opened(folder.file("copy.db"));
   const Contents all = contents_of(*one);
   const Contents copy = contents_of(*other);
   EXPECT_EQ(all.session.uuid.size(), 36u);
@@ -183,29 +184,29 @@ TEST_P(Migration, PacksTheSignalsAndGivesNamesThatTwoCopiesShare) {
 }
 
 TEST_P(Migration, OfADamagedTrialPacksTheOthersAndGoesOnLater) {
-  must(SessionStore::migrate(path));
-  const auto store = open_store(path);
+  must(migrate_database(path));
+  const auto store = opened(path);
   TrialRecord trial = example_trial(must(store->sessions(1)).at(0).id, 9);
   trial.id = must(store->begin_trial(trial));
   must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
   sql << "UPDATE trials SET status = 'interrupted', sample_count = 200 WHERE number = 9";
-  const auto damaged = must(SessionStore::migrate(path));
+  const auto damaged = must(migrate_database(path));
   EXPECT_EQ(damaged.packed, 0);
   ASSERT_EQ(damaged.not_packed.size(), 1u);
   EXPECT_NE(damaged.not_packed[0].find("second 1: the block is missing"), std::string::npos);
   sql << "UPDATE trials SET sample_count = 100 WHERE number = 9";
-  EXPECT_EQ(must(SessionStore::migrate(path)).packed, 1);
+  EXPECT_EQ(must(migrate_database(path)).packed, 1);
 }
 
 TEST_P(Migration, GivesTheSameTablesAsANewFile) {
-  must(SessionStore::migrate(path));
-  open_store(folder.file("new.db"));
+  must(migrate_database(path));
+  opened(folder.file("new.db"));
   EXPECT_EQ(schema_of(path), schema_of(folder.file("new.db")));
 }
 
 TEST_P(Migration, BeginsTheAuditLogWithItself) {
-  must(SessionStore::migrate(path));
+  must(migrate_database(path));
   const auto access = must(Access::open(path));
   EXPECT_FALSE(access->is_protected());
   const auto entries = must(read_audit(*access));
@@ -217,9 +218,9 @@ TEST_P(Migration, BeginsTheAuditLogWithItself) {
 
 TEST_P(Migration, IsDoneOnceAndNeverOverwritesACopy) {
   std::ofstream(path + ".format-" + format) << "somebody's";
-  EXPECT_EQ(must(SessionStore::migrate(path)).copy, path + ".format-" + format + "-2");
+  EXPECT_EQ(must(migrate_database(path)).copy, path + ".format-" + format + "-2");
   EXPECT_EQ(bytes_of(path + ".format-" + format), "somebody's");
-  const auto again = must(SessionStore::migrate(path));
+  const auto again = must(migrate_database(path));
   EXPECT_EQ(again.from, kDatabaseFormat);
   EXPECT_EQ(again.copy, "");
 }
@@ -227,11 +228,11 @@ TEST_P(Migration, IsDoneOnceAndNeverOverwritesACopy) {
 TEST_P(Migration, IsRefusedWhileSomebodyRecords) {
   const auto recording = must(RecordingLock::shared(path));
   const std::string before = bytes_of(path);
-  const auto refused = SessionStore::migrate(path);
+  const auto refused = migrate_database(path);
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().message().find("records into the file now"), std::string::npos);
   EXPECT_EQ(bytes_of(path), before);
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::migration_test

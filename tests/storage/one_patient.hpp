@@ -2,6 +2,7 @@
 // A file with one patient, for tests of what is known of a person.
 #pragma once
 
+#include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 
 namespace isograsp {
@@ -9,12 +10,12 @@ namespace isograsp {
 struct OnePatient : testing::Test {
   TemporaryFolder folder;
   std::string path = folder.file("clinic.db");
-  std::unique_ptr<SessionStore> store = open_store(path);
+  std::unique_ptr<SessionStore> store = opened(path);
   RowId patient = must(store->add_patient("P-0427")).id;
 
   void reopen() {
     store.reset();
-    store = open_store(path, SessionStore::Open::existing);
+    store = opened(path, OpenMode::existing);
   }
 };
 

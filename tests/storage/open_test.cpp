@@ -6,24 +6,23 @@
 #include <soci/sqlite3/soci-sqlite3.h>
 #include <sys/wait.h>
 
-#include "storage/database.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/file/database.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::open_test {
 namespace {
-
-using Open = SessionStore::Open;
 
 /// Opening fails in all the given ways, the message says `why`, and the folder is as before.
 void expect_refused(const TemporaryFolder& folder, const std::string& path,
-                    std::initializer_list<Open> ways, const std::string& why) {
+                    std::initializer_list<OpenMode> ways, const std::string& why) {
   const auto file_bytes = [&path] {
     return std::filesystem::is_directory(path) ? std::string() : bytes_of(path);
   };
   const std::string before = file_bytes();
   const auto listing = folder.listing();
-  for (const Open how : ways) {
-    const auto store = SessionStore::open(path, how);
+  for (const OpenMode how : ways) {
+    const auto store = open_store(path, how);
     ASSERT_FALSE(store.ok()) << static_cast<int>(how);
     const std::string message = store.error().message();
     EXPECT_NE(message.find(why), std::string::npos) << message;
@@ -51,7 +50,7 @@ bool as_nobody(const std::function<bool()>& claim) {
 TEST(OpenStore, MakesAWalDatabaseMarkedAsOurs) {
   TemporaryFolder folder;
   const std::string path = folder.file("clinic with space = sign.db");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   EXPECT_EQ(store->path(), path);
   EXPECT_EQ(must(store->patients()).size(), 0u);
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
@@ -68,43 +67,44 @@ TEST(OpenStore, MakesAWalDatabaseMarkedAsOurs) {
 
 TEST(OpenStore, CreateKeepsWhatIsThere) {
   TemporaryFolder folder;
-  must(open_store(folder.file("clinic.db"))->add_patient("P-1"));
-  EXPECT_EQ(must(open_store(folder.file("clinic.db"))->patients()).size(), 1u);
+  must(opened(folder.file("clinic.db"))->add_patient("P-1"));
+  EXPECT_EQ(must(opened(folder.file("clinic.db"))->patients()).size(), 1u);
 }
 
 TEST(OpenStore, OnlyAScratchFileIsNotSyncedToTheDisk) {
   TemporaryFolder folder;
-  for (const auto& [how, expected] : {std::pair{Open::create, 2},
-                                      {Open::existing, 2},
-                                      {Open::read_only, 2},
-                                      {Open::scratch, 0}}) {
+  for (const auto& [how, expected] : {std::pair{OpenMode::create, 2},
+                                      {OpenMode::existing, 2},
+                                      {OpenMode::read_only, 2},
+                                      {OpenMode::scratch, 0}}) {
     auto database = must(Database::open(folder.file("clinic.db"), how));
     int synchronous = -1;
     database.sql() << "PRAGMA synchronous", soci::into(synchronous);
     EXPECT_EQ(synchronous, expected);
   }
-  must(open_store(folder.file("scratch.db"), Open::scratch)->add_patient("P-1"));
-  EXPECT_EQ(must(open_store(folder.file("scratch.db"))->patients()).size(), 1u);
+  must(opened(folder.file("scratch.db"), OpenMode::scratch)->add_patient("P-1"));
+  EXPECT_EQ(must(opened(folder.file("scratch.db"))->patients()).size(), 1u);
 }
 
 TEST(OpenStore, AbsentFileIsRefusedAndNotMade) {
   TemporaryFolder folder;
-  expect_refused(folder, folder.file("absent.db"), {Open::existing, Open::read_only},
+  expect_refused(folder, folder.file("absent.db"), {OpenMode::existing, OpenMode::read_only},
                  "does not exist");
-  expect_refused(folder, folder.file("no/folder.db"), {Open::create}, "its folder does not exist");
+  expect_refused(folder, folder.file("no/folder.db"), {OpenMode::create},
+                 "its folder does not exist");
 }
 
 TEST(OpenStore, TextFileEmptyFileAndFolderAreRefused) {
   TemporaryFolder folder;
   const std::string text = folder.file("text.db");
   std::ofstream(text) << "t_s,thumb_fz_N\n0,1\n";
-  expect_refused(folder, text, {Open::create, Open::existing, Open::read_only},
+  expect_refused(folder, text, {OpenMode::create, OpenMode::existing, OpenMode::read_only},
                  "is not a database");
   const std::string empty = folder.file("empty.db");
   std::ofstream{empty};
-  expect_refused(folder, empty, {Open::create, Open::existing, Open::read_only},
+  expect_refused(folder, empty, {OpenMode::create, OpenMode::existing, OpenMode::read_only},
                  "is not a database");
-  expect_refused(folder, folder.path(), {Open::create, Open::existing, Open::read_only},
+  expect_refused(folder, folder.path(), {OpenMode::create, OpenMode::existing, OpenMode::read_only},
                  "is a folder");
 }
 
@@ -118,7 +118,7 @@ TEST(OpenStore, DatabaseOfAnotherProgramIsNeverTouched) {
       sql << "PRAGMA journal_mode=" + mode, soci::into(answer);
       sql << "CREATE TABLE patients (id INTEGER PRIMARY KEY, code TEXT)";
     }
-    expect_refused(folder, path, {Open::create, Open::existing, Open::read_only},
+    expect_refused(folder, path, {OpenMode::create, OpenMode::existing, OpenMode::read_only},
                    "is a database of another program");
   }
 }
@@ -126,24 +126,24 @@ TEST(OpenStore, DatabaseOfAnotherProgramIsNeverTouched) {
 TEST(OpenStore, NewerFormatIsReadButNotWritten) {
   TemporaryFolder folder;
   const std::string path = folder.file("newer.db");
-  must(open_store(path)->add_patient("P-1"));
+  must(opened(path)->add_patient("P-1"));
   {
     soci::session sql(soci::sqlite3, path);
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat + 1);
   }
-  expect_refused(folder, path, {Open::create, Open::existing},
+  expect_refused(folder, path, {OpenMode::create, OpenMode::existing},
                  "was made by a newer isograsp (format " + std::to_string(kDatabaseFormat + 1) +
                      ", this program knows " + std::to_string(kDatabaseFormat) + ")");
-  EXPECT_EQ(must(open_store(path, Open::read_only)->patients()).size(), 1u);
+  EXPECT_EQ(must(opened(path, OpenMode::read_only)->patients()).size(), 1u);
 }
 
 TEST(OpenStore, ReadOnlyStoreRefusesToWrite) {
   TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  open_store(path);
+  opened(path);
   const std::string before = bytes_of(path);
   {
-    const auto store = open_store(path, Open::read_only);
+    const auto store = opened(path, OpenMode::read_only);
     EXPECT_FALSE(store->add_patient("P-1").ok());
     EXPECT_EQ(must(store->patients()).size(), 0u);
   }
@@ -154,22 +154,22 @@ TEST(OpenStore, ReadOnlyStoreRefusesToWrite) {
 TEST(OpenStore, ReadOnlyFileAndFolderAreRefusedForWriting) {
   TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  open_store(path);
+  opened(path);
   namespace fs = std::filesystem;
   fs::permissions(folder.path(), fs::perms(0777));
   fs::permissions(path, fs::perms(0444));
   EXPECT_TRUE(as_nobody([&] {
-    const auto store = SessionStore::open(path, Open::existing);
+    const auto store = open_store(path, OpenMode::existing);
     return !store && store.error().what == "is read-only";
   }));
   fs::permissions(path, fs::perms(0666));
   fs::permissions(folder.path(), fs::perms(0555));
   EXPECT_TRUE(as_nobody([&] {
-    const auto store = SessionStore::open(path, Open::existing);
+    const auto store = open_store(path, OpenMode::existing);
     return !store && store.error().what == "stands in a read-only folder";
   }));
   EXPECT_TRUE(as_nobody([&] {
-    const auto store = SessionStore::open(folder.file("new.db"), Open::create);
+    const auto store = open_store(folder.file("new.db"), OpenMode::create);
     return !store && store.error().what == "its folder is read-only";
   }));
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"clinic.db"});
@@ -178,7 +178,7 @@ TEST(OpenStore, ReadOnlyFileAndFolderAreRefusedForWriting) {
 TEST(OpenStore, LockedDatabaseIsAnErrorAfterAWait) {
   TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  const auto store = open_store(path);
+  const auto store = opened(path);
   soci::session other(soci::sqlite3, path);
   other << "BEGIN IMMEDIATE";
   const auto patient = store->add_patient("P-1");
@@ -192,9 +192,9 @@ TEST(OpenStore, LockedDatabaseIsAnErrorAfterAWait) {
 TEST(OpenStore, ClosingOneStoreKeepsTheLocksOfAnotherInTheSameProcess) {
   TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  const auto first = open_store(path);
+  const auto first = opened(path);
   must(first->add_patient("P-1"));
-  open_store(path, Open::existing).reset();
+  opened(path, OpenMode::existing).reset();
   // A program that could take the last lock would have removed the journal under the first store.
   const pid_t child = fork();
   if (child == 0) {
@@ -206,4 +206,4 @@ TEST(OpenStore, ClosingOneStoreKeepsTheLocksOfAnotherInTheSameProcess) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::open_test

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/records/patient_code.hpp"
+
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::patient_code_test {
 namespace {
 
 TEST(PatientCode, GeneratedCodesAreAccepted) {
@@ -31,4 +33,4 @@ TEST(PatientCode, RefusalNamesTheFieldAndTheRemedy) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::patient_code_test

@@ -4,13 +4,12 @@
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 #include "tests/storage/power_cut_vfs.hpp"
 
-namespace isograsp {
+namespace isograsp::power_cut_test {
 namespace {
-
-using Open = SessionStore::Open;
 
 constexpr int kRows = 100;
 enum Counter : std::size_t { kTrials, kSeconds, kClosed };
@@ -20,8 +19,8 @@ std::vector<std::vector<double>> rows_of(const TrialRecord& trial, int second) {
 }
 
 /// Records `trials` trials of `seconds` seconds and tells the layer what was confirmed.
-void record(PowerCutVfs& disk, const std::string& path, Open how, int trials, int seconds) {
-  const auto store = open_store(path, how);
+void record(PowerCutVfs& disk, const std::string& path, OpenMode how, int trials, int seconds) {
+  const auto store = opened(path, how);
   const RowId patient = must(store->add_patient("P-1")).id;
   const RowId session = must(store->begin_session(example_session(patient)));
   for (int number = 1; number <= trials; ++number) {
@@ -46,7 +45,7 @@ std::string fault_after(const PowerCutVfs::Cut& cut, int seconds) {
   const auto confirmed = [&](Counter counter) {
     return counter < cut.confirmed.size() ? cut.confirmed[counter] : 0;
   };
-  const auto opened = SessionStore::open(folder.file("clinic.db"), Open::existing);
+  const auto opened = open_store(folder.file("clinic.db"), OpenMode::existing);
   if (!opened) return opened.error().message();
   SessionStore& store = **opened;
   const auto problems = store.check();
@@ -82,11 +81,11 @@ std::string fault_after(const PowerCutVfs::Cut& cut, int seconds) {
   return "";
 }
 
-std::vector<std::string> faults(Open how, unsigned seed, unsigned every, int trials, int seconds,
-                                std::size_t& cuts) {
+std::vector<std::string> faults(OpenMode how, unsigned seed, unsigned every, int trials,
+                                int seconds, std::size_t& cuts) {
   const TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  open_store(path);
+  opened(path);
   PowerCutVfs disk(folder.path(), seed);
   disk.cut_in_one_of(every);
   record(disk, path, how, trials, seconds);
@@ -101,7 +100,7 @@ TEST(PowerCut, AtAnyWriteLosesNothingThatWasConfirmed) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     std::size_t cuts = 0;
     // Longer than a packed block, long enough for checkpoints of the log.
-    EXPECT_EQ(faults(Open::existing, seed, 12, 4, 12, cuts), std::vector<std::string>{});
+    EXPECT_EQ(faults(OpenMode::existing, seed, 12, 4, 12, cuts), std::vector<std::string>{});
     EXPECT_GT(cuts, 20u);
   }
 }
@@ -109,16 +108,16 @@ TEST(PowerCut, AtAnyWriteLosesNothingThatWasConfirmed) {
 TEST(PowerCut, WithoutSyncsWouldBeFound) {
   // The layer itself is put to the test: a scratch file waits for no disk.
   std::size_t cuts = 0;
-  EXPECT_FALSE(faults(Open::scratch, 4, 10, 4, 12, cuts).empty());
+  EXPECT_FALSE(faults(OpenMode::scratch, 4, 10, 4, 12, cuts).empty());
   EXPECT_GT(cuts, 20u);
 }
 
 TEST(FullDisk, AtAnyWriteOfTheCloseLosesNoSecond) {
   const TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  open_store(path);
+  opened(path);
   PowerCutVfs disk(folder.path(), 1);
-  const auto store = open_store(path, Open::existing);
+  const auto store = opened(path, OpenMode::existing);
   const RowId session =
       must(store->begin_session(example_session(must(store->add_patient("P-1")).id)));
   constexpr int kSeconds = 12;
@@ -154,4 +153,4 @@ TEST(FullDisk, AtAnyWriteOfTheCloseLosesNoSecond) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::power_cut_test

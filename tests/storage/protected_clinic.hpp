@@ -2,8 +2,8 @@
 // A protected database with an administrator's login, a therapist and a researcher.
 #pragma once
 
-#include "storage/accounts.hpp"
-#include "storage/audit_log.hpp"
+#include "storage/access/accounts.hpp"
+#include "storage/access/audit_log.hpp"
 #include "tests/storage/examples.hpp"
 
 namespace isograsp {

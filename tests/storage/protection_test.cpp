@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A database that was made without protection gets it: nothing of its plain text stays.
-#include "storage/protection.hpp"
+#include "storage/access/protection.hpp"
 
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
-#include "storage/audit_chain.hpp"
-#include "storage/consent.hpp"
-#include "storage/identity.hpp"
-#include "storage/merge.hpp"
+#include "storage/access/audit_chain.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/care/merge.hpp"
+#include "storage/person/consent.hpp"
+#include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp {
+namespace isograsp::protection_test {
 namespace {
-
-using Open = SessionStore::Open;
 
 /// Free text in every column that can hold it, of two people; some of it removed again.
 struct PlainClinic : testing::Test {
@@ -22,7 +21,7 @@ struct PlainClinic : testing::Test {
   std::string path = folder.file("clinic.db");
 
   PlainClinic() {
-    const auto store = open_store(path);
+    const auto store = opened(path);
     for (const char* code : {"P-1", "P-2"}) {
       const RowId patient = must(store->add_patient(code)).id;
       must(store->set_profile(patient, {Side::left, {}, "", "SECRETNOTE", "SECRETGOAL"}));
@@ -66,7 +65,7 @@ TEST_F(PlainClinic, ProtectedLaterHoldsNoByteOfItsPlainTextAndLosesNone) {
   EXPECT_FALSE(done.not_swept);
   EXPECT_EQ(files_with("SECRET"), std::vector<std::string>{});
   EXPECT_TRUE(is_protected_database(path));
-  const auto store = open_store(path);
+  const auto store = opened(path);
   EXPECT_EQ(must(store->check()), std::vector<std::string>{});
   for (const PatientRecord& patient : must(store->patients())) {
     const PatientProfile profile = must(store->profile(patient.id));
@@ -90,7 +89,7 @@ TEST_F(PlainClinic, ProtectedLaterHoldsNoByteOfItsPlainTextAndLosesNone) {
 TEST_F(PlainClinic, ProtectedLaterOpensForItsPassphraseAndRecoveryKeyOnly) {
   auto done = must(protect());
   done.access.reset();
-  EXPECT_FALSE(SessionStore::open(path, Open::read_only).ok());
+  EXPECT_FALSE(open_store(path, OpenMode::read_only).ok());
   const auto access = must(Access::open(path));
   EXPECT_NE(refusal(access->log_in_with_passphrase(secret("another passphrase"))), "");
   must(access->log_in_with_recovery_key(done.recovery_key));
@@ -100,14 +99,14 @@ TEST_F(PlainClinic, ProtectedLaterOpensForItsPassphraseAndRecoveryKeyOnly) {
 }
 
 TEST_F(PlainClinic, ProtectedLaterLeavesASoundCopyAndNamesIt) {
-  must(open_store(path)->backup(folder.file("monday.db")));
+  must(opened(path)->backup(folder.file("monday.db")));
   const auto done = must(protect());
   EXPECT_EQ(done.copy, path + ".before-protection");
   ASSERT_EQ(done.remains.size(), 2u);
   EXPECT_NE(done.remains[0].find("monday.db"), std::string::npos);
   EXPECT_NE(done.remains[1].find("clinic.db.before-protection"), std::string::npos);
   EXPECT_FALSE(is_protected_database(done.copy));
-  const auto store = open_store(done.copy, Open::read_only);
+  const auto store = opened(done.copy, OpenMode::read_only);
   EXPECT_TRUE(must(store->check()).empty());
   EXPECT_EQ(must(store->profile(1)).notes, "SECRETNOTE");
 }
@@ -139,16 +138,16 @@ TEST_F(PlainClinic, ProtectedLaterProvesTheLogOfBefore) {
 
 TEST_F(PlainClinic, IsNotProtectedWhileAnotherProgramHasItOpen) {
   {
-    const auto other = open_store(path);
+    const auto other = opened(path);
     EXPECT_NE(refusal(protect()).find("another program"), std::string::npos);
     must(other->add_patient("P-3"));
   }
   EXPECT_FALSE(is_protected_database(path));
   EXPECT_NE(refusal(protect("seven77")).find("passphrase"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(path + ".before-protection")) << "nothing half made";
-  EXPECT_TRUE(must(open_store(path)->check()).empty());
+  EXPECT_TRUE(must(opened(path)->check()).empty());
   const auto done = must(protect());
-  EXPECT_EQ(must(open_store(path)->patients()).size(), 3u);
+  EXPECT_EQ(must(opened(path)->patients()).size(), 3u);
 }
 
 TEST_F(PlainClinic, ProtectedTwiceIsOnlyRewritten) {
@@ -158,7 +157,7 @@ TEST_F(PlainClinic, ProtectedTwiceIsOnlyRewritten) {
   EXPECT_TRUE(again.recovery_key.empty());
   EXPECT_TRUE(again.copy.empty());
   EXPECT_FALSE(again.not_swept);
-  EXPECT_EQ(must(open_store(path)->profile(1)).notes, "SECRETNOTE");
+  EXPECT_EQ(must(opened(path)->profile(1)).notes, "SECRETNOTE");
   EXPECT_FALSE(std::filesystem::exists(path + ".before-protection-2"));
 }
 
@@ -172,4 +171,4 @@ TEST_F(PlainClinic, IsNotMergedWithAProtectedOneWhicheverWayRound) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::protection_test

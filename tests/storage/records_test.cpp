@@ -2,19 +2,20 @@
 // What goes in comes out, to the bit.
 #include <algorithm>
 
+#include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::records_test {
 namespace {
 
 struct Records : testing::Test {
   TemporaryFolder folder;
   std::string path = folder.file("clinic.db");
-  std::unique_ptr<SessionStore> store = open_store(path);
+  std::unique_ptr<SessionStore> store = opened(path);
 
   void reopen() {
     store.reset();
-    store = open_store(path, SessionStore::Open::existing);
+    store = opened(path, OpenMode::existing);
   }
   RowId session() { return must(store->begin_session(example_session(patient()))); }
   RowId patient() { return must(store->add_patient("P-0427")).id; }
@@ -125,6 +126,26 @@ TEST_F(Records, RestingForceComesBackToTheBit) {
       EXPECT_TRUE(same_bits(all[0].mean[f][a], written.mean[f][a])) << f << " " << a;
       EXPECT_TRUE(same_bits(all[0].sd[f][a], written.sd[f][a])) << f << " " << a;
     }
+}
+
+TEST_F(Records, ACorrectedRatingIsOneRatingAndSaysWhatItWas) {
+  const RowId session_id = session();
+  const RowId id = must(store->add_rating({0, session_id, 0, 61.5, "2026-03-01T09:31:01Z", 8, 5}));
+  must(store->correct_rating({id, session_id, 0, 64.0, "", 3, 5}));
+  EXPECT_FALSE(store->correct_rating({id, session_id, 0, 65.0, "", 11, 5}).ok());
+  EXPECT_FALSE(store->correct_rating({id + 1, session_id, 0, 65.0, "", 1, 1}).ok()) << "no such";
+  reopen();
+  const auto ratings = must(store->ratings(session_id));
+  ASSERT_EQ(ratings.size(), 1u);
+  EXPECT_EQ(ratings[0].effort, 3);
+  EXPECT_EQ(ratings[0].pain, 5);
+  EXPECT_EQ(ratings[0].session_time_s, 61.5) << "when it was asked";
+  EXPECT_EQ(ratings[0].recorded_utc, "2026-03-01T09:31:01Z");
+  const auto events = must(store->events(session_id));
+  ASSERT_EQ(events.size(), 1u) << "a correction that was refused leaves none";
+  EXPECT_EQ(events[0].kind, "note");
+  EXPECT_EQ(events[0].session_time_s, 64.0);
+  EXPECT_EQ(events[0].text, "Rating corrected: effort 3, pain 5; before: effort 8, pain 5");
 }
 
 TEST_F(Records, RatingsAndHelpComeBack) {
@@ -506,7 +527,7 @@ TEST(Determinism, SameCallsMakeTheSameContent) {
   TemporaryFolder folder;
   std::string dumps[2];
   for (int run = 0; run < 2; ++run) {
-    auto store = open_store(folder.file("run" + std::to_string(run) + ".db"));
+    auto store = opened(folder.file("run" + std::to_string(run) + ".db"));
     const auto patient = must(store->add_patient("P-1"));
     TrialRecord trial = example_trial(must(store->begin_session(example_session(patient.id))));
     trial.id = must(store->begin_trial(trial));
@@ -523,8 +544,8 @@ TEST(Determinism, SameCallsMakeTheSameContent) {
 
 TEST(Uuids, OfAScratchFileAreTheSameEachTimeAndOfAnyOtherNever) {
   TemporaryFolder folder;
-  const auto uuids = [&](const std::string& name, SessionStore::Open how) {
-    const auto store = open_store(folder.file(name), how);
+  const auto uuids = [&](const std::string& name, OpenMode how) {
+    const auto store = opened(folder.file(name), how);
     const auto patient = must(store->add_patient("P-1", "2026-01-02T10:00:00Z"));
     const RowId session = must(store->begin_session(example_session(patient.id)));
     must(store->begin_session(example_session(patient.id)));  // at the same moment
@@ -533,12 +554,12 @@ TEST(Uuids, OfAScratchFileAreTheSameEachTimeAndOfAnyOtherNever) {
     return std::vector<std::string>{patient.uuid, must(store->sessions(patient.id)).at(0).uuid,
                                     must(store->trials(session)).at(0).uuid};
   };
-  const auto once = uuids("a.db", SessionStore::Open::scratch);
-  EXPECT_EQ(uuids("b.db", SessionStore::Open::scratch), once);
-  const auto real = uuids("c.db", SessionStore::Open::create);
-  const auto again = uuids("d.db", SessionStore::Open::create);
+  const auto once = uuids("a.db", OpenMode::scratch);
+  EXPECT_EQ(uuids("b.db", OpenMode::scratch), once);
+  const auto real = uuids("c.db", OpenMode::create);
+  const auto again = uuids("d.db", OpenMode::create);
   for (std::size_t i = 0; i < real.size(); ++i) EXPECT_NE(real[i], again[i]);
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::records_test

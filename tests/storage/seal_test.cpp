@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sealing, keys and hashes by themselves.
-#include "storage/seal.hpp"
+#include "storage/crypto/seal.hpp"
 
 #include <set>
 
-#include "storage/vault.hpp"
+#include "storage/access/vault.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::seal_test {
 namespace {
 
 const std::string kText = "Frau Žižková\nspricht nicht";
@@ -130,4 +130,4 @@ TEST(SecretFile, GivesItsFirstLine) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::seal_test

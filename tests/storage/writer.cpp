@@ -8,7 +8,8 @@
 
 #include <unistd.h>
 
-#include "storage/session_store.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/records/session_store.hpp"
 
 namespace {
 
@@ -63,7 +64,7 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   const int seconds = argc > 2 ? std::atoi(argv[2]) : 1 << 20;
   const int trials = argc > 3 ? std::atoi(argv[3]) : 1;
-  auto opened = SessionStore::open(argv[1], SessionStore::Open::create);
+  auto opened = open_store(argv[1], OpenMode::create);
   if (!opened) give_up(opened.error());
   SessionStore& store = **opened;
   auto patient = store.find_patient("P-1");

@@ -29,8 +29,8 @@ class WriterProcess {
         setrlimit(RLIMIT_FSIZE, &limit);
       }
       dup2(ends[1], STDOUT_FILENO);
-      execl(STORAGE_WRITER, STORAGE_WRITER, database.c_str(), seconds.c_str(),
-            trials.c_str(), nullptr);
+      execl(STORAGE_WRITER, STORAGE_WRITER, database.c_str(), seconds.c_str(), trials.c_str(),
+            nullptr);
       _exit(127);
     }
     close(ends[1]);

@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/anatomical_axes.hpp"
 #include "core/csv.hpp"
 #include "grasp_model/plan.hpp"
+#include "hand/anatomical_axes.hpp"
 #include "tasks/measures/fitts.hpp"
 #include "tasks/protocol.hpp"
 
-namespace isograsp {
+namespace isograsp::library_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -242,4 +242,4 @@ TEST(Library, CoversEveryKeyOfTheTaskAndProtocolFormats) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::library_test

@@ -10,7 +10,7 @@
 
 #include "core/measure.hpp"
 #include "core/signals.hpp"
-#include "tasks/measures/samples.hpp"
+#include "statistics/samples.hpp"
 
 namespace isograsp::test {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/stimulus.hpp"
-#include "device/sensor_model.hpp"
+#include "device/simulated/sensor_model.hpp"
+#include "hand/stimulus.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
 namespace isograsp::test {

@@ -4,7 +4,7 @@
 
 #include "tests/virtual_patient/people.hpp"
 
-namespace isograsp {
+namespace isograsp::file_test {
 namespace {
 
 using test::kPatients;
@@ -20,7 +20,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), with);
 }
 
-TEST(PatientFile, EveryShippedPersonIsRead) {
+TEST(VirtualPatientFile, EveryShippedPersonIsRead) {
   const std::vector<std::string> names = names_in(kPatients);
   const std::vector<std::string> expected{
       "arm_push",     "direction_error", "fatiguing",    "healthy",   "inattention",
@@ -34,12 +34,12 @@ TEST(PatientFile, EveryShippedPersonIsRead) {
   }
 }
 
-TEST(PatientFile, TheFilesOfHealthyAndPareticAreThePeopleOfTheProgram) {
+TEST(VirtualPatientFile, TheFilesOfHealthyAndPareticAreThePeopleOfTheProgram) {
   EXPECT_EQ(shipped("healthy"), *patient_traits("healthy"));
   EXPECT_EQ(shipped("paretic"), *patient_traits("paretic"));
 }
 
-TEST(PatientFile, EveryShippedNumberNamesItsSourceOrIsCalledAnAssumption) {
+TEST(VirtualPatientFile, EveryShippedNumberNamesItsSourceOrIsCalledAnAssumption) {
   for (const std::string& folder : {kPatients, kPatients + "/courses"})
     for (const std::string& name : names_in(folder)) {
       std::istringstream lines(*read_text(folder + "/" + name + ".toml"));
@@ -57,7 +57,7 @@ TEST(PatientFile, EveryShippedNumberNamesItsSourceOrIsCalledAnAssumption) {
     }
 }
 
-TEST(PatientFile, EveryTraitMustBeSaid) {
+TEST(VirtualPatientFile, EveryTraitMustBeSaid) {
   for (const TraitField& field : trait_fields()) {
     const std::string key = "\n" + std::string(field.key) + " = ";
     const auto patient = parse_patient(replaced(healthy_text(), key, "\n#"), "x.toml");
@@ -67,7 +67,7 @@ TEST(PatientFile, EveryTraitMustBeSaid) {
   }
 }
 
-TEST(PatientFile, ValuesOutsideTheirRangeAreRefused) {
+TEST(VirtualPatientFile, ValuesOutsideTheirRangeAreRefused) {
   for (const TraitField& field : trait_fields())
     for (const double value : {field.least - 0.01, field.most + 0.01}) {
       const std::string key = "\n" + std::string(field.key) + " = ";
@@ -78,7 +78,7 @@ TEST(PatientFile, ValuesOutsideTheirRangeAreRefused) {
     }
 }
 
-TEST(PatientFile, ErrorsNameLineFieldAndRemedy) {
+TEST(VirtualPatientFile, ErrorsNameLineFieldAndRemedy) {
   const std::string text = healthy_text();
   const auto error = [&](const std::string& what, const std::string& with) {
     const auto patient = parse_patient(replaced(text, what, with), "x.toml");
@@ -97,7 +97,7 @@ TEST(PatientFile, ErrorsNameLineFieldAndRemedy) {
             std::string::npos);
 }
 
-TEST(PatientFile, DegreesInTheFileAreRadiansInThePerson) {
+TEST(VirtualPatientFile, DegreesInTheFileAreRadiansInThePerson) {
   const PatientTraits traits = shipped("direction_error");
   EXPECT_NEAR(traits.direction_error_rad[2], std::numbers::pi / 6.0, 1e-15);
 }
@@ -114,4 +114,4 @@ TEST(Traits, ARecoveryOfOneIsHealthyAndOfZeroIsNobodyElse) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::file_test

@@ -2,11 +2,11 @@
 // Each trouble shows in the forces, by as much as the person's file says.
 #include <numbers>
 
-#include "device/platform.hpp"
+#include "device/config/platform.hpp"
 #include "tests/virtual_patient/people.hpp"
 #include "virtual_patient/force_skill.hpp"
 
-namespace isograsp {
+namespace isograsp::trouble_test {
 namespace {
 
 using test::following;
@@ -307,4 +307,4 @@ TEST(Trouble, SlowWanderIsSlow) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::trouble_test

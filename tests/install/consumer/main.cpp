@@ -2,10 +2,10 @@
 // One step of a scene, and one sample of a simulated device that this program presses itself.
 #include <cstdio>
 
-#include "core/stimulus.hpp"
-#include "device/force_device.hpp"
+#include "device/sensors/force_device.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/scene.hpp"
+#include "hand/stimulus.hpp"
 
 using namespace isograsp;
 

@@ -6,96 +6,22 @@
 #include <gtest/gtest.h>
 
 #include "tasks/score.hpp"
-#include "tasks/timeline.hpp"
+#include "tests/tasks/kinds/force_play.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::force_scores_test {
 namespace {
 
+using test::Answer;
 using test::find;
+using test::grip_of;
+using test::kPeriod_s;
+using test::pressing;
+using test::spec_of;
 using test::value_of;
-constexpr double kPeriod_s = 0.01;
 
-using Answer = std::function<FingerWrenches(const TaskView&, double t_s)>;
-
-FingerWrenches pressing(double thumb_N, double index_N, double middle_N) {
-  FingerWrenches wrench_C;
-  for (Wrench& w : wrench_C) w.force = w.torque = Vec3::Zero();
-  wrench_C[0].force.z() = thumb_N;
-  wrench_C[1].force.z() = index_N;
-  wrench_C[2].force.z() = middle_N;
-  return wrench_C;
-}
-FingerWrenches grip_of(double grip_N) {
-  return pressing(grip_N, 0.5 * grip_N, 0.5 * grip_N);
-}
-
-template <class Kind>
-TaskSpec spec_of(Kind kind) {
-  TaskSpec spec;
-  spec.kind = std::move(kind);
-  return spec;
-}
-
-TaskContext context() {
-  TaskContext made;
-  made.period_s = kPeriod_s;
-  made.seed = 3;
-  made.references.resting_C = grip_of(0.0);
-  for (int digits = 0; digits <= static_cast<int>(Digits::middle); ++digits)
-    made.references.maximum_N[{static_cast<Digits>(digits)}] = 40.0;
-  return made;
-}
-
-/// Plays a task; `answer` gives the forces, which the record keeps with all that scores need.
 Signals played(const TaskSpec& spec, const Answer& answer) {
-  const TaskContext made = context();
-  auto task = make_task(spec, made);
-  EXPECT_TRUE(task) << (task ? "" : task.error().message());
-  std::vector<std::string> names{"t_s",
-                                 "phase",
-                                 "sample_flags",
-                                 "target_force_N",
-                                 "actual_force_N",
-                                 "resting_force_N",
-                                 "maximum_force_N",
-                                 "resolution_N",
-                                 "device_delay_s",
-                                 "segment",
-                                 "cue",
-                                 "channel_digits",
-                                 "channel_direction"};
-  for (const char* prefix : {"", "target_"})
-    for (const Finger finger : kFingers)
-      for (const char* axis : {"_fx_N", "_fy_N", "_fz_N"})
-        names.push_back(prefix + std::string(name_of(finger)) + axis);
-  Signals signals(names);
-  FingerWrenches wrench_C = grip_of(0.0);
-  for (int k = 0;; ++k) {
-    const TaskView view = (*task)->step({wrench_C});
-    if (view.phase == Phase::done) return signals;
-    // What the hand does in this frame is seen in this frame.
-    wrench_C = answer(view, k * kPeriod_s);
-    std::vector<double> row{k * kPeriod_s,
-                            static_cast<double>(view.phase),
-                            0.0,
-                            view.has_force_target ? view.target_force_N : std::nan(""),
-                            force_of(wrench_C, view.channel),
-                            view.resting_force_N,
-                            view.maximum_force_N,
-                            0.01,
-                            0.03,
-                            static_cast<double>(view.segment),
-                            static_cast<double>(view.cue),
-                            static_cast<double>(view.channel.digits),
-                            static_cast<double>(view.channel.direction)};
-    for (const Wrench& w : wrench_C) row.insert(row.end(), {w.force.x(), w.force.y(), w.force.z()});
-    for (std::size_t f = 0; f < kFingerCount; ++f)
-      for (int axis = 0; axis < 3; ++axis)
-        row.push_back(view.digit_targets.shown[f] ? view.digit_targets.force_C[f][axis]
-                                                  : std::nan(""));
-    signals.append_row(row);
-  }
+  return test::play_force(spec, answer);
 }
 
 /// Follows the last value `delay_s` late.
@@ -139,7 +65,7 @@ TEST(ForceScores, OpeningIsPositiveAndThePressOfOtherDigitsBesideItIsCoflexion) 
   EXPECT_NEAR(value_of(measures, "maximum_force", "opening"), 8.9, kRounding);
   EXPECT_NEAR(value_of(measures, "coflexion", "opening"), 100.0 * 1.1 / 22.0, kRounding)
       << "the tone of the middle finger is none";
-  EXPECT_EQ(find(measures, "coflexion")->version, 2);
+  EXPECT_EQ(find(measures, "coflexion")->version, 3);
 }
 
 TEST(ForceScores, ReactionsOfStepsAreTheDelayAndAnticipationsAreCountedApart) {
@@ -194,6 +120,32 @@ TEST(ForceScores, AnExponentialReleaseReachesTenPercentAfterItsTimeConstantTimes
   EXPECT_NEAR(value_of(measures, "release_time"), kReaction_s + kTime_s * std::numbers::ln10,
               kFrames_s);
   EXPECT_NEAR(value_of(measures, "release_initiation"), kReaction_s, kFrames_s);
+}
+
+TEST(ForceScores, ARepetitionWithoutAGripIsNeitherAReleaseNorAFailedOne) {
+  GripReleaseSpec spec;  // 25 % of 40 N: 10 N are asked
+  spec.repetitions = 8;
+  constexpr int kReaction_rows = 30;
+  for (const double noise_N : {0.0, 0.1, 0.3}) {
+    int repetition = -1;
+    int since_cue = 0;
+    Cue before = Cue::relax;
+    double sign = 1.0;
+    const auto measures =
+        score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
+                if (view.cue == Cue::follow && before != Cue::follow) ++repetition;
+                before = view.cue;
+                sign = -sign;
+                since_cue = view.cue == Cue::let_go ? since_cue + 1 : 0;
+                const bool grips = repetition < 5 && since_cue <= kReaction_rows;
+                return grip_of((grips ? 10.0 : 0.2) + sign * noise_N);
+              }));
+    EXPECT_EQ(value_of(measures, "grips_missed"), 3.0) << noise_N;
+    EXPECT_EQ(value_of(measures, "release_time_share"), 100.0) << "of the five that were made";
+    EXPECT_EQ(value_of(measures, "release_initiation_share"), 100.0);
+    EXPECT_NEAR(value_of(measures, "release_initiation"), 0.3, 1e-9);
+    EXPECT_NEAR(value_of(measures, "residual_force"), 0.2, 1e-6);
+  }
 }
 
 TEST(ForceScores, AForceMadeAgainTooWeakHasThatConstantError) {
@@ -258,6 +210,20 @@ TEST(ForceScores, ASteadyHandHasTheSpreadThatItWasGiven) {
   EXPECT_NEAR(value_of(measures, "force_sd", "force_25_percent"), kAmplitude_N / std::sqrt(2.0),
               kShortRecord * kAmplitude_N);
   EXPECT_GT(value_of(measures, "power_2_8_Hz", "force_25_percent"), 99.0);
+}
+
+TEST(ForceScores, LevelsOfOneNameAreToldApart) {
+  SteadinessSpec spec;
+  spec.levels = {0.1231, 0.25, 0.1234, 0.25};
+  const auto measures =
+      score(spec_of(spec), played(spec_of(spec), [](const TaskView& view, double) {
+              return grip_of(view.target_force_N);
+            }));
+  std::vector<std::string> channels;
+  for (const Measure& measure : measures)
+    if (measure.name == "cv") channels.push_back(measure.channel);
+  EXPECT_EQ(channels, (std::vector<std::string>{"force_12.3_percent", "force_25_percent",
+                                                "force_12.3_percent_2", "force_25_percent_2"}));
 }
 
 TEST(ForceScores, TheDigitsShareTheGripAsTheyPress) {
@@ -376,4 +342,4 @@ TEST(ForceScores, EveryTaskSaysWhyItHasNoValuesOfAnEmptyRecord) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::force_scores_test

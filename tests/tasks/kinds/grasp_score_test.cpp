@@ -9,7 +9,7 @@
 #include "tasks/task.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::grasp_score_test {
 namespace {
 
 using test::edited;
@@ -138,6 +138,46 @@ TEST(ScoreGrasp, WithoutOppositionFrictionOrColumnsThereIsAReason) {
             "forces, contacts or utilisation of the fingers are missing");
 }
 
+TEST(ScoreGrasp, ARowWithAnEmptyForceContactOrShareIsExcludedAsOneWithAFlag) {
+  Signals whole = carried(0.05);
+  whole.add_column("sample_flags", std::vector<double>(whole.rows(), 0.0));
+  const auto with = [&](std::size_t column, double value) {
+    return score(tracking(), edited(whole, [&](std::size_t k, auto& row) {
+                   if (k % 50 == 7) row[column] = value;
+                 }));
+  };
+  const auto flagged = with(whole.names().size() - 1, bit(SampleFlag::held));
+  EXPECT_EQ(find(flagged, "grip_variation")->excluded, 40);
+  constexpr std::size_t kFirstOfFingers = 3;  // after time, phase and the grip itself
+  for (std::size_t column = kFirstOfFingers; column + 1 < whole.names().size(); ++column) {
+    const auto empty = with(column, std::nan(""));
+    for (const char* name :
+         {"grip_load_correlation", "grip_load_lag", "grip_load_slope", "safety_margin", "impulse",
+          "friction_utilisation", "grip_variation", "lateral_correlation"}) {
+      EXPECT_EQ(value_of(empty, name), value_of(flagged, name))
+          << name << " without " << whole.names()[column];
+      EXPECT_EQ(find(empty, name)->excluded, 40) << name;
+    }
+  }
+}
+
+TEST(ScoreGrasp, AFingerThatTheSceneLacksExcludesNoRow) {
+  const Signals whole = carried(0.0);
+  const auto index = static_cast<std::size_t>(whole.find("contact_middle"));
+  const auto measures =
+      score(tracking(), edited(whole, [&](std::size_t, auto& row) { row[index] = std::nan(""); }));
+  EXPECT_EQ(find(measures, "grip_variation")->samples, 2000);
+  EXPECT_GT(value_of(measures, "impulse"), 0.0);
+}
+
+TEST(ScoreGrasp, ForcesThatAreTooSmallToComputeWithAreNotHiddenByAContactOfOne) {
+  const auto measures = score(tracking(), carried(0.0, 100.0, 1e-100));
+  for (const char* name : {"grip_load_slope", "safety_margin", "impulse", "lateral_correlation"}) {
+    EXPECT_EQ(find(measures, name)->reason, "the values are too small to compute with") << name;
+    EXPECT_EQ(find(measures, name)->samples, 0) << name;
+  }
+}
+
 TEST(ScoreGrasp, EveryTaskInWhichAnObjectIsMovedGivesTheMeasuresOfTheGrasp) {
   PoseTargetsSpec targets;
   targets.targets.resize(1);
@@ -154,4 +194,4 @@ TEST(ScoreGrasp, EveryTaskInWhichAnObjectIsMovedGivesTheMeasuresOfTheGrasp) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::grasp_score_test

@@ -13,7 +13,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::pose_targets_score_test {
 namespace {
 
 using test::edited;
@@ -341,7 +341,36 @@ TEST(ScorePoseTargets, ThroughputNeedsTenHeldTargetsAtOneDistance) {
                                                     })),
                  "index_of_difficulty")
                 ->reason,
-            "no target was brought to and held");
+            "the targets ask for no hold");
+}
+
+TEST(ScorePoseTargets, ReasonsOfHoldsAndWaysSayWhatIsMissing) {
+  PoseTargetsSpec spec = left_and_turn();
+  spec.targets = {{Vec3::Zero(), 0.0, 0.5, false}};
+  const auto where = [&](double x_m) {
+    return score(spec_of(spec), play_poses(spec, [x_m](double) {
+                   Motion m;
+                   m.x_m = x_m;
+                   return m;
+                 }));
+  };
+  const auto there_already = where(0.0);
+  EXPECT_EQ(value_of(there_already, "targets_reached"), 1.0);
+  EXPECT_EQ(find(there_already, "index_of_difficulty")->reason,
+            "no held target appeared outside its tolerance");
+  EXPECT_EQ(find(there_already, "path_efficiency")->reason,
+            "no reached target appeared outside its tolerance");
+  EXPECT_TRUE(find(there_already, "hold_error_position")->value);
+  const auto never = where(0.5);
+  EXPECT_EQ(value_of(never, "targets_reached"), 0.0);
+  EXPECT_EQ(find(never, "index_of_difficulty")->reason,
+            "no target that asks for a hold was reached");
+  EXPECT_EQ(find(never, "hold_error_position")->reason,
+            "no target that asks for a hold was reached");
+  EXPECT_EQ(find(never, "path_efficiency")->reason, "no target was reached");
+  EXPECT_EQ(find(never, "sparc", "transport")->reason, "no target was reached");
+  spec.targets[0].hold_s = 0.0;
+  EXPECT_EQ(find(where(0.0), "hold_error_position")->reason, "the targets ask for no hold");
 }
 
 TEST(ScorePoseTargets, TimeOutsEnterTheMedianAndTheRestrictedMeanAsLongerThanTheLimit) {
@@ -393,4 +422,4 @@ TEST(ScorePoseTargets, AWrittenAndReadBackTrialHasTheSameScoreBitForBit) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::pose_targets_score_test

@@ -6,7 +6,7 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::coupling_test {
 namespace {
 
 using test::sampled;
@@ -94,4 +94,4 @@ TEST(Coupling, SafetyMarginIsZeroWhereTheGripIsTheOneThatIsNeeded) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::coupling_test

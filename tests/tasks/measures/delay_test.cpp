@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::delay_test {
 namespace {
 
 using test::sampled;
@@ -54,6 +54,7 @@ std::optional<double> lag_by_definition(const UniformSamples& target,
   const auto r = [&](int shift) {
     const int first = std::max(0, -shift);
     const int last = std::min(n, n - shift);
+    if (last - first < 3) return -2.0;  // no correlation
     const auto x = [&](int k) { return target.values[static_cast<std::size_t>(k)]; };
     const auto y = [&](int k) { return actual.values[static_cast<std::size_t>(k + shift)]; };
     double x_mean = 0.0, y_mean = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
@@ -73,6 +74,7 @@ std::optional<double> lag_by_definition(const UniformSamples& target,
     if (r(shift) > r(peak)) peak = shift;
   if (r(peak) < 0.35 || std::abs(peak) == most) return std::nullopt;
   const double before = r(peak - 1), here = r(peak), after = r(peak + 1);
+  if (before < -1.5 || after < -1.5) return std::nullopt;
   return (peak + 0.5 * (before - after) / (before - 2.0 * here + after)) * target.step_s;
 }
 
@@ -98,6 +100,26 @@ TEST(Delay, LagIsThatOfTheDefinitionOnNoisyShortAndLopsidedRecords) {
             EXPECT_NEAR(*found.value, *expected, kIdentical_s);
           }
         }
+}
+
+/// Two samples always correlate wholly: such overlaps must hide no peak.
+TEST(Delay, LagIsThatOfTheDefinitionOnRecordsShorterThanTheShifts) {
+  Random random(3);
+  int with_value = 0;
+  for (const std::size_t count : {5u, 6u, 7u, 8u, 12u, 20u, 60u, 140u, 152u, 153u, 160u})
+    for (int repetition = 0; repetition < 20; ++repetition) {
+      UniformSamples target{0.01, sampled(times(count), wander)};
+      UniformSamples actual = target;
+      for (double& value : actual.values) value += 0.1 * random.gaussian();
+      const Computed found = lag(target, actual);
+      const auto expected = lag_by_definition(target, actual);
+      ASSERT_EQ(found.value.has_value(), expected.has_value()) << found.reason << " " << count;
+      if (!expected) continue;
+      ++with_value;
+      constexpr double kIdentical_s = 1e-9;
+      EXPECT_NEAR(*found.value, *expected, kIdentical_s) << count;
+    }
+  EXPECT_GT(with_value, 50);
 }
 
 TEST(Delay, AStepAtTheVeryEndIsFoundThoughMostOverlapsAreConstant) {
@@ -128,4 +150,4 @@ TEST(Delay, LagHasNoValueWithoutVariationCorrelationOrPeak) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::delay_test

@@ -8,7 +8,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::error_test {
 namespace {
 
 using test::sampled;
@@ -160,4 +160,4 @@ TEST(MeasuresError, NoSamplesIsAReasonNotANumber) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::error_test

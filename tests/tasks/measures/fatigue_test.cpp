@@ -5,7 +5,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::fatigue_test {
 namespace {
 
 using test::sampled;
@@ -58,4 +58,4 @@ TEST(Fatigue, WithoutFiveSecondsOfForceThereIsAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::fatigue_test

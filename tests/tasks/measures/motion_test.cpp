@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp {
+namespace isograsp::motion_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -80,8 +80,8 @@ TEST(Motion, AStraightPathIsEfficientADetourCostsItsLength) {
               100.0 * (0.4 + 0.5) / (0.4 + 0.7), 100.0 * kRounding);
   EXPECT_EQ(path_efficiency(Ways{std::vector<Vec3>(3, Vec3::Zero())}).reason, "nothing moved");
   EXPECT_EQ(path_efficiency({}).reason, "nothing moved");
-  EXPECT_EQ(path_length({}), 0.0);
+  EXPECT_EQ(path_length(std::vector<Vec3>{}), 0.0);
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::motion_test

@@ -8,7 +8,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::rate_test {
 namespace {
 
 using test::sampled;
@@ -103,4 +103,4 @@ TEST(Rate, TooFewOrTooSlowSamplesAreAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::rate_test

@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::regularity_test {
 namespace {
 
 using test::sampled;
@@ -112,4 +112,4 @@ TEST(Regularity, SampleEntropyIgnoresScaleAndRefusesWhatItCannotCount) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::regularity_test

@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fourier.hpp"
 #include "core/random.hpp"
-#include "tasks/measures/fourier.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::smoothness_test {
 namespace {
 
 using test::sampled;
@@ -122,4 +122,4 @@ TEST(MeasuresSmoothness, IrregularTimesAreResampledAtTheMedianStepAndALineStaysA
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::smoothness_test

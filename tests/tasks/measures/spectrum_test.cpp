@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::spectrum_test {
 namespace {
 
 using test::sampled;
@@ -98,4 +98,4 @@ TEST(Spectrum, WithoutAWholeWindowOrTheRateForABandThereIsAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::spectrum_test

@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp {
+namespace isograsp::synergy_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -95,4 +95,4 @@ TEST(Synergy, FewTrialsOrConstantForcesHaveAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp
+}  // namespace isograsp::synergy_test

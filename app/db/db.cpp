@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp db: care of the database. `init`, `backup`, `restore`, `migrate` and `merge` write
+// files; the others only read. Protection: db_protect.cpp; accounts and the audit log:
+// db_access.cpp; people: db_person.cpp.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/db/db_commands.hpp"
+#include "app/db/verification.hpp"
+#include "app/login_options.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/care/backups.hpp"
+#include "storage/care/merge.hpp"
+#include "storage/care/migration.hpp"
+#include "storage/file/file_stats.hpp"
+#include "storage/records/session_store.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DbOptions {
+  std::string file;
+  std::string to;
+  std::string from;
+  std::vector<std::string> same_patients;
+  bool scheduled = false;
+  bool protected_file = false;
+  LoginOptions login;
+  bool json = false;
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+};
+
+Result<std::unique_ptr<SessionStore>> read_store(const std::string& file) {
+  return open_store_to_read(file);
+}
+
+Result<void> init(const DbOptions& options) {
+  if (options.protected_file) return init_protected({options.file, options.json, options.login});
+  if (options.login.given())
+    return Error{Error::Code::bad_input,
+                 "a database without protection asks for no login",
+                 "add --protected, or leave the login out",
+                 "",
+                 0,
+                 "--passphrase-file"};
+  std::error_code ignored;
+  if (std::filesystem::exists(options.file, ignored))
+    return Error{Error::Code::bad_input, "exists already", "name a new file", options.file, 0, ""};
+  const auto store = open_store(options.file, OpenMode::create);
+  if (!store) return store.error();
+  print_answer(options.json, {{"file", options.file}, {"format", kDatabaseFormat}},
+               options.file + ": made, format " + std::to_string(kDatabaseFormat));
+  return {};
+}
+
+Result<void> check(const DbOptions& options) {
+  const auto access = log_in(options.file, options.login);
+  if (!access) return access.error();
+  const auto store = read_store(options.file);
+  if (!store) return store.error();
+  const auto problems = (*store)->check();
+  if (!problems) return problems.error();
+  Lines text;
+  if (problems->empty()) text.add(options.file + ": sound");
+  for (const auto& problem : *problems) text.add(problem);
+  print_answer(options.json, {{"file", options.file}, {"problems", *problems}}, text);
+  if (problems->empty()) return {};
+  return Error{Error::Code::failed,
+               "the check found " + std::to_string(problems->size()) +
+                   (problems->size() == 1 ? " problem" : " problems"),
+               "restore the last backup, or export what can still be read",
+               options.file,
+               0,
+               ""};
+}
+
+Result<void> verify(const DbOptions& options) {
+  const auto access = log_in(options.file, options.login);
+  if (!access) return access.error();
+  const auto verified = verify_database(options.file, options.threads);
+  if (!verified) return verified.error();
+  const Verification& result = *verified;
+  char largest[32];
+  std::snprintf(largest, sizeof largest, "%.3g", result.largest_relative_difference);
+  Lines text = options.file + ": " + std::to_string(result.trials) + " trials, " +
+               std::to_string(result.measures) + " measures, " + std::to_string(result.identical) +
+               " identical to the bit; " + "largest relative difference " + largest;
+  if (!result.largest_at.empty()) text += " (" + result.largest_at + ")";
+  if (result.older_version > 0)
+    text.add(std::to_string(result.older_version) +
+             " measures were stored by an older version of their definition; reports compute them "
+             "again from the signals and keep both, " +
+             std::to_string(result.older_changed) + " of them have another value then");
+  if (result.newer_version > 0)
+    text.add(std::to_string(result.newer_version) +
+             " measures were stored by a newer version of their definition and are not compared; "
+             "update the program");
+  for (const auto& problem : result.problems) text.add(problem);
+  print_answer(options.json,
+               {{"file", options.file},
+                {"trials", result.trials},
+                {"measures", result.measures},
+                {"identical", result.identical},
+                {"older_version", result.older_version},
+                {"older_changed", result.older_changed},
+                {"newer_version", result.newer_version},
+                {"largest_relative_difference", result.largest_relative_difference},
+                {"problems", result.problems}},
+               text);
+  if (result.problems.empty()) return {};
+  return Error{Error::Code::failed,
+               std::to_string(result.problems.size()) +
+                   " stored results are not those that the stored signals give (first: " +
+                   result.problems.front() + ")",
+               "run isograsp db check; compare the software versions of the sessions",
+               options.file,
+               0,
+               ""};
+}
+
+Result<void> scheduled_backup(const DbOptions& options) {
+  const auto made = Backups(options.file).make_if_due(std::time(nullptr));
+  if (!made) return made.error();
+  Json json{{"file", options.file}, {"made", made->has_value()}};
+  Lines text = options.file + ": there is a backup of today already";
+  if (*made) {
+    json["backup"] = (*made)->backup.path;
+    json["removed"] = (*made)->removed;
+    text = (*made)->backup.path + ": copied from " + options.file + " and checked";
+    for (const auto& old : (*made)->removed) text.add(old + ": removed");
+  }
+  print_answer(options.json, json, text);
+  return {};
+}
+
+Result<void> backup(const DbOptions& options) {
+  const auto access = log_in(options.file, options.login);
+  if (!access) return access.error();
+  if (options.scheduled) return scheduled_backup(options);
+  if (options.to.empty())
+    return Error{Error::Code::bad_input,
+                 "no file for the backup is given",
+                 "name one with --to, or let --scheduled choose it",
+                 "",
+                 0,
+                 "--to"};
+  const auto store = read_store(options.file);
+  if (!store) return store.error();
+  if (const auto done = (*store)->backup(options.to); !done) return done.error();
+  print_answer(options.json, {{"file", options.file}, {"backup", options.to}},
+               options.to + ": copied from " + options.file + " and checked");
+  return {};
+}
+
+Result<void> restore(const DbOptions& options) {
+  const auto done = restore_backup(options.from, options.file, [&options](const std::string& copy) {
+    return open_access(copy, options.login);
+  });
+  if (!done) return done.error();
+  Json json{{"file", options.file}, {"restored_from", options.from}};
+  Lines text = options.file + ": restored from " + options.from + " and checked";
+  if (!done->kept.empty()) {
+    json["kept"] = done->kept;
+    text += "; as it was: " + done->kept;
+  }
+  text.add("Erase again who has been erased since that backup was made.");
+  print_answer(options.json, json, text);
+  return {};
+}
+
+Result<void> stats(const DbOptions& options) {
+  const auto counted = file_stats(options.file);
+  if (!counted) return counted.error();
+  const FileStats& all = *counted;
+  constexpr double kMega = 1e6;
+  constexpr double kMinute_s = 60.0;
+  const auto rounded = [](double value, const char* unit) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.2f %s", value, unit);
+    return std::string(text);
+  };
+  const auto times = [](std::int64_t count, const char* what) {
+    return std::to_string(count) + " " + what;
+  };
+  Lines text = options.file + ": format " + std::to_string(all.format) + ", " +
+               rounded(static_cast<double>(all.file_bytes) / kMega, "MB") + " (" +
+               rounded(static_cast<double>(all.free_bytes) / kMega, "MB") + " of it free, " +
+               rounded(static_cast<double>(all.signal_bytes) / kMega, "MB") + " signals)";
+  text.add(times(all.patients, "patients, ") + times(all.sessions, "sessions, ") +
+           times(all.trials, "trials, ") + times(all.measures, "measures, ") +
+           times(all.events, "events"));
+  text.add(rounded(all.recorded_s / kMinute_s, "minutes") + " recorded, " +
+           rounded(all.bytes_per_minute() / kMega, "MB") + " per minute");
+  if (!all.first_session_utc.empty())
+    text.add("first session " + all.first_session_utc + ", last " + all.last_session_utc);
+  if (all.trials_not_packed > 0)
+    text.add(times(all.trials_not_packed, "trials are not packed; isograsp db migrate does it"));
+  print_answer(options.json,
+               {{"file", options.file},
+                {"format", all.format},
+                {"file_bytes", all.file_bytes},
+                {"free_bytes", all.free_bytes},
+                {"signal_bytes", all.signal_bytes},
+                {"patients", all.patients},
+                {"sessions", all.sessions},
+                {"trials", all.trials},
+                {"trials_not_packed", all.trials_not_packed},
+                {"measures", all.measures},
+                {"events", all.events},
+                {"values", all.values},
+                {"recorded_s", all.recorded_s},
+                {"bytes_per_minute", all.bytes_per_minute()},
+                {"first_session_utc", all.first_session_utc},
+                {"last_session_utc", all.last_session_utc}},
+               text);
+  return {};
+}
+
+Result<void> merge(const DbOptions& options) {
+  const auto done = merge_databases(options.file, options.from, options.same_patients);
+  if (!done) return done.error();
+  Lines text;
+  if (done->conflicts.empty())
+    text.add(options.file + ": " + std::to_string(done->patients_added) + " patients, " +
+             std::to_string(done->sessions_added) + " sessions, " +
+             std::to_string(done->trials_added) + " trials added from " + options.from + "; " +
+             std::to_string(done->trials_present) + " trials were there already");
+  for (const auto& conflict : done->conflicts) text.add(conflict);
+  print_answer(options.json,
+               {{"file", options.file},
+                {"from", options.from},
+                {"patients_added", done->patients_added},
+                {"sessions_added", done->sessions_added},
+                {"trials_added", done->trials_added},
+                {"trials_present", done->trials_present},
+                {"conflicts", done->conflicts}},
+               text);
+  if (done->conflicts.empty()) return {};
+  return Error{Error::Code::failed,
+               "nothing was merged: " + std::to_string(done->conflicts.size()) +
+                   (done->conflicts.size() == 1 ? " conflict" : " conflicts"),
+               "make both files agree, then merge again",
+               options.file,
+               0,
+               ""};
+}
+
+Result<void> migrate(const DbOptions& options) {
+  const auto access = log_in(options.file, options.login);
+  if (!access) return access.error();
+  const auto done = migrate_database(options.file);
+  if (!done) return done.error();
+  const bool migrated = !done->copy.empty();
+  const std::string format = "format " + std::to_string(kDatabaseFormat);
+  Json json{{"file", options.file},
+            {"format", kDatabaseFormat},
+            {"migrated", migrated},
+            {"packed", done->packed},
+            {"not_packed", done->not_packed}};
+  if (migrated) json["copy"] = done->copy;
+  Lines text = migrated ? options.file + ": brought from format " + std::to_string(done->from) +
+                              " to " + format + "; as it was: " + done->copy
+                        : options.file + ": " + format + " is current; nothing to migrate";
+  if (done->packed > 0) text.add("signals of " + std::to_string(done->packed) + " trials packed");
+  for (const auto& problem : done->not_packed) text.add("not packed: " + problem);
+  print_answer(options.json, json, text);
+  return {};
+}
+
+}  // namespace
+
+void add_db(CommandLine& line) {
+  auto options = std::make_shared<DbOptions>();
+  Subcommand db = line.subcommand("db", "Care of the database");
+  db.requires_subcommand();
+  db.footer("Example:\n  isograsp db backup clinic.db --to clinic-monday.db");
+  const auto add = [&](const char* name, const char* description, const char* example,
+                       Result<void> (*work)(const DbOptions&)) {
+    Subcommand command = db.subcommand(name, description);
+    command.option("FILE", options->file, "Database file").required();
+    command.flag("--json", options->json, "Print one JSON document");
+    options->login.add_to(command);
+    command.footer(std::string("Example:\n  isograsp db ") + example);
+    command.runs([options, work] { return work(*options); });
+    return command;
+  };
+  add("init", "Make an empty database", "init clinic.db", init)
+      .flag("--protected", options->protected_file,
+            "With a passphrase (--passphrase-file), accounts and encrypted identities");
+  add("check", "Is the file sound, every block readable", "check clinic.db", check);
+  add("verify", "Recompute every measure from the stored signals and compare", "verify clinic.db",
+      verify)
+      .option("--threads", options->threads, "How many; the result is the same")
+      .range(1, 64)
+      .shows_default();
+  Subcommand copy = add("backup", "Copy to a new file while others work, and check the copy",
+                        "backup clinic.db --to clinic-monday.db", backup);
+  const Option to = copy.option("--to", options->to, "File to make");
+  copy.flag("--scheduled", options->scheduled,
+            "Once a day into FILE.backups; keeps 7 days, 4 weeks, 12 months")
+      .excludes(to);
+  add("restore", "Put a checked copy of a backup in place of the file, which is kept",
+      "restore clinic.db --from clinic-monday.db", restore)
+      .option("--from", options->from, "Backup")
+      .required();
+  add("stats", "Sizes, counts, bytes per minute", "stats clinic.db", stats);
+  Subcommand merging = add("merge", "Take in what another station recorded; twice is once",
+                           "merge clinic.db --from station-2.db", merge);
+  merging.option("--from", options->from, "Database of the other station").required();
+  merging.option("--same-patient", options->same_patients,
+                 "Code that means the same person in both files, though each made it itself");
+  add("migrate", "Bring the file to the format of this program", "migrate clinic.db", migrate);
+  add_db_rescue(db);
+  add_db_protect(db);
+  add_db_access(db);
+  add_db_person(db);
+}
+
+}  // namespace isograsp

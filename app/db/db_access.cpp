@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp db users, passphrase, recovery-key, policy, audit.
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "app/console.hpp"
+#include "app/db/db_commands.hpp"
+#include "storage/access/accounts.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/records/session_store.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct AccountOptions {
+  AccessOptions common;
+  std::string name;
+  std::string role = "therapist";
+  std::string new_file;  ///< holds the new password, PIN or passphrase
+  int lock_after_s = 0;
+  int retention_years = -1;
+};
+
+Result<void> list_users(Access& access, const AccountOptions& options) {
+  const auto users = access.users();
+  if (!users) return users.error();
+  Json json = Json::array();
+  Lines text;
+  for (const User& user : *users) {
+    const std::string role(name_of(user.role));
+    json.push_back({{"name", user.name},
+                    {"role", role},
+                    {"pin", user.has_pin},
+                    {"created_utc", user.created_utc}});
+    text.add(user.name + "  " + role + (user.has_pin ? "  PIN" : ""));
+  }
+  print_answer(options.common.json, json, text.empty() ? Lines("no accounts") : text);
+  return {};
+}
+
+Result<void> add(Access& access, const AccountOptions& options) {
+  const auto role = role_from_name(options.role);
+  if (!role)
+    return Error{Error::Code::bad_input,
+                 "'" + options.role + "' is no role",
+                 "give therapist, researcher or administrator",
+                 "",
+                 0,
+                 "--role"};
+  const auto password = Secret::from_file(options.new_file);
+  if (!password) return password.error();
+  const auto user = add_user(access, options.name, *role, *password);
+  if (!user) return user.error();
+  print_answer(options.common.json, {{"name", user->name}, {"role", options.role}},
+               user->name + ": " + options.role);
+  return {};
+}
+
+Result<void> remove(Access& access, const AccountOptions& options) {
+  if (auto done = remove_user(access, options.name); !done) return done;
+  print_answer(options.common.json, {{"removed", options.name}}, options.name + ": removed");
+  return {};
+}
+
+Result<void> password(Access& access, const AccountOptions& options) {
+  const auto fresh = Secret::from_file(options.new_file);
+  if (!fresh) return fresh.error();
+  Result<void> done;
+  if (options.name.empty() || options.name == options.common.login.user) {
+    const auto old = Secret::from_file(options.common.login.password_file);
+    if (!old) return old.error();
+    done = change_own_password(access, *old, *fresh);
+  } else {
+    done = reset_password(access, options.name, *fresh);
+  }
+  if (!done) return done;
+  print_answer(options.common.json, {{"changed", true}}, "the password was changed");
+  return {};
+}
+
+Result<void> pin(Access& access, const AccountOptions& options) {
+  Secret fresh;
+  if (!options.new_file.empty()) {
+    auto read = Secret::from_file(options.new_file);
+    if (!read) return read.error();
+    fresh = *std::move(read);
+  }
+  if (auto done = set_own_pin(access, fresh); !done) return done;
+  print_answer(options.common.json, {{"pin", !fresh.empty()}},
+               fresh.empty() ? "there is no PIN any more" : "the PIN was set");
+  return {};
+}
+
+Result<void> passphrase(Access& access, const AccountOptions& options) {
+  const auto fresh = Secret::from_file(options.new_file);
+  if (!fresh) return fresh.error();
+  if (auto done = change_passphrase(access, *fresh); !done) return done;
+  print_answer(options.common.json, {{"changed", true}},
+               "the passphrase was changed; backups made before keep the one they had");
+  return {};
+}
+
+Result<void> recovery_key(Access& access, const AccountOptions& options) {
+  const auto key = new_recovery_key(access);
+  if (!key) return key.error();
+  print_recovery_key(options.common.json, {}, "the recovery key of before opens nothing any more",
+                     *key);
+  return {};
+}
+
+Result<void> policy(Access& access, const AccountOptions& options) {
+  auto now = access.policy();
+  if (!now) return now.error();
+  if (options.lock_after_s > 0 || options.retention_years >= 0) {
+    if (options.lock_after_s > 0) now->lock_after_s = options.lock_after_s;
+    if (options.retention_years >= 0) now->retention_years = options.retention_years;
+    if (auto done = set_policy(access, *now); !done) return done;
+  }
+  print_answer(options.common.json,
+               {{"lock_after_s", now->lock_after_s}, {"retention_years", now->retention_years}},
+               "lock after " + std::to_string(now->lock_after_s) + " s, keep records " +
+                   std::to_string(now->retention_years) + " years");
+  return {};
+}
+
+struct AuditOptions {
+  AccessOptions common;
+  AuditFilter filter;
+  std::string contains;
+};
+
+/// COUNT:HASH
+Result<AuditHead> head_in(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  char* end = nullptr;
+  AuditHead head;
+  head.count = std::strtoll(text.c_str(), &end, 10);
+  constexpr std::size_t kDigits = 64;
+  if (colon == std::string::npos || end != text.c_str() + colon || head.count < 1 ||
+      text.size() - colon - 1 != kDigits)
+    return Error{Error::Code::bad_input,
+                 "is no head of an audit log",
+                 "give COUNT:HASH as isograsp db audit printed it",
+                 "",
+                 0,
+                 "--contains"};
+  head.hash = text.substr(colon + 1);
+  return head;
+}
+
+Result<void> audit(Access& access, const AuditOptions& options) {
+  const auto entries = read_audit(access, options.filter);
+  if (!entries) return entries.error();
+  const auto problems = check_audit(access);
+  if (!problems) return problems.error();
+  const auto head = audit_head(access);
+  if (!head) return head.error();
+  const std::string head_text = std::to_string(head->count) + ":" + head->hash;
+  Json json{{"file", options.common.file}, {"head", head_text}, {"problems", *problems}};
+  Lines text;
+  Json list = Json::array();
+  for (const AuditEntry& entry : *entries) {
+    list.push_back({{"number", entry.number},
+                    {"at_utc", entry.at_utc},
+                    {"actor", entry.actor},
+                    {"role", entry.role},
+                    {"act", entry.act},
+                    {"object", entry.object},
+                    {"result", entry.result},
+                    {"detail", entry.detail},
+                    {"hash", entry.hash}});
+    text.add(std::to_string(entry.number) + "  " + entry.at_utc + "  " +
+             (entry.actor.empty() ? "-" : entry.actor) + "  " + entry.act +
+             (entry.object.empty() ? "" : " " + entry.object) + "  " + entry.result +
+             (entry.detail.empty() ? "" : "  (" + entry.detail + ")"));
+  }
+  json["entries"] = list;
+  for (const auto& problem : *problems) text.add(problem);
+  text.add("head " + head_text);
+  bool contained = true;
+  if (!options.contains.empty()) {
+    const auto noted = head_in(options.contains);
+    if (!noted) return noted.error();
+    const auto found = audit_contains(access, *noted);
+    if (!found) return found.error();
+    contained = *found;
+    json["contains"] = contained;
+  }
+  print_answer(options.common.json, json, text);
+  if (problems->empty() && contained) return {};
+  return Error{Error::Code::failed,
+               contained ? problems->front() : "the log does not hold the head that was noted",
+               "compare with the backups: isograsp db audit on each",
+               options.common.file,
+               0,
+               ""};
+}
+
+}  // namespace
+
+void print_answer(bool as_json, const Json& json, const Lines& text) {
+  if (as_json)
+    print_json(json);
+  else
+    print_lines(text);
+}
+
+Subcommand add_access_options(Subcommand parent, const char* name, const char* description,
+                              const char* example, AccessOptions& options) {
+  Subcommand command = parent.subcommand(name, description);
+  command.option("FILE", options.file, "Database file").required();
+  command.flag("--json", options.json, "Print one JSON document");
+  options.login.add_to(command);
+  command.footer(std::string("Example:\n  isograsp db ") + example);
+  return command;
+}
+
+void add_db_access(Subcommand db) {
+  auto options = std::make_shared<AccountOptions>();
+  Subcommand users = db.subcommand("users", "Accounts of a protected database");
+  users.requires_subcommand();
+  const auto add_one = [&](Subcommand parent, const char* name, const char* description,
+                           const char* example, auto work) {
+    return add_access_command<AccountOptions>(parent, name, description, example, options, work);
+  };
+  add_one(users, "list", "Who has an account", "users list clinic.db --passphrase-file P",
+          list_users);
+  Subcommand made = add_one(users, "add", "A new account",
+                            "users add clinic.db --name Ada --role therapist "
+                            "--new-password-file ADA --passphrase-file P",
+                            add);
+  made.option("--name", options->name, "As the audit log shall name the person").required();
+  made.option("--role", options->role, "therapist, researcher or administrator").shows_default();
+  made.option("--new-password-file", options->new_file, "File with the password").required();
+  add_one(users, "remove", "Remove an account; its name is not given again",
+          "users remove clinic.db --name Ada --passphrase-file P", remove)
+      .option("--name", options->name, "Account")
+      .required();
+  Subcommand changed = add_one(users, "password", "A new password, one's own or another's",
+                               "users password clinic.db --user Ada --password-file OLD "
+                               "--new-password-file NEW",
+                               password);
+  changed.option("--name", options->name, "Account; without it, one's own");
+  changed.option("--new-password-file", options->new_file, "File with it").required();
+  add_one(users, "pin", "One's own PIN, for changing the user in the windows",
+          "users pin clinic.db --user Ada --password-file ADA --new-pin-file PIN", pin)
+      .option("--new-pin-file", options->new_file, "File with 4 to 12 digits; without: none");
+  add_one(db, "passphrase", "Change the clinic's passphrase",
+          "passphrase clinic.db --passphrase-file OLD --new-passphrase-file NEW", passphrase)
+      .option("--new-passphrase-file", options->new_file, "File with it")
+      .required();
+  add_one(db, "recovery-key", "A new recovery key in place of the one before",
+          "recovery-key clinic.db --passphrase-file P", recovery_key);
+  Subcommand decided = add_one(db, "policy", "Time of the lock, years that records are kept",
+                               "policy clinic.db --retention-years 10 --passphrase-file P", policy);
+  decided.option("--lock-after", options->lock_after_s, "Seconds without a touch [s]")
+      .range(30, 86400);
+  decided.option("--retention-years", options->retention_years, "After the last record")
+      .range(0, 100);
+
+  auto audit_options = std::make_shared<AuditOptions>();
+  Subcommand printed =
+      add_access_command<AuditOptions>(db, "audit", "Print and prove the audit log",
+                                       "audit clinic.db --passphrase-file P", audit_options, audit);
+  printed.option("--act", audit_options->filter.act, "Only this act, e.g. 'read identity'");
+  printed.option("--object", audit_options->filter.object, "Only of this code or name");
+  printed.option("--contains", audit_options->contains,
+                 "COUNT:HASH, a head that was printed earlier: is it part of this log?");
+}
+
+}  // namespace isograsp

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp db identity, consent, erase, person: what the clinic owes one person.
+#include <cstdio>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "app/db/db_commands.hpp"
+#include "app/db/person_export.hpp"
+#include "core/files.hpp"
+#include "storage/person/consent.hpp"
+#include "storage/person/erasure.hpp"
+#include "storage/person/identity.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct PersonOptions {
+  AccessOptions common;
+  std::string patient;
+  std::string from;
+  std::string emergency;
+  std::string out;
+  std::string reason;
+  bool plan = false;
+  bool lift = false;
+  Consent consent;
+};
+
+Error bad_json(const std::string& path, std::string what) {
+  return {Error::Code::bad_input,
+          std::move(what),
+          R"(give {"name": "…", "birth_date": "1950-03-05", "contact": "…"})",
+          path,
+          0,
+          ""};
+}
+
+/// Errors never repeat what the file holds.
+Result<Identity> read_identity_file(const std::string& path) {
+  constexpr std::size_t kMost = std::size_t{64} << 10;
+  auto text = read_text(path);
+  if (!text) return text.error();
+  if (text->size() > kMost) return bad_json(path, "is larger than 64 KiB");
+  const Json json = Json::parse(*text, nullptr, false);
+  (void)Secret::taken_from(*text);
+  if (!json.is_object()) return bad_json(path, "is no JSON object");
+  Identity identity;
+  for (const auto& [key, value] : json.items()) {
+    std::string* const field = key == "name"         ? &identity.name
+                               : key == "birth_date" ? &identity.birth_date
+                               : key == "contact"    ? &identity.contact
+                                                     : nullptr;
+    if (field == nullptr) return bad_json(path, "has a key other than name, birth_date, contact");
+    if (!value.is_string()) return bad_json(path, "holds something other than text");
+    *field = value.get<std::string>();
+  }
+  return identity;
+}
+
+Result<void> show(Access& access, const PersonOptions& options) {
+  const auto identity = read_identity(access, options.patient, options.emergency);
+  if (!identity) return identity.error();
+  if (!*identity) {
+    print_answer(options.common.json, {{"patient", options.patient}, {"identity", nullptr}},
+                 options.patient + ": not told");
+    return {};
+  }
+  const Identity& one = **identity;
+  Lines text = options.patient + ": " + one.name +
+               (one.birth_date.empty() ? "" : ", born " + one.birth_date);
+  if (!one.contact.empty()) text.add(one.contact);
+  print_answer(options.common.json,
+               {{"patient", options.patient},
+                {"identity",
+                 {{"name", one.name}, {"birth_date", one.birth_date}, {"contact", one.contact}}}},
+               text);
+  return {};
+}
+
+Result<void> set(Access& access, const PersonOptions& options) {
+  const auto identity = read_identity_file(options.from);
+  if (!identity) return identity.error();
+  if (auto done = set_identity(access, options.patient, *identity); !done) return done;
+  print_answer(options.common.json, {{"patient", options.patient}, {"stored", true}},
+               options.patient + ": identity stored");
+  return {};
+}
+
+Result<void> list_consents(Access& access, const PersonOptions& options) {
+  const auto all = consents(access, options.patient);
+  if (!all) return all.error();
+  Json json = Json::array();
+  Lines text;
+  for (const Consent& one : *all) {
+    json.push_back({{"on_date", one.on_date},
+                    {"purpose", one.purpose},
+                    {"basis", one.basis},
+                    {"state", one.state},
+                    {"text", one.text},
+                    {"recorded_utc", one.recorded_utc},
+                    {"recorded_by", one.recorded_by}});
+    text.add(one.on_date + "  " + one.purpose + "  " + one.state + "  (" + one.basis + ")" +
+             (one.text.empty() ? "" : "  " + one.text));
+  }
+  print_answer(options.common.json, json, text.empty() ? Lines("nothing recorded") : text);
+  return {};
+}
+
+Result<void> record_consent(Access& access, const PersonOptions& options) {
+  const auto id = add_consent(access, options.patient, options.consent);
+  if (!id) return id.error();
+  print_answer(options.common.json, {{"patient", options.patient}, {"stored", true}},
+               options.patient + ": " + options.consent.purpose + " " + options.consent.state);
+  return {};
+}
+
+void print_erasure(const PersonOptions& options, const ErasureDone& done) {
+  const ErasurePlan& plan = done.plan;
+  Json json{{"patient", plan.code},
+            {"erased", done.erased},
+            {"swept", done.erased && !done.not_swept},
+            {"restricted", plan.restricted},
+            {"may_erase", plan.may_erase},
+            {"last_record_date", plan.last_record_date},
+            {"keep_until_date", plan.keep_until_date},
+            {"rows", Json::object()},
+            {"remains", done.remains}};
+  Lines text;
+  if (done.erased) {
+    text.add(plan.code + ": erased");
+    for (const auto& [table, rows] : done.rows) {
+      json["rows"][table] = rows;
+      text.add("  " + std::to_string(rows) + " of " + table);
+    }
+  } else if (plan.restricted) {
+    text.add(plan.code + ": restricted; the law asks to keep the records until " +
+             plan.keep_until_date + ", erase again after that day");
+  } else {
+    text.add(plan.code + ": last record of " + plan.last_record_date + ", to be kept until " +
+             plan.keep_until_date +
+             (plan.may_erase ? "; would be erased now" : "; would be restricted now"));
+  }
+  if (!done.remains.empty()) {
+    text.add("What may still hold the person, and is for you to remove:");
+    for (const auto& one : done.remains) text.add("  " + one);
+  }
+  print_answer(options.common.json, json, text);
+}
+
+Result<void> erase(Access& access, const PersonOptions& options) {
+  if (options.plan) {
+    const auto plan = plan_erasure(access, options.patient);
+    if (!plan) return plan.error();
+    ErasureDone nothing;
+    nothing.plan = *plan;
+    print_erasure(options, nothing);
+    return {};
+  }
+  if (options.lift) {
+    if (auto done = lift_restriction(access, options.patient, options.reason); !done) return done;
+    print_answer(options.common.json, {{"patient", options.patient}, {"restricted", false}},
+                 options.patient + ": no longer restricted");
+    return {};
+  }
+  const auto done = erase_patient(access, options.patient, options.reason);
+  if (!done) return done.error();
+  print_erasure(options, *done);
+  if (done->not_swept) return *done->not_swept;
+  return {};
+}
+
+Result<void> person(Access& access, const PersonOptions& options) {
+  const auto trials = export_person(access, options.patient, options.out);
+  if (!trials) return trials.error();
+  print_answer(options.common.json,
+               {{"patient", options.patient}, {"out", options.out}, {"trials", *trials}},
+               options.patient + ": all of it, with " + std::to_string(*trials) +
+                   " trials, written to " + options.out);
+  return {};
+}
+
+}  // namespace
+
+void add_db_person(Subcommand db) {
+  auto options = std::make_shared<PersonOptions>();
+  const auto add_one = [&](Subcommand parent, const char* name, const char* description,
+                           const char* example, auto work) {
+    Subcommand command =
+        add_access_command<PersonOptions>(parent, name, description, example, options, work);
+    command.option("--patient", options->patient, "Patient code").required();
+    return command;
+  };
+  Subcommand identity = db.subcommand("identity", "Who a code is (protected databases)");
+  identity.requires_subcommand();
+  add_one(identity, "show", "Name, birth date, contact; the reading is logged",
+          "identity show clinic.db --patient P-0427 --user Ada --password-file ADA", show)
+      .option("--emergency", options->emergency, "Reason to see a restricted person; it is logged");
+  add_one(identity, "set", "Store it",
+          "identity set clinic.db --patient P-0427 --from person.json --user Ada "
+          "--password-file ADA",
+          set)
+      .option("--from", options->from, "JSON file with name, birth_date, contact")
+      .required();
+
+  Subcommand consent = db.subcommand("consent", "Lawful basis and consent");
+  consent.requires_subcommand();
+  add_one(consent, "list", "What was said, in order", "consent list clinic.db --patient P-0427",
+          list_consents);
+  Subcommand said = add_one(consent, "add", "Record it",
+                            "consent add clinic.db --patient P-0427 --purpose research --basis "
+                            "consent --state given --date 2026-03-05",
+                            record_consent);
+  said.option("--purpose", options->consent.purpose, "treatment, research or teaching").required();
+  said.option("--basis", options->consent.basis,
+              "consent, contract, legal_obligation, vital_interests, public_interest, "
+              "legitimate_interest, care or research")
+      .required();
+  said.option("--state", options->consent.state, "given, refused or withdrawn").required();
+  said.option("--date", options->consent.on_date, "Day it was said, e.g. 2026-03-05").required();
+  said.option("--text", options->consent.text, "Such as the version of the form");
+
+  Subcommand erased =
+      add_one(db, "erase", "Restrict or erase a person's records on request",
+              "erase clinic.db --patient P-0427 --reason 'letter of 5 March'", erase);
+  erased.option("--reason", options->reason, "Logged: name nobody");
+  erased.flag("--plan", options->plan, "Only say what would happen");
+  erased.flag("--lift", options->lift, "End a restriction");
+
+  add_one(db, "person", "All that is stored about one person, for that person",
+          "person clinic.db --patient P-0427 --out P-0427 --passphrase-file P", person)
+      .option("--out", options->out, "Folder to make")
+      .required();
+}
+
+}  // namespace isograsp

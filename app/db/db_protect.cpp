@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp db init --protected, protect: where a protected database comes from.
+#include <nlohmann/json.hpp>
+
+#include "app/db/db_commands.hpp"
+#include "storage/access/protection.hpp"
+#include "storage/file/open_mode.hpp"
+#include "storage/records/session_store.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Result<Secret> passphrase_of(const AccessOptions& options, const char* field) {
+  if (options.login.passphrase_file.empty())
+    return Error{Error::Code::bad_input,
+                 "no passphrase is given",
+                 "write it into a file that only you may read and give --passphrase-file",
+                 "",
+                 0,
+                 field};
+  return Secret::from_file(options.login.passphrase_file);
+}
+
+Result<void> protect(const AccessOptions& options) {
+  const auto passphrase = passphrase_of(options, "--passphrase-file");
+  if (!passphrase) return passphrase.error();
+  const auto done = protect_database(options.file, *passphrase);
+  if (!done) return done.error();
+  Json json{{"file", options.file},
+            {"protected", true},
+            {"swept", !done->not_swept},
+            {"copy", done->copy},
+            {"remains", done->remains}};
+  if (done->recovery_key.empty()) {
+    print_answer(options.json, json, options.file + ": is protected already");
+  } else {
+    Lines text = options.file + ": protected; as it was, in plain text: " + done->copy;
+    text.add("What still holds plain text, and is for you to lock away or remove:");
+    for (const auto& one : done->remains) text.add("  " + one);
+    print_recovery_key(options.json, json, text, done->recovery_key);
+  }
+  if (done->not_swept) return *done->not_swept;
+  return {};
+}
+
+}  // namespace
+
+Result<void> init_protected(const AccessOptions& options) {
+  const auto passphrase = passphrase_of(options, "--protected");
+  if (!passphrase) return passphrase.error();
+  const auto made = Access::create(options.file, *passphrase);
+  if (!made) return made.error();
+  print_recovery_key(
+      options.json, {{"file", options.file}, {"format", kDatabaseFormat}, {"protected", true}},
+      options.file + ": made, format " + std::to_string(kDatabaseFormat) + ", protected",
+      made->recovery_key);
+  return {};
+}
+
+void print_recovery_key(bool as_json, Json json, Lines text, const Secret& key) {
+  json["recovery_key"] = std::string(key.text());
+  text.add("recovery key: " + std::string(key.text()));
+  text.add("Print it and lock it away: it is shown this once and opens everything.");
+  print_answer(as_json, json, text);
+}
+
+void add_db_protect(Subcommand db) {
+  auto options = std::make_shared<AccessOptions>();
+  Subcommand command = add_access_options(
+      db, "protect", "Give a database that was made without it a passphrase; seal its texts",
+      "protect clinic.db --passphrase-file P", *options);
+  command.runs([options] { return protect(*options); });
+}
+
+}  // namespace isograsp

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp db rescue: sessions whose database was taken away come back into it.
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "app/db/db_commands.hpp"
+#include "storage/care/emergency.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct RescueOptions {
+  AccessOptions common;
+  bool list = false;
+};
+
+std::string line_of(const EmergencyFile& file) {
+  return file.path + ": session of " + file.patient_code + " that began " + file.started_utc +
+         ", " + std::to_string(file.trials) + " trials" +
+         (file.has_whole ? ", and a copy of the whole database" : "") + "; recorded into " +
+         file.database + ", left because: " + file.reason;
+}
+
+Json json_of(const EmergencyFile& file) {
+  return {{"path", file.path},
+          {"database", file.database},
+          {"patient", file.patient_code},
+          {"started_utc", file.started_utc},
+          {"trials", file.trials},
+          {"whole", file.has_whole ? file.whole() : ""},
+          {"reason", file.reason}};
+}
+
+Result<void> take_in(const std::string& database, const EmergencyFile& file, Json& json,
+                     Lines& text) {
+  const auto done = rescue(database, file);
+  if (!done) return done.error();
+  if (!done->conflicts.empty())
+    return Error{Error::Code::failed,
+                 "nothing of " + file.path + " was taken in: " + done->conflicts.front(),
+                 "make both files agree, then rescue again; the emergency file stays",
+                 database,
+                 0,
+                 ""};
+  Json one = json_of(file);
+  one["trials_added"] = done->trials_added;
+  one["trials_present"] = done->trials_present;
+  json["rescued"].push_back(std::move(one));
+  text.add(database + ": session of " + file.patient_code + " that began " + file.started_utc +
+           ": " + std::to_string(done->trials_added) + " trials added, " +
+           std::to_string(done->trials_present) + " were there already");
+  return {};
+}
+
+Result<void> rescue_all(const RescueOptions& options) {
+  const std::string& database = options.common.file;
+  const auto files = emergency_files(database);
+  Json json{{"file", database}};
+  Lines text;
+  if (options.list) {
+    json["emergency_files"] = Json::array();
+    for (const EmergencyFile& file : files) {
+      json["emergency_files"].push_back(json_of(file));
+      text.add(line_of(file));
+    }
+  } else {
+    json["rescued"] = Json::array();
+    std::unique_ptr<Access> access;
+    for (const EmergencyFile& file : files) {
+      if (auto there = put_back(database, file); !there) return there;
+      if (access == nullptr && is_protected_database(database)) {
+        auto opened = log_in(database, options.common.login);
+        if (!opened) return opened.error();
+        access = *std::move(opened);
+      }
+      if (auto done = take_in(database, file, json, text); !done) return done;
+    }
+  }
+  if (files.empty()) text = database + ": no session of it is in " + emergency_folder();
+  print_answer(options.common.json, json, text);
+  return {};
+}
+
+}  // namespace
+
+void add_db_rescue(Subcommand db) {
+  auto options = std::make_shared<RescueOptions>();
+  Subcommand command = add_access_options(
+      db, "rescue", "Take in sessions whose file was taken away while they were recorded",
+      "rescue clinic.db", options->common);
+  command.flag("--list", options->list, "Only say which there are");
+  command.runs([options] { return rescue_all(*options); });
+}
+
+}  // namespace isograsp

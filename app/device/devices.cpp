@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp devices: what can be connected here and what it would need.
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/console.hpp"
+#include "app/device/live_device.hpp"
+#include "device/bus/bus.hpp"
+#include "device/config/device_config.hpp"
+#include "device/sensors/device_check.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct DevicesOptions {
+  bool json = false;
+  bool check = false;
+  std::string config;
+  std::string device;
+  double weight_N = 0.0;
+  std::optional<Hand> hand;  ///< for which the platform stands
+};
+
+struct Scheme {
+  const char* uri;
+  const char* what;
+  const char* needs;
+};
+constexpr std::array<Scheme, 8> kSchemes{
+    {{"sim://healthy", "simulated sensors, pressed by a healthy virtual patient", "nothing"},
+     {"sim://paretic", "simulated sensors, pressed by a paretic virtual patient", "nothing"},
+     {"replay://FILE.csv?speed=1", "a recorded finger-forces file", "the file"},
+     {"can://IFACE?protocol=rft", "three Robotous RFT sensors on one CAN bus",
+      "a CAN adapter with a Linux driver, 1 Mbit/s, switched on"},
+     {"can://IFACE?protocol=ati-netcanoem", "three ATI sensors with CAN boards",
+      "a CAN adapter with a Linux driver, 250 kbit/s or as the boards are set, switched on"},
+     {"can://IFACE?protocol=jr3-can", "three JR3 sensors with open CAN adaptors",
+      "a CAN adapter with a Linux driver, 1 Mbit/s, switched on"},
+     {"udp://HOST,HOST,HOST?protocol=net-ft", "three ATI Net F/T boxes",
+      "a network to the boxes, their web page reachable"},
+     {"serial://PORT,PORT,PORT?protocol=rft", "three Robotous RFT sensors on serial lines",
+      "the right to open the ports (group dialout)"}}};
+
+std::string needs_of(const CanInterface& interface) {
+  return interface.up
+             ? "nothing: it is on"
+             : "sudo ip link set " + interface.name + " up type can bitrate 1000000 restart-ms 100";
+}
+
+/// How a sensor is reached, in words.
+std::string way_of(const SensorConfig& sensor) {
+  char text[96];
+  if (const auto* rft = std::get_if<RftSensor>(&sensor.way)) {
+    if (!rft->address.empty()) return rft->address;
+    std::snprintf(text, sizeof text, "command 0x%02X, data 0x%02X and 0x%02X",
+                  static_cast<unsigned>(rft->ids.command), static_cast<unsigned>(rft->ids.first),
+                  static_cast<unsigned>(rft->ids.second));
+  } else if (const auto* ati = std::get_if<AtiSensor>(&sensor.way)) {
+    std::snprintf(text, sizeof text, "base 0x%02X, identifiers from 0x%03X, calibration %u",
+                  static_cast<unsigned>(ati->base), static_cast<unsigned>(ati->base) << 4,
+                  static_cast<unsigned>(ati->calibration));
+  } else if (const auto* jr3 = std::get_if<Jr3Sensor>(&sensor.way)) {
+    std::snprintf(text, sizeof text, "node %u", static_cast<unsigned>(jr3->node));
+  } else if (const auto* box = std::get_if<NetFtSensor>(&sensor.way)) {
+    return "box " + box->host;
+  } else {
+    std::snprintf(text, sizeof text, "subdevice %u",
+                  std::get<Jr3ComediSensor>(sensor.way).subdevice);
+  }
+  return text;
+}
+
+nlohmann::ordered_json as_json(const std::string& path, const DeviceConfig& config) {
+  nlohmann::ordered_json document{
+      {"config", path},
+      {"protocol", name_of(config.protocol)},
+      {"hand", config.hand ? nlohmann::ordered_json(name_of(*config.hand)) : "both"},
+      {"rate_Hz", config.rate_Hz},
+      {"filter_Hz", config.filter_Hz},
+      {"fir_taps", config.fir_taps},
+      {"sensors", nlohmann::ordered_json::array()}};
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const auto& s = config.sensors[f];
+    document["sensors"].push_back(
+        {{"finger", kFingerNames[f]},
+         {"way", way_of(s)},
+         {"serial_number", s.serial_number},
+         {"calibration", s.calibration ? nlohmann::ordered_json(s.calibration->file)
+                                       : nlohmann::ordered_json(nullptr)}});
+  }
+  return document;
+}
+
+void print_config(const std::string& path, const DeviceConfig& config) {
+  print("%s is good: %s, %g Hz.\n", printable(path).c_str(),
+        std::string(title_of(config.protocol)).c_str(), config.rate_Hz);
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const auto& s = config.sensors[f];
+    print("  %-6s  %s, serial number %s\n", std::string(kFingerNames[f]).c_str(),
+          printable(way_of(s)).c_str(),
+          s.serial_number.empty() ? "any" : printable(s.serial_number).c_str());
+  }
+}
+
+/// Walks the therapist through every support; presses are found by themselves.
+Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
+                                            const std::string& device) {
+  auto live = LiveDevice::open(device);
+  if (!live) return live.error();
+  const auto say = [&](const std::string& text) {
+    if (!options.json) {
+      print_lines(text);
+      std::fflush(stdout);
+    }
+  };
+  std::optional<double> weight_N;
+  if (options.weight_N > 0.0) weight_N = options.weight_N;
+  // A platform that takes both hands stands for one of them now: where the wrist is follows.
+  const auto& info = live->device().info();
+  const Hand hand = options.hand.value_or(info.hand.value_or(Hand::right));
+  if (info.hand) {
+    if (hand != *info.hand)
+      return Error{Error::Code::bad_input,
+                   "the device is set up for the " + std::string(name_of(*info.hand)) + " hand",
+                   "leave out --hand",
+                   device,
+                   0,
+                   "--hand"};
+  } else if (!options.hand) {
+    say("The platform is taken to stand for the right hand; add --hand left for the other one.");
+  }
+  DeviceCheck check(info.frame_period_s, hand, weight_N);
+  say("Take everything off the supports and do not touch them.");
+  bool empty_known = false;
+  const auto run = live->run(0.0, [&](const FingerFrame& frame) {
+    if (!empty_known) {
+      empty_known = check.add_empty(frame);
+      if (empty_known) say(check.step().instruction());
+      return true;
+    }
+    const auto result = check.add(frame);
+    if (!result) return true;
+    say("  " + result->sentence());
+    if (!check.complete()) say("Let go. " + check.step().instruction());
+    return !check.complete();
+  });
+  if (!run) return run.error();
+  nlohmann::ordered_json steps = nlohmann::ordered_json::array();
+  const CheckResult* wrong = nullptr;
+  for (const auto& r : check.results()) {
+    steps.push_back({{"finger", name_of(r.step.finger)},
+                     {"press", name_of(r.step.press)},
+                     {"good", r.verdict == CheckVerdict::good},
+                     {"felt_by", name_of(r.felt_by)},
+                     {"force_N", {r.force_N.x(), r.force_N.y(), r.force_N.z()}},
+                     {"sentence", r.sentence()}});
+    if (r.verdict != CheckVerdict::good && wrong == nullptr) wrong = &r;
+  }
+  if (!check.complete())
+    return Error{
+        Error::Code::failed, "the check was not finished", "begin it again", device, 0, ""};
+  if (wrong != nullptr)
+    return Error{Error::Code::failed, "the device did not pass", wrong->sentence(), device, 0, ""};
+  say("The device passed.");
+  return steps;
+}
+
+/// Where the sensors of this file are, if anybody says it.
+std::string device_of(const DevicesOptions& options, const DeviceConfig& config) {
+  if (!options.device.empty()) return options.device;
+  if (config.interface.empty()) return "";
+  return "can://" + config.interface + "?config=" + options.config;
+}
+
+Result<void> check_config(const DevicesOptions& options) {
+  const auto config = DeviceConfig::read(options.config);
+  if (!config) return config.error();
+  auto document = as_json(options.config, *config);
+  if (!options.json) print_config(options.config, *config);
+  if (const auto device = device_of(options, *config); options.check && !device.empty()) {
+    auto steps = walk_through(options, device);
+    if (!steps) return steps.error();
+    document["steps"] = *steps;
+  } else if (options.check && !options.json) {
+    print(
+        "To be led through every support, connect the device and add its address, for example "
+        "--device 'can://can0?config=%s'.\n",
+        printable(options.config).c_str());
+  }
+  if (options.json) print_json(document);
+  return {};
+}
+
+Result<void> run_devices(const DevicesOptions& options) {
+  if (!options.config.empty()) return check_config(options);
+  if (options.check)
+    return Error{
+        Error::Code::bad_input, "there is nothing to check", "add --config FILE", "", 0, "--check"};
+  const auto interfaces = list_can_interfaces();
+  if (options.json) {
+    nlohmann::ordered_json document{{"schemes", nlohmann::ordered_json::array()},
+                                    {"can_interfaces", nlohmann::ordered_json::array()}};
+    for (const auto& s : kSchemes)
+      document["schemes"].push_back({{"uri", s.uri}, {"what", s.what}, {"needs", s.needs}});
+    for (const auto& i : interfaces)
+      document["can_interfaces"].push_back(
+          {{"name", i.name}, {"up", i.up}, {"needs", needs_of(i)}});
+    print_json(document);
+    return {};
+  }
+  print_lines("Devices");
+  for (const auto& s : kSchemes)
+    print("  %-26s  %s\n  %-26s  needs %s\n", s.uri, s.what, "", s.needs);
+  print_lines("CAN interfaces of this computer");
+  if (interfaces.empty()) print_lines("  none");
+  for (const auto& i : interfaces)
+    print("  %-10s  %s  needs %s\n", i.name.c_str(), i.up ? "on " : "off", needs_of(i).c_str());
+  return {};
+}
+
+}  // namespace
+
+void add_devices(CommandLine& line) {
+  auto options = std::make_shared<DevicesOptions>();
+  Subcommand command = line.subcommand("devices", "What can be connected, and what it needs");
+  command.flag("--json", options->json, "Print one JSON document");
+  command.option("--config", options->config, "Device file (TOML) to look at");
+  command.flag("--check", options->check,
+               "Check that file and, with the device connected, every support");
+  command.option("--device", options->device,
+                 "Where the sensors are, if the file does not name the interface");
+  command.option("--weight", options->weight_N, "Reference weight in newtons").range(0.5, 100.0);
+  command.option("--hand", options->hand,
+                 "For which the platform stands, if its file does not say it");
+  command.footer("Example:\n  isograsp devices --config clinic.toml --check");
+  command.runs([options] { return run_devices(*options); });
+}
+
+}  // namespace isograsp

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/codec/net_ft_sequence.hpp"
+
+#include <algorithm>
+
+namespace isograsp {
+
+namespace {
+
+constexpr std::uint32_t kHalf = 0x80000000;
+/// No datagram is late by more.
+constexpr double kLongestDelay_s = 1.0;
+/// Measurements inside the sensor in that time.
+constexpr std::uint32_t kLongestLate = 8000;
+/// Delays differ by no more than this between a record and the next but one: what is missing
+/// between them was sent.
+constexpr double kLongestJitter_s = 0.05;
+/// The arrival of a datagram is known no better than this: it may seem to come before the start.
+constexpr double kStampJitter_s = 0.001;
+/// The first records of a stream need not be a whole period apart.
+constexpr double kPartOfRecord = 0.25;
+/// Boxes round their rate to a fraction of their own and have clocks of their own.
+constexpr double kRateTolerance = 0.02;
+
+}  // namespace
+
+void NetFtSequence::start(Timestamp when) noexcept {
+  started_ = when;
+  newest_.reset();
+  unplaced_.reset();
+}
+
+/// Records, at most.
+double NetFtSequence::sent_in(double seconds) const noexcept {
+  return seconds * rate_Hz_ * (1.0 + kRateTolerance);
+}
+
+void NetFtSequence::join(const NetFtRecord& record, Timestamp stamp, double spare) noexcept {
+  started_.reset();
+  unplaced_.reset();
+  newest_ = Number{record.rdt_sequence, record.ft_sequence};
+  newest_stamp_ = stamp;
+  spare_ = std::min(spare, kLongestDelay_s * rate_Hz_);
+  seen_ = 0;
+  remember(record);
+}
+
+void NetFtSequence::remember(const NetFtRecord& record) noexcept {
+  seen_ |= std::uint64_t{1} << (newest_->rdt - record.rdt_sequence);
+  ft_of_[record.rdt_sequence % kWindow] = record.ft_sequence;
+}
+
+bool NetFtSequence::remembers(std::uint32_t rdt_sequence) const noexcept {
+  const std::uint32_t behind = newest_->rdt - rdt_sequence;
+  return behind < kWindow && (seen_ >> behind & 1U) != 0;
+}
+
+NetFtSequence::Place NetFtSequence::push(const NetFtRecord& record, Timestamp stamp) noexcept {
+  if (started_) return begin(record, stamp);
+  if (!newest_) {
+    join(record, stamp, kLongestDelay_s * rate_Hz_);
+    return Place::in_order;
+  }
+  if (remembers(record.rdt_sequence)) {
+    if (ft_of_[record.rdt_sequence % kWindow] != record.ft_sequence)
+      return contradiction(record, stamp, Place::unplaced);
+    ++duplicate_;
+    return Place::duplicate;
+  }
+  if (record.rdt_sequence - newest_->rdt < kHalf) return go_on(record, stamp);
+  if (newest_->ft - record.ft_sequence > kLongestLate)
+    return contradiction(record, stamp, Place::unplaced);
+  ++late_;
+  if (newest_->rdt - record.rdt_sequence < kWindow) remember(record);
+  return Place::late;
+}
+
+/// The first record may have been sent at the start.
+NetFtSequence::Place NetFtSequence::begin(const NetFtRecord& record, Timestamp stamp) noexcept {
+  const double since_s = to_seconds(stamp - *started_) + kStampJitter_s;
+  const double sent = 1.0 + sent_in(since_s);
+  if (since_s < 0.0 || record.rdt_sequence == 0 || record.rdt_sequence > sent + kPartOfRecord)
+    return Place::stale;
+  lost_ += record.rdt_sequence - 1;
+  join(record, stamp, sent - record.rdt_sequence);
+  return Place::in_order;
+}
+
+/// A record with a higher number than all before.
+NetFtSequence::Place NetFtSequence::go_on(const NetFtRecord& record, Timestamp stamp) noexcept {
+  const std::uint32_t ahead = record.rdt_sequence - newest_->rdt;
+  const std::uint32_t ft_ahead = record.ft_sequence - newest_->ft;
+  if (ft_ahead >= kHalf) return contradiction(record, stamp, Place::unplaced);
+  const double since_s = std::max(0.0, to_seconds(stamp - newest_stamp_));
+  // The next one may have been kept by the network for long; that some of those before it are
+  // missing is believed only as far as the time tells it.
+  const double kept = ahead == 1 ? spare_ : std::min(spare_, kLongestJitter_s * rate_Hz_);
+  const double slack = kPartOfRecord + sent_in(kStampJitter_s);
+  const double most_ft = (since_s + kLongestDelay_s) * kNetFtFastest_Hz * (1.0 + kRateTolerance);
+  if (ahead > sent_in(since_s) + kept + slack || ft_ahead > most_ft)
+    return contradiction(record, stamp, Place::impossible);
+  lost_ += ahead - 1;
+  seen_ = ahead < kWindow ? seen_ << ahead : 0;
+  newest_ = Number{record.rdt_sequence, record.ft_sequence};
+  newest_stamp_ = std::max(newest_stamp_, stamp);
+  spare_ = std::min(spare_ + sent_in(since_s) - ahead, kLongestDelay_s * rate_Hz_);
+  unplaced_.reset();
+  remember(record);
+  if (ft_ahead != 0) return Place::in_order;
+  ++stalled_;
+  return Place::stalled;
+}
+
+/// A stream that began anew goes on from its first record; a stray record stands alone.
+NetFtSequence::Place NetFtSequence::contradiction(const NetFtRecord& record, Timestamp stamp,
+                                                  Place what) noexcept {
+  if (unplaced_) {
+    const std::uint32_t ahead = record.rdt_sequence - unplaced_->rdt;
+    const std::uint32_t ft_ahead = record.ft_sequence - unplaced_->ft;
+    if (ahead >= 1 && ahead < kWindow && ft_ahead < kHalf) {
+      ++restarts_;
+      lost_ += ahead - 1;
+      join(record, stamp, kLongestDelay_s * rate_Hz_);
+      return Place::restarted;
+    }
+  }
+  ++(what == Place::impossible ? impossible_ : late_);
+  unplaced_ = Number{record.rdt_sequence, record.ft_sequence};
+  return what;
+}
+
+void NetFtSequence::reset_counters() noexcept {
+  lost_ = 0;
+  duplicate_ = 0;
+  late_ = 0;
+  stalled_ = 0;
+  impossible_ = 0;
+  restarts_ = 0;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// can://IFACE?protocol=…, udp://HOST,HOST,HOST?protocol=…, serial://PORT,PORT,PORT?protocol=…:
+// three sensors on a bus.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "device/config/device_config.hpp"
+#include "device/config/uri.hpp"
+#include "device/sensors/force_device.hpp"
+
+namespace isograsp {
+
+/// Opens the bus and reads the configuration (docs/devices.md). Errors name the interface, the
+/// protocol or the parameter. The sensors stay untouched until start().
+[[nodiscard]] Result<std::unique_ptr<ForceDevice>> open_sensors(const Uri& uri,
+                                                                const DeviceOptions& options);
+
+/// What a device URI says: the configuration file or the protocol's standard, with interface or
+/// addresses, rate and fir of the URI in force.
+[[nodiscard]] Result<DeviceConfig> config_of(const Uri& uri);
+
+/// "HOST:PORT" of each sensor on a network.
+[[nodiscard]] std::array<std::string, kFingerCount> udp_addresses(const DeviceConfig& config);
+/// Identifiers on CAN that these sensors send with.
+[[nodiscard]] std::vector<std::uint32_t> sensor_ids(const DeviceConfig& config);
+/// Identifiers on CAN that these sensors listen to.
+[[nodiscard]] std::vector<std::uint32_t> command_ids(const DeviceConfig& config);
+
+}  // namespace isograsp

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exports/bids_events.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "core/csv.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// By the numbers of the column `phase`; those of `cue` (docs/file_formats.md).
+constexpr std::array<const char*, 6> kPhases{"lead_in", "active", "transport",
+                                             "hold",    "paused", "done"};
+constexpr std::array<const char*, 8> kCues{"hand_out", "relax",     "squeeze", "press",
+                                           "follow",   "reproduce", "let_go",  "move"};
+constexpr std::array<const char*, kCues.size()> kAskedTo{"take the hand out",
+                                                         "relax",
+                                                         "squeeze",
+                                                         "press",
+                                                         "follow the target",
+                                                         "reproduce the force without seeing it",
+                                                         "let go",
+                                                         "move the object"};
+
+struct Row {
+  double onset_s = 0.0;
+  std::optional<double> duration_s;
+  std::string type;
+  std::string text;
+};
+
+/// Stretches in which a column of numbers of an enumeration stays the same.
+template <std::size_t Size>
+void add_stretches(std::vector<Row>& rows, const ExportTrial& trial, const char* column,
+                   const std::array<const char*, Size>& names) {
+  const auto values = trial.signals.column(column);
+  const auto times = trial.signals.column("t_s");
+  for (std::size_t begin = 0; begin < values.size();) {
+    std::size_t end = begin + 1;
+    while (end < values.size() && values[end] == values[begin]) ++end;
+    const double last_s =
+        end < values.size() ? times[end] : times.back() + 1.0 / trial.session.rate_Hz;
+    const double value = values[begin];
+    if (value >= 0.0 && value < static_cast<double>(Size))
+      rows.push_back({times[begin] - times.front(), last_s - times[begin],
+                      std::string(column) + "_" + names[static_cast<std::size_t>(value)], ""});
+    begin = end;
+  }
+}
+
+}  // namespace
+
+std::string tsv_cell(std::string text) {
+  for (char& letter : text)
+    if (letter == '\t' || letter == '\n' || letter == '\r') letter = ' ';
+  return text.empty() ? "n/a" : without_formula(std::move(text));
+}
+
+std::string bids_events(const ExportTrial& trial) {
+  std::vector<Row> rows;
+  add_stretches(rows, trial, "phase", kPhases);
+  add_stretches(rows, trial, "cue", kCues);
+  const auto times = trial.signals.column("t_s");
+  const double begun_s = trial.trial.session_time_s + (times.empty() ? 0.0 : times.front());
+  for (const auto& event : trial.events) {
+    std::string type = event.kind;
+    std::replace(type.begin(), type.end(), ' ', '_');
+    rows.push_back({event.session_time_s - begun_s, {}, type, event.text});
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.onset_s < b.onset_s; });
+  std::string table = "onset\tduration\ttrial_type\tdescription\n";
+  for (const auto& row : rows)
+    table += format_number(row.onset_s) + "\t" +
+             (row.duration_s ? format_number(*row.duration_s) : "n/a") + "\t" + tsv_cell(row.type) +
+             "\t" + tsv_cell(row.text) + "\n";
+  return table;
+}
+
+std::string bids_events_sidecar() {
+  Json levels;
+  for (const char* phase : kPhases)
+    levels[std::string("phase_") + phase] = "the task is in this phase";
+  for (std::size_t i = 0; i < kCues.size(); ++i)
+    levels[std::string("cue_") + kCues[i]] = std::string("the patient was asked to ") + kAskedTo[i];
+  levels["fault"] = "the device had a fault";
+  levels["pause"] = "the trial was paused";
+  levels["resume"] = "the trial went on";
+  levels["abort"] = "the trial was ended early";
+  return Json{{"trial_type", {{"Description", "What happened"}, {"Levels", levels}}},
+              {"description", {{"Description", "In words, as the program told it"}}}}
+             .dump(2) +
+         "\n";
+}
+
+}  // namespace isograsp

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Events of a trial as a table of BIDS: phases and cues of the task with their durations, faults
+// and pauses. Onsets count from the first row of the signals.
+#pragma once
+
+#include <string>
+
+#include "exports/export_trial.hpp"
+
+namespace isograsp {
+
+/// A cell of words: no tab, no line break, without_formula(); "n/a" if there are none.
+[[nodiscard]] std::string tsv_cell(std::string text);
+[[nodiscard]] std::string bids_events(const ExportTrial& trial);
+/// What its columns and words mean.
+[[nodiscard]] std::string bids_events_sidecar();
+
+}  // namespace isograsp

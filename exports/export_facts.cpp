@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "exports/export_trial.hpp"
+#include "tasks/facts/column_facts.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+ExportValue known(const std::optional<T>& value) {
+  if (!value) return {};
+  if constexpr (std::is_same_v<T, int>)
+    return std::int64_t{*value};
+  else
+    return *value;
+}
+
+template <class Named>
+ExportValue named(const std::optional<Named>& value) {
+  if (!value) return {};
+  return std::string(name_of(*value));
+}
+
+Json as_json(const std::vector<ExportFact>& facts) {
+  Json json = Json::object();
+  for (const auto& [name, value] : facts)
+    std::visit(
+        [&json, &name = name](const auto& known) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(known)>, std::monostate>)
+            json[name] = nullptr;
+          else
+            json[name] = known;
+        },
+        value);
+  return json;
+}
+
+Json as_json(const std::array<Vec6, kFingerCount>& wrenches) {
+  Json all;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const Vec6& w = wrenches[f];
+    all[std::string(kFingerNames[f])] = {w[0], w[1], w[2], w[3], w[4], w[5]};
+  }
+  return all;
+}
+
+Json as_json(const Measure& measure) {
+  Json one{{"name", measure.name}, {"channel", measure.channel}, {"value", nullptr}};
+  const bool is_number = measure.value && std::isfinite(*measure.value);  // JSON has no other
+  if (is_number) one["value"] = *measure.value;
+  one["unit"] = measure.unit;
+  one["version"] = measure.version;
+  one["samples"] = measure.samples;
+  one["excluded"] = measure.excluded;
+  if (!is_number) one["reason"] = measure.value ? "not a finite number" : measure.reason;
+  return one;
+}
+
+Json parsed(const std::string& text) {
+  Json json = Json::parse(text, nullptr, false);
+  return json.is_discarded() ? Json(nullptr) : json;
+}
+
+Json columns_of(const ExportTrial& trial) {
+  Json columns = Json::array();
+  for (const auto& group : trial.trial.groups)
+    for (const auto& column : group.columns) {
+      const auto facts = describe_column(column);
+      Json one{{"name", column}, {"unit", facts.unit}, {"group", group.name}};
+      if (!facts.axes.empty()) one["axes"] = facts.axes;
+      one["description"] = facts.description;
+      columns.push_back(std::move(one));
+    }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<ExportFact> patient_facts(const ExportTrial& trial) {
+  return {{"code", trial.patient_code},
+          {"affected_side", named(trial.affected)},
+          {"dominant_hand", named(trial.dominant)},
+          {"onset_days_from_first_session", known(trial.onset_day)}};
+}
+
+std::vector<ExportFact> session_facts(const ExportTrial& trial) {
+  const SessionRecord& session = trial.session;
+  return {{"number", std::int64_t{trial.place.session}},
+          {"days_from_first_session", known(trial.session_day)},
+          {"hand", std::string(name_of(session.hand))},
+          {"device", session.device_description},
+          {"device_scheme", session.device_uri},
+          {"simulated", session.simulated},
+          {"recorded", session.recorded},
+          {"protocol", session.protocol_name},
+          {"rate_Hz", session.rate_Hz},
+          {"device_delay_s", session.device_delay_s},
+          {"display_delay_s", known(session.display_delay_s)},
+          {"software_version", session.software_version},
+          {"cpu_features", session.cpu_features},
+          {"seed", session.seed},
+          {"screening", session.allowed},
+          {"ceiling_N", known(session.ceiling_N)}};
+}
+
+std::vector<ExportFact> trial_facts(const ExportTrial& exported) {
+  const TrialRecord& trial = exported.trial;
+  std::vector<ExportFact> facts{{"number", std::int64_t{trial.number}},
+                                {"task", trial.task_name},
+                                {"task_kind", exported.place.task_kind},
+                                {"task_version", std::int64_t{trial.task_version}},
+                                {"practice", trial.practice},
+                                {"helped", trial.helped},
+                                {"status", std::string(name_of(trial.status))},
+                                {"session_time_s", trial.session_time_s},
+                                {"maximum_force_N", trial.maximum_force_N},
+                                {"resting_force_N", trial.resting_force_N},
+                                {"samples", trial.samples},
+                                {"dropped", trial.dropped},
+                                {"worst_lateness_s", trial.worst_lateness_s},
+                                {"worst_compute_s", trial.worst_compute_s}};
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    facts.push_back({std::string(kFingerNames[f]) + "_threshold_N", known(trial.threshold_N[f])});
+  for (auto& fact :
+       std::vector<ExportFact>{{"seed", trial.seed},
+                               {"zero_drift_N", known(trial.zero_drift_N)},
+                               {"zero_drifted", trial.zero_drifted},
+                               {"display_age_s", known(trial.display_age_s)},
+                               {"visual_gain_deg_per_N", known(trial.visual_gain_deg_per_N)},
+                               {"viewing_distance_m", known(trial.viewing_distance_m)}})
+    facts.push_back(std::move(fact));
+  return facts;
+}
+
+std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite) {
+  Json json{{"format", "isograsp-trial-2"},
+            {"patient", as_json(patient_facts(trial))},
+            {"session", as_json(session_facts(trial))},
+            {"trial", as_json(trial_facts(trial))},
+            {"health", parsed(trial.trial.health_json)},
+            {"timing", parsed(trial.trial.timing_json)},
+            {"columns", columns_of(trial)},
+            {"axes", Json::object()},
+            {"infinite_values_left_empty", infinite},
+            {"instrument_zero", nullptr}};
+  for (const auto& [axes, description] : kColumnAxes) json["axes"][std::string(axes)] = description;
+  if (trial.zero)
+    json["instrument_zero"] = {{"session_time_s", trial.zero->session_time_s},
+                               {"units", "N N N Nm Nm Nm"},
+                               {"mean", as_json(trial.zero->mean)},
+                               {"sd", as_json(trial.zero->sd)}};
+  if (const auto& rest = trial.rest)
+    json["resting_force"] = {
+        {"duration_s", rest->duration_s},
+        {"since_strapping_s",
+         rest->since_strapping_s ? Json(*rest->since_strapping_s) : Json(nullptr)},
+        {"samples", rest->samples},
+        {"units", "N N N Nm Nm Nm"},
+        {"mean", as_json(rest->mean)},
+        {"sd", as_json(rest->sd)}};
+  json["measures"] = Json::array();
+  for (const auto& measure : trial.measures) json["measures"].push_back(as_json(measure));
+  json["events"] = Json::array();
+  for (const auto& event : trial.events)
+    json["events"].push_back(
+        {{"session_time_s", event.session_time_s}, {"kind", event.kind}, {"text", event.text}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace isograsp

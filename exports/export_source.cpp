@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exports/export_source.hpp"
+
+#include <algorithm>
+
+#include "core/date.hpp"
+#include "hand/anatomical_axes.hpp"
+#include "tasks/kind_name.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// The day of "2026-03-01" or "2026-03-01T…".
+std::optional<Date> day_of(const std::string& iso) {
+  constexpr std::size_t kDay = 10;
+  return date_from_iso(std::string_view(iso).substr(0, std::min(kDay, iso.size())));
+}
+
+std::optional<int> days(const std::string& first, const std::string& second) {
+  const auto from = day_of(first);
+  const auto to = day_of(second);
+  if (!from || !to) return {};
+  return days_between(*from, *to);
+}
+
+SessionRecord without_identity(const SessionRecord& session) {
+  SessionRecord safe = session;
+  safe.started_utc.clear();
+  safe.ended_utc.clear();
+  // The name of a recording's file may be a person's: it stays here.
+  if (safe.recorded) safe.device_description = "Recorded forces";
+  safe.device_uri = session.device_uri.substr(0, session.device_uri.find(':'));
+  safe.provenance.clear();
+  safe.protocol_text.clear();
+  safe.serial_numbers = {};
+  safe.operator_name.clear();
+  return safe;
+}
+
+template <class Record>
+Record without_time(Record record) {
+  record.recorded_utc.clear();
+  record.operator_name.clear();
+  return record;
+}
+
+ExportPlace place_of(int patient, int session, const TrialRecord& trial) {
+  const auto task = parse_task(trial.task_text, trial.task_name);
+  return {patient, session, trial.number, std::string(task ? kind_name(*task) : "unknown"),
+          !trial.scene_text.empty()};
+}
+
+/// The forces in the axes of the hand as a group of their own behind the stored ones.
+void add_forces_of_the_hand(ExportTrial& exported) {
+  const std::size_t stored = exported.signals.names().size();
+  // How others' devices stood, and often which hand it was, is not known.
+  if (exported.session.device_uri != "recording")
+    add_anatomical_forces(exported.signals, exported.session.hand);
+  const auto& names = exported.signals.names();
+  if (names.size() > stored)
+    exported.trial.groups.push_back(
+        {"anatomical", {names.begin() + static_cast<std::ptrdiff_t>(stored), names.end()}});
+}
+
+}  // namespace
+
+Error not_released(const std::string& code, const std::string& file, const std::string& field) {
+  return {Error::Code::bad_input,
+          "the records of " + code + " are not released for research",
+          "leave this person out, or record the consent that was given",
+          file,
+          0,
+          field};
+}
+
+Result<std::size_t> count_not_released(SessionStore& store, const ExportRequest& request) {
+  const auto patients = store.patients();
+  if (!patients) return patients.error();
+  std::size_t count = 0;
+  for (const auto& patient : *patients) {
+    if (!request.patient.empty() && patient.code != request.patient) continue;
+    const auto released = store.may_be_used_for_research(patient.id);
+    if (!released) return released.error();
+    if (!*released) ++count;
+  }
+  return count;
+}
+
+Result<void> for_each_trial(SessionStore& store, const ExportRequest& request,
+                            const std::function<Result<void>(const ExportSource&)>& visit) {
+  const auto patients = store.patients();
+  if (!patients) return patients.error();
+  bool found = request.patient.empty();
+  int number = 0;
+  for (const auto& patient : *patients) {
+    ++number;
+    if (!request.patient.empty() && patient.code != request.patient) continue;
+    found = true;
+    const auto released = store.may_be_used_for_research(patient.id);
+    if (!released) return released.error();
+    if (!*released && request.patient.empty()) continue;
+    if (!*released) return not_released(patient.code, store.path(), "--patient");
+    const auto sessions = store.sessions(patient.id);
+    if (!sessions) return sessions.error();
+    const auto profile = store.profile(patient.id);
+    if (!profile) return profile.error();
+    ExportSource source;
+    source.patient = &patient;
+    source.profile = &*profile;
+    if (!sessions->empty()) source.first_started_utc = sessions->front().started_utc;
+    int session_number = 0;
+    for (const auto& session : *sessions) {
+      ++session_number;
+      if (session_number < request.first_session) continue;
+      if (request.last_session != 0 && session_number > request.last_session) continue;
+      const auto trials = store.trials(session.id);
+      if (!trials) return trials.error();
+      source.session = &session;
+      for (const auto& trial : *trials) {
+        if (trial.status == TrialStatus::running) continue;
+        source.trial = &trial;
+        source.place = place_of(number, session_number, trial);
+        if (const auto done = visit(source); !done) return done;
+      }
+    }
+  }
+  if (!found)
+    return Error{Error::Code::bad_input,
+                 "there is no patient '" + request.patient + "'",
+                 "check the code",
+                 store.path(),
+                 0,
+                 "--patient"};
+  return {};
+}
+
+Result<ExportTrial> load_trial(SessionStore& store, const ExportSource& source) {
+  ExportTrial exported;
+  exported.place = source.place;
+  exported.patient_code = source.patient->code;
+  exported.affected = source.profile->affected;
+  exported.dominant = source.profile->dominant;
+  exported.onset_day = days(source.first_started_utc, source.profile->onset_date);
+  exported.session_day = days(source.first_started_utc, source.session->started_utc);
+  exported.session = without_identity(*source.session);
+  exported.trial = *source.trial;
+  if (const auto task = parse_task(source.trial->task_text, source.trial->task_name))
+    exported.instruction = task->instruction;
+
+  auto signals = store.signals(*source.trial);
+  if (!signals) return signals.error();
+  exported.signals = *std::move(signals);
+  add_forces_of_the_hand(exported);
+
+  const auto zeros = store.zeros(source.session->id);
+  if (!zeros) return zeros.error();
+  for (const auto& zero : *zeros)
+    if (zero.id == source.trial->zero_id) exported.zero = without_time(zero);
+  const auto rests = store.resting_forces(source.session->id);
+  if (!rests) return rests.error();
+  for (const auto& rest : *rests)
+    if (rest.trial_id == source.trial->id) exported.rest = without_time(rest);
+  auto measures = store.measures(source.trial->id);
+  if (!measures) return measures.error();
+  exported.measures = *std::move(measures);
+  const auto events = store.events(source.session->id);
+  if (!events) return events.error();
+  for (const auto& event : *events)
+    if (event.trial_id == source.trial->id && event.kind != "note")  // may identify a person
+      exported.events.push_back(event);
+  return exported;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is exported: finds the trials that are asked for and takes from the database what may leave
+// the clinic. The only place of the export that sees the rest. The thread of the store.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "exports/export_trial.hpp"
+#include "storage/records/session_store.hpp"
+
+namespace isograsp {
+
+struct ExportRequest {
+  std::string patient;    ///< code; empty: all
+  int first_session = 1;  ///< of each patient
+  int last_session = 0;   ///< 0: up to the newest
+};
+
+/// A trial of the database that is asked for.
+struct ExportSource {
+  ExportPlace place;
+  const PatientRecord* patient = nullptr;
+  const PatientProfile* profile = nullptr;
+  const SessionRecord* session = nullptr;
+  const TrialRecord* trial = nullptr;
+  std::string first_started_utc;  ///< of the patient's first session
+};
+
+/// The last word on research was no, or the records are restricted. `field`: of `file` or an
+/// option.
+[[nodiscard]] Error not_released(const std::string& code, const std::string& file,
+                                 const std::string& field);
+
+/// How many of the people asked for are left out: the last word on research was no, or their
+/// records are restricted.
+[[nodiscard]] Result<std::size_t> count_not_released(SessionStore& store,
+                                                     const ExportRequest& request);
+
+/// Calls `visit` for each trial asked for, by patient, session and trial. Those being recorded now
+/// are not among them, nor those of people who are not released for research. Errors: bad_input for
+/// a patient who is named and not there, or not released.
+[[nodiscard]] Result<void> for_each_trial(
+    SessionStore& store, const ExportRequest& request,
+    const std::function<Result<void>(const ExportSource&)>& visit);
+
+/// Reads it, without all that could tell who, when or where.
+[[nodiscard]] Result<ExportTrial> load_trial(SessionStore& store, const ExportSource& source);
+
+}  // namespace isograsp

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exports/research_export.hpp"
+
+#include <filesystem>
+#include <unordered_set>
+
+#include <unistd.h>
+
+namespace isograsp {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Error not_written(const fs::filesystem_error& why, const std::string& folder) {
+  return {Error::Code::failed,
+          why.code().message(),
+          "check the disk and the permissions",
+          folder,
+          0,
+          "--out"};
+}
+
+/// Moves every file of `from` to the same place in `to`. Nothing is overwritten.
+Result<void> publish(const fs::path& from, const fs::path& to) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(from))
+    if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), from));
+  for (const auto& file : files)
+    if (fs::exists(fs::symlink_status(to / file)))
+      return Error{Error::Code::bad_input,
+                   "exists already",
+                   "choose an empty folder for --out",
+                   to / file,
+                   0,
+                   ""};
+  std::size_t moved = 0;
+  try {
+    for (; moved < files.size(); ++moved) {
+      fs::create_directories((to / files[moved]).parent_path());
+      fs::rename(from / files[moved], to / files[moved]);
+    }
+  } catch (const fs::filesystem_error& why) {
+    std::error_code ignored;
+    for (std::size_t i = 0; i < moved; ++i) fs::remove(to / files[i], ignored);
+    return not_written(why, to);
+  }
+  return {};
+}
+
+/// Everything into a folder beside which nobody looks. Returns the number of trials.
+Result<std::size_t> write_all(SessionStore& store, const ExportRequest& request,
+                              ExportFormat format, const fs::path& staging, std::size_t total,
+                              const Progress& progress) {
+  const auto writer = make_export_writer(format, staging);
+  std::size_t written = 0;
+  const auto visited =
+      for_each_trial(store, request, [&](const ExportSource& source) -> Result<void> {
+        const double fraction = static_cast<double>(written) / static_cast<double>(total);
+        if (!tell(progress, fraction, source.patient->code)) return cancelled();
+        const auto trial = load_trial(store, source);
+        if (!trial) return trial.error();
+        ++written;
+        return writer->write(*trial);
+      });
+  if (!visited) return visited.error();
+  if (const auto done = writer->finish(); !done) return done.error();
+  if (!tell(progress, 1.0, "")) return cancelled();
+  return written;
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> list_export(SessionStore& store, const ExportRequest& request,
+                                             ExportFormat format) {
+  const auto writer = make_export_writer(format, {});
+  std::vector<std::string> files;
+  std::unordered_set<std::string> listed;
+  const auto visited = for_each_trial(store, request, [&](const ExportSource& source) {
+    for (auto& file : writer->files_of(source.place))
+      if (listed.insert(file).second) files.push_back(std::move(file));
+    return Result<void>();
+  });
+  if (!visited) return visited.error();
+  return files;
+}
+
+Result<std::size_t> write_export(SessionStore& store, const ExportRequest& request,
+                                 ExportFormat format, const std::string& folder,
+                                 const Progress& progress) {
+  std::size_t total = 0;
+  const auto counted = for_each_trial(store, request, [&total](const ExportSource&) {
+    ++total;
+    return Result<void>();
+  });
+  if (!counted) return counted.error();
+  if (total == 0)
+    return Error{Error::Code::bad_input,
+                 "holds no such trial",
+                 "check --patient and --session (1 is the patient's first)",
+                 store.path(),
+                 0,
+                 ""};
+  const fs::path out = folder;
+  std::error_code failure;
+  const bool made = fs::create_directories(out, failure);
+  if (failure || !fs::is_directory(out))
+    return Error{Error::Code::bad_input,
+                 "the folder cannot be made",
+                 "choose another one",
+                 folder,
+                 0,
+                 "--out"};
+  const fs::path staging = out / (".part" + std::to_string(getpid()));
+  auto written = write_all(store, request, format, staging, total, progress);
+  if (written) try {
+      if (const auto done = publish(staging, out); !done) written = done.error();
+    } catch (const fs::filesystem_error& why) {
+      written = not_written(why, folder);
+    }
+  fs::remove_all(staging, failure);
+  if (!written && made) fs::remove(out, failure);
+  return written;
+}
+
+}  // namespace isograsp

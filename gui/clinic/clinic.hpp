@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The database as the windows use it: every call returns at once, the answer comes as a signal.
+// GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gui/clinic/background.hpp"
+#include "gui/clinic/export_work.hpp"
+#include "gui/clinic/history.hpp"
+#include "gui/clinic/report_work.hpp"
+#include "storage/records/session_store.hpp"
+
+namespace isograsp {
+
+/// What is known of a person beside the sessions.
+struct PersonRecords {
+  PatientProfile profile;
+  std::vector<TreatmentMark> marks;   ///< by date
+  std::vector<ClinicalScore> scores;  ///< by date
+  std::vector<PrimaryMeasure> primaries;
+  std::vector<StablePeriod> stable;  ///< by date
+};
+
+class Clinic final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Clinic(std::string database, QObject* parent = nullptr);
+  ~Clinic() override;  ///< cancels a report and an export; waits for the worker
+
+  /// -> opened(), patients_changed() or open_failed(). `to_read`: by somebody who may not write.
+  /// One that is open is opened anew, for somebody else.
+  void open(bool to_read = false);
+  /// When all that was asked for before is done.
+  void when_done(std::function<void()> then);
+  void add_patient();  ///< with a generated code -> patients_changed(), patient_added()
+  /// Until the answer comes, the history of another patient is empty and that of the same one is
+  /// as it was -> history_changed(), twice for another patient.
+  void load_history(const std::string& code);
+  // What is known of a person. The answer is profile_changed(), or profile_failed() and failed():
+  // then nothing of it is stored. `then` hears before the signals whether it is.
+  using Stored = std::function<void(bool)>;
+  /// Until the answer comes, the file of another patient is absent. No code: of nobody.
+  void load_profile(const std::string& code);
+  /// Nobody may read on what was decrypted for somebody else -> profile_changed().
+  void forget_profile();
+  void save_profile(const std::string& code, const PatientProfile& profile, Stored then = {});
+  void add_treatment_mark(const std::string& code, const TreatmentMark& mark, Stored then = {});
+  void remove_treatment_mark(const std::string& code, RowId id, Stored then = {});
+  void add_clinical_score(const std::string& code, const ClinicalScore& score, Stored then = {});
+  void remove_clinical_score(const std::string& code, RowId id, Stored then = {});
+  void add_primary_measure(const std::string& code, const PrimaryMeasure& primary,
+                           Stored then = {});
+  void remove_primary_measure(const std::string& code, RowId id, Stored then = {});
+  void add_stable_period(const std::string& code, const StablePeriod& period, Stored then = {});
+  void remove_stable_period(const std::string& code, RowId id, Stored then = {});
+  [[nodiscard]] ReportWork& report() noexcept { return report_; }
+  [[nodiscard]] ExportWork& research_export() noexcept { return export_; }
+  /// Files are being written that people wait for.
+  [[nodiscard]] bool writing() const noexcept { return report_.running() || export_.running(); }
+  /// Any other reading: `read(SessionStore&)` on the worker, in order with all the rest, then
+  /// `done(result)` here, unless `reader` is gone by then. False: the database is not open.
+  template <class Read, class Done>
+  bool read(QObject* reader, Read read, Done done) {
+    if (!open_) return false;
+    worker_.run([store = store_, read = std::move(read)]() mutable { return read(**store); },
+                [reader = QPointer<QObject>(reader), done = std::move(done)](auto outcome) mutable {
+                  if (reader) done(std::move(outcome));
+                });
+    return true;
+  }
+
+  [[nodiscard]] bool is_open() const noexcept { return open_; }
+  [[nodiscard]] const std::string& database() const noexcept { return database_; }
+  [[nodiscard]] const std::vector<PatientRecord>& patients() const noexcept { return patients_; }
+  /// Of the patient whose history was asked for last.
+  [[nodiscard]] const std::vector<HistorySeries>& history() const noexcept { return history_; }
+  /// Of the patient whose profile was loaded last; nothing: not read yet.
+  [[nodiscard]] const std::optional<PersonRecords>& file() const noexcept { return file_; }
+  [[nodiscard]] const std::string& file_of() const noexcept { return file_of_; }
+  [[nodiscard]] bool history_loading() const noexcept { return loads_under_way_ > 0; }
+
+ Q_SIGNALS:
+  void opened();
+  void open_failed(const QString& why);
+  void patients_changed();
+  void patient_added(const QString& code);
+  void history_changed();
+  void profile_changed();
+  /// Of the patient of that code: not read or not stored.
+  void profile_failed(const QString& code, const QString& why);
+  void failed(const QString& why);
+
+ private:
+  template <class Change>
+  void change_file(const std::string& code, Change change, Stored then);
+
+  std::string database_;
+  bool open_ = false;
+  std::vector<PatientRecord> patients_;
+  std::string history_of_;  ///< code
+  std::vector<HistorySeries> history_;
+  int loads_under_way_ = 0;
+  std::string file_of_;  ///< code
+  std::optional<PersonRecords> file_;
+  std::mt19937_64 entropy_;
+  std::shared_ptr<std::unique_ptr<SessionStore>> store_;  ///< used by the worker only
+  ReportWork report_;
+  ExportWork export_;
+  Background worker_;  ///< last: its jobs end before anything else goes away
+};
+
+}  // namespace isograsp

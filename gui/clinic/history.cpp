@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/clinic/history.hpp"
+
+#include <QObject>
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "gui/words/texts.hpp"
+#include "gui/words/words.hpp"
+#include "tasks/facts/measure_words.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// What makes trials comparable: task, its version, hand, simulated or not.
+using TaskKey = std::tuple<std::string, int, Hand, bool>;
+TaskKey task_of(const MeasurePoint& point) {
+  return {point.task_name, point.task_version, point.hand, point.simulated};
+}
+
+/// And in addition the measure, its channel and its version.
+using SeriesKey = std::tuple<TaskKey, std::string, std::string, int>;
+SeriesKey series_of(const MeasurePoint& point) {
+  const auto& measure = point.measure;
+  return {task_of(point), measure.name, measure.channel, measure.version};
+}
+
+QString title_of(const MeasurePoint& point) {
+  const auto hand = point.hand == Hand::right ? QObject::tr("right") : QObject::tr("left");
+  auto title =
+      QObject::tr("%1 (%2): %3").arg(shown(point.task_name), hand, measure_title(point.measure));
+  if (point.simulated) title += QObject::tr(", simulated");
+  return title;
+}
+
+}  // namespace
+
+std::vector<HistorySeries> sort_history(const std::vector<MeasurePoint>& points) {
+  std::vector<HistorySeries> series;
+  std::map<SeriesKey, std::size_t> places;
+  for (const auto& point : points) {
+    const auto [place, is_new] = places.try_emplace(series_of(point), series.size());
+    if (is_new)
+      series.push_back({title_of(point), shown(printed_unit(point.measure.unit).text), {}});
+    series[place->second].points.push_back(point);
+  }
+  // The task of the newest trial is what the therapist wants to see; inside a task the order in
+  // which its measures were computed stays.
+  std::map<TaskKey, RowId> newest;
+  for (const auto& point : points) {
+    RowId& trial = newest[task_of(point)];
+    trial = std::max(trial, point.trial_id);
+  }
+  std::stable_sort(series.begin(), series.end(),
+                   [&](const HistorySeries& a, const HistorySeries& b) {
+                     return newest[task_of(a.points.front())] > newest[task_of(b.points.front())];
+                   });
+  return series;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A patient's stored measures, sorted into series that may be looked at together.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "storage/records/session_store.hpp"
+
+namespace isograsp {
+
+/// One measure of one task (of one version) and hand over all trials, oldest first. Simulated and
+/// real trials are never in one series.
+struct HistorySeries {
+  QString title;  ///< "Grip force, sine (right): Tracking error, relative"
+  QString unit;   ///< as printed
+  std::vector<MeasurePoint> points;
+};
+
+/// In the order of the newest task first, its key measures first.
+[[nodiscard]] std::vector<HistorySeries> sort_history(const std::vector<MeasurePoint>& points);
+
+}  // namespace isograsp

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/clinic/save_folder.hpp"
+
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace isograsp {
+
+QString proposed_folder(const std::string& database) {
+  for (const auto place : {QStandardPaths::DocumentsLocation, QStandardPaths::HomeLocation}) {
+    const QFileInfo folder(QStandardPaths::writableLocation(place));
+    if (folder.isDir() && folder.isWritable()) return folder.absoluteFilePath();
+  }
+  return QFileInfo(QString::fromStdString(database)).absolutePath();
+}
+
+Result<void> check_folder_of(const std::string& path) {
+  const QFileInfo folder(QFileInfo(QString::fromStdString(path)).absolutePath());
+  const auto refuse_folder = [&](const char* why, const char* what_to_do) {
+    return Error{Error::Code::failed, why, what_to_do, folder.filePath().toStdString(), 0, ""};
+  };
+  if (!folder.exists())
+    return refuse_folder("this folder does not exist", "choose another folder, or make it first");
+  if (!folder.isDir()) return refuse_folder("this is no folder", "choose another folder");
+  if (!folder.isWritable())
+    return refuse_folder("nothing may be written into this folder",
+                         "choose another folder, or ask for the permission");
+  return {};
+}
+
+}  // namespace isograsp

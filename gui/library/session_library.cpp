@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/library/session_library.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "gui/library/task_groups.hpp"
+
+namespace isograsp {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code unreadable;
+  for (const auto& entry : fs::directory_iterator(folder, unreadable))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+template <class All, class FileOf>
+int place(const All& all, const std::string& file, FileOf file_of) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& one) { return file_of(one) == file; });
+  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+}  // namespace
+
+SessionLibrary read_session_library(const std::string& shipped, const std::string& own) {
+  SessionLibrary library;
+  std::set<std::string> task_names;
+  std::set<std::string> protocol_names;
+  const auto is_free = [&](std::set<std::string>& names, const std::string& name,
+                           const std::string& file) {
+    if (names.insert(name).second) return true;
+    library.problems.push_back(file + ": name: '" + name +
+                               "' is the name of another file; choose another one");
+    return false;
+  };
+  for (const auto& folder : {shipped, own}) {
+    for (const auto& file : files_in(fs::path(folder) / "tasks")) {
+      auto spec = load_task(file);
+      if (!spec)
+        library.problems.push_back(spec.error().message());
+      else if (is_free(task_names, spec->name, file))
+        library.tasks.push_back(*std::move(spec));
+    }
+    for (const auto& file : files_in(fs::path(folder) / "protocols")) {
+      auto protocol = read_protocol(file, shipped);
+      if (!protocol)
+        library.problems.push_back(protocol.error().message());
+      else if (is_free(protocol_names, protocol->spec.name, file))
+        library.protocols.push_back(*std::move(protocol));
+    }
+  }
+  if (library.tasks.empty()) library.problems.push_back("No tasks in " + shipped + "/tasks.");
+  sort_for_list(library.tasks);
+  return library;
+}
+
+int place_of_file(const std::vector<TaskSpec>& tasks, const std::string& file) {
+  return place(tasks, file, [](const TaskSpec& task) { return task.file; });
+}
+
+int place_of_file(const std::vector<ReadyProtocol>& protocols, const std::string& file) {
+  return place(protocols, file, [](const ReadyProtocol& protocol) { return protocol.spec.file; });
+}
+
+}  // namespace isograsp

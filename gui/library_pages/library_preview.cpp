@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/library_pages/library_preview.hpp"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "core/files.hpp"
+#include "grasp_model/describe.hpp"
+#include "grasp_model/grasp.hpp"
+#include "gui/words/words.hpp"
+#include "session/acquisition/plan_cost.hpp"
+#include "session/library.hpp"
+#include "tasks/timeline.hpp"
+#include "tasks/waveform.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct PreviewTexts {
+  Q_DECLARE_TR_FUNCTIONS(LibraryPreview)
+};
+
+constexpr double kPeriod_s = 0.02;  ///< of the curve: fine enough for 600 pixels
+constexpr double kWhole_percent = 100.0;
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+QString duration_words_of(const Duration& duration) {
+  if (duration.worst_s - duration.nominal_s < 1.0) return time_words(duration.nominal_s);
+  return PreviewTexts::tr("%1, at most %2")
+      .arg(time_words(duration.nominal_s), time_words(duration.worst_s));
+}
+
+/// One unit of every scale is a hundred newtons, so that forces read as percent.
+TaskContext sample_context(const TaskSpec& spec) {
+  TaskContext context;
+  context.period_s = kPeriod_s;
+  auto& references = context.references;
+  const bool fixed_load = spec.aim() != nullptr && spec.aim()->scale == Scale::of_baseline;
+  for (std::size_t d = 0; d < kDigitsCount; ++d)
+    for (std::size_t k = 0; k < kDirectionCount; ++k) {
+      const ForceChannel channel{static_cast<Digits>(d), static_cast<Direction>(k)};
+      references.maximum_N[channel] = fixed_load ? 100.0 * kWhole_percent : kWhole_percent;
+      references.comfortable_N[channel] = kWhole_percent;
+      references.baseline_N[channel] = kWhole_percent;
+    }
+  return context;
+}
+
+QString axis_of(Scale scale) {
+  switch (scale) {
+    case Scale::newton: return PreviewTexts::tr("Target (N)");
+    case Scale::of_maximum: return PreviewTexts::tr("Target (% of the maximum)");
+    case Scale::of_comfortable: return PreviewTexts::tr("Target (% of the comfortable force)");
+    case Scale::of_baseline: break;
+  }
+  return PreviewTexts::tr("Target (% of the baseline)");
+}
+
+std::optional<LibraryPreview::Curve> force_curve(const TaskSpec& spec) {
+  const Aim* aim = spec.aim();
+  if (aim == nullptr) return std::nullopt;
+  const auto timeline = timeline_of(spec, sample_context(spec));
+  if (!timeline) return std::nullopt;
+  LibraryPreview::Curve curve{axis_of(aim->scale), kPeriod_s, {}, {}};
+  for (const Segment& segment : timeline->segments)
+    for (std::int64_t k = 0; k < segment.frames; ++k) {
+      const auto& targets = segment.target_N;
+      const auto place = targets.size() == 1 ? std::size_t{0} : static_cast<std::size_t>(k);
+      curve.values.push_back(targets.empty() ? kNotMeasured : targets[place]);
+      curve.hidden.push_back(!segment.target_shown);
+    }
+  const bool any = std::any_of(curve.values.begin(), curve.values.end(),
+                               [](double value) { return !std::isnan(value); });
+  return any ? std::optional(curve) : std::nullopt;
+}
+
+/// The first axis of a target that moves.
+std::optional<LibraryPreview::Curve> pose_curve(const PoseTrackingSpec& kind) {
+  if (kind.axes.empty()) return std::nullopt;
+  const auto& axis = kind.axes.front();
+  const bool turns = axis.axis >= 3;
+  const double factor = turns ? 180.0 / M_PI : 1000.0;
+  LibraryPreview::Curve curve{PreviewTexts::tr("%1 of the target (%2)")
+                                  .arg(text_of(kDofNames[static_cast<std::size_t>(axis.axis)]),
+                                       turns ? QStringLiteral("°") : QStringLiteral("mm")),
+                              kPeriod_s,
+                              {},
+                              {}};
+  const auto samples = samples_of(axis.waveform, kind.duration_s, kPeriod_s, 0);
+  const auto value = [&](double sample) {
+    return factor * (axis.least + sample * (axis.most - axis.least));
+  };
+  const auto lead_in = static_cast<std::size_t>(kind.lead_in_s / kPeriod_s);
+  if (!samples.empty()) curve.values.assign(lead_in, value(samples.front()));
+  for (const double sample : samples) curve.values.push_back(value(sample));
+  curve.hidden.assign(curve.values.size(), false);
+  return curve;
+}
+
+QPolygonF outline_of(const Scene& scene) {
+  const double across = scene.size_m.x();
+  if (scene.shape == Shape::box) {
+    const QSizeF size(across, scene.size_m.y());
+    return QPolygonF(QRectF(QPointF(-size.width() / 2.0, -size.height() / 2.0), size));
+  }
+  constexpr int kCorners = 48;
+  QPolygonF circle;
+  for (int k = 0; k <= kCorners; ++k)
+    circle << 0.5 * across *
+                  QPointF(std::cos(2.0 * M_PI * k / kCorners), std::sin(2.0 * M_PI * k / kCorners));
+  return circle;
+}
+
+LibraryPreview::Sketch sketch_of(const Scene& scene) {
+  LibraryPreview::Sketch sketch;
+  sketch.outline = outline_of(scene);
+  for (const Contact& contact : scene.contacts)
+    sketch.touches.push_back({{contact.p_OC.x(), contact.p_OC.y()},
+                              {contact.R_OC(0, 2), contact.R_OC(1, 2)},
+                              contact.finger});
+  return sketch;
+}
+
+void add_targets(const TaskSpec& spec, LibraryPreview::Sketch& sketch) {
+  if (const auto* poses = std::get_if<PoseTargetsSpec>(&spec.kind))
+    for (const auto& target : poses->targets)
+      sketch.targets.push_back({{target.p_WT.x(), target.p_WT.y()}, target.angle_rad, false});
+  if (const auto* items = std::get_if<PickPlaceSpec>(&spec.kind))
+    for (const auto& item : items->items) {
+      sketch.targets.push_back({{item.p_WO.x(), item.p_WO.y()}, 0.0, true});
+      sketch.targets.push_back({{item.p_WT.x(), item.p_WT.y()}, item.angle_rad, false});
+    }
+}
+
+/// What must have been measured in the session before.
+QString needed_by(const TaskSpec& spec) {
+  QStringList needed;
+  for (const auto& [scale, words] :
+       {std::pair{Scale::of_maximum, PreviewTexts::tr("maximum: %1")},
+        std::pair{Scale::of_comfortable, PreviewTexts::tr("comfortable force: %1")},
+        std::pair{Scale::of_baseline, PreviewTexts::tr("baseline: %1")}}) {
+    QStringList channels;
+    for (const ForceChannel channel : spec.channels_needed(scale))
+      channels << QString::fromStdString(name_of(channel));
+    if (!channels.isEmpty()) needed << words.arg(channels.join(QStringLiteral(", ")));
+  }
+  return needed.join(QStringLiteral("; "));
+}
+
+LibraryPreview of_task(const TaskSpec& spec, const std::string& shipped) {
+  LibraryPreview preview;
+  preview.title = QString::fromStdString(spec.name);
+  auto& facts = preview.facts;
+  facts.push_back(
+      {PreviewTexts::tr("The patient reads"), QString::fromStdString(spec.instruction)});
+  facts.push_back({PreviewTexts::tr("Version"), QString::number(spec.version)});
+  facts.push_back({PreviewTexts::tr("Takes"), duration_words_of(spec.duration())});
+  if (const auto needed = needed_by(spec); !needed.isEmpty())
+    facts.push_back({PreviewTexts::tr("Measured before"), needed});
+  if (spec.difficulty)
+    facts.push_back(
+        {PreviewTexts::tr("Difficulty"),
+         PreviewTexts::tr("may be chosen or follow success: for training, not assessment")});
+  preview.curve = force_curve(spec);
+  if (const auto* tracking = std::get_if<PoseTrackingSpec>(&spec.kind))
+    preview.curve = pose_curve(*tracking);
+  if (spec.scene().empty()) return preview;
+  const auto path = find_in_library(shipped, "scenes", spec.scene(), spec.file);
+  const auto text = path ? read_text(*path) : Result<std::string>(path.error());
+  const auto scene = text ? parse_scene(*text, *path) : Result<Scene>(text.error());
+  if (!scene) return preview;
+  facts.push_back({PreviewTexts::tr("Object"), QString::fromStdString(scene->name)});
+  preview.sketch = sketch_of(*scene);
+  add_targets(spec, *preview.sketch);
+  if (const auto count =
+          std::count_if(preview.sketch->targets.begin(), preview.sketch->targets.end(),
+                        [](const auto& target) { return !target.start; });
+      count > 0)
+    facts.push_back({PreviewTexts::tr("Targets"), QString::number(count)});
+  return preview;
+}
+
+/// The sets of fingers that hold the object against any push, in words.
+QString closed_by(const Scene& scene) {
+  const auto rows = rows_of(scene);
+  QStringList sets;
+  for (unsigned mask = 1; mask < 1U << scene.contacts.size(); ++mask) {
+    std::vector<Contact> contacts;
+    QStringList fingers;
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+      if ((mask >> i & 1U) != 0) {
+        contacts.push_back(scene.contacts[i]);
+        fingers << text_of(name_of(scene.contacts[i].finger));
+      }
+    if (force_closure(contacts, rows)) sets << fingers.join(QStringLiteral(" + "));
+  }
+  return sets.isEmpty() ? PreviewTexts::tr("no set of fingers") : sets.join(QStringLiteral("; "));
+}
+
+LibraryPreview of_scene(const Scene& scene, const Plan& plan) {
+  LibraryPreview preview;
+  preview.title = QString::fromStdString(scene.name);
+  preview.sketch = sketch_of(scene);
+  preview.facts.push_back(
+      {PreviewTexts::tr("Mass"), PreviewTexts::tr("%1 kg").arg(short_number(scene.mass_kg))});
+  preview.facts.push_back({PreviewTexts::tr("Held firmly by"), closed_by(scene)});
+  const auto word = [](const std::string& name) -> QString {
+    if (name == "translation") return PreviewTexts::tr("Moves");
+    if (name == "rotation") return PreviewTexts::tr("Turns");
+    if (name == "contacts") return PreviewTexts::tr("Contacts");
+    if (name == "wrench_frame") return PreviewTexts::tr("Forces act in");
+    if (name == "grasp_rule") return PreviewTexts::tr("Grasp rule");
+    if (name == "limits") return PreviewTexts::tr("Limits of travel");
+    return {};
+  };
+  for (const auto& [name, text] : describe(plan))
+    if (const auto label = word(name); !label.isEmpty())
+      preview.facts.push_back({label, QString::fromStdString(text)});
+  preview.facts.push_back(
+      {PreviewTexts::tr("Cost"),
+       PreviewTexts::tr("%1 ns per frame, measured here").arg(cost_ns_per_frame(plan), 0, 'f', 0)});
+  return preview;
+}
+
+QString words_of(const ProtocolStep& step, const std::vector<TaskSpec>& tasks) {
+  switch (step.kind) {
+    case ProtocolStep::Kind::instrument_zero: return PreviewTexts::tr("Instrument zero");
+    case ProtocolStep::Kind::pause: return PreviewTexts::tr("Pause");
+    case ProtocolStep::Kind::task: break;
+  }
+  QStringList names;
+  for (const auto& task : tasks) names << QString::fromStdString(task.name);
+  auto words = names.join(QStringLiteral(", "));
+  const bool repeats = step.repetitions > 1 || step.agreement;
+  if (step.agreement)
+    words = PreviewTexts::tr("%1 (%2 to %3 times)")
+                .arg(words)
+                .arg(step.repetitions)
+                .arg(std::max(step.repetitions, step.agreement->most_repetitions));
+  else if (repeats)
+    words = PreviewTexts::tr("%1 (%n time(s))", "", step.repetitions).arg(words);
+  if (step.practice) words = PreviewTexts::tr("%1, practice").arg(words);
+  return words;
+}
+
+LibraryPreview of_protocol(const ReadyProtocol& protocol) {
+  LibraryPreview preview;
+  preview.title = QString::fromStdString(protocol.spec.name);
+  // Each step counts what the protocol takes longer with it: the sum is that of the whole.
+  ProtocolSpec part;
+  std::vector<std::vector<TaskSpec>> tasks;
+  Duration before;
+  for (std::size_t i = 0; i < protocol.spec.steps.size(); ++i) {
+    part.steps.push_back(protocol.spec.steps[i]);
+    tasks.push_back(protocol.tasks[i]);
+    const Duration with = duration_of(part, tasks);
+    preview.steps.push_back({words_of(protocol.spec.steps[i], protocol.tasks[i]),
+                             {with.nominal_s - before.nominal_s, with.worst_s - before.worst_s}});
+    before = with;
+  }
+  preview.facts.push_back({PreviewTexts::tr("Takes"), duration_words_of(protocol.duration())});
+  preview.facts.push_back(
+      {PreviewTexts::tr("Steps"), QString::number(static_cast<int>(protocol.spec.steps.size()))});
+  return preview;
+}
+
+}  // namespace
+
+QString time_words(double duration_s) {
+  constexpr int kMinute_s = 60;
+  const int seconds = static_cast<int>(std::ceil(duration_s - 1e-9));
+  if (seconds < 2 * kMinute_s) return PreviewTexts::tr("%1 s").arg(seconds);
+  return PreviewTexts::tr("%1 min %2 s").arg(seconds / kMinute_s).arg(seconds % kMinute_s);
+}
+
+LibraryPreview preview_of(LibraryKind kind, const std::string& text, const std::string& path,
+                          const std::string& shipped) {
+  if (kind == LibraryKind::tasks) {
+    const auto spec = read_task(text, path);
+    return spec ? of_task(*spec, shipped) : LibraryPreview{};
+  }
+  if (kind == LibraryKind::protocols) {
+    const auto protocol = read_protocol(text, path, shipped);
+    return protocol ? of_protocol(*protocol) : LibraryPreview{};
+  }
+  const auto scene = parse_scene(text, path);
+  if (!scene) return {};
+  const auto plan = Plan::compile(*scene, kLibraryHold_s);
+  return plan ? of_scene(*scene, *plan) : LibraryPreview{};
+}
+
+}  // namespace isograsp

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a task, scene or protocol will be, told from its text before anybody runs it: facts in
+// words, the target over time, the object from above, the steps with their durations. Knows no
+// widget.
+#pragma once
+
+#include <QPointF>
+#include <QPolygonF>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "gui/library/library_files.hpp"
+#include "tasks/task_spec.hpp"
+
+namespace isograsp {
+
+struct LibraryPreview {
+  struct Fact {
+    QString label;
+    QString words;
+  };
+  /// A target over time.
+  struct Curve {
+    QString axis;  ///< "% of the maximum", "N"
+    double period_s = 0.0;
+    std::vector<double> values;  ///< NaN: nothing is asked
+    std::vector<bool> hidden;    ///< … or it is, and the patient does not see it
+  };
+  /// The object in the plane of x and y [m].
+  struct Sketch {
+    struct Touch {
+      QPointF place;
+      QPointF inward;  ///< unit vector, or shorter where the normal leaves the plane
+      Finger finger = Finger::thumb;
+    };
+    struct Target {
+      QPointF place;
+      double angle_rad = 0.0;
+      bool start = false;  ///< where an object appears
+    };
+    QPolygonF outline;  ///< about its centre of mass
+    std::vector<Touch> touches;
+    std::vector<Target> targets;
+  };
+  struct Step {
+    QString words;
+    Duration duration;  ///< what the protocol takes longer for it
+  };
+
+  QString title;
+  std::vector<Fact> facts;
+  std::optional<Curve> curve;
+  std::optional<Sketch> sketch;
+  std::vector<Step> steps;
+};
+
+/// Of a text that LibraryFiles::check() takes; empty for any other. Measures what a scene costs, so
+/// it takes some milliseconds; any thread.
+[[nodiscard]] LibraryPreview preview_of(LibraryKind kind, const std::string& text,
+                                        const std::string& path, const std::string& shipped);
+
+/// "45 s", "3 min 20 s".
+[[nodiscard]] QString time_words(double duration_s);
+
+}  // namespace isograsp

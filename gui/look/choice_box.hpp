@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A combo box whose arrow goes with the style sheet: styled boxes lose the one of the platform.
+#pragma once
+
+#include <QComboBox>
+#include <QPainter>
+
+#include "gui/look/look.hpp"
+
+namespace isograsp {
+
+class ChoiceBox final : public QComboBox {
+  Q_OBJECT
+
+ public:
+  using QComboBox::QComboBox;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QComboBox::paintEvent(event);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(isEnabled() ? look::kText : look::kLine, 1.6, Qt::SolidLine, Qt::RoundCap,
+                        Qt::RoundJoin));
+    const QPointF tip(width() - 15.0, height() / 2.0 + 2.5);
+    painter.drawPolyline(polygon({tip + QPointF(-4.5, -4.5), tip, tip + QPointF(4.5, -4.5)}));
+  }
+};
+
+}  // namespace isograsp

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/look/force_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isograsp {
+
+namespace {
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+/// The smallest of 1, 1.5, 2, 3, 4, 5, 6, 8, 10, 15 … that is not below `value`.
+double round_up(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (value <= step * decade) return step * decade;
+  return 10.0 * decade;
+}
+}  // namespace
+
+void ForceHistory::add(const Snapshot& snapshot) {
+  if (snapshot.frames == 0) return;
+  if (!points_.empty()) {
+    if (snapshot.session_time_s == points_.back().t_s) return;
+    if (snapshot.session_time_s < points_.back().t_s) points_.clear();  // another session
+  }
+  ForcePoint point;
+  point.t_s = snapshot.session_time_s;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const bool missing = (snapshot.forces.flags[f] & bit(SampleFlag::missing)) != 0;
+    point.normal_N[f] = missing ? kNothing : snapshot.forces.wrench_C[f].force.z();
+  }
+  const bool shown = snapshot.trial_number > 0 && snapshot.task.force_target_shown;
+  point.target_N = shown ? snapshot.task.target_force_N : kNothing;
+  points_.push_back(point);
+  while (points_.front().t_s < point.t_s - length_s_) points_.pop_front();
+}
+
+ForceHistory::Range ForceHistory::range() const {
+  double least = 0.0;
+  double most = 0.0;
+  const auto include = [&](double value) {
+    if (std::isnan(value)) return;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  };
+  for (const auto& point : points_) {
+    for (const double value : point.normal_N) include(value);
+    include(point.target_N);
+  }
+  // Room above the curve, and never so close that sensor noise fills the plot.
+  constexpr double kLeastTop_N = 5.0;
+  constexpr double kRoom = 1.05;
+  Range range;
+  range.most_N = round_up(std::max(kLeastTop_N, most * kRoom));
+  const double bottom = range.most_N / 10.0;
+  range.least_N = least < -bottom ? -round_up(-least * kRoom) : -bottom;
+  return range;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The last seconds of the forces, as the live plot shows them. Normal forces, pressing +, [N].
+#pragma once
+
+#include <array>
+#include <deque>
+
+#include "session/acquisition/snapshot.hpp"
+
+namespace isograsp {
+
+struct ForcePoint {
+  double t_s = 0.0;                             ///< session time
+  std::array<double, kFingerCount> normal_N{};  ///< NaN: no sample
+  double target_N = 0.0;                        ///< NaN: no target shown
+};
+
+class ForceHistory {
+ public:
+  explicit ForceHistory(double length_s = 20.0) : length_s_(length_s) {}
+
+  /// Takes the snapshot if it is a new frame; forgets what is older than the length.
+  void add(const Snapshot& snapshot);
+  void clear() { points_.clear(); }
+  [[nodiscard]] const std::deque<ForcePoint>& points() const noexcept { return points_; }
+  [[nodiscard]] double length_s() const noexcept { return length_s_; }
+  /// Axis limits [N] that hold all points, on round numbers so that the axis rarely moves.
+  struct Range {
+    double least_N = 0.0;
+    double most_N = 0.0;
+  };
+  [[nodiscard]] Range range() const;
+
+ private:
+  double length_s_;
+  std::deque<ForcePoint> points_;
+};
+
+}  // namespace isograsp

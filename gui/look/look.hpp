@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The look of both windows: colours with known contrast, the style sheet, small tools.
+#pragma once
+
+#include <QBoxLayout>
+#include <QColor>
+#include <QPolygonF>
+#include <QString>
+#include <array>
+
+#include "hand/finger.hpp"
+
+class QApplication;
+class QWidget;
+
+namespace isograsp {
+
+namespace look {
+// On white: kText 14.6:1, kQuietText 6.6:1, kAccent 6.5:1, kReady 5.5:1, kFault 6.5:1.
+inline const QColor kBackground{0xF3, 0xF5, 0xF8};
+inline const QColor kCard{0xFF, 0xFF, 0xFF};
+inline const QColor kLine{0xD5, 0xDB, 0xE3};
+inline const QColor kText{0x1B, 0x27, 0x33};
+inline const QColor kQuietText{0x52, 0x60, 0x6D};
+inline const QColor kAccent{0x0B, 0x5C, 0xAD};
+inline const QColor kReady{0x1B, 0x7F, 0x4B};
+inline const QColor kAttention{0xE0, 0x8A, 0x00};
+inline const QColor kFault{0xB3, 0x26, 0x1E};
+/// Of thumb, index and middle: told apart with every kind of colour vision (Okabe and Ito).
+inline const std::array<QColor, kFingerCount> kFingers{
+    QColor{0x00, 0x72, 0xB2}, QColor{0xC7, 0x52, 0x00}, QColor{0x00, 0x8A, 0x63}};
+}  // namespace look
+
+/// "Thumb", "Index", "Middle".
+[[nodiscard]] QString finger_title(Finger finger);
+
+/// Font, palette and style sheet of the whole application; letters in percent of the usual size.
+void dress(QApplication& application, int font_percent = 100);
+/// A length that goes with letters, e.g. the height of a row, at the size that is set.
+[[nodiscard]] int scaled(int usual_px) noexcept;
+/// Side by side with usual letters; below each other with large ones: nobody scrolls sideways to
+/// read.
+[[nodiscard]] QBoxLayout::Direction side_by_side() noexcept;
+
+/// The corners in order.
+[[nodiscard]] inline QPolygonF polygon(std::initializer_list<QPointF> corners) {
+  return QPolygonF(QVector<QPointF>(corners));
+}
+
+/// Marks a widget as the sensible next thing to use: a button is filled in the accent colour, a
+/// list framed in it.
+void mark_next(QWidget& widget, bool next);
+
+/// Lets a list, table or plot take the height that is left, down to scaled(`least_px`). Its own
+/// wish would count as its least height wherever a text that wraps stands in the same column.
+void take_rest(QWidget& widget, int least_px);
+
+/// Name for assistive technology and tooltip in one go. A letter that the tooltip gives ("Alt+D")
+/// is that of the button's text in the language of the screen: describe the button after its text
+/// is set.
+void describe(QWidget& widget, const QString& name, const QString& tooltip);
+
+}  // namespace isograsp

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From which to which of a patient's sessions: two lists that never cross.
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QWidget>
+#include <vector>
+
+#include "storage/records/records.hpp"
+
+namespace isograsp {
+
+class SessionSpan final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `first`, `last`: captions with their mnemonics; `name` begins the names of both lists.
+  SessionSpan(const QString& first, const QString& last, const QString& name,
+              QWidget* parent = nullptr);
+
+  /// Oldest first. All of them are chosen; a choice stays while the same patient is shown.
+  void show_sessions(const std::vector<SessionRecord>& sessions, bool same_patient);
+  [[nodiscard]] int first() const { return first_->currentIndex() + 1; }
+  /// 0: up to the newest, also one that is to come.
+  [[nodiscard]] int last() const;
+
+ Q_SIGNALS:
+  void changed();  ///< by the user
+
+ private:
+  QComboBox* first_;
+  QComboBox* last_;
+};
+
+}  // namespace isograsp

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signs of the patient's screen: each instruction as a picture that needs no words.
+#pragma once
+
+#include <QPainter>
+
+#include "gui/presenter/patient_picture.hpp"
+
+namespace isograsp {
+
+/// The sign of the picture; `act` shows what its channel asks of which digits of its hand.
+void paint_sign(QPainter& painter, const QRectF& box, const PatientPicture& picture);
+
+}  // namespace isograsp

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/patient_screen/scene_nodes.hpp"
+
+#include <Inventor/nodes/SoCone.h>
+#include <Inventor/nodes/SoCoordinate3.h>
+#include <Inventor/nodes/SoCube.h>
+#include <Inventor/nodes/SoCylinder.h>
+#include <Inventor/nodes/SoDrawStyle.h>
+#include <Inventor/nodes/SoFaceSet.h>
+#include <Inventor/nodes/SoLightModel.h>
+#include <Inventor/nodes/SoLineSet.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSphere.h>
+#include <Inventor/nodes/SoSwitch.h>
+#include <Inventor/nodes/SoTransform.h>
+#include <Inventor/nodes/SoTranslation.h>
+
+namespace isograsp::scene_nodes {
+
+namespace {
+
+constexpr float kFloor_m = -0.160F;  ///< y of the floor
+constexpr float kWall_m = -0.110F;   ///< z of the wall
+constexpr float kFront_m = 0.160F;   ///< z to which the floor reaches
+constexpr float kHalfWidth_m = 0.60F;
+constexpr float kTop_m = 0.49F;
+constexpr float kGrid_m = 0.05F;
+
+const SbColor kFloorColour(0.83F, 0.86F, 0.89F);
+const SbColor kGridColour(0.74F, 0.78F, 0.82F);
+const SbColor kApproachColour(0.78F, 0.12F, 0.10F);
+const SbColor kTouchColour(0.00F, 0.55F, 0.36F);
+
+SoSeparator* make_plane(const std::vector<SbVec3f>& corners, const SbColor& colour) {
+  auto* plane = new SoSeparator;
+  plane->addChild(make_flat());
+  plane->addChild(make_material(colour));
+  auto* points = new SoCoordinate3;
+  points->point.setValues(0, static_cast<int>(corners.size()), corners.data());
+  plane->addChild(points);
+  auto* face = new SoFaceSet;
+  face->numVertices.setValue(static_cast<int>(corners.size()));
+  plane->addChild(face);
+  return plane;
+}
+
+SbVec3f extent_of(const Scene& scene) {
+  const SbVec3f size = to_sb(scene.size_m);
+  switch (scene.shape) {
+    case Shape::box: return size;
+    case Shape::cylinder: return {size[0], size[0], size[1]};
+    case Shape::sphere: return {size[0], size[0], size[0]};
+  }
+  return size;
+}
+
+/// A cone whose tip is the origin and which points along +y.
+SoSeparator* make_cone(float height_m, float radius_m, const SbColor& colour) {
+  auto* group = new SoSeparator;
+  group->addChild(make_material(colour));
+  auto* place = new SoTranslation;
+  place->translation.setValue(0, -height_m / 2, 0);
+  auto* cone = new SoCone;
+  cone->height.setValue(height_m);
+  cone->bottomRadius.setValue(radius_m);
+  group->addChild(place);
+  group->addChild(cone);
+  return group;
+}
+
+}  // namespace
+
+SoMaterial* make_material(const SbColor& colour, float transparency) {
+  auto* material = new SoMaterial;
+  material->diffuseColor.setValue(colour);
+  material->ambientColor.setValue(colour);
+  material->transparency.setValue(transparency);
+  return material;
+}
+
+SoLightModel* make_flat() {
+  auto* model = new SoLightModel;
+  model->model.setValue(SoLightModel::BASE_COLOR);
+  return model;
+}
+
+SoSeparator* make_lines(const std::vector<SbVec3f>& ends, const SbColor& colour, float width_px) {
+  auto* lines = new SoSeparator;
+  lines->addChild(make_flat());
+  lines->addChild(make_material(colour));
+  auto* style = new SoDrawStyle;
+  style->lineWidth.setValue(width_px);
+  lines->addChild(style);
+  auto* points = new SoCoordinate3;
+  points->point.setValues(0, static_cast<int>(ends.size()), ends.data());
+  lines->addChild(points);
+  auto* set = new SoLineSet;
+  const std::vector<int32_t> pairs(ends.size() / 2, 2);
+  set->numVertices.setValues(0, static_cast<int>(pairs.size()), pairs.data());
+  lines->addChild(set);
+  return lines;
+}
+
+SoSeparator* make_room() {
+  auto* room = new SoSeparator;
+  const float w = kHalfWidth_m;
+  room->addChild(make_plane({{-w, kFloor_m, kWall_m},
+                             {w, kFloor_m, kWall_m},
+                             {w, kTop_m, kWall_m},
+                             {-w, kTop_m, kWall_m}},
+                            kWallColour));
+  room->addChild(make_plane({{-w, kFloor_m, kFront_m},
+                             {w, kFloor_m, kFront_m},
+                             {w, kFloor_m, kWall_m},
+                             {-w, kFloor_m, kWall_m}},
+                            kFloorColour));
+  constexpr float kLift_m = 0.0006F;  // above the planes: coplanar lines would flicker
+  std::vector<SbVec3f> ends;
+  for (float x = -w; x <= w + 1e-4F; x += kGrid_m) {
+    ends.insert(ends.end(), {{x, kFloor_m, kWall_m + kLift_m}, {x, kTop_m, kWall_m + kLift_m}});
+    ends.insert(ends.end(), {{x, kFloor_m + kLift_m, kWall_m}, {x, kFloor_m + kLift_m, kFront_m}});
+  }
+  for (float y = kFloor_m + kGrid_m; y < kTop_m; y += kGrid_m)
+    ends.insert(ends.end(), {{-w, y, kWall_m + kLift_m}, {w, y, kWall_m + kLift_m}});
+  for (float z = kWall_m; z <= kFront_m; z += kGrid_m)
+    ends.insert(ends.end(), {{-w, kFloor_m + kLift_m, z}, {w, kFloor_m + kLift_m, z}});
+  room->addChild(make_lines(ends, kGridColour, 1.0F));
+  return room;
+}
+
+SoNode* make_shape(const Scene& scene) {
+  const SbVec3f size = to_sb(scene.size_m);
+  switch (scene.shape) {
+    case Shape::box: {
+      auto* box = new SoCube;
+      box->width.setValue(size[0]);
+      box->height.setValue(size[1]);
+      box->depth.setValue(size[2]);
+      return box;
+    }
+    case Shape::cylinder: {  // axis = object z; the library's is y
+      auto* turned = new SoSeparator;
+      auto* turn = new SoTransform;
+      turn->rotation.setValue(SbVec3f(1, 0, 0), static_cast<float>(M_PI / 2));
+      auto* cylinder = new SoCylinder;
+      cylinder->radius.setValue(size[0] / 2);
+      cylinder->height.setValue(size[1]);
+      turned->addChild(turn);
+      turned->addChild(cylinder);
+      return turned;
+    }
+    case Shape::sphere: {
+      auto* sphere = new SoSphere;
+      sphere->radius.setValue(size[0] / 2);
+      return sphere;
+    }
+  }
+  return new SoSeparator;
+}
+
+std::vector<SbVec3f> edges_of(const Scene& scene) {
+  std::vector<SbVec3f> ends;
+  if (scene.shape != Shape::box) return ends;
+  const SbVec3f half = to_sb(scene.size_m) * 0.5F;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float u : {-1.0F, 1.0F})
+      for (const float v : {-1.0F, 1.0F}) {
+        const int second = (axis + 1) % 3;
+        const int third = (axis + 2) % 3;
+        SbVec3f a;
+        a[axis] = -half[axis];
+        a[second] = u * half[second];
+        a[third] = v * half[third];
+        SbVec3f b = a;
+        b[axis] = half[axis];
+        ends.push_back(a);
+        ends.push_back(b);
+      }
+  return ends;
+}
+
+SoSeparator* make_mark(const Scene& scene, const SbColor& colour, float transparency) {
+  const SbVec3f size = extent_of(scene);
+  auto* mark = new SoSeparator;
+  mark->addChild(make_material(colour, transparency));
+  auto* place = new SoTranslation;
+  place->translation.setValue(0, 0.34F * size[1], 0.01F * size[2]);
+  auto* stripe = new SoCube;
+  stripe->width.setValue(0.62F * size[0]);
+  stripe->height.setValue(0.14F * size[1]);
+  stripe->depth.setValue(size[2]);
+  mark->addChild(place);
+  mark->addChild(stripe);
+  return mark;
+}
+
+FingerNodes::FingerNodes() : shown(new SoSwitch), place(new SoTransform), form(new SoSwitch) {
+  auto* group = new SoSeparator;
+  group->addChild(place);
+  form->addChild(make_cone(0.050F, 0.0095F, kApproachColour));
+  // Touching: shorter, wider, with a collar.
+  auto* touching = new SoSeparator;
+  touching->addChild(make_cone(0.036F, 0.0135F, kTouchColour));
+  auto* behind = new SoTranslation;
+  behind->translation.setValue(0, -0.039F, 0);
+  auto* collar = new SoCylinder;
+  collar->radius.setValue(0.019F);
+  collar->height.setValue(0.006F);
+  touching->addChild(make_material(kTouchColour));
+  touching->addChild(behind);
+  touching->addChild(collar);
+  form->addChild(touching);
+  form->whichChild.setValue(0);
+  group->addChild(form);
+  shown->addChild(group);
+}
+
+SbMatrix flatten_to_floor() {
+  SbMatrix m = SbMatrix::identity();
+  m[1][1] = 0.0F;
+  m[3][1] = kFloor_m + 0.0012F;
+  return m;
+}
+SbMatrix flatten_to_wall() {
+  // Light from the upper left: the shadow falls a little to the right and down.
+  SbMatrix m = SbMatrix::identity();
+  m[2][2] = 0.0F;
+  m[3][0] = 0.012F;
+  m[3][1] = -0.016F;
+  m[3][2] = kWall_m + 0.0012F;
+  return m;
+}
+
+}  // namespace isograsp::scene_nodes

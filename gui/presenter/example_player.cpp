@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/presenter/example_player.hpp"
+
+namespace isograsp {
+
+void ExamplePlayer::show(const TaskSpec& spec, const ForceReferences& references, Hand hand,
+                         const std::string& library, std::function<void(Result<void>)> changed) {
+  stop();
+  showing_ = true;
+  hand_ = hand;
+  using Shown = Result<Demonstration>;
+  worker_.run([spec, references, hand,
+               library]() -> Shown { return demonstrate(spec, references, hand, library); },
+              [this, request = request_, changed = std::move(changed)](Shown shown) {
+                if (request != request_) return;  // stopped meanwhile
+                if (!shown) {
+                  stop();
+                  return changed(shown.error());
+                }
+                if (shown->frames.empty()) {
+                  stop();
+                } else {
+                  preview_ =
+                      std::make_shared<TargetPreview>(preview_target(*shown->task, shown->context));
+                  example_ = std::make_shared<Demonstration>(*std::move(shown));
+                  frame_ = 0;
+                  began_ = clock_.now();
+                }
+                changed({});
+              });
+}
+
+void ExamplePlayer::stop() {
+  ++request_;
+  showing_ = false;
+  example_.reset();
+  preview_.reset();
+}
+
+void ExamplePlayer::tick() {
+  if (example_ == nullptr) return;
+  const double shown_s = to_seconds(clock_.now() - began_);
+  frame_ = static_cast<std::size_t>(shown_s / example_->period_s);
+  if (frame_ >= example_->frames.size()) stop();
+}
+
+PatientFacts ExamplePlayer::facts() const {
+  PatientFacts facts;
+  facts.session_open = true;
+  facts.example = true;
+  facts.hand = hand_;
+  facts.snapshot = example_->frames[frame_];
+  facts.task = example_->task;
+  facts.scene = example_->scene;
+  facts.preview = preview_;
+  facts.maximum_force_N = example_->context.references.maximum({});
+  return facts;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The logic of a session as a therapist lives it: where it stands, which step comes next, what may
+// be pressed now, and the one sentence that says so. Light, sentence, steps and the one button that
+// is filled all follow from one Situation. Pure: same facts, same view (in the language that is
+// set). No widget, no clock, no thread.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "gui/library/task_groups.hpp"
+#include "session/acquisition/snapshot.hpp"
+
+namespace isograsp {
+
+/// The way from an empty chair to a result, in order.
+enum class Step : std::uint8_t { patient, hand, screening, device, zero, rest, work };
+inline constexpr std::size_t kStepCount = 7;
+
+enum class StepState : std::uint8_t {
+  open,  ///< still to come
+  next,  ///< the sensible thing to do now
+  done
+};
+
+/// How a state light looks: each mood has its own shape and word, colour is only an addition.
+enum class Mood : std::uint8_t { off, busy, ready, attention, fault };
+[[nodiscard]] std::string word_for(Mood mood);
+
+enum class Connection : std::uint8_t { none, opening, open, closing };
+
+/// The protocol of the session as far as the flow depends on it; `active` false: tasks are chosen
+/// by hand.
+struct ProtocolFacts {
+  enum class Act : std::uint8_t { none, zero, pause, trial };
+  bool active = false;
+  Act act = Act::none;     ///< next; none: the protocol is over
+  std::string act_words;   ///< "Grip force, sine (1 of 2)"
+  int wait_s = 0;          ///< until it may begin; 0: now
+  int start_in_s = 0;      ///< until it begins by itself
+  bool goes_on = false;    ///< acts begin by themselves
+  bool by_itself = false;  ///< … or will after a press of Start: it is wanted
+};
+
+/// All that the flow depends on.
+struct FlowFacts {
+  bool database_open = false;
+  std::string database_error;  ///< why the database could not be opened
+  bool look_only = false;      ///< another program works with the file: no session can begin
+  bool patient_chosen = false;
+  bool hand_chosen = false;
+  bool hand_to_confirm = false;    ///< it is not the affected one: nobody has confirmed it yet
+  bool screened = false;           ///< questions answered, decision made
+  bool earlier_sought = false;     ///< whether there is an interrupted protocol is being looked up
+  bool earlier_undecided = false;  ///< an interrupted protocol may go on: nobody has said yet
+  bool device_chosen = false;
+  Connection connection = Connection::none;
+  std::string connection_error;  ///< why the last attempt failed, or why the session ends or ended
+  bool recorded = false;         ///< a replayed recording: nobody takes a hand out
+  bool frozen = false;           ///< no new frame for longer than kFrozenAfter_s
+  bool anything_arrived = false;
+  Stage stage = Stage::idle;
+  PauseCause pause_cause = PauseCause::none;
+  bool at_rest = false;  ///< while paused by a fault: the hand has let go, forces look as at rest
+  DeviceHealth health;
+  bool zeroed = false;
+  std::optional<Finger> restarted;  ///< whose sensor started anew after that zero
+  std::string zero_refusal;         ///< why the last zero was refused
+  bool zero_only_changed = false;   ///< … only because it differs from the last empty zero
+  std::string zero_remark;          ///< what is to be known about the accepted one
+  int settling_s = 0;               ///< until the strapped hand may rest; 0: now
+  bool strapped = false;            ///< the therapist said so
+  bool straps_due = false;          ///< and has to look at them again
+  bool hand_out = false;            ///< for a zero, after it had rested: it has to go in again
+  std::string rest_words;           ///< what the resting force suggests
+  bool rest_done = false;
+  int maximum_attempts = 0;
+  double maximum_force_N = 0.0;
+  bool task_done = false;  ///< a task after the maximum was completed
+  ProtocolFacts protocol;
+  std::string stop_reason;  ///< why work should end for today; empty: it may go on
+  bool zero_asked = false;  ///< and its outcome has not come
+  bool starting = false;  ///< a start was asked for, no frame of it has come; or its end is stored
+  bool task_chosen = false;
+  TaskKind task_kind = TaskKind::rest;
+  std::string task_name;
+  std::string task_lacks;  ///< a force that the task is scaled to and that was not measured: why
+  std::optional<TaskKind> last_kind;  ///< of the last trial in this session, which may be repeated
+};
+
+/// Age of the newest frame from which nothing is believed to arrive any more [s]. Single silent
+/// sensors are noticed by the session after 50 ms; this catches whatever else may stand still.
+inline constexpr double kFrozenAfter_s = 0.5;
+/// The same for the first frame of a session: devices need a moment to start [s].
+inline constexpr double kFirstFrameWithin_s = 3.0;
+
+/// How the device stands; its light and its words follow from it.
+enum class DeviceCondition : std::uint8_t {
+  absent,
+  failed,  ///< the last attempt to connect, or the session
+  connecting,
+  saving,
+  recording_over,
+  gone,     ///< it will send nothing any more
+  faulted,  ///< a fault that stops forces
+  frozen,
+  waiting,   ///< for its first forces
+  outdated,  ///< a sensor started anew after the zero
+  degraded,  ///< a fault with which forces still arrive
+  gap,       ///< it works, but the trial waits because samples were missing
+  zeroing,
+  no_zero,
+  ready
+};
+
+/// Where the session stands. Whatever the therapist sees follows from this one word.
+enum class Situation : std::uint8_t {
+  // Before a session.
+  database_failed,
+  database_opening,
+  look_only,
+  session_failed,  ///< connecting or the session has failed: why
+  connecting,
+  saving,
+  choose_patient,
+  confirm_hand,
+  choose_hand,
+  screen,
+  seek_earlier,
+  ask_earlier,
+  choose_device,
+  connect,
+  // The device, and what runs.
+  device_fault,
+  device_gone,
+  recording_over,
+  wait_for_forces,
+  zeroing,
+  in_trial,
+  paused,
+  paused_by_fault,
+  let_go,  ///< the device works again, the hand does not rest yet
+  starting,
+  // Between trials.
+  zero_refused,
+  zero_outdated,
+  zero_missing,
+  straps_due,
+  stop_work,
+  protocol_over,
+  protocol_zero,
+  strap_in,
+  strap_again,  ///< after a zero in the middle of the work
+  settle,
+  rest_ready,
+  rest_left_out,  ///< another task was chosen before it
+  pause,
+  next_by_itself,
+  next_after_rest,
+  next_act,
+  no_act,  ///< the protocol's next task cannot be made
+  recording_ready,
+  first_maximum,
+  next_maximum,
+  choose_task,
+  trial_stored
+};
+inline constexpr std::size_t kSituationCount =
+    static_cast<std::size_t>(Situation::trial_stored) + 1;
+
+/// The one button, or list, that is filled: the sensible thing to press now.
+enum class NextPress : std::uint8_t {
+  none,
+  patient,
+  hand,
+  confirm_hand,
+  screening,
+  earlier,
+  device,
+  connect,
+  zero,
+  strap,
+  start,
+  resume,
+  report
+};
+
+struct FlowView {
+  Situation situation = Situation::database_opening;
+  DeviceCondition device = DeviceCondition::absent;
+  std::array<StepState, kStepCount> steps{};
+  std::string sentence;   ///< state and next step, in plain words
+  Mood mood = Mood::off;  ///< of the whole
+  Mood device_mood = Mood::off;
+  std::string device_words;    ///< beside the device's light
+  bool device_speaks = false;  ///< the sentence begins with them
+  NextPress press = NextPress::none;
+  bool may_change_patient = false;
+  bool may_change_hand = false;
+  bool may_change_device = false;
+  bool may_connect = false;
+  bool may_cancel_connecting = false;
+  bool may_disconnect = false;
+  bool may_zero = false;
+  bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
+  bool may_check = false;           ///< the supports, with the hand out
+  bool may_strap = false;
+  bool may_choose_task = false;
+  bool may_show_how = false;  ///< the patient may watch how the chosen task is done
+  bool may_start = false;     ///< the trial, or in a pause the going on by itself
+  bool may_begin = false;     ///< a trial could begin at this moment
+  bool may_repeat = false;    ///< the last trial
+  bool may_skip = false;      ///< the next act of the protocol
+  bool may_pause = false;     ///< the running trial
+  bool may_stand_by = false;  ///< between trials: nothing begins by itself
+  /// Nothing may begin by itself any more: after a fault, without a zero, or when straps are to be
+  /// looked at, the therapist says that work goes on.
+  bool must_stand_by = false;
+  bool may_resume = false;
+  bool may_stop = false;
+  bool offers_end = false;  ///< the work is done: report and disconnecting are at hand
+  std::string start_hint;   ///< why Start is not possible, or what it starts
+  [[nodiscard]] std::optional<Step> next() const;
+  bool operator==(const FlowView&) const = default;
+};
+
+/// All but the words: sentence, device_words and start_hint stay empty.
+[[nodiscard]] FlowView judge(const FlowFacts& facts);
+/// With the words.
+[[nodiscard]] FlowView decide(const FlowFacts& facts);
+
+}  // namespace isograsp

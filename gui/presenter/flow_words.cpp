@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of the flow: one sentence for each situation.
+#include <QCoreApplication>
+#include <QString>
+
+#include "gui/presenter/flow_start.hpp"
+#include "gui/words/texts.hpp"
+
+namespace isograsp {
+
+namespace {
+
+struct FlowTexts {
+  Q_DECLARE_TR_FUNCTIONS(Flow)
+};
+
+std::string plain(const QString& words) {
+  return words.toStdString();
+}
+
+QString restart_words(const FlowFacts& facts) {
+  return shown(describe(DeviceFault::restarted, facts.restarted));
+}
+
+QString device_words(const FlowFacts& facts, DeviceCondition condition) {
+  using Condition = DeviceCondition;
+  switch (condition) {
+    case Condition::absent: return FlowTexts::tr("Not connected");
+    case Condition::failed: return QString::fromStdString(facts.connection_error);
+    case Condition::connecting: return FlowTexts::tr("Connecting …");
+    case Condition::saving: return FlowTexts::tr("Saving and disconnecting …");
+    case Condition::recording_over: return FlowTexts::tr("The recording is over");
+    case Condition::gone: return FlowTexts::tr("The device sends no more forces");
+    case Condition::frozen:
+      return FlowTexts::tr("No forces arrive: check the cable and power of the device");
+    case Condition::waiting: return FlowTexts::tr("Waiting for the first forces …");
+    case Condition::outdated: return restart_words(facts);
+    case Condition::faulted:
+    case Condition::degraded: return shown(describe(facts.health.fault, facts.health.finger));
+    case Condition::gap: return FlowTexts::tr("Connected, but samples were missing");
+    case Condition::zeroing: return FlowTexts::tr("Measuring the empty device …");
+    case Condition::no_zero: return FlowTexts::tr("Connected, needs its zero");
+    case Condition::ready: break;
+  }
+  return FlowTexts::tr("Ready");
+}
+
+QString maximum_words(const FlowFacts& facts) {
+  return FlowTexts::tr("Maximum %1 N.").arg(facts.maximum_force_N, 0, 'f', 0);
+}
+
+QString strap_words(const FlowFacts& facts) {
+  const auto zero =
+      facts.zero_remark.empty() ? FlowTexts::tr("Zero is set.") : shown(facts.zero_remark);
+  if (facts.protocol.active && facts.protocol.by_itself)
+    return FlowTexts::tr(
+               "%1 Strap the hand in and say so; after a minute the resting force begins.")
+        .arg(zero);
+  return FlowTexts::tr("%1 Strap the hand in and say so; after a minute start the resting force.")
+      .arg(zero);
+}
+
+QString settle_words(const FlowFacts& facts) {
+  if (facts.protocol.active && facts.protocol.goes_on)
+    return FlowTexts::tr("Hand strapped. It settles: %1 s, then the resting force begins.")
+        .arg(facts.settling_s);
+  return FlowTexts::tr("Hand strapped. It settles: %1 s until the resting force.")
+      .arg(facts.settling_s);
+}
+
+QString fault_words(const FlowFacts& facts, const FlowView& view) {
+  const auto words = QString::fromStdString(view.device_words);
+  return facts.stage == Stage::trial || facts.stage == Stage::paused
+             ? FlowTexts::tr("%1 The trial waits; nothing is lost.").arg(words)
+             : words;
+}
+
+QString words_before_session(Situation situation, const FlowFacts& facts) {
+  switch (situation) {
+    case Situation::database_failed: return QString::fromStdString(facts.database_error);
+    case Situation::database_opening: return FlowTexts::tr("Opening the database …");
+    case Situation::look_only:
+      return FlowTexts::tr(
+          "Only to look: another program has this file open. Sessions begin there.");
+    case Situation::session_failed: return QString::fromStdString(facts.connection_error);
+    case Situation::connecting: return FlowTexts::tr("Connecting to the device …");
+    case Situation::saving: return FlowTexts::tr("Saving the session …");
+    case Situation::choose_patient: return FlowTexts::tr("Choose a patient, or add a new one.");
+    case Situation::confirm_hand:
+      return FlowTexts::tr("This is not the affected hand. Confirm it, or choose the other.");
+    case Situation::choose_hand:
+      return FlowTexts::tr("Which hand is in the device today? Choose right or left.");
+    case Situation::screen: return FlowTexts::tr("Ask the screening questions before any force.");
+    case Situation::seek_earlier:
+      return FlowTexts::tr("Looking whether this protocol was interrupted today …");
+    case Situation::ask_earlier:
+      return FlowTexts::tr("This protocol was interrupted today: go on, or begin anew?");
+    case Situation::choose_device: return FlowTexts::tr("Choose the device.");
+    case Situation::connect: return FlowTexts::tr("Connect the device to begin the session.");
+    default: return {};
+  }
+}
+
+QString words_in_work(Situation situation, const FlowFacts& facts) {
+  const auto act = QString::fromStdString(facts.protocol.act_words);
+  switch (situation) {
+    case Situation::protocol_over:
+      return FlowTexts::tr("The protocol is finished. Write the report, or disconnect to end.");
+    case Situation::protocol_zero:
+      return FlowTexts::tr("Take the hand out, then set the zero of the empty device once more.");
+    case Situation::pause: return FlowTexts::tr("Pause: %1 s to rest.").arg(facts.protocol.wait_s);
+    case Situation::next_by_itself:
+      return FlowTexts::tr("Next, in %1 s: %2.").arg(facts.protocol.start_in_s).arg(act);
+    case Situation::next_after_rest:
+      return FlowTexts::tr("Next: %1, after a rest of %2 s.").arg(act).arg(facts.protocol.wait_s);
+    case Situation::next_act: return FlowTexts::tr("Next: %1. Press Start.").arg(act);
+    case Situation::no_act:
+      return FlowTexts::tr("Next: %1, which cannot be made. Skip it.").arg(act);
+    case Situation::recording_ready:
+      return FlowTexts::tr("Recording ready. Choose a task and press Start.");
+    case Situation::first_maximum:
+      return FlowTexts::tr("%1 Next: the maximum grip force.")
+          .arg(facts.rest_words.empty() ? FlowTexts::tr("Resting force is known.")
+                                        : shown(facts.rest_words));
+    case Situation::next_maximum:
+      return FlowTexts::tr("%1 Repeat it after one minute, or choose a task and press Start.")
+          .arg(maximum_words(facts));
+    case Situation::choose_task:
+      return FlowTexts::tr("%1 Choose a task and press Start.").arg(maximum_words(facts));
+    case Situation::trial_stored:
+      return FlowTexts::tr("Trial stored. Repeat it, choose another task, or disconnect to end.");
+    default: return {};
+  }
+}
+
+QString words_with_hand(Situation situation, const FlowFacts& facts) {
+  switch (situation) {
+    case Situation::zero_refused:
+      return FlowTexts::tr("Zero refused: %1").arg(shown(facts.zero_refusal));
+    case Situation::zero_outdated: return restart_words(facts);
+    case Situation::zero_missing:
+      return FlowTexts::tr("Device connected. Set the zero with the device empty.");
+    case Situation::straps_due:
+      return FlowTexts::tr(
+          "The straps have been on for 20 minutes: look at the skin, then confirm that the hand is "
+          "in and strapped.");
+    case Situation::stop_work: return shown(facts.stop_reason);
+    case Situation::strap_in: return strap_words(facts);
+    case Situation::strap_again:
+      return FlowTexts::tr("Zero is set. Strap the hand in again and say so.");
+    case Situation::settle: return settle_words(facts);
+    case Situation::rest_ready:
+      return FlowTexts::tr("The hand has settled. It relaxes: start the resting force.");
+    case Situation::rest_left_out:
+      return FlowTexts::tr("The resting force is not known: choose it first, or go on without it.");
+    default: return words_in_work(situation, facts);
+  }
+}
+
+QString words_in_session(Situation situation, const FlowFacts& facts, const FlowView& view) {
+  switch (situation) {
+    case Situation::device_fault: return fault_words(facts, view);
+    case Situation::device_gone:
+      return FlowTexts::tr("The device sends no more forces. Disconnect to end the session.");
+    case Situation::recording_over:
+      return FlowTexts::tr("The recording is over. Disconnect to end the session.");
+    case Situation::wait_for_forces: return FlowTexts::tr("Waiting for the first forces …");
+    case Situation::zeroing: return FlowTexts::tr("Setting the zero. Nobody touches the device.");
+    case Situation::in_trial: return FlowTexts::tr("Recording: %1.").arg(shown(facts.task_name));
+    case Situation::paused: return FlowTexts::tr("Paused. Resume when the patient is ready.");
+    case Situation::paused_by_fault: return shown(describe(facts.pause_cause));
+    case Situation::let_go:
+      return FlowTexts::tr(
+          "The device works again. The hand lets go; if Resume stays closed, stop, set the zero "
+          "and repeat the trial.");
+    case Situation::starting: return FlowTexts::tr("One moment …");
+    default: return words_with_hand(situation, facts);
+  }
+}
+
+QString words_for_situation(const FlowFacts& facts, const FlowView& view) {
+  const auto before = words_before_session(view.situation, facts);
+  const auto words = before.isEmpty() ? words_in_session(view.situation, facts, view) : before;
+  const auto device = QString::fromStdString(view.device_words);
+  return view.device_speaks ? QStringLiteral("%1 %2").arg(device, words) : words;
+}
+
+/// Why no trial can begin at this moment; empty: it can.
+QString hint_of(const FlowFacts& facts) {
+  switch (obstacle_of(facts)) {
+    case Obstacle::none: break;
+    case Obstacle::no_device: return FlowTexts::tr("Connect the device first.");
+    case Obstacle::recording_over: return FlowTexts::tr("The recording is over.");
+    case Obstacle::no_zero: return FlowTexts::tr("Set the zero first, with the device empty.");
+    case Obstacle::zeroing: return FlowTexts::tr("Wait until the zero is set.");
+    case Obstacle::trial_runs: return FlowTexts::tr("A trial is running.");
+    case Obstacle::protocol_over: return FlowTexts::tr("The protocol is finished.");
+    case Obstacle::zero_again: return FlowTexts::tr("Set the zero of the empty device once more.");
+    case Obstacle::not_strapped:
+      return FlowTexts::tr("Say first that the hand is in and strapped.");
+    case Obstacle::settles:
+      return FlowTexts::tr("The strapped hand settles: %1 s.").arg(facts.settling_s);
+    case Obstacle::rests: return FlowTexts::tr("Rest: %1 s.").arg(facts.protocol.wait_s);
+    case Obstacle::pause_ends: return FlowTexts::tr("The pause is over in a moment.");
+    case Obstacle::no_task: return FlowTexts::tr("Choose a task.");
+    case Obstacle::task_lacks: return QString::fromStdString(facts.task_lacks);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string word_for(Mood mood) {
+  switch (mood) {
+    case Mood::off: return plain(FlowTexts::tr("Off"));
+    case Mood::busy: return plain(FlowTexts::tr("Busy"));
+    case Mood::ready: return plain(FlowTexts::tr("Ready"));
+    case Mood::attention: return plain(FlowTexts::tr("To do"));
+    case Mood::fault: return plain(FlowTexts::tr("Fault"));
+  }
+  return "";
+}
+
+FlowView decide(const FlowFacts& facts) {
+  FlowView view = judge(facts);
+  view.device_words = plain(device_words(facts, view.device));
+  view.sentence = plain(words_for_situation(facts, view));
+  view.start_hint = plain(hint_of(facts));
+  return view;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/presenter/patient_picture.hpp"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/words/cue_words.hpp"
+#include "gui/words/texts.hpp"
+
+namespace isograsp {
+
+namespace {
+
+using Page = PatientPicture::Page;
+using Sign = PatientPicture::Sign;
+using Notice = PatientPicture::Notice;
+
+struct PictureTexts {
+  Q_DECLARE_TR_FUNCTIONS(PatientScreen)
+};
+
+/// A finger that does not touch stands off at most this far [m].
+constexpr double kStandOff_m = 0.030;
+/// Force that brings a finger to the surface when the scene has no threshold [N].
+constexpr double kApproach_N = 1.0;
+/// Effort is shown full at this force when no maximum was measured [N].
+constexpr double kAssumedMaximum_N = 30.0;
+/// Where the column of an effort is about two thirds full. It is the same for every patient and
+/// attempt, so that more force always looks like more; opening, sideways and single digits are
+/// weaker than the whole grip.
+constexpr double kFullGrip_N = 30.0;
+constexpr double kFullOther_N = 12.0;
+/// Distance of a digit's force from its target that looks like "on it", of the largest target.
+constexpr double kOnTarget = 0.15;
+
+/// Where the object is `ahead_s` after its state, at the velocity that it had then.
+Pose moved(const ObjectState& state, double ahead_s) {
+  Pose pose = state.pose;
+  pose.p_WO += ahead_s * state.v_WO_W;
+  const double angle_rad = ahead_s * state.w_WO_W.norm();
+  if (angle_rad > 0.0)
+    pose.q_WO = Eigen::AngleAxisd(angle_rad, state.w_WO_W.normalized()) * pose.q_WO;
+  return pose;
+}
+
+FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) {
+  const Snapshot& now = facts.snapshot;
+  const auto f = index_of(contact.finger);
+  FingerPicture finger;
+  finger.shown = true;
+  finger.touching = now.grasp.contact[f];
+  const double normal_N = std::max(0.0, now.forces.wrench_C[f].force.z());
+  const double maximum_N = facts.maximum_force_N > 0.0 ? facts.maximum_force_N : kAssumedMaximum_N;
+  finger.effort = std::clamp(normal_N / maximum_N, 0.0, 1.0);
+  const double reach_N = contact.threshold_N > 0.0 ? contact.threshold_N : kApproach_N;
+  const double approach = facts.calm ? 0.0 : 0.8 * std::min(1.0, normal_N / reach_N);
+  const double gap_m = finger.touching ? 0.0 : kStandOff_m * (1.0 - approach);
+  const Vec3 normal_O = contact.R_OC.col(2);
+  const Pose object = moved(now.object, facts.ahead_s);
+  finger.axis_W = object.q_WO * normal_O;
+  finger.tip_W = object.p_WO + object.q_WO * (contact.p_OC - gap_m * normal_O);
+  return finger;
+}
+
+/// Is the object, as it is drawn, near enough to the outline, and is it to be held there?
+bool is_held(const PatientFacts& facts, const PatientPicture& picture) {
+  const auto near = [&](const auto& spec) {
+    return (picture.object.p_WO - picture.target.p_WO).norm() <= spec.position_tolerance_m &&
+           angle_between(picture.object.q_WO, picture.target.q_WO) <= spec.angle_tolerance_rad;
+  };
+  if (const auto* spec = std::get_if<PickPlaceSpec>(&facts.task->kind)) return near(*spec);
+  const auto* spec = std::get_if<PoseTargetsSpec>(&facts.task->kind);
+  const auto target = static_cast<std::size_t>(facts.snapshot.task.target_index);
+  return spec != nullptr && target < spec->targets.size() && spec->targets[target].hold_s > 0.0 &&
+         near(*spec);
+}
+
+void add_object(const PatientFacts& facts, PatientPicture& picture) {
+  const Snapshot& now = facts.snapshot;
+  picture.page = Page::object;
+  picture.scene = facts.scene;
+  picture.object = moved(now.object, facts.ahead_s);
+  picture.target_shown = now.task.pose_target_shown;
+  picture.target = now.task.target;
+  picture.hold_fraction = is_held(facts, picture) ? now.task.hold_fraction : 0.0;
+  picture.ring_W = picture.target.p_WO;
+  picture.targets_reached = now.task.targets_reached;
+  picture.target_count = now.task.target_count;
+  for (const auto& contact : facts.scene->contacts)
+    picture.fingers[index_of(contact.finger)] = picture_finger(contact, facts);
+}
+
+void say(PatientPicture& picture, Sign sign, const QString& headline, const QString& detail = {}) {
+  picture.sign = sign;
+  picture.headline = headline.toStdString();
+  picture.detail = detail.toStdString();
+}
+
+void say(PatientPicture& picture, Sign sign, CueWords words) {
+  picture.sign = sign;
+  picture.headline = std::move(words.headline);
+  picture.detail = std::move(words.detail);
+}
+
+void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
+  const TaskView& task = facts.snapshot.task;
+  if (std::holds_alternative<PoseTrackingSpec>(facts.task->kind))
+    return say(picture, Sign::wait, PictureTexts::tr("Stay on the outline"),
+               PictureTexts::tr("It moves: go with it"));
+  if (task.target_count == 0) return say(picture, Sign::wait, shown(facts.task->instruction));
+  picture.progress = static_cast<double>(task.targets_reached) / task.target_count;
+  if (task.cue == Cue::let_go)
+    return say(picture, Sign::wait, PictureTexts::tr("Let go"), PictureTexts::tr("Leave it there"));
+  if (task.phase == Phase::hold && picture.hold_fraction > 0.0)
+    return say(picture, Sign::wait, PictureTexts::tr("Hold it still"),
+               PictureTexts::tr("Until the ring is full"));
+  if (std::holds_alternative<PickPlaceSpec>(facts.task->kind))
+    return say(picture, Sign::wait, PictureTexts::tr("Bring it to the outline"),
+               PictureTexts::tr("Take it and carry it there"));
+  say(picture, Sign::wait, words_for(Cue::move, task.channel, facts.hand));
+}
+
+/// "Next: thumb, push up".
+std::string next_words(const TargetPreview::Part& part, Hand hand) {
+  QString words = QString::fromStdString(part.cue == Cue::squeeze
+                                             ? act_of(part.channel, hand)
+                                             : words_for(part.cue, part.channel, hand).headline);
+  // One colon is enough.
+  static const QRegularExpression kColon(QStringLiteral("[\\s\u00a0]*:\\s*"));
+  words.replace(kColon, QStringLiteral(", "));
+  return PictureTexts::tr("Next: %1").arg(in_sentence(words)).toStdString();
+}
+
+void add_rest(const PatientFacts& facts, PatientPicture& picture) {
+  const int segment = facts.snapshot.task.segment;
+  say(picture, Sign::rest, words_for(Cue::relax, picture.channel, facts.hand));
+  const auto* effort = facts.preview == nullptr ? nullptr : facts.preview->next_effort(segment);
+  if (effort == nullptr) return;
+  const bool at_once = effort == &facts.preview->parts[static_cast<std::size_t>(segment) + 1];
+  if (at_once && (effort->cue == Cue::squeeze || effort->cue == Cue::press))
+    picture.headline = PictureTexts::tr("Get ready").toStdString();
+  picture.detail = next_words(*effort, facts.hand);
+}
+
+void add_directions(const PatientFacts& facts, PatientPicture& picture) {
+  const TaskView& task = facts.snapshot.task;
+  picture.page = Page::directions;
+  picture.digits_N = facts.preview == nullptr ? 0.0 : facts.preview->digits_N;
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    if (task.digit_targets.shown[f])
+      picture.digits_N = std::max(picture.digits_N, task.digit_targets.force_C[f].norm());
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    DigitPicture& digit = picture.digits[f];
+    digit.asked = task.digit_targets.shown[f];
+    if (!digit.asked) continue;
+    digit.target_C = task.digit_targets.force_C[f];
+    if (!task.force_shown) continue;
+    digit.force_C = facts.snapshot.forces.wrench_C[f].force;
+    digit.on_target = (digit.force_C - digit.target_C).norm() <= kOnTarget * picture.digits_N;
+  }
+  say(picture, Sign::act, words_for_digits(task.digit_targets.shown));
+}
+
+void add_follow(const PatientFacts& facts, PatientPicture& picture) {
+  const TaskView& task = facts.snapshot.task;
+  picture.page = Page::tracking;
+  say(picture, Sign::act, words_for(Cue::follow, task.channel, facts.hand));
+  if (!task.force_shown) {
+    picture.detail = PictureTexts::tr("Without seeing your force").toStdString();
+    return;
+  }
+  const auto segment = static_cast<std::size_t>(task.segment);
+  const bool steady = facts.preview != nullptr && segment < facts.preview->parts.size() &&
+                      facts.preview->parts[segment].steady;
+  if (task.phase == Phase::lead_in && std::holds_alternative<ForceTrackingSpec>(facts.task->kind))
+    picture.detail = PictureTexts::tr("Get ready").toStdString();
+  else if (task.phase == Phase::hold)
+    picture.detail = PictureTexts::tr("Hold it and wait for the word").toStdString();
+  else if (steady)
+    picture.detail = PictureTexts::tr("Hold it steady on the line").toStdString();
+}
+
+void add_force(const PatientFacts& facts, PatientPicture& picture) {
+  const TaskView& task = facts.snapshot.task;
+  const auto words = [&] { return words_for(task.cue, task.channel, facts.hand); };
+  switch (task.cue) {
+    case Cue::relax: return add_rest(facts, picture);
+    case Cue::squeeze:
+    case Cue::press:
+      picture.page = Page::effort;
+      picture.urgent = task.cue == Cue::squeeze;
+      return say(picture, Sign::act, words());
+    case Cue::follow:
+      if (task.digit_targets.any()) return add_directions(facts, picture);
+      return add_follow(facts, picture);
+    case Cue::let_go:
+      // The mark falls where it was held.
+      if (task.force_shown) picture.page = Page::tracking;
+      picture.urgent = true;
+      return say(picture, Sign::let_go, words());
+    case Cue::reproduce: return say(picture, Sign::memory, words());
+    case Cue::hand_out: return say(picture, Sign::hand_out, words());
+    case Cue::move: return say(picture, Sign::wait, words());
+  }
+}
+
+void add_trial(const PatientFacts& facts, PatientPicture& picture) {
+  const TaskView& task = facts.snapshot.task;
+  picture.hand = facts.hand;
+  picture.channel = task.channel;
+  picture.force_shown = task.force_shown;
+  if (task.force_shown) picture.force_N = task.actual_force_N;
+  picture.line_shown = task.force_target_shown;
+  if (task.force_target_shown) picture.target_N = task.target_force_N;
+  picture.task_time_s = task.task_time_s + facts.ahead_s;
+  const auto* maximum = std::get_if<MaximumSpec>(&facts.task->kind);
+  const bool of_grip = maximum != nullptr && maximum->channel == ForceChannel{};
+  picture.full_N = of_grip ? kFullGrip_N : kFullOther_N;
+  if (facts.preview != nullptr && facts.preview->has_target())
+    picture.axis = facts.preview->axis;
+  else
+    picture.axis = {std::min(0.0, task.target_force_N), std::max(1.0, task.target_force_N)};
+  const bool angles_known = facts.viewing.known();
+  if (angles_known && facts.preview != nullptr && facts.preview->gain_deg_per_N)
+    picture.axis = with_gain(picture.axis, *facts.preview->gain_deg_per_N, facts.viewing);
+  if (facts.preview != nullptr && facts.preview->ahead_s > 0.0) picture.preview = facts.preview;
+  picture.progress_shown = task.duration_s > 0.0;
+  if (picture.progress_shown)
+    picture.progress = std::clamp(task.task_time_s / task.duration_s, 0.0, 1.0);
+  if (facts.scene != nullptr && facts.snapshot.has_object) {
+    add_object(facts, picture);
+    add_object_words(facts, picture);
+  } else {
+    add_force(facts, picture);
+  }
+  picture.on_target = picture.page == Page::tracking && picture.force_shown && picture.line_shown &&
+                      std::abs(picture.axis.share(picture.force_N) -
+                               picture.axis.share(picture.target_N)) <= kHalfBandShare;
+  if (picture.page == Page::tracking && task.force_shown && angles_known)
+    picture.gain_deg_per_N = gain_of(picture.axis, facts.viewing);
+}
+
+void add_idle(const PatientFacts& facts, PatientPicture& picture) {
+  const Snapshot& now = facts.snapshot;
+  if (!facts.session_open || now.frames == 0)
+    return say(picture, Sign::wait, PictureTexts::tr("Welcome"),
+               PictureTexts::tr("We will begin in a moment."));
+  if (now.stage == Stage::zeroing)
+    return say(picture, Sign::hand_out, PictureTexts::tr("Hands off, please"),
+               PictureTexts::tr("The device measures itself."));
+  if (facts.just_completed && facts.just_missed) {
+    picture.missed = true;
+    return say(picture, Sign::rest, PictureTexts::tr("Good try"),
+               PictureTexts::tr("Relax your hand."));
+  }
+  if (facts.just_completed)
+    return say(picture, Sign::good, PictureTexts::tr("Well done"),
+               PictureTexts::tr("Relax your hand."));
+  if (!now.zeroed)
+    return say(picture, Sign::hand_out,
+               PictureTexts::tr("Please take your hand out of the device"));
+  say(picture, Sign::wait, PictureTexts::tr("Relax your hand"),
+      PictureTexts::tr("The next task will begin in a moment."));
+}
+
+void add_notice(const PatientFacts& facts, PatientPicture& picture) {
+  const Snapshot& now = facts.snapshot;
+  const bool paused = now.stage == Stage::paused;
+  const bool by_fault = paused && now.pause_cause != PauseCause::therapist;
+  if (facts.device_fault || facts.broken_off || by_fault) {
+    picture.notice = Notice::fault;
+    picture.notice_words =
+        PictureTexts::tr("The device needs help. You did nothing wrong. Relax your hand.")
+            .toStdString();
+  } else if (paused) {
+    picture.notice = Notice::pause;
+    picture.notice_words = PictureTexts::tr("Pause. Relax your hand.").toStdString();
+  }
+}
+
+}  // namespace
+
+PatientPicture picture_for(const PatientFacts& facts) {
+  PatientPicture picture;
+  picture.simulated = facts.simulated && !facts.example;
+  picture.example = facts.example;
+  picture.published = facts.snapshot.published;
+  picture.calm = facts.calm;
+  const Stage stage = facts.snapshot.stage;
+  const bool in_trial = facts.session_open && (stage == Stage::trial || stage == Stage::paused) &&
+                        facts.task != nullptr;
+  if (in_trial)
+    add_trial(facts, picture);
+  else
+    add_idle(facts, picture);
+  if (facts.session_open || facts.broken_off) add_notice(facts, picture);
+  if (facts.example) picture.detail = PictureTexts::tr("Watch how it is done").toStdString();
+  return picture;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the patient sits and is strapped: asked in every session, offered as last time. Pure.
+#pragma once
+
+#include <QString>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "storage/records/profile.hpp"
+
+namespace isograsp {
+
+enum class PostureItem : std::uint8_t {
+  seat,
+  elbow,  ///< angle [deg]
+  forearm,
+  wrist,
+  orthosis,
+  supports,  ///< marks on the platform, as written there
+  straps     ///< marks on the straps
+};
+inline constexpr std::size_t kPostureItems = 7;
+inline constexpr std::array<PostureItem, kPostureItems> kPostureOrder{
+    PostureItem::seat,     PostureItem::elbow,    PostureItem::forearm, PostureItem::wrist,
+    PostureItem::orthosis, PostureItem::supports, PostureItem::straps};
+
+/// As stored.
+[[nodiscard]] const char* name_of(PostureItem item) noexcept;
+[[nodiscard]] QString title_of(PostureItem item);
+/// What may be chosen, as stored; empty: marks that are written down.
+[[nodiscard]] const std::vector<const char*>& choices_of(PostureItem item);
+/// A stored value in words.
+[[nodiscard]] QString words_for(PostureItem item, const std::string& value);
+
+struct Posture {
+  std::array<std::string, kPostureItems> values;  ///< empty: not said
+
+  [[nodiscard]] const std::string& of(PostureItem item) const {
+    return values[static_cast<std::size_t>(item)];
+  }
+  std::string& of(PostureItem item) { return values[static_cast<std::size_t>(item)]; }
+  [[nodiscard]] bool said() const { return *this != Posture{}; }
+  friend bool operator==(const Posture&, const Posture&) = default;
+};
+
+/// As stored with the session; what was not said is left out.
+[[nodiscard]] std::vector<SessionAnswer> stored(const Posture& posture);
+[[nodiscard]] Posture posture_in(const std::vector<SessionAnswer>& answers);
+/// "elbow 90° instead of 110°, wrist …"; empty: the same, or nothing to compare with.
+[[nodiscard]] QString deviations(const Posture& now, const Posture& last);
+
+}  // namespace isograsp

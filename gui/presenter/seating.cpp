@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/presenter/seating.hpp"
+
+#include <algorithm>
+
+namespace isograsp {
+
+namespace {
+
+struct LastTime {
+  std::optional<Posture> posture;
+  std::optional<Presentation> presentation;
+};
+
+LastTime read_last_time(SessionStore& store, const std::string& code, std::optional<Hand> hand) {
+  LastTime last;
+  const auto patient = store.find_patient(code);
+  if (!patient || !*patient) return last;
+  auto sessions = store.sessions((*patient)->id);
+  if (!sessions) return last;
+  std::sort(sessions->begin(), sessions->end(),
+            [](const auto& a, const auto& b) { return a.id > b.id; });
+  for (const auto& session : *sessions) {
+    const auto answers = store.answers(session.id);
+    if (!answers) break;
+    const auto has = [&](const char* topic) {
+      return std::any_of(answers->begin(), answers->end(),
+                         [&](const auto& answer) { return answer.topic == topic; });
+    };
+    if (!last.posture && session.hand == hand && has("posture"))
+      last.posture = posture_in(*answers);
+    if (!last.presentation && has("screen")) last.presentation = presentation_in(*answers);
+    if (last.presentation && (last.posture || !hand)) break;
+  }
+  return last;
+}
+
+}  // namespace
+
+Seating::Seating(Clinic& clinic, QObject* parent) : QObject(parent), clinic_(clinic) {}
+
+void Seating::look(const std::string& code, std::optional<Hand> hand) {
+  if (code != code_) {
+    presentation_ = {};
+    presentation_said_ = false;
+  }
+  if (code != code_ || hand != hand_) {
+    posture_ = last_posture_ = {};
+    posture_said_ = false;
+  }
+  code_ = code;
+  hand_ = hand;
+  const int lookup = ++lookups_;
+  Q_EMIT changed();
+  if (code.empty()) return;
+  (void)clinic_.read(
+      this, [code, hand](SessionStore& store) { return read_last_time(store, code, hand); },
+      [this, lookup](LastTime last) {
+        if (lookup != lookups_) return;
+        last_posture_ = last.posture.value_or(Posture{});
+        if (!posture_said_) posture_ = last_posture_;
+        if (!presentation_said_ && last.presentation) presentation_ = *last.presentation;
+        Q_EMIT changed();
+      });
+}
+
+void Seating::say_posture(const Posture& posture) {
+  if (posture == posture_) return;
+  posture_ = posture;
+  posture_said_ = true;
+  Q_EMIT changed();
+}
+
+void Seating::say_presentation(const Presentation& presentation) {
+  if (presentation == presentation_) return;
+  presentation_ = presentation;
+  presentation_said_ = true;
+  Q_EMIT changed();
+}
+
+}  // namespace isograsp

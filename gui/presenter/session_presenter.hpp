@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything behind both windows except their pixels: the choices made, the open session, the
+// running trial, the newest snapshot. Knows no widget; all slow work runs on a worker. GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/histogram.hpp"
+#include "gui/clinic/background.hpp"
+#include "gui/clinic/clinic.hpp"
+#include "gui/clinic/disk_room.hpp"
+#include "gui/clinic/settings.hpp"
+#include "gui/library/session_library.hpp"
+#include "gui/look/force_history.hpp"
+#include "gui/presenter/example_player.hpp"
+#include "gui/presenter/flow.hpp"
+#include "gui/presenter/patient_picture.hpp"
+#include "gui/presenter/protocol_guide.hpp"
+#include "gui/presenter/screening.hpp"
+#include "gui/presenter/seating.hpp"
+#include "session/compensation.hpp"
+#include "session/rest_watch.hpp"
+#include "session/resting.hpp"
+#include "session/session.hpp"
+#include "session/work_limits.hpp"
+
+namespace isograsp {
+
+struct GuiConfig {
+  std::string database;
+  std::string device_uri;  ///< chosen at start; empty: the therapist chooses
+  std::string library;     ///< shipped: folder with tasks/, protocols/ and scenes/
+  std::string software_version;
+  std::string operator_name = {};        ///< stored with zero and resting force
+  Realtime realtime = Realtime::prefer;  ///< of the acquisition thread
+  std::string settings = {};             ///< file; empty: nothing is read or kept
+  bool look_only = false;                ///< another program works with the file
+  double settle_after_strapping_s = kSettleAfterStrapping_s;
+};
+
+class SessionPresenter final : public QObject {
+  Q_OBJECT
+
+ public:
+  SessionPresenter(const GuiConfig& config, Clinic& clinic, const SettingsFile& settings,
+                   QObject* parent = nullptr);
+  ~SessionPresenter() override;
+
+  // Choices. Ignored while the flow does not allow them.
+  void choose_patient(const std::string& code);
+  void choose_hand(Hand hand);
+  /// The chosen hand is not the affected one, and that is meant.
+  void confirm_hand();
+  void choose_device(const std::string& uri);
+  void answer_screening(const Screening& answers);
+  /// A number in protocols(); kByHand: none, tasks are chosen one by one.
+  void choose_protocol(int index);
+  /// An interrupted protocol may be taken up: go on with it, or begin anew.
+  void decide_earlier(bool go_on);
+  /// By hand; in a protocol it stands by until follow_protocol().
+  void choose_task(int index);
+  /// In a protocol: a task is chosen now, the protocol stands by.
+  void choose_by_hand();
+  /// The next act of the protocol again, after tasks that were chosen by hand.
+  void follow_protocol();
+  void set_practice(bool practice);
+
+  // Acts. Each is ignored while the flow does not allow it.
+  void connect_device();
+  /// At once for the therapist; what the worker has opened meanwhile is closed there.
+  void cancel_connecting();
+  void disconnect_device();
+  /// At once, whatever is running or being opened: the program is about to end.
+  void end_session();
+  /// The operator has confirmed that the device is empty, and perhaps that it was serviced or
+  /// remounted since its last zero.
+  void set_zero(bool accept_changed = false);
+  void mark_strapped();  ///< the hand is in and strapped
+  void start();
+  void pause();
+  void resume();
+  void stop();
+  /// Nothing begins by itself any more until the next start.
+  void stand_by();
+  void skip();                ///< the next act of the protocol
+  void repeat();              ///< the last trial once more, beside the protocol
+  void start_pause_resume();  ///< the one big key
+  /// Acts of the protocol begin by themselves after a start (as it is at first), or wait for a key.
+  void set_by_itself(bool by_itself);
+  /// Of the chosen task, if it has a difficulty that may be chosen: -1 easier, +1 harder.
+  void adjust_difficulty(int direction);
+  /// The therapist helps, or did in the last trial; again: takes it back.
+  void toggle_helped();
+  /// What the patient says of the work, 0 to 10 each; nothing is stored before both are known.
+  void rate_effort(int effort);
+  void rate_pain(int pain);
+  /// The patient's screen shows how the chosen task is done; again: it stops. So does any act.
+  void show_how();
+  void note(const std::string& text);
+  /// Who works at this station, from the next session on; empty: as the settings say.
+  void name_operator(const std::string& name) { operator_ = name; }
+  /// Reads tasks and protocols again; what is new appears as soon as no trial runs and no device is
+  /// being opened. What is chosen stays chosen as long as its file is there.
+  void reload_library();
+  [[nodiscard]] const GuiConfig& config() const noexcept { return config_; }
+  /// Another program works with the file: nothing is added or changed here.
+  [[nodiscard]] bool look_only() const noexcept { return config_.look_only; }
+
+  [[nodiscard]] const FlowView& view() const noexcept { return view_; }
+  [[nodiscard]] const Snapshot& snapshot() const noexcept { return snapshot_; }
+  [[nodiscard]] const ForceHistory& forces() const noexcept { return forces_; }
+  [[nodiscard]] const std::string& patient() const noexcept { return patient_; }
+  [[nodiscard]] std::optional<Hand> hand() const noexcept { return hand_; }
+  /// The chosen hand is not on the affected side: a press must confirm it.
+  [[nodiscard]] bool hand_to_confirm() const noexcept;
+  [[nodiscard]] const std::string& device_uri() const noexcept { return device_uri_; }
+  [[nodiscard]] std::string device_description() const;
+  /// What the session measures beside the hand.
+  [[nodiscard]] const Compensation& compensation() const noexcept { return compensation_; }
+  /// Today's maximum grip, if it is known and forces are to be shown as a share of it; else 0 [N].
+  [[nodiscard]] double shown_maximum_N() const noexcept;
+  /// Of the connected device; null: none.
+  [[nodiscard]] const DeviceInfo* device_info() const noexcept;
+  struct Fault {
+    double session_time_s = 0.0;
+    std::string words;
+  };
+  /// Of the device in this session, oldest first.
+  [[nodiscard]] const std::vector<Fault>& faults() const noexcept { return faults_; }
+  [[nodiscard]] const std::vector<TaskSpec>& tasks() const noexcept { return library_.tasks; }
+  /// Files that could not be read, in words.
+  [[nodiscard]] const std::vector<std::string>& library_problems() const noexcept {
+    return library_.problems;
+  }
+  /// Chosen by hand; -1: the protocol says what comes.
+  [[nodiscard]] int task() const noexcept { return follows() ? -1 : task_; }
+  /// The task that Start begins, at its level; null: none.
+  [[nodiscard]] const TaskSpec* next_task() const noexcept;
+  /// "Grip force, sine (1 of 2)" of the protocol, or the name of the chosen task.
+  [[nodiscard]] std::string next_words() const;
+  static constexpr int kByHand = -1;
+  [[nodiscard]] const std::vector<ReadyProtocol>& protocols() const noexcept {
+    return library_.protocols;
+  }
+  [[nodiscard]] int protocol() const noexcept { return protocol_; }
+  /// The session follows, or will follow, protocol().
+  [[nodiscard]] bool has_protocol() const noexcept;
+  [[nodiscard]] const ProtocolGuide& guide() const noexcept { return guide_; }
+  /// The protocol, not the therapist, says what comes.
+  [[nodiscard]] bool follows() const noexcept { return guide_.active() && !by_hand_; }
+  [[nodiscard]] bool by_itself() const noexcept { return by_itself_; }
+  [[nodiscard]] const Screening& screening() const noexcept { return screening_; }
+  /// Acts that an interrupted session did of the chosen protocol today; nothing: there is none.
+  [[nodiscard]] std::optional<int> earlier() const noexcept { return earlier_; }
+  [[nodiscard]] std::optional<bool> goes_on_earlier() const noexcept { return resume_; }
+  /// Level of the chosen task, 0 (easiest) … 1; nothing: it has none that may be chosen now.
+  [[nodiscard]] std::optional<double> difficulty() const;
+  /// Of the running or the last trial.
+  [[nodiscard]] bool helped() const noexcept { return helped_; }
+  [[nodiscard]] bool may_help() const noexcept;
+  [[nodiscard]] bool may_repeat() const noexcept;
+  [[nodiscard]] std::optional<int> effort() const noexcept { return effort_; }
+  [[nodiscard]] std::optional<int> pain() const noexcept { return pain_; }
+  /// The patient's last answer of this session: effort and pain.
+  struct Rated {
+    int effort = 0;
+    int pain = 0;
+  };
+  [[nodiscard]] std::optional<Rated> rated() const noexcept { return rated_; }
+  /// effort() and pain() are that answer: another number corrects it.
+  [[nodiscard]] bool corrects_rating() const noexcept { return corrects_rating_; }
+  void show_rated();  ///< to correct it, after effort() and pain() were emptied for the next answer
+  [[nodiscard]] bool practice() const noexcept { return practice_; }
+  /// The protocol asks for a zero of the empty device.
+  [[nodiscard]] bool zero_is_next() const noexcept {
+    return guide_.act() && guide_.act()->kind == ProtocolWalk::Act::Kind::instrument_zero;
+  }
+  /// What the resting force suggests; empty: not measured yet.
+  [[nodiscard]] const std::string& rest_words() const noexcept { return rest_words_; }
+  [[nodiscard]] bool simulated() const noexcept;
+  [[nodiscard]] bool recorded() const noexcept;
+  [[nodiscard]] bool session_open() const noexcept { return session_ != nullptr; }
+  /// A trial, a zero or a protocol is running, or will go on by itself.
+  [[nodiscard]] bool under_way() const noexcept {
+    return starting_ || zero_asked_ || view_.may_stop || view_.may_stand_by || guide_.goes_on();
+  }
+  /// Why not all of the last session is in the database, where it is and what to do.
+  [[nodiscard]] const std::optional<Error>& lost() const noexcept { return lost_; }
+  /// A session is open, or being opened or closed.
+  [[nodiscard]] bool busy() const noexcept { return connection_ != Connection::none; }
+  [[nodiscard]] const std::vector<Measure>& live_score() const noexcept { return live_score_; }
+  /// The last trial of this session; nothing: none yet.
+  [[nodiscard]] const std::optional<TrialOutcome>& last_trial() const noexcept {
+    return last_trial_;
+  }
+  [[nodiscard]] double worst_lateness_s() const noexcept { return worst_lateness_s_; }
+  /// What the acquisition thread was given; empty: not asked for.
+  [[nodiscard]] std::string realtime() const;
+  /// A demonstration is being made or is on the patient's screen.
+  [[nodiscard]] bool showing_how() const noexcept { return example_.showing(); }
+  /// How the patient sits and sees; what is said of it is stored with the session.
+  [[nodiscard]] Seating& seating() noexcept { return seating_; }
+  [[nodiscard]] const Seating& seating() const noexcept { return seating_; }
+  /// What the patient's screen shows now, on a content area of that height (0: not known).
+  [[nodiscard]] PatientPicture picture(double picture_height_m = 0.0) const;
+  /// A picture has appeared on the patient's screen: its age, and how large a force is on it, are
+  /// kept with the trial.
+  void picture_shown(const PatientPicture& picture);
+
+  /// Takes the newest snapshot and news; called by the timer, 60 times a second.
+  void poll();
+
+ Q_SIGNALS:
+  void changed();          ///< view() or a choice
+  void library_changed();  ///< tasks() and protocols()
+  void frame();            ///< a poll is over: snapshot() is as new as it gets
+  void score_changed();    ///< live_score()
+  void trial_ended();      ///< last_trial()
+  void settled();          ///< busy() has ended in one way or the other: connected, refused, closed
+  void failed(const QString& why);  ///< an act was refused
+
+ private:
+  [[nodiscard]] FlowFacts facts() const;
+  void update();
+  void take_library(SessionLibrary library);
+  void ask_anew();
+  void look_for_earlier();
+  [[nodiscard]] ProtocolFacts protocol_facts() const;
+  void follow_time();
+  void begin_next();
+  [[nodiscard]] Result<TaskSpec> at_chosen_level(const TaskSpec& spec) const;
+  void say_smaller_gain(std::optional<double> shown);
+  void begin_protocol();
+  void look_at_act();
+  Result<void> begin_trial(const TaskSpec& spec, bool practice, std::optional<TrialPlace> place);
+  void leave_out(const Error& why);
+  void store_rating();
+  void ask_rating_anew();
+  [[nodiscard]] double session_time_s() const noexcept { return snapshot_.session_time_s; }
+  void select_first(TaskKind kind);
+  void select_task_after_maximum();
+  void look_at_task();
+  void take(const SessionNews& news);
+  void take_trial(const TrialOutcome& outcome);
+  void begin_session(std::unique_ptr<Session> session);
+  void take_earlier_work();
+  void close_session(const std::string& why);
+  template <class Closed>
+  void close_on_worker(std::unique_ptr<Session> session, Closed closed);
+  void prepare_picture(const TaskSpec& spec, const TaskContext& context);
+  void refuse(const Error& error);
+  void forget_failure();
+  void keep_broken_trial(const std::string& why);
+  void remember_fault(const DeviceHealth& before);
+  void watch_compensation();
+  void watch_limits(const TrialOutcome& outcome);
+  void add_screen_answers(std::vector<SessionAnswer>& answers);
+  void store_presentation();
+  [[nodiscard]] Viewing viewing(double picture_height_m) const;
+
+  GuiConfig config_;
+  Clinic& clinic_;
+  const SettingsFile& settings_;
+  Seating seating_;
+  QTimer timer_;
+  SteadyClock clock_;
+  std::string operator_;  ///< who has logged in
+  std::string database_error_;
+  std::string patient_;
+  std::optional<Hand> hand_;
+  bool hand_confirmed_ = false;  ///< by a press
+  std::string device_uri_;
+  Screening screening_;
+  SessionLibrary library_;
+  std::optional<SessionLibrary> newer_library_;  ///< read, waits for the end of a trial
+  int protocol_ = kByHand;
+  int lookups_ = 0;       ///< for an interrupted session: the newest one counts
+  bool looking_ = false;  ///< its answer has not come
+  std::optional<int> earlier_;
+  std::optional<bool> resume_;
+  ProtocolGuide guide_;
+  bool by_hand_ = false;  ///< beside the protocol
+  bool by_itself_ = true;
+  std::optional<TaskSpec> act_task_;      ///< of the next act, at its level
+  std::map<std::string, double> levels_;  ///< that the therapist chose, by task file
+  std::optional<TaskSpec> last_task_;
+  bool last_practice_ = false;
+  bool helped_ = false;
+  std::optional<int> effort_;
+  std::optional<int> pain_;
+  std::optional<Rated> rated_;
+  bool corrects_rating_ = false;
+  std::string stop_reason_;
+  int task_ = -1;
+  std::string task_lacks_;  ///< what the chosen task is scaled to and has not been measured
+  bool practice_ = false;
+
+  Connection connection_ = Connection::none;
+  std::string connection_error_;
+  bool broken_off_ = false;   ///< the last session could not go on
+  bool clock_asked_ = false;  ///< whether the clock is right; connecting again says yes
+  std::optional<Error> lost_;
+  std::stop_source opening_;  ///< of the newest connect_device()
+  std::unique_ptr<Session> session_;
+  Timestamp opened_{0};
+  Snapshot snapshot_;
+  ForceHistory forces_;
+  std::vector<Fault> faults_;
+  Compensation compensation_;
+  RestWatch rest_watch_;  ///< while a trial is paused
+  WorkLimits limits_;
+  std::array<bool, kFingerCount> shift_noted_{};  ///< since the strapping
+  double worst_lateness_s_ = 0.0;
+  std::string zero_refusal_;
+  bool zero_only_changed_ = false;
+  std::string zero_remark_;
+  bool strapped_ = false;
+  std::string rest_words_;
+  bool realtime_said_ = false;  ///< on standard error, once
+  bool rest_done_ = false;
+  int maximum_attempts_ = 0;
+  bool task_done_ = false;
+  bool zero_asked_ = false;  ///< and its outcome has not come: the session takes nothing else
+  bool starting_ = false;
+  bool just_completed_ = false;
+  bool just_missed_ = false;
+  TaskView last_view_;  ///< of the running trial, as it was seen last
+  std::shared_ptr<const TaskSpec> running_;
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const TargetPreview> preview_;
+  std::vector<Measure> live_score_;
+  Timestamp scored_{0};
+  std::optional<TrialOutcome> last_trial_;
+  Histogram picture_age_;               ///< of the running trial's pictures
+  std::optional<Timestamp> zeroed_at_;  ///< the last zero; the hand goes in after it
+  Presentation stored_presentation_;
+  FlowView view_;
+  DiskRoom room_{config_.database};  ///< after a session that broke off
+  Background worker_;                ///< its jobs end before anything above goes away
+  ExamplePlayer example_{worker_, clock_};
+};
+
+}  // namespace isograsp

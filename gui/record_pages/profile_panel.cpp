@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/record_pages/profile_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QPointer>
+#include <QResizeEvent>
+#include <QStyle>
+#include <utility>
+
+#include "gui/look/look.hpp"
+#include "reports/findings/patient_verdicts.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr int kAfterLastKey_ms = 1000;
+constexpr int kTwoColumns_px = 720;
+
+}  // namespace
+
+ProfilePanel::ProfilePanel(Clinic& clinic, QWidget* parent) : QWidget(parent), clinic_(clinic) {
+  title_ = new QLabel;
+  title_->setObjectName("profile_title");
+  title_->setProperty("role", "title");
+  state_ = new QLabel;
+  state_->setObjectName("profile_state");
+  state_->setWordWrap(true);
+  state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  again_ = new QPushButton(tr("Try again"));
+  again_->setObjectName("profile_again");
+  describe(*again_, tr("Try to store or read it again"),
+           tr("Try to store or read it again (Ctrl+Shift+R)"));
+  auto* header = new QHBoxLayout;
+  header->setContentsMargins(12, 8, 12, 4);
+  header->addWidget(title_);
+  header->addWidget(state_, 1);
+  header->addWidget(again_);
+
+  person_ = new PersonCard;
+  treatment_ = new TreatmentCard;
+  scores_ = new ScoreCard;
+  primary_ = new PrimaryCard;
+  stable_ = new StableCard;
+  auto* page = new QWidget;
+  page->setObjectName("page");
+  columns_ = new QBoxLayout(QBoxLayout::TopToBottom, page);
+  columns_->setContentsMargins(8, 4, 8, 8);
+  columns_->setSpacing(8);
+  auto* about = new QVBoxLayout;
+  about->setSpacing(8);
+  about->addWidget(person_, 1);
+  about->addWidget(primary_);
+  columns_->addLayout(about, 1);
+  auto* dated = new QVBoxLayout;
+  dated->setSpacing(8);
+  dated->addWidget(treatment_);
+  dated->addWidget(scores_);
+  dated->addWidget(stable_);
+  dated->addStretch();
+  columns_->addLayout(dated, 1);
+  scroll_ = new QScrollArea;
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setWidgetResizable(true);
+  scroll_->setWidget(page);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(header);
+  column->addWidget(scroll_, 1);
+
+  delay_.setSingleShot(true);
+  delay_.setInterval(kAfterLastKey_ms);
+  connect(&delay_, &QTimer::timeout, this, &ProfilePanel::store);
+  connect(person_, &PersonCard::typed, this, [this] {
+    delay_.start();
+    show_state();
+  });
+  connect(person_, &PersonCard::left, this, &ProfilePanel::store);
+  connect_card(treatment_, &Clinic::add_treatment_mark, &Clinic::remove_treatment_mark);
+  connect_card(scores_, &Clinic::add_clinical_score, &Clinic::remove_clinical_score);
+  connect_card(primary_, &Clinic::add_primary_measure, &Clinic::remove_primary_measure);
+  connect_card(stable_, &Clinic::add_stable_period, &Clinic::remove_stable_period);
+  connect(again_, &QPushButton::clicked, this, &ProfilePanel::try_again);
+  add_key(this, "Ctrl+Shift+R", [this] {
+    if (!again_->isHidden()) try_again();
+  });
+  connect(&clinic_, &Clinic::opened, this, &ProfilePanel::load);
+  connect(&clinic_, &Clinic::history_changed, this, &ProfilePanel::load_choices);
+  connect(&clinic_, &Clinic::profile_changed, this, &ProfilePanel::take_answer);
+  connect(&clinic_, &Clinic::profile_failed, this, &ProfilePanel::refuse);
+  show_state();
+}
+
+template <class Card, class Entry>
+void ProfilePanel::connect_card(Card* card,
+                                void (Clinic::*add)(const std::string&, const Entry&, Stored),
+                                void (Clinic::*remove)(const std::string&, RowId, Stored)) {
+  connect(card, &Card::added, this, [this, add](const Entry& entry) {
+    change([code = code_, entry, add](Clinic& to, Stored then) {
+      (to.*add)(code, entry, std::move(then));
+    });
+  });
+  connect(card, &Card::removed, this, [this, remove](RowId id) {
+    change([code = code_, id, remove](Clinic& to, Stored then) {
+      (to.*remove)(code, id, std::move(then));
+    });
+  });
+}
+
+ProfilePanel::~ProfilePanel() {
+  store_now();
+}
+
+void ProfilePanel::show_patient(const std::string& code) {
+  if (code == code_) return;
+  try_again();
+  forget();
+  code_ = code;
+  load();
+  show_state();
+}
+
+void ProfilePanel::forget() {
+  delay_.stop();
+  code_.clear();
+  filled_ = false;
+  changed_ = false;
+  refused_.clear();
+  problem_.clear();
+  person_->show_profile({});
+  treatment_->clear();
+  scores_->clear();
+  primary_->clear();
+  stable_->clear();
+  show_state();
+}
+
+void ProfilePanel::load() {
+  if (code_.empty()) return;  // what others loaded is not forgotten for it
+  clinic_.load_profile(code_);
+  load_choices();
+}
+
+void ProfilePanel::load_choices() {
+  if (code_.empty() || !isVisible()) return;
+  clinic_.read(
+      this, [code = code_](SessionStore& store) { return primary_choices(store, code); },
+      [this, code = code_](const Result<std::vector<PrimaryMeasure>>& choices) {
+        if (choices && code == code_) primary_->offer(*choices);
+      });
+}
+
+void ProfilePanel::store_now() {
+  person_->finish();
+  store();
+}
+
+void ProfilePanel::store() {
+  delay_.stop();
+  if (!filled_) return;
+  const PatientProfile now = person_->profile();
+  if (now != sent_) {
+    sent_ = now;
+    changed_ = true;
+    ++under_way_;
+    clinic_.save_profile(code_, now, [panel = QPointer(this), code = code_, now](bool stored) {
+      if (!panel) return;
+      --panel->under_way_;
+      if (panel->code_ != code) return;
+      if (stored) panel->stored_ = now;
+      if (!stored && panel->sent_ == now) panel->sent_ = panel->stored_;  // to be sent again
+    });
+  }
+  show_state();
+}
+
+void ProfilePanel::change(const Change& change) {
+  changed_ = true;
+  ++under_way_;
+  change(clinic_, [panel = QPointer(this), code = code_, change](bool stored) {
+    if (!panel) return;
+    --panel->under_way_;
+    if (!stored && panel->code_ == code) panel->refused_.push_back(change);
+  });
+  show_state();
+}
+
+void ProfilePanel::try_again() {
+  if (filled_) {
+    store_now();
+    for (const Change& refused : std::exchange(refused_, {})) change(refused);
+  } else {
+    load();
+  }
+}
+
+void ProfilePanel::take_answer() {
+  if (code_.empty() || clinic_.file_of() != code_ || !clinic_.file()) return;
+  const PersonRecords& file = *clinic_.file();
+  // Only the first answer goes into the fields: a later one may be older than what is typed.
+  if (!filled_) {
+    sent_ = stored_ = file.profile;
+    person_->show_profile(file.profile);
+    filled_ = true;
+  }
+  treatment_->show_marks(file.marks);
+  scores_->show_scores(file.scores);
+  primary_->show_primaries(file.primaries);
+  stable_->show_periods(file.stable);
+  if (refused_.empty() && sent_ == stored_ && person_->profile() == stored_) problem_.clear();
+  show_state();
+}
+
+void ProfilePanel::refuse(const QString& code, const QString& why) {
+  if (code.toStdString() != code_) return;
+  problem_ = why;
+  show_state();
+}
+
+void ProfilePanel::show_state() {
+  title_->setText(code_.empty() ? tr("Profile") : QString::fromStdString(code_));
+  for (QWidget* card : {static_cast<QWidget*>(person_), static_cast<QWidget*>(treatment_),
+                        static_cast<QWidget*>(scores_), static_cast<QWidget*>(primary_),
+                        static_cast<QWidget*>(stable_)})
+    card->setEnabled(filled_);
+  again_->setVisible(!problem_.isEmpty());
+  QString words;
+  if (code_.empty())
+    words = tr("Choose a patient first.");
+  else if (!problem_.isEmpty())
+    words = filled_ ? tr("⚠ Not saved: %1").arg(problem_) : tr("⚠ Not read: %1").arg(problem_);
+  else if (!filled_)
+    words = tr("Reading …");
+  else if (delay_.isActive() || under_way_ > 0)
+    words = tr("Saving …");
+  else if (const auto refused = person_->refused(); !refused.isEmpty())
+    words = refused;
+  else if (changed_)
+    words = tr("Saved");
+  state_->setText(words);
+  const QString role = problem_.isEmpty() ? "quiet" : "problem";
+  if (state_->property("role") == role) return;
+  state_->setProperty("role", role);
+  state_->style()->unpolish(state_);
+  state_->style()->polish(state_);
+}
+
+void ProfilePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  load_choices();
+}
+
+void ProfilePanel::resizeEvent(QResizeEvent* event) {
+  columns_->setDirection(event->size().width() >= scaled(kTwoColumns_px) ? QBoxLayout::LeftToRight
+                                                                         : QBoxLayout::TopToBottom);
+  QWidget::resizeEvent(event);
+}
+
+}  // namespace isograsp

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/session_pages/device_forms.hpp"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "gui/look/look.hpp"
+#include "gui/session_pages/device_list.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr int kDeviceFormRow_px = 26;
+constexpr int kMostDeviceRows = 5;
+
+QProgressBar* make_progress(const QString& name, const QString& what) {
+  auto* progress = new QProgressBar;
+  progress->setObjectName(name);
+  describe(*progress, what, what);
+  progress->hide();
+  return progress;
+}
+
+}  // namespace
+
+ConnectForm::ConnectForm(SessionPresenter& presenter, QWidget* parent)
+    : QWidget(parent), presenter_(presenter) {
+  devices_ = new QListWidget;
+  devices_->setObjectName("devices");
+  devices_->setTextElideMode(Qt::ElideMiddle);
+  describe(*devices_, tr("Device"),
+           tr("What is present now, simulated patients, recordings (Alt+4, then arrow keys)"));
+  connect_ = new QPushButton;
+  connect_->setObjectName("connect");
+  progress_ = make_progress("connect_progress", tr("Connecting, or saving the session"));
+  progress_->setRange(0, 0);  // nobody knows how long a device takes: the bar only moves
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(7);
+  column->addWidget(devices_);
+  column->addWidget(connect_);
+  column->addWidget(progress_);
+  fill(presenter_.device_uri());
+  connect(devices_, &QListWidget::currentRowChanged, this, &ConnectForm::choose);
+  connect(connect_, &QPushButton::clicked, this, [this] {
+    const auto& view = presenter_.view();
+    if (view.may_connect)
+      presenter_.connect_device();
+    else if (view.may_cancel_connecting)
+      presenter_.cancel_connecting();
+    else
+      presenter_.disconnect_device();
+  });
+  connect(&presenter_, &SessionPresenter::changed, this, &ConnectForm::refresh);
+  refresh();
+}
+
+void ConnectForm::fill(const std::string& preset) {
+  const QSignalBlocker quiet(devices_);
+  devices_->clear();
+  for (const auto& choice : list_devices(preset)) {
+    auto* item = new QListWidgetItem(QString::fromStdString(choice.words), devices_);
+    item->setData(Qt::UserRole, QString::fromStdString(choice.uri));
+    item->setToolTip(QString::fromStdString(choice.uri));
+    item->setSizeHint({0, scaled(kDeviceFormRow_px)});
+  }
+  // Nothing is chosen beforehand unless somebody did.
+  devices_->setCurrentRow(preset.empty() ? -1 : 0);
+  devices_->setFixedHeight(
+      scaled(kDeviceFormRow_px) * std::clamp(devices_->count(), 2, kMostDeviceRows) + 6);
+}
+
+void ConnectForm::choose(int row) {
+  if (row < 0) return;
+  const auto uri = devices_->item(row)->data(Qt::UserRole).toString().toStdString();
+  if (uri.empty())
+    choose_recording();
+  else
+    presenter_.choose_device(uri);
+}
+
+void ConnectForm::choose_recording() {
+  auto* dialog = new QFileDialog(this, tr("Open a recording"), QString(),
+                                 tr("Finger forces (*.csv);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    const auto uri = recording_uri(path.toStdString());
+    presenter_.choose_device(uri);
+    fill(uri);
+  });
+  connect(dialog, &QFileDialog::rejected, this, [this] { fill(presenter_.device_uri()); });
+  dialog->open();
+}
+
+void ConnectForm::refresh() {
+  const auto& view = presenter_.view();
+  devices_->setEnabled(view.may_change_device);
+  devices_->setVisible(!presenter_.session_open());
+  if (view.may_cancel_connecting) {
+    connect_->setText(tr("&Cancel"));
+    describe(*connect_, tr("Cancel connecting"), tr("Do not connect to this device (Alt+C)"));
+  } else if (presenter_.session_open()) {
+    connect_->setText(tr("Dis&connect"));
+    describe(*connect_, tr("Disconnect"), tr("End the session and disconnect (Alt+C)"));
+  } else {
+    connect_->setText(tr("&Connect"));
+    describe(*connect_, tr("Connect"),
+             tr("Begin the session: needs patient, hand, screening and device (Alt+C)"));
+  }
+  connect_->setEnabled(view.may_connect || view.may_cancel_connecting || view.may_disconnect);
+  mark_next(*devices_, view.press == NextPress::device);
+  mark_next(*connect_, view.press == NextPress::connect);
+  progress_->setVisible(presenter_.busy() && !presenter_.session_open());
+}
+
+ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
+    : QWidget(parent), presenter_(presenter) {
+  zero_ = new QPushButton(tr("Device is empty: set &zero"));
+  zero_->setObjectName("zero");
+  describe(*zero_, tr("Set the zero of the empty device"),
+           tr("With no hand in the device: one quiet second becomes zero (Alt+Z)"));
+  confirm_ = new QFrame;
+  confirm_->setProperty("confirm", true);
+  auto* question = new QLabel(tr("No hand, nothing touches the supports?"));
+  question->setWordWrap(true);
+  confirmed_ = new QPushButton(tr("Yes, empt&y"));
+  confirmed_->setObjectName("zero_confirmed");
+  describe(*confirmed_, tr("Yes, the device is empty"), tr("Set the zero now (Alt+Y)"));
+  not_yet_ = new QPushButton(tr("&No"));
+  not_yet_->setObjectName("zero_not_yet");
+  describe(*not_yet_, tr("No, not yet"), tr("Keep the present zero (Alt+N)"));
+  auto* answers = new QHBoxLayout;
+  answers->addWidget(confirmed_, 1);
+  answers->addWidget(not_yet_);
+  auto* asking = new QVBoxLayout(confirm_);
+  asking->setContentsMargins(8, 6, 8, 8);
+  asking->addWidget(question);
+  asking->addLayout(answers);
+  confirm_->hide();
+  changed_ = new QPushButton(tr("Empty; was serviced: ta&ke it"));
+  changed_->setObjectName("zero_changed");
+  describe(*changed_, tr("The device was serviced or remounted: accept its new zero"),
+           tr("The empty device reads something else than at its last zero because it was serviced "
+              "or remounted; this is stored with the zero (Alt+K)"));
+  changed_->hide();
+  progress_ = make_progress("zero_progress", tr("Measuring the empty device"));
+  progress_->setRange(0, 100);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(7);
+  for (QWidget* widget : {static_cast<QWidget*>(zero_), static_cast<QWidget*>(confirm_),
+                          static_cast<QWidget*>(changed_), static_cast<QWidget*>(progress_)})
+    column->addWidget(widget);
+  connect(zero_, &QPushButton::clicked, this, [this] {
+    zero_->hide();
+    confirm_->show();
+    confirmed_->setFocus();
+  });
+  const auto put_away = [this] {
+    confirm_->hide();
+    zero_->show();
+  };
+  connect(confirmed_, &QPushButton::clicked, this, [this, put_away] {
+    put_away();
+    presenter_.set_zero();
+  });
+  connect(not_yet_, &QPushButton::clicked, this, put_away);
+  connect(changed_, &QPushButton::clicked, this, [this] { presenter_.set_zero(true); });
+  connect(&presenter_, &SessionPresenter::changed, this, &ZeroForm::refresh);
+  connect(&presenter_, &SessionPresenter::frame, this, &ZeroForm::refresh_progress);
+  refresh();
+}
+
+void ZeroForm::refresh() {
+  const auto& view = presenter_.view();
+  zero_->setEnabled(view.may_zero);
+  mark_next(*zero_, view.press == NextPress::zero);
+  mark_next(*confirmed_, true);
+  changed_->setVisible(view.may_accept_changed);
+  if (!view.may_zero && confirm_->isVisibleTo(this)) {
+    confirm_->hide();
+    zero_->show();
+  }
+}
+
+void ZeroForm::refresh_progress() {
+  const auto& now = presenter_.snapshot();
+  progress_->setVisible(now.stage == Stage::zeroing);
+  progress_->setValue(static_cast<int>(100.0 * now.zero_progress));
+}
+
+}  // namespace isograsp

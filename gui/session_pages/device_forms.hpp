@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The device in a session: choosing and connecting it, its zero with the hand out.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QWidget>
+
+#include "gui/presenter/session_presenter.hpp"
+
+namespace isograsp {
+
+/// What is present now, simulated patients, recordings.
+class ConnectForm final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ConnectForm(SessionPresenter& presenter, QWidget* parent = nullptr);
+
+ private:
+  void fill(const std::string& preset);
+  void choose(int row);
+  void choose_recording();
+  void refresh();
+
+  SessionPresenter& presenter_;
+  QListWidget* devices_;
+  QPushButton* connect_;
+  QProgressBar* progress_;
+};
+
+/// The empty device becomes zero, after a question that must be answered.
+class ZeroForm final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ZeroForm(SessionPresenter& presenter, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+  void refresh_progress();
+
+  SessionPresenter& presenter_;
+  QPushButton* zero_;
+  QFrame* confirm_;
+  QPushButton* confirmed_;
+  QPushButton* not_yet_;
+  QPushButton* changed_;
+  QProgressBar* progress_;
+};
+
+}  // namespace isograsp

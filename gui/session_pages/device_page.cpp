@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/session_pages/device_page.hpp"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "gui/look/card.hpp"
+#include "gui/look/look.hpp"
+#include "gui/words/texts.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr int kRow_px = 26;
+
+/// What each sensor counted since it was connected.
+struct Counter {
+  const char* title;
+  std::uint64_t SensorCounters::*count;
+};
+constexpr std::array<Counter, 9> kCounters{
+    {{QT_TRANSLATE_NOOP("isograsp::DevicePage", "Good samples"), &SensorCounters::good},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Lost"), &SensorCounters::lost},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Half samples"), &SensorCounters::torn},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Meaningless"), &SensorCounters::invalid},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Standing still"), &SensorCounters::stale},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "At the end of the range"),
+      &SensorCounters::saturated},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Overloaded"), &SensorCounters::overload},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Called wrong by the sensor"),
+      &SensorCounters::status_errors},
+     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Set up again"), &SensorCounters::restarts}}};
+
+QString title_of(const Counter& counter) {
+  return DevicePage::tr(counter.title);
+}
+
+QString details_of(const DeviceInfo& info) {
+  QStringList lines{shown(info.description)};
+  lines += DevicePage::tr("%1 samples per second, delay %L2 ms")
+               .arg(1.0 / info.sample_period_s, 0, 'f', 0)
+               .arg(info.delay_s * 1e3, 0, 'f', 1);
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const auto& serial = info.serial_numbers[f];
+    lines += DevicePage::tr("%1: serial number %2, up to %3 N, one count is %L4 N")
+                 .arg(finger_title(kFingers[f]))
+                 .arg(serial.empty() ? DevicePage::tr("not told") : QString::fromStdString(serial))
+                 .arg(info.range[f][2], 0, 'f', 0)
+                 .arg(info.units_per_count[f][2], 0, 'g', 3);
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+DevicePage::DevicePage(SessionPresenter& presenter, QWidget* parent)
+    : QWidget(parent), presenter_(presenter) {
+  auto* columns = new QBoxLayout(side_by_side(), this);
+  columns->setContentsMargins(12, 12, 12, 12);
+  columns->setSpacing(12);
+  auto* left = new QVBoxLayout;
+  left->setSpacing(12);
+  left->addWidget(make_state());
+  left->addWidget(make_sensors(), 1);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(12);
+  right->addWidget(make_check(), 3);
+  right->addWidget(make_faults(), 1);
+  columns->addLayout(left, 1);
+  columns->addLayout(right, 1);
+  connect(&presenter_, &SessionPresenter::changed, this, &DevicePage::refresh);
+  connect(&presenter_, &SessionPresenter::frame, this, &DevicePage::look);
+  refresh();
+}
+
+QWidget* DevicePage::make_state() {
+  auto* card = new Card(tr("Device"));
+  light_ = new StateLight(22);
+  words_ = new QLabel;
+  words_->setObjectName("device_state");
+  words_->setWordWrap(true);
+  auto* state = new QHBoxLayout;
+  state->setSpacing(8);
+  state->addWidget(light_, 0, Qt::AlignTop);
+  state->addWidget(words_, 1);
+  details_ = new QLabel;
+  details_->setObjectName("device_details");
+  details_->setProperty("role", "quiet");
+  details_->setWordWrap(true);
+  card->column().addLayout(state);
+  card->column().addWidget(details_);
+  return card;
+}
+
+QWidget* DevicePage::make_check() {
+  auto* card = new Card(tr("Guided check"));
+  instruction_ = new QLabel;
+  instruction_->setObjectName("check_instruction");
+  instruction_->setProperty("role", "large");
+  instruction_->setWordWrap(true);
+  picture_ = new SupportPicture;
+  begin_ = new QPushButton;
+  begin_->setObjectName("check_begin");
+  results_ = new QListWidget;
+  results_->setObjectName("check_results");
+  results_->setWordWrap(true);
+  take_rest(*results_, 3 * kRow_px);
+  describe(*results_, tr("What the check found"), tr("One line for every press (Tab, arrow keys)"));
+  card->column().addWidget(instruction_);
+  card->column().addWidget(picture_, 2);
+  card->column().addWidget(begin_);
+  card->column().addWidget(results_, 1);
+  connect(begin_, &QPushButton::clicked, this, &DevicePage::toggle_check);
+  return card;
+}
+
+QWidget* DevicePage::make_sensors() {
+  auto* card = new Card(tr("What the sensors counted"));
+  sensors_ = new QTableWidget(static_cast<int>(kCounters.size()), 1 + kFingerCount);
+  sensors_->setObjectName("sensor_counters");
+  QStringList heads{tr("Samples")};
+  for (const Finger finger : kFingers) heads += finger_title(finger);
+  sensors_->setHorizontalHeaderLabels(heads);
+  sensors_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  sensors_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  sensors_->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  sensors_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  sensors_->verticalHeader()->hide();
+  sensors_->verticalHeader()->setDefaultSectionSize(scaled(kRow_px));
+  sensors_->setShowGrid(false);
+  sensors_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  sensors_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  sensors_->setTabKeyNavigation(false);
+  take_rest(*sensors_, 4 * kRow_px);
+  describe(*sensors_, tr("Samples of each sensor"),
+           tr("Counted since the device was connected (Tab, arrow keys)"));
+  for (std::size_t row = 0; row < kCounters.size(); ++row)
+    for (int column = 0; column <= static_cast<int>(kFingerCount); ++column) {
+      auto* item = new QTableWidgetItem(column == 0 ? title_of(kCounters[row]) : QString());
+      item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+      sensors_->setItem(static_cast<int>(row), column, item);
+    }
+  card->column().addWidget(sensors_, 1);
+  return card;
+}
+
+QWidget* DevicePage::make_faults() {
+  auto* card = new Card(tr("Faults in this session"));
+  no_faults_ = new QLabel;
+  no_faults_->setProperty("role", "quiet");
+  faults_ = new QListWidget;
+  faults_->setObjectName("device_faults");
+  faults_->setWordWrap(true);
+  take_rest(*faults_, 2 * kRow_px);
+  describe(*faults_, tr("Faults in this session"), tr("The newest first (Tab, arrow keys)"));
+  card->column().addWidget(no_faults_);
+  card->column().addWidget(faults_, 1);
+  card->column().addStretch(0);
+  return card;
+}
+
+void DevicePage::toggle_check() {
+  const bool running =
+      check_.state() == GuidedCheck::State::empty || check_.state() == GuidedCheck::State::pressing;
+  if (running)
+    check_.stop();
+  else if (const auto* info = presenter_.device_info())
+    check_.begin(info->frame_period_s, presenter_.hand().value_or(Hand::right),
+                 presenter_.snapshot().frames);
+  refresh_check();
+}
+
+void DevicePage::look() {
+  if (!presenter_.view().may_check) check_.stop();
+  if (check_.look(presenter_.snapshot())) {
+    if (check_.state() == GuidedCheck::State::over)
+      presenter_.note("Guided check: " + check_.outcome());
+    refresh_check();
+  }
+  // Twice a second is enough for counters.
+  constexpr int kEvery = 30;
+  if (++polls_ % kEvery == 0 && isVisible()) refresh_sensors();
+}
+
+void DevicePage::refresh() {
+  const auto& view = presenter_.view();
+  light_->show_mood(view.device_mood);
+  words_->setText(QString::fromStdString(view.device_words));
+  const auto* info = presenter_.device_info();
+  details_->setText(info == nullptr ? tr("A device is chosen and connected on the page of the "
+                                         "session, once patient and hand are known.")
+                                    : details_of(*info));
+  const auto& faults = presenter_.faults();
+  if (faults_->count() != static_cast<int>(faults.size())) {
+    faults_->clear();
+    for (auto fault = faults.rbegin(); fault != faults.rend(); ++fault)
+      faults_->addItem(
+          tr("%L1 min: %2").arg(fault->session_time_s / 60.0, 0, 'f', 1).arg(shown(fault->words)));
+  }
+  faults_->setVisible(faults_->count() > 0);
+  no_faults_->setVisible(faults_->count() == 0);
+  no_faults_->setText(info == nullptr ? tr("No device is connected.") : tr("None so far."));
+  refresh_check();
+}
+
+void DevicePage::refresh_check() {
+  const auto& view = presenter_.view();
+  const auto state = check_.state();
+  const bool running = state == GuidedCheck::State::empty || state == GuidedCheck::State::pressing;
+  const auto hand = presenter_.hand().value_or(Hand::right);
+  picture_->show_step(
+      state == GuidedCheck::State::pressing ? std::optional(check_.step()) : std::nullopt, hand);
+  begin_->setText(running ? tr("Stop the chec&k") : tr("Chec&k the supports"));
+  describe(*begin_, begin_->text().remove(QLatin1Char('&')),
+           tr("You press each empty support as pictured; swapped sensors, wrong signs and turned "
+              "axes show (Alt+K)"));
+  begin_->setEnabled(running || view.may_check);
+  if (running)
+    instruction_->setText(shown(check_.instruction()));
+  else if (state == GuidedCheck::State::over)
+    instruction_->setText(shown(check_.outcome()));
+  else
+    instruction_->setText(view.may_check
+                              ? tr("Take the hand out, then press each empty support as pictured.")
+                              : tr("The check needs a connected device and no running trial."));
+  const auto results = check_.results();
+  results_->setVisible(!results.empty());
+  if (results_->count() == static_cast<int>(results.size())) return;
+  results_->clear();
+  for (const auto& result : results) {
+    const bool good = result.verdict == CheckVerdict::good;
+    auto* item = new QListWidgetItem(
+        (good ? QStringLiteral("✓  ") : QStringLiteral("✗  ")) + shown(result.sentence()),
+        results_);
+    item->setForeground(good ? look::kReady : look::kFault);
+  }
+  results_->scrollToBottom();
+}
+
+void DevicePage::refresh_sensors() {
+  const auto& health = presenter_.snapshot().health;
+  for (std::size_t row = 0; row < kCounters.size(); ++row)
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
+      const auto count = health.sensors[f].*kCounters[row].count;
+      auto* item = sensors_->item(static_cast<int>(row), static_cast<int>(f) + 1);
+      item->setText(presenter_.session_open() ? QString::number(count) : QString());
+    }
+}
+
+}  // namespace isograsp

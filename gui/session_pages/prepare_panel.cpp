@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/session_pages/prepare_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "gui/look/look.hpp"
+#include "gui/session_pages/device_forms.hpp"
+#include "gui/session_pages/patient_form.hpp"
+#include "gui/session_pages/protocol_form.hpp"
+#include "gui/session_pages/screening_form.hpp"
+#include "gui/session_pages/strap_form.hpp"
+#include "gui/words/texts.hpp"
+
+namespace isograsp {
+
+namespace {
+
+QString title_of(Step step) {
+  switch (step) {
+    case Step::patient: return PreparePanel::tr("Patient");
+    case Step::hand: return PreparePanel::tr("Hand today");
+    case Step::screening: return PreparePanel::tr("Screening");
+    case Step::device: return PreparePanel::tr("Device");
+    case Step::zero: return PreparePanel::tr("Zero, empty");
+    case Step::rest: return PreparePanel::tr("Hand in");
+    case Step::work: return PreparePanel::tr("Protocol");
+  }
+  return {};
+}
+
+}  // namespace
+
+PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
+    : QWidget(parent), presenter_(presenter) {
+  auto* patient = new PatientForm(presenter_);
+  connect(patient, &PatientForm::other_patient, this, &PreparePanel::other_patient);
+  const std::array<QWidget*, kStepCount> bodies{patient,
+                                                make_hand(),
+                                                new ScreeningForm(presenter_),
+                                                new ConnectForm(presenter_),
+                                                new ZeroForm(presenter_),
+                                                new StrapForm(presenter_),
+                                                new ProtocolForm(presenter_)};
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(5);
+  for (std::size_t i = 0; i < kStepCount; ++i) {
+    sections_[i] =
+        new StepSection(static_cast<int>(i) + 1, title_of(static_cast<Step>(i)), bodies[i]);
+    column->addWidget(sections_[i]);
+  }
+  column->addStretch(1);
+  // The steps of the protocol take what is left, while they are shown.
+  const auto share = [this, column] {
+    const bool shown = sections_[static_cast<std::size_t>(Step::work)]->is_open();
+    column->setStretch(static_cast<int>(Step::work), shown ? 1 : 0);
+    column->setStretch(column->count() - 1, shown ? 0 : 1);
+  };
+  connect(sections_[static_cast<std::size_t>(Step::work)], &StepSection::opened, this, share);
+  connect(&presenter_, &SessionPresenter::changed, this, &PreparePanel::refresh);
+  refresh();
+}
+
+QWidget* PreparePanel::make_hand() {
+  auto* body = new QWidget;
+  const auto make = [&](const QString& text, const QString& name, const QString& key, Hand hand) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(hand == Hand::left ? "hand_left" : "hand_right");
+    button->setCheckable(true);
+    describe(*button, name, tr("%1: asked in every session (%2)").arg(name, key));
+    connect(button, &QPushButton::clicked, &presenter_, [this, hand] {
+      presenter_.choose_hand(hand);
+      refresh();
+    });
+    return button;
+  };
+  left_ = make(tr("&Left hand"), tr("Left hand"), tr("Alt+L"), Hand::left);
+  right_ = make(tr("&Right hand"), tr("Right hand"), tr("Alt+R"), Hand::right);
+  confirm_hand_ = new QPushButton(tr("Yes, the less affected hand"));
+  confirm_hand_->setObjectName("confirm_hand");
+  describe(*confirm_hand_, tr("Yes, today the less affected hand"),
+           tr("The hand on the affected side is another one; this one is meant (Tab, then space)"));
+  connect(confirm_hand_, &QPushButton::clicked, &presenter_, &SessionPresenter::confirm_hand);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(left_);
+  row->addWidget(right_);
+  auto* column = new QVBoxLayout(body);
+  column->setSpacing(7);
+  column->addLayout(row);
+  column->addWidget(confirm_hand_);
+  return body;
+}
+
+QString PreparePanel::summary_of(Step step) const {
+  const auto& view = presenter_.view();
+  const auto hand = presenter_.hand();
+  const bool done = view.steps[static_cast<std::size_t>(step)] == StepState::done;
+  switch (step) {
+    case Step::patient: {
+      const auto screen = summary(presenter_.seating().presentation());
+      const auto code = QString::fromStdString(presenter_.patient());
+      return screen.isEmpty() ? code : tr("%1, %2").arg(code, screen);
+    }
+    case Step::hand: return !hand ? QString() : *hand == Hand::left ? tr("left") : tr("right");
+    case Step::screening: return summary(presenter_.screening());
+    case Step::device: return QString::fromStdString(view.device_words);
+    case Step::zero:
+      return done ? tr("set") : presenter_.snapshot().zeroed ? tr("once more") : QString();
+    case Step::rest: return done ? tr("measured") : QString();
+    case Step::work: {
+      const auto& guide = presenter_.guide();
+      if (guide.over()) return tr("finished");
+      if (guide.active()) return tr("%1 of %2").arg(guide.acts_done()).arg(guide.acts());
+      if (!presenter_.has_protocol()) return tr("one by one");
+      const auto chosen = static_cast<std::size_t>(presenter_.protocol());
+      return shown(presenter_.protocols()[chosen].spec.name);
+    }
+  }
+  return {};
+}
+
+void PreparePanel::refresh() {
+  const auto& view = presenter_.view();
+  for (std::size_t i = 0; i < kStepCount; ++i)
+    sections_[i]->show_state(view.steps[i], summary_of(static_cast<Step>(i)));
+  const auto hand = presenter_.hand();
+  left_->setChecked(hand == Hand::left);
+  right_->setChecked(hand == Hand::right);
+  for (auto* button : {left_, right_}) {
+    button->setEnabled(view.may_change_hand);
+    mark_next(*button, view.press == NextPress::hand);
+  }
+  confirm_hand_->setVisible(presenter_.hand_to_confirm());
+  mark_next(*confirm_hand_, view.press == NextPress::confirm_hand);
+}
+
+}  // namespace isograsp

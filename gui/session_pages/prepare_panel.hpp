@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The left column of a session: its steps in order, the next one open.
+#pragma once
+
+#include <QPushButton>
+#include <QWidget>
+#include <array>
+#include <functional>
+
+#include "gui/presenter/session_presenter.hpp"
+#include "gui/session_pages/step_section.hpp"
+
+namespace isograsp {
+
+class PreparePanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PreparePanel(SessionPresenter& presenter, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void other_patient();  ///< the therapist wants to choose one
+
+ private:
+  [[nodiscard]] QWidget* make_hand();
+  [[nodiscard]] QString summary_of(Step step) const;
+  void refresh();
+
+  SessionPresenter& presenter_;
+  QPushButton* left_;
+  QPushButton* right_;
+  QPushButton* confirm_hand_;
+  std::array<StepSection*, kStepCount> sections_{};
+};
+
+}  // namespace isograsp

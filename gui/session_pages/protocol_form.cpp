@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/session_pages/protocol_form.hpp"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "gui/look/choice_box.hpp"
+#include "gui/look/look.hpp"
+#include "gui/words/texts.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr int kProtocolRow_px = 24;
+
+QString mark_of(ProtocolGuide::RowState state) {
+  switch (state) {
+    case ProtocolGuide::RowState::done: return QStringLiteral("✓");
+    case ProtocolGuide::RowState::current: return QStringLiteral("▸");
+    case ProtocolGuide::RowState::open: break;
+  }
+  return QStringLiteral("  ");
+}
+
+QString words_of(const ProtocolGuide::Row& row) {
+  const auto title = QString::fromStdString(row.title);
+  if (row.practice && row.count > 1)
+    return ProtocolForm::tr("%1, practice (%2)").arg(title).arg(row.count);
+  if (row.practice) return ProtocolForm::tr("%1, practice").arg(title);
+  if (row.count > 1) return ProtocolForm::tr("%1 (%2)").arg(title).arg(row.count);
+  return title;
+}
+
+}  // namespace
+
+QString duration_words(const Duration& duration) {
+  const auto minutes = [](double duration_s) {
+    return static_cast<int>(std::ceil(duration_s / 60.0));
+  };
+  return ProtocolForm::tr("About %1 min, at most %2 min, rests included")
+      .arg(minutes(duration.nominal_s))
+      .arg(minutes(duration.worst_s));
+}
+
+ProtocolForm::ProtocolForm(SessionPresenter& presenter, QWidget* parent)
+    : QWidget(parent), presenter_(presenter) {
+  protocols_ = new ChoiceBox;
+  protocols_->setObjectName("protocols");
+  protocols_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  describe(*protocols_, tr("Protocol"),
+           tr("What this session consists of; chosen before connecting (Alt+7, then arrow keys)"));
+  duration_ = new QLabel;
+  duration_->setObjectName("protocol_duration");
+  duration_->setProperty("role", "quiet");
+  duration_->setWordWrap(true);
+  earlier_ = new QFrame;
+  earlier_->setProperty("confirm", true);
+  question_ = new QLabel;
+  question_->setObjectName("earlier_question");
+  question_->setWordWrap(true);
+  go_on_ = new QPushButton(tr("&Go on with it"));
+  go_on_->setObjectName("earlier_go_on");
+  go_on_->setCheckable(true);
+  describe(*go_on_, tr("Go on with the interrupted protocol"),
+           tr("What was done is not asked again; zero and resting force are (Alt+G)"));
+  anew_ = new QPushButton(tr("&Begin anew"));
+  anew_->setObjectName("earlier_anew");
+  anew_->setCheckable(true);
+  describe(*anew_, tr("Begin the protocol anew"), tr("Everything is asked again (Alt+B)"));
+  auto* answers = new QHBoxLayout;
+  answers->addWidget(go_on_);
+  answers->addWidget(anew_);
+  auto* asking = new QVBoxLayout(earlier_);
+  asking->setContentsMargins(8, 6, 8, 8);
+  asking->addWidget(question_);
+  asking->addLayout(answers);
+  steps_ = new QListWidget;
+  steps_->setObjectName("protocol_steps");
+  steps_->setProperty("plain", true);
+  steps_->setSelectionMode(QAbstractItemView::NoSelection);
+  describe(*steps_, tr("Steps of the protocol"),
+           tr("What is done and what comes (Tab, arrow keys)"));
+  take_rest(*steps_, 3 * kProtocolRow_px);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(7);
+  column->addWidget(protocols_);
+  column->addWidget(duration_);
+  column->addWidget(earlier_);
+  column->addWidget(steps_, 1);
+  connect(protocols_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    const bool by_hand = index == protocols_->count() - 1;
+    presenter_.choose_protocol(by_hand ? SessionPresenter::kByHand : index);
+  });
+  connect(go_on_, &QPushButton::clicked, this, [this] {
+    presenter_.decide_earlier(true);
+    refresh();
+  });
+  connect(anew_, &QPushButton::clicked, this, [this] {
+    presenter_.decide_earlier(false);
+    refresh();
+  });
+  connect(&presenter_, &SessionPresenter::changed, this, &ProtocolForm::refresh);
+  connect(&presenter_, &SessionPresenter::library_changed, this, &ProtocolForm::fill_protocols);
+  fill_protocols();
+}
+
+void ProtocolForm::fill_protocols() {
+  {
+    const QSignalBlocker quiet(protocols_);
+    protocols_->clear();
+    for (const auto& protocol : presenter_.protocols())
+      protocols_->addItem(shown(protocol.spec.name));
+    protocols_->addItem(tr("Tasks one by one"));
+  }
+  described_ = kNothing;
+  refresh();
+}
+
+void ProtocolForm::refresh() {
+  const bool by_hand = !presenter_.has_protocol();
+  const int chosen = by_hand ? SessionPresenter::kByHand : presenter_.protocol();
+  {
+    const QSignalBlocker quiet(protocols_);
+    protocols_->setCurrentIndex(by_hand ? protocols_->count() - 1 : chosen);
+  }
+  protocols_->setEnabled(presenter_.view().may_change_hand);
+  if (described_ != chosen) {
+    described_ = chosen;
+    preview_.end();
+    if (!by_hand) preview_.begin(presenter_.protocols()[static_cast<std::size_t>(chosen)], {}, 0);
+    duration_->setText(
+        by_hand
+            ? tr("You choose every task yourself.")
+            : duration_words(presenter_.protocols()[static_cast<std::size_t>(chosen)].duration()));
+  }
+  const auto earlier = presenter_.earlier();
+  earlier_->setVisible(earlier.has_value() && presenter_.view().may_change_hand);
+  if (earlier) {
+    question_->setText(
+        tr("Interrupted today after %n step(s). Go on where it stopped?", "", *earlier));
+    go_on_->setChecked(presenter_.goes_on_earlier() == true);
+    anew_->setChecked(presenter_.goes_on_earlier() == false);
+    const bool asked = presenter_.view().press == NextPress::earlier;
+    mark_next(*go_on_, asked);
+    mark_next(*anew_, asked);
+  }
+  fill_steps();
+}
+
+void ProtocolForm::fill_steps() {
+  auto rows = presenter_.guide().rows();
+  if (rows.empty()) {  // before the session: the whole way, nothing done
+    rows = preview_.rows();
+    for (auto& row : rows) row.state = ProtocolGuide::RowState::open;
+  }
+  steps_->setVisible(!rows.empty());
+  if (rows == shown_) return;
+  shown_ = rows;
+  steps_->clear();
+  for (const auto& row : rows) {
+    auto* item =
+        new QListWidgetItem(mark_of(row.state) + QStringLiteral("  ") + words_of(row), steps_);
+    item->setToolTip(words_of(row));
+    item->setSizeHint({0, scaled(kProtocolRow_px)});
+    QFont font = steps_->font();
+    font.setBold(row.state == ProtocolGuide::RowState::current);
+    item->setFont(font);
+    if (row.state == ProtocolGuide::RowState::done) item->setForeground(look::kReady);
+    if (row.state == ProtocolGuide::RowState::current) steps_->scrollToItem(item);
+  }
+}
+
+}  // namespace isograsp

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/session_pages/run_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <algorithm>
+#include <optional>
+
+#include "gui/library/task_groups.hpp"
+#include "gui/look/look.hpp"
+#include "gui/words/texts.hpp"
+
+namespace isograsp {
+
+RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
+    : Card({}, parent), presenter_(presenter) {
+  title_->setText(tr("Now"));
+  follow_ = new QPushButton(tr("Prot&ocol"));
+  follow_->setObjectName("follow_protocol");
+  follow_->setCheckable(true);
+  describe(*follow_, tr("Follow the protocol"), tr("The protocol says what comes (Alt+O)"));
+  by_hand_ = new QPushButton(tr("One &task"));
+  by_hand_->setObjectName("by_hand");
+  by_hand_->setCheckable(true);
+  describe(*by_hand_, tr("Choose one task"),
+           tr("Choose a task yourself; the protocol waits meanwhile (Alt+T)"));
+  auto* mode = new QHBoxLayout;
+  mode->setSpacing(6);
+  mode->addWidget(follow_);
+  mode->addWidget(by_hand_);
+  list_ = new QListWidget;
+  list_->setObjectName("tasks");
+  describe(*list_, tr("Tasks"), tr("Choose what the patient will do (Alt+T, then arrow keys)"));
+  fill_list();
+  next_ = new QLabel;
+  next_->setObjectName("next_task");
+  next_->setProperty("role", "title");
+  next_->setWordWrap(true);
+  instruction_ = new QLabel;
+  instruction_->setObjectName("instruction");
+  instruction_->setProperty("role", "quiet");
+  instruction_->setWordWrap(true);
+  instruction_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  practice_ = new QCheckBox(tr("Practice, not an assess&ment"));
+  practice_->setObjectName("practice");
+  describe(*practice_, tr("Practice trial"),
+           tr("A practice trial is recorded but counts for no assessment (Alt+M)"));
+  by_itself_ = new QCheckBox(tr("Goes on by itsel&f"));
+  by_itself_->setObjectName("by_itself");
+  describe(*by_itself_, tr("The protocol goes on by itself"),
+           tr("After a rest the next trial begins without a press; F9 holds it (Alt+F)"));
+  show_how_ = new QPushButton;
+  show_how_->setObjectName("show_how");
+  start_ = new QPushButton(tr("&Start"));
+  start_->setObjectName("start");
+  start_->setMinimumHeight(scaled(38));
+  pause_ = new QPushButton;
+  pause_->setObjectName("pause");
+  pause_->setMinimumHeight(scaled(32));
+  stop_ = new QPushButton(tr("Stop"));
+  stop_->setObjectName("stop");
+  stop_->setMinimumHeight(scaled(44));
+  describe(*stop_, tr("Stop the trial"), tr("End the trial now; it is kept and marked (F10)"));
+  end_report_ = new QPushButton(tr("Write the report …"));
+  end_report_->setObjectName("end_report");
+  end_report_->setMinimumHeight(scaled(38));
+  describe(*end_report_, tr("Write the report"),
+           tr("The report of this patient, on its page (Ctrl+R)"));
+  end_disconnect_ = new QPushButton(tr("Disconnect"));
+  end_disconnect_->setObjectName("end_disconnect");
+  end_disconnect_->setMinimumHeight(scaled(32));
+  describe(*end_disconnect_, tr("Disconnect: end the session"),
+           tr("End the session and disconnect (Tab, then Enter)"));
+  progress_ = new QProgressBar;
+  progress_->setRange(0, 1000);
+  describe(*progress_, tr("Progress of the trial"), tr("How much of the trial is over"));
+  hint_ = new QLabel;
+  hint_->setObjectName("start_hint");
+  hint_->setProperty("role", "quiet");
+  hint_->setWordWrap(true);
+
+  column_->addLayout(mode);
+  column_->addWidget(list_, 1);
+  column_->addWidget(next_);
+  column_->addWidget(instruction_);
+  column_->addWidget(practice_);
+  column_->addWidget(by_itself_);
+  column_->addWidget(show_how_);
+  column_->addWidget(start_);
+  column_->addWidget(end_report_);
+  column_->addWidget(end_disconnect_);
+  column_->addWidget(pause_);
+  column_->addWidget(stop_);
+  column_->addWidget(progress_);
+  column_->addWidget(hint_);
+  make_between();
+
+  connect(follow_, &QPushButton::clicked, &presenter_, [this] {
+    presenter_.follow_protocol();
+    refresh();
+  });
+  connect(by_hand_, &QPushButton::clicked, &presenter_, [this] {
+    presenter_.choose_by_hand();
+    refresh();
+    list_->setFocus();
+  });
+  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (item != nullptr && item->data(Qt::UserRole).isValid())
+      presenter_.choose_task(item->data(Qt::UserRole).toInt());
+  });
+  connect(practice_, &QCheckBox::toggled, &presenter_, &SessionPresenter::set_practice);
+  connect(by_itself_, &QCheckBox::toggled, &presenter_, &SessionPresenter::set_by_itself);
+  connect(show_how_, &QPushButton::clicked, &presenter_, &SessionPresenter::show_how);
+  connect(start_, &QPushButton::clicked, &presenter_, &SessionPresenter::start);
+  connect(end_report_, &QPushButton::clicked, this, &RunPanel::report_wanted);
+  connect(end_disconnect_, &QPushButton::clicked, &presenter_,
+          &SessionPresenter::disconnect_device);
+  connect(pause_, &QPushButton::clicked, &presenter_, [this] {
+    const auto& view = presenter_.view();
+    if (view.may_pause)
+      presenter_.pause();
+    else if (view.may_resume)
+      presenter_.resume();
+    else
+      presenter_.stand_by();
+  });
+  connect(stop_, &QPushButton::clicked, &presenter_, &SessionPresenter::stop);
+  connect(&presenter_, &SessionPresenter::changed, this, &RunPanel::refresh);
+  connect(&presenter_, &SessionPresenter::library_changed, this, [this] {
+    fill_list();
+    refresh();
+  });
+  connect(&presenter_, &SessionPresenter::frame, this, &RunPanel::refresh_progress);
+  refresh();
+  refresh_progress();
+}
+
+/// What a therapist does between two trials: difficulty, repeat, skip, helped, a note.
+void RunPanel::make_between() {
+  const auto make = [](const QString& text, const char* name, const QString& full,
+                       const QString& tip) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QLatin1String(name));
+    describe(*button, full, tip);
+    return button;
+  };
+  easier_ = make(tr("Easier"), "easier", tr("Make the task easier"),
+                 tr("The next trial is one step easier (Ctrl+Minus)"));
+  harder_ = make(tr("Harder"), "harder", tr("Make the task harder"),
+                 tr("The next trial is one step harder (Ctrl+Plus)"));
+  level_ = new QLabel;
+  level_->setObjectName("level");
+  level_->setAlignment(Qt::AlignCenter);
+  repeat_ = make(tr("Repeat"), "repeat", tr("Repeat the last trial"),
+                 tr("The last trial once more, beside the protocol (Ctrl+Shift+R)"));
+  skip_ = make(tr("Skip"), "skip", tr("Skip the next step of the protocol"),
+               tr("The next task is not asked for; this is noted (Ctrl+K)"));
+  helped_ = make(tr("&Helped"), "helped", tr("The therapist helps or helped in this trial"),
+                 tr("Such a trial is kept but counts for no assessment (Alt+H)"));
+  helped_->setCheckable(true);
+  note_ = new QLineEdit;
+  note_->setObjectName("note");
+  note_->setPlaceholderText(tr("Note, then Enter"));
+  note_->setMaxLength(500);
+  describe(*note_, tr("Note at this moment"),
+           tr("A remark at this moment, kept with the session (Ctrl+N); Ctrl+M: a mark only"));
+  auto* levels = new QHBoxLayout;
+  levels->setSpacing(6);
+  levels->addWidget(easier_);
+  levels->addWidget(level_, 1);
+  levels->addWidget(harder_);
+  auto* trials = new QHBoxLayout;
+  trials->setSpacing(6);
+  trials->addWidget(repeat_);
+  trials->addWidget(skip_);
+  trials->addWidget(helped_);
+  column_->addLayout(levels);
+  column_->addLayout(trials);
+  column_->addWidget(note_);
+  column_->addStretch(0);
+  connect(easier_, &QPushButton::clicked, this, [this] { presenter_.adjust_difficulty(-1); });
+  connect(harder_, &QPushButton::clicked, this, [this] { presenter_.adjust_difficulty(+1); });
+  connect(repeat_, &QPushButton::clicked, &presenter_, &SessionPresenter::repeat);
+  connect(skip_, &QPushButton::clicked, &presenter_, &SessionPresenter::skip);
+  connect(helped_, &QPushButton::clicked, &presenter_, [this] {
+    presenter_.toggle_helped();
+    refresh();
+  });
+  connect(note_, &QLineEdit::returnPressed, this, [this] {
+    presenter_.note(note_->text().trimmed().toStdString());
+    note_->clear();
+  });
+}
+
+void RunPanel::fill_list() {
+  constexpr int kRow_px = 24;
+  std::optional<TaskGroup> group;
+  const auto& tasks = presenter_.tasks();
+  const QSignalBlocker quiet(list_);
+  list_->clear();
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (group != group_of(tasks[i])) {
+      group = group_of(tasks[i]);
+      auto* heading = new QListWidgetItem(shown(title_of(*group)), list_);
+      QFont font = list_->font();
+      font.setBold(true);
+      heading->setFont(font);
+      heading->setForeground(look::kQuietText);
+      heading->setFlags(Qt::NoItemFlags);  // keys and clicks pass over it
+      heading->setSizeHint({0, scaled(kRow_px)});
+    }
+    auto* item = new QListWidgetItem(QStringLiteral("   ") + shown(tasks[i].name), list_);
+    item->setData(Qt::UserRole, static_cast<int>(i));
+    item->setData(Qt::AccessibleTextRole, shown(tasks[i].name));
+    item->setSizeHint({0, scaled(kRow_px)});
+  }
+  take_rest(*list_, 3 * kRow_px);
+}
+
+void RunPanel::refresh() {
+  const auto& view = presenter_.view();
+  refresh_choice();
+  const auto* spec = presenter_.next_task();
+  next_->setText(QString::fromStdString(presenter_.next_words()));
+  next_->setVisible(!next_->text().isEmpty());
+  instruction_->setText(spec == nullptr ? QString() : shown(spec->instruction));
+  instruction_->setVisible(!instruction_->text().isEmpty());
+  show_how_->setText(presenter_.showing_how() ? tr("Stop sho&wing") : tr("Show the patient ho&w"));
+  describe(*show_how_, show_how_->text().remove(QLatin1Char('&')),
+           tr("The patient's screen shows how a healthy hand does this task (F7, Alt+W)"));
+  show_how_->setEnabled(view.may_show_how || presenter_.showing_how());
+  describe(*start_, tr("Start: %1").arg(next_->text()), tr("Begin (F8, Alt+S)"));
+  start_->setEnabled(view.may_start);
+  // With nothing left to start, its place is that of the end.
+  start_->setVisible(!view.may_stop && (view.may_start || !view.offers_end));
+  end_report_->setVisible(view.offers_end);
+  mark_next(*end_report_, view.press == NextPress::report);
+  end_disconnect_->setVisible(view.offers_end);
+  mark_next(*start_, view.press == NextPress::start);
+  const bool between = view.may_stand_by;
+  pause_->setText(view.may_resume ? tr("R&esume")
+                  : between       ? tr("Hold: do not start")
+                                  : tr("Paus&e"));
+  describe(*pause_,
+           view.may_resume ? tr("Resume the trial")
+           : between       ? tr("Hold: nothing begins by itself")
+                           : tr("Pause the trial"),
+           tr("The trial stands still until it is resumed; between trials nothing begins (F9)"));
+  pause_->setEnabled(view.may_pause || view.may_resume || between);
+  pause_->setVisible(view.may_stop || between);
+  mark_next(*pause_, view.press == NextPress::resume);
+  stop_->setEnabled(view.may_stop);
+  hint_->setText(QString::fromStdString(view.may_stop ? "" : view.start_hint));
+  hint_->setVisible(!hint_->text().isEmpty());
+  refresh_between();
+}
+
+void RunPanel::refresh_choice() {
+  const auto& view = presenter_.view();
+  const bool protocol = presenter_.guide().active();
+  const bool follows = presenter_.follows();
+  follow_->setVisible(protocol);
+  by_hand_->setVisible(protocol);
+  follow_->setChecked(follows);
+  by_hand_->setChecked(!follows);
+  follow_->setEnabled(view.may_choose_task);
+  by_hand_->setEnabled(view.may_choose_task);
+  // Before a session the protocol is what will come; tasks are listed only where one is chosen.
+  const bool listed =
+      !follows && (protocol || presenter_.session_open() || !presenter_.has_protocol());
+  list_->setVisible(listed);
+  practice_->setVisible(listed);
+  by_itself_->setVisible(!listed);
+  {
+    const QSignalBlocker quiet(by_itself_);
+    by_itself_->setChecked(presenter_.by_itself());
+  }
+  const int task = presenter_.task();
+  const QSignalBlocker quiet(list_);
+  for (int row = 0; row < list_->count(); ++row) {
+    const auto number = list_->item(row)->data(Qt::UserRole);
+    if (number.isValid() && number.toInt() == task && list_->currentRow() != row)
+      list_->setCurrentRow(row);
+  }
+  list_->setEnabled(view.may_choose_task);
+  practice_->setEnabled(view.may_choose_task);
+}
+
+void RunPanel::refresh_between() {
+  const auto& view = presenter_.view();
+  const auto level = presenter_.difficulty();
+  const bool idle = view.may_choose_task && presenter_.session_open();
+  easier_->setVisible(level.has_value());
+  harder_->setVisible(level.has_value());
+  level_->setVisible(level.has_value());
+  if (level) {
+    easier_->setEnabled(idle && *level > 0.0);
+    harder_->setEnabled(idle && *level < 1.0);
+    level_->setText(tr("Difficulty %1 %").arg(100.0 * *level, 0, 'f', 0));
+  }
+  repeat_->setEnabled(presenter_.may_repeat());
+  skip_->setVisible(presenter_.follows());
+  skip_->setEnabled(view.may_skip);
+  helped_->setEnabled(presenter_.may_help());
+  helped_->setChecked(presenter_.helped());
+  note_->setEnabled(presenter_.session_open());
+}
+
+void RunPanel::refresh_progress() {
+  const auto picture = presenter_.picture();
+  progress_->setValue(picture.progress_shown ? static_cast<int>(1000.0 * picture.progress) : 0);
+}
+
+RatingPanel::RatingPanel(SessionPresenter& presenter, QWidget* parent)
+    : Card(tr("The patient says"), parent), presenter_(presenter) {
+  effort_ = new ScoreRow("effort", tr("Effort"));
+  pain_ = new ScoreRow("pain", tr("Pain"));
+  remark_ = new QLabel;
+  remark_->setObjectName("rating_remark");
+  remark_->setProperty("role", "quiet");
+  remark_->setWordWrap(true);
+  const QStringList questions{tr("Effort", "beside its numbers"), tr("Pain", "beside its numbers")};
+  int widest_px = 0;
+  for (const auto& words : questions)
+    widest_px = std::max(widest_px, QLabel(words).sizeHint().width());
+  const auto add = [&](const QString& words, ScoreRow* row) {
+    auto* line = new QHBoxLayout;
+    auto* label = new QLabel(words);
+    label->setFixedWidth(widest_px);
+    line->addWidget(label);
+    line->addWidget(row, 1);
+    column_->addLayout(line);
+  };
+  add(questions[0], effort_);
+  add(questions[1], pain_);
+  correct_ = new QPushButton;
+  correct_->setObjectName("rating_correct");
+  connect(correct_, &QPushButton::clicked, &presenter_, &SessionPresenter::show_rated);
+  column_->addWidget(remark_);
+  column_->addWidget(correct_);
+  connect(effort_, &ScoreRow::chosen, &presenter_, &SessionPresenter::rate_effort);
+  connect(pain_, &ScoreRow::chosen, &presenter_, &SessionPresenter::rate_pain);
+  connect(&presenter_, &SessionPresenter::changed, this, &RatingPanel::refresh);
+  refresh();
+}
+
+void RatingPanel::refresh() {
+  const bool due = presenter_.guide().rating_due();
+  const bool possible = presenter_.session_open() && presenter_.last_trial().has_value();
+  setVisible(possible);
+  effort_->show_value(presenter_.effort());
+  pain_->show_value(presenter_.pain());
+  const auto rated = presenter_.rated();
+  const bool corrects = presenter_.corrects_rating();
+  const bool half = presenter_.effort().has_value() != presenter_.pain().has_value();
+  remark_->setText(corrects ? tr("Kept: effort %1, pain %2. Another number corrects it.")
+                                  .arg(rated->effort)
+                                  .arg(rated->pain)
+                   : half ? tr("The other number is missing: nothing is kept yet.")
+                   : due  ? tr("0: none, 10: the most. Asked after every block.")
+                          : QString());
+  remark_->setVisible(!remark_->text().isEmpty());
+  correct_->setVisible(rated && !corrects);
+  correct_->setText(tr("Correct: effort %1, pain %2")
+                        .arg(rated ? rated->effort : 0)
+                        .arg(rated ? rated->pain : 0));
+  describe(*correct_, correct_->text(),
+           tr("Shows the last answer again; another number corrects it, and what it was is kept "
+              "(Tab, then space)"));
+  if (property("due").toBool() != due) {
+    setProperty("due", due);
+    style()->unpolish(this);
+    style()->polish(this);
+  }
+}
+
+}  // namespace isograsp

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/session_pages/score_panel.hpp"
+
+#include <QHeaderView>
+
+#include "gui/look/look.hpp"
+#include "gui/words/texts.hpp"
+#include "gui/words/words.hpp"
+
+namespace isograsp {
+
+ScorePanel::ScorePanel(SessionPresenter& presenter, QWidget* parent)
+    : Card(tr("Result"), parent), presenter_(presenter) {
+  remark_ = new QLabel;
+  remark_->setObjectName("result_remark");
+  remark_->setProperty("role", "quiet");
+  remark_->setWordWrap(true);
+  table_ = new QTableWidget(0, 2);
+  table_->setObjectName("score");
+  table_->setHorizontalHeaderLabels({tr("Measure"), tr("Value")});
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  table_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(scaled(24));
+  table_->setShowGrid(false);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setTabKeyNavigation(false);
+  take_rest(*table_, 90);
+  describe(*table_, tr("Result of the trial"),
+           tr("Measures of the running or the last trial (Alt+U)"));
+  title_->setText(tr("Res&ult"));
+  title_->setBuddy(table_);
+  column_->addWidget(remark_);
+  column_->addWidget(table_, 1);
+  connect(&presenter_, &SessionPresenter::score_changed, this, &ScorePanel::refresh);
+  connect(&presenter_, &SessionPresenter::changed, this, &ScorePanel::refresh);
+  refresh();
+}
+
+void ScorePanel::refresh() {
+  const auto& measures = presenter_.live_score();
+  const auto& last = presenter_.last_trial();
+  if (presenter_.view().may_stop) {
+    remark_->setText(tr("So far, renewed every second"));
+  } else if (last) {
+    const auto name = shown(last->trial.task_name);
+    const bool whole = last->trial.status == TrialStatus::completed && last->trial.dropped == 0;
+    remark_->setText(
+        tr("%1: %2").arg(name, status_words(last->trial.status)) +
+        (last->trial.practice ? tr(", practice") : QString()) +
+        (whole || last->reason.empty() ? QString() : QStringLiteral(". ") + shown(last->reason)));
+  } else {
+    remark_->setText(tr("No trial in this session yet."));
+  }
+  table_->setRowCount(static_cast<int>(measures.size()));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const auto& measure = measures[static_cast<std::size_t>(row)];
+    const auto set = [&](int column, const QString& text, Qt::Alignment alignment) {
+      auto* item = table_->item(row, column);
+      if (item == nullptr) table_->setItem(row, column, item = new QTableWidgetItem);
+      item->setText(text);
+      item->setTextAlignment(alignment | Qt::AlignVCenter);
+      item->setToolTip(measure_remark(measure));
+    };
+    set(0, measure_title(measure), Qt::AlignLeft);
+    set(1, measure_value(measure), Qt::AlignRight);
+  }
+}
+
+}  // namespace isograsp

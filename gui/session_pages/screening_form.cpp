@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/session_pages/screening_form.hpp"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "gui/look/look.hpp"
+
+namespace isograsp {
+
+namespace {
+constexpr int kUsualCeiling_N = 20;
+constexpr int kLeastCeiling_N = 1;
+constexpr int kMostCeiling_N = 500;
+constexpr std::array<Effort, 3> kEfforts{Effort::maximum, Effort::comfortable, Effort::none};
+}  // namespace
+
+ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
+    : QWidget(parent), presenter_(presenter) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(5);
+  nothing_ = new QPushButton(tr("Nothing applies, no &pain"));
+  nothing_->setObjectName("screening_clear");
+  describe(*nothing_, tr("Nothing applies, no pain: maximum allowed"),
+           tr("None of the reasons below, no pain: maximal effort is allowed (Alt+P)"));
+  column->addWidget(nothing_);
+  for (const Caution caution : kCautions) {
+    auto* box = new QCheckBox(title_of(caution));
+    box->setObjectName(QStringLiteral("screening_%1").arg(QLatin1String(name_of(caution))));
+    describe(*box, title_of(caution), tr("%1 (Tab, then space)").arg(details_of(caution)));
+    cautions_[static_cast<std::size_t>(caution)] = box;
+    column->addWidget(box);
+    connect(box, &QCheckBox::toggled, this, [this, caution](bool on) {
+      Screening answers = presenter_.screening();
+      answers.applies[static_cast<std::size_t>(caution)] = on;
+      answers.allowed.reset();  // decided anew
+      answer(answers);
+    });
+  }
+  column->addWidget(new QLabel(tr("Pain now, at rest")));
+  pain_ = new ScoreRow("screening_pain", tr("Pain now"));
+  column->addWidget(pain_);
+  connect(pain_, &ScoreRow::chosen, this, [this](int pain) {
+    Screening answers = presenter_.screening();
+    answers.pain = pain;
+    answers.allowed.reset();
+    answer(answers);
+  });
+  auto* decision = new QLabel(tr("You decide for this hand"));
+  column->addWidget(decision);
+  for (const Effort effort : kEfforts) {
+    auto* button = new QPushButton(words_for(effort));
+    button->setObjectName(QStringLiteral("screening_allow_%1")
+                              .arg(QString::fromStdString(std::string(name_of(effort)))));
+    button->setCheckable(true);
+    describe(*button, words_for(effort),
+             tr("%1 of this hand today (Tab, then space)").arg(words_for(effort)));
+    efforts_[static_cast<std::size_t>(effort)] = button;
+    column->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, effort] {
+      Screening answers = presenter_.screening();
+      answers.allowed = effort;
+      answer(answers);
+    });
+  }
+  limited_ = new QCheckBox(tr("No target above"));
+  limited_->setObjectName("screening_limited");
+  describe(*limited_, tr("Limit all targets"),
+           tr("No target may exceed this force (Tab, then space)"));
+  ceiling_ = new QSpinBox;
+  ceiling_->setObjectName("screening_ceiling");
+  ceiling_->setRange(kLeastCeiling_N, kMostCeiling_N);
+  ceiling_->setValue(kUsualCeiling_N);
+  ceiling_->setSuffix(tr(" N"));
+  ceiling_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  describe(*ceiling_, tr("Largest target in newtons"),
+           tr("No target may exceed this force (Tab, arrow keys)"));
+  auto* limit = new QHBoxLayout;
+  limit->addWidget(limited_);
+  limit->addWidget(ceiling_);
+  limit->addStretch(1);
+  column->addLayout(limit);
+  const auto set_ceiling = [this] {
+    Screening answers = presenter_.screening();
+    answers.ceiling_N.reset();
+    if (limited_->isChecked()) answers.ceiling_N = ceiling_->value();
+    answer(answers);
+  };
+  connect(limited_, &QCheckBox::toggled, this, set_ceiling);
+  connect(ceiling_, QOverload<int>::of(&QSpinBox::valueChanged), this, set_ceiling);
+  advice_ = new QLabel;
+  advice_->setObjectName("screening_advice");
+  advice_->setWordWrap(true);
+  column->addWidget(advice_);
+  connect(nothing_, &QPushButton::clicked, this, [this] {
+    Screening answers;
+    answers.pain = 0;
+    answers.allowed = Effort::maximum;
+    answers.ceiling_N = presenter_.screening().ceiling_N;
+    answer(answers);
+  });
+  connect(&presenter_, &SessionPresenter::changed, this, &ScreeningForm::refresh);
+  refresh();
+}
+
+void ScreeningForm::answer(Screening answers) {
+  presenter_.answer_screening(answers);
+}
+
+void ScreeningForm::refresh() {
+  const auto& answers = presenter_.screening();
+  const auto& view = presenter_.view();
+  setEnabled(view.may_change_hand);
+  const bool next = view.press == NextPress::screening;
+  const bool untouched = answers == Screening{};
+  mark_next(*nothing_, next && untouched);
+  for (const Caution caution : kCautions) {
+    auto* box = cautions_[static_cast<std::size_t>(caution)];
+    const QSignalBlocker quiet(box);
+    box->setChecked(answers.applies[static_cast<std::size_t>(caution)]);
+  }
+  pain_->show_value(answers.pain);
+  const auto proposal = suggested(answers);
+  for (const Effort effort : kEfforts) {
+    auto* button = efforts_[static_cast<std::size_t>(effort)];
+    button->setEnabled(answers.pain.has_value());
+    button->setChecked(answers.allowed == effort);
+    mark_next(*button, next && proposal == effort && !answers.allowed);
+  }
+  {
+    const QSignalBlocker quiet(limited_);
+    limited_->setChecked(answers.ceiling_N.has_value());
+  }
+  if (!answers.ceiling_N) {
+    const QSignalBlocker quiet(ceiling_);
+    ceiling_->setValue(kUsualCeiling_N);  // nobody begins with another one's limit
+  }
+  ceiling_->setEnabled(limited_->isChecked());
+  advice_->setText(advice(answers));
+  advice_->setVisible(!advice_->text().isEmpty());
+}
+
+}  // namespace isograsp

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One step of a session: a line that says how it stands, and below it what there is to do. Only the
+// step that is next is open, unless the therapist opens another one.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+
+#include "gui/presenter/flow.hpp"
+
+namespace isograsp {
+
+class StepSummary;
+
+class StepSection final : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// `body` becomes its own. `number` opens it as Alt+number.
+  StepSection(int number, const QString& title, QWidget* body, QWidget* parent = nullptr);
+
+  /// `summary`: what came of it, e.g. "Right hand".
+  void show_state(StepState state, const QString& summary);
+  void open(bool open);
+  [[nodiscard]] bool is_open() const { return body_->isVisibleTo(this); }
+
+ Q_SIGNALS:
+  void opened();  ///< or closed
+
+ private:
+  int number_;
+  QString title_;
+  StepState state_ = StepState::open;
+  QPushButton* head_;
+  QLabel* mark_;
+  QLabel* name_;
+  StepSummary* summary_;
+  QWidget* body_;
+};
+
+}  // namespace isograsp

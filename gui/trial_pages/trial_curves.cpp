@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/trial_pages/trial_curves.hpp"
+
+#include <QObject>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "gui/look/look.hpp"
+#include "gui/words/words.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// Told apart with every kind of colour vision (Okabe and Ito), dark enough on white.
+const std::array<QColor, 6> kCycle{QColor{0x00, 0x72, 0xB2}, QColor{0xC7, 0x52, 0x00},
+                                   QColor{0x00, 0x8A, 0x63}, QColor{0xB0, 0x55, 0x8A},
+                                   QColor{0x8A, 0x6D, 0x00}, QColor{0x1B, 0x27, 0x33}};
+
+struct Unit {
+  const char* ending;  ///< of the column's name
+  const char* text;
+  double factor;
+};
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+// Longer endings stand before those that they end in.
+constexpr Unit kUnits[] = {{"_radps", "°/s", kDegrees},
+                           {"_mps", "mm/s", 1000.0},
+                           {"_counts", QT_TRANSLATE_NOOP("QObject", "counts"), 1.0},
+                           {"_percent", "%", 1.0},
+                           {"_rad", "°", kDegrees},
+                           {"_Nm", "N mm", 1000.0},
+                           {"_N", "N", 1.0},
+                           {"_m", "mm", 1000.0},
+                           {"_s", "s", 1.0}};
+
+TrialCurve curve_of(const TrialReplay& replay, const std::string& column, const QString& name,
+                    const QColor& colour) {
+  TrialCurve curve;
+  curve.column = replay.signals().find(column);
+  curve.name = name;
+  curve.colour = colour;
+  curve.target = column.starts_with("target_") && !column.starts_with("target_index") &&
+                 !column.starts_with("target_shown");
+  for (const Unit& unit : kUnits) {
+    if (!column.ends_with(unit.ending)) continue;
+    curve.unit = QObject::tr(unit.text);
+    curve.factor = unit.factor;
+    break;
+  }
+  for (const Finger finger : kFingers)
+    if (column.starts_with(name_of(finger)) && (curve.unit == "N" || curve.unit == "N mm"))
+      curve.finger = finger;
+  curve.of_hand = column == "actual_force_N" || column.starts_with("net_");
+  return curve;
+}
+
+bool has_numbers(const TrialReplay& replay, const std::string& column) {
+  for (const double value : replay.signals().column(column))
+    if (std::isfinite(value)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<CurveSet> sets_of(const TrialReplay& replay) {
+  std::vector<CurveSet> sets{CurveSet::forces};
+  if (has_numbers(replay, "actual_x_m")) sets.push_back(CurveSet::position);
+  if (has_numbers(replay, "actual_angle_rad")) sets.push_back(CurveSet::attitude);
+  sets.push_back(CurveSet::chosen);
+  return sets;
+}
+
+QString title_of(CurveSet set) {
+  switch (set) {
+    case CurveSet::forces: return QObject::tr("Forces and target");
+    case CurveSet::position: return QObject::tr("Position of the object");
+    case CurveSet::attitude: return QObject::tr("Angle of the object");
+    case CurveSet::chosen: return QObject::tr("Any recorded channel …");
+  }
+  return {};
+}
+
+std::vector<TrialCurve> curves_of(const TrialReplay& replay, CurveSet set,
+                                  const std::vector<std::string>& chosen) {
+  std::vector<TrialCurve> curves;
+  const auto add = [&](const std::string& column, const QString& name, const QColor& colour) {
+    if (has_numbers(replay, column)) curves.push_back(curve_of(replay, column, name, colour));
+  };
+  switch (set) {
+    case CurveSet::forces:
+      for (const Finger finger : kFingers)
+        add(std::string(name_of(finger)) + "_fz_N", finger_title(finger),
+            look::kFingers[index_of(finger)]);
+      add("actual_force_N", QObject::tr("Task’s force"), look::kText);
+      add("target_force_N", QObject::tr("Target"), look::kText);
+      break;
+    case CurveSet::position:
+      for (const std::size_t axis : {0U, 1U, 2U}) {
+        const std::string column = std::string(1, "xyz"[axis]) + "_m";
+        const QString name = QString(QLatin1Char("xyz"[axis]));
+        add("actual_" + column, name, kCycle[axis]);
+        add("target_" + column, QObject::tr("target %1").arg(name), kCycle[axis]);
+      }
+      break;
+    case CurveSet::attitude:
+      add("actual_angle_rad", QObject::tr("Angle"), kCycle[0]);
+      add("target_angle_rad", QObject::tr("Target"), kCycle[0]);
+      break;
+    case CurveSet::chosen:
+      for (const auto& column : chosen)
+        if (replay.signals().has(column))
+          curves.push_back(curve_of(replay, column, QString::fromStdString(column),
+                                    kCycle[curves.size() % kCycle.size()]));
+      break;
+  }
+  return curves;
+}
+
+SampleQuality quality_of(const TrialReplay& replay, const TrialCurve& curve, std::size_t row) {
+  if (curve.finger) return replay.quality(row, *curve.finger);
+  return curve.of_hand ? replay.quality(row) : SampleQuality::measured;
+}
+
+QString reading(const TrialReplay& replay, const TrialCurve& curve, double t_s) {
+  if (replay.rows() == 0 || curve.column < 0) return {};
+  const std::size_t row = replay.row_at(t_s);
+  const auto times = replay.signals().column("t_s");
+  const bool in_gap = replay.gap_after(row) && t_s - times[row] >= replay.period_s();
+  const auto quality = quality_of(replay, curve, row);
+  if (in_gap || quality == SampleQuality::missing) return QObject::tr("no sample");
+  const double value = replay.signals().column(static_cast<std::size_t>(curve.column))[row];
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  const auto number = short_number(curve.factor * value);
+  const auto text = curve.unit.isEmpty() ? number : QObject::tr("%1 %2").arg(number, curve.unit);
+  return quality == SampleQuality::held ? QObject::tr("%1 held").arg(text) : text;
+}
+
+}  // namespace isograsp

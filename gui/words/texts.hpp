@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Texts, numbers and dates of the layers below as they stand on the screen, in the language that
+// speak() chose (gui/words/language.hpp). Nothing that is stored or exported goes through here.
+#pragma once
+
+#include <QString>
+#include <string>
+#include <string_view>
+
+#include "core/result.hpp"
+
+namespace isograsp {
+
+/// A text of the layers below in the language of the screen. Its numbers are put in by place: the
+/// translations know "Drifted by 0.2 N." as "Drifted by %1 N.". So is what a message names, such as
+/// a path (gui/words/text_patterns.hpp). A text that is not known as a whole is looked up sentence
+/// by sentence, and those by their parts; what is not known at all stays as it is.
+[[nodiscard]] QString shown(std::string_view english);
+/// As Error::message() has it; what is fixed in it is translated.
+[[nodiscard]] QString shown(const Error& error);
+
+/// Words that begin a sentence, in the middle of one: small, unless nouns of the language are
+/// large.
+[[nodiscard]] QString in_sentence(QString words);
+
+/// "1.25", "1,25".
+[[nodiscard]] QString shown_number(double value, int decimals);
+/// "−4.20" as "−4,20": digits that a layer below has formed.
+[[nodiscard]] QString shown_digits(std::string_view digits);
+
+/// How a day is written: "dd.MM.yyyy". English-speaking countries order day and month in opposite
+/// ways, so in English it is year, month, day.
+[[nodiscard]] QString date_form();
+/// "2026-03-05" as "05.03.2026"; what is no day stays as it is.
+[[nodiscard]] QString shown_date(std::string_view iso);
+
+}  // namespace isograsp

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/words/words.hpp"
+
+#include <QDateTime>
+#include <QLocale>
+#include <QObject>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "gui/words/texts.hpp"
+#include "tasks/facts/measure_words.hpp"
+
+namespace isograsp {
+
+QString short_number(double value) {
+  const double size = std::abs(value);
+  const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2;
+  QString text = shown_number(value, decimals);
+  return text.replace(QLatin1Char('-'), QChar(0x2212));  // a real minus sign
+}
+
+QString measure_title(const Measure& measure) {
+  if (measure.name == "resting_force" && measure.channel != "grip") {
+    std::string axis = measure.channel;
+    std::replace(axis.begin(), axis.end(), '_', ' ');
+    return QObject::tr("Resting force, %1").arg(shown(axis));
+  }
+  const auto whole = words_for(measure.name, measure.channel).title;
+  auto title = words_for(measure.name, measure.channel == "grip" ? "grip" : "").title;
+  const auto channel = whole.substr(std::min(title.size(), whole.size()));
+  if (!title.empty())
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  return shown(title) + shown(channel);
+}
+
+QString measure_value(const Measure& measure) {
+  if (!measure.value) return QStringLiteral("–");
+  const auto unit = shown(printed_unit(measure.unit).text);  // also "of 5"
+  const bool count = measure.name == "targets_reached";
+  const auto number = count ? QString::number(std::lround(*measure.value))
+                            : shown_digits(format_value(*measure.value, measure.unit));
+  return unit.isEmpty() ? number : QStringLiteral("%1 %2").arg(number, unit);
+}
+
+QString measure_remark(const Measure& measure) {
+  if (!measure.value) return shown(measure.reason);
+  if (measure.excluded > 0) return QObject::tr("%1 samples left out").arg(measure.excluded);
+  return {};
+}
+
+namespace {
+QString in_form(const std::string& utc, const QString& form) {
+  auto time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);
+  time.setTimeSpec(Qt::UTC);
+  return time.isValid() ? QLocale().toString(time.toLocalTime(), form)
+                        : QString::fromStdString(utc);
+}
+}  // namespace
+
+QString local_time(const std::string& utc) {
+  return in_form(utc, date_form() + QStringLiteral(" HH:mm"));
+}
+
+QString local_date(const std::string& utc) {
+  return in_form(utc, date_form());
+}
+
+QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
+  if (snapshot.frames == 0) return QObject::tr("No forces yet");
+  std::uint64_t lost = snapshot.health.bus.kernel_drops;
+  std::uint64_t damaged = 0;
+  for (const auto& sensor : snapshot.health.sensors) {
+    lost += sensor.lost;
+    damaged += sensor.torn + sensor.invalid;
+  }
+  QString line = QObject::tr(
+                     "Frames with gaps %1   ·   lost %2   ·   damaged %3   ·   "
+                     "late %L4 ms, worst %L5 ms")
+                     .arg(snapshot.frames_with_gap)
+                     .arg(lost)
+                     .arg(damaged)
+                     .arg(snapshot.lateness_s * 1e3, 0, 'f', 1)
+                     .arg(worst_lateness_s * 1e3, 0, 'f', 1);
+  if (snapshot.recorder_dropped > 0)
+    line += QObject::tr("   ·   not recorded %1").arg(snapshot.recorder_dropped);
+  return line;
+}
+
+QString timing_details(const TimingSummary& timing, const std::string& realtime) {
+  const auto line = [](const QString& what, const Quantiles& q) {
+    const auto ms = [](double duration_s) { return shown_number(duration_s * 1e3, 2); };
+    return QObject::tr("%1: half within %2 ms, 99 % within %3, 99.9 % within %4, longest %5\n")
+        .arg(what, ms(q.median_s), ms(q.most_of_100_s), ms(q.most_of_1000_s), ms(q.largest_s));
+  };
+  return line(QObject::tr("From frame to frame"), timing.period) +
+         line(QObject::tr("Late"), timing.lateness) +
+         line(QObject::tr("Work on a frame"), timing.compute) +
+         (realtime.empty() ? QObject::tr("Real time was not asked for")
+                           : QObject::tr("Acquisition with %1").arg(shown(realtime)));
+}
+
+QString push_words(const NetPush& push) {
+  if (!push.share_of_grip_percent) return {};
+  return QObject::tr("Push %1 %").arg(*push.share_of_grip_percent, 0, 'f', 0);
+}
+
+QString status_words(TrialStatus status) {
+  switch (status) {
+    case TrialStatus::running: return QObject::tr("running");
+    case TrialStatus::completed: return QObject::tr("completed");
+    case TrialStatus::aborted: return QObject::tr("stopped early, kept");
+    case TrialStatus::interrupted: return QObject::tr("interrupted, kept");
+  }
+  return {};
+}
+
+}  // namespace isograsp

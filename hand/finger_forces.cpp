@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hand/finger_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hand/anatomical_axes.hpp"
+
+namespace isograsp {
+
+namespace {
+constexpr std::array<const char*, 6> kAxes{"fx_N", "fy_N", "fz_N", "tx_Nm", "ty_Nm", "tz_Nm"};
+
+std::string column_name(Finger finger, std::size_t axis) {
+  return std::string(name_of(finger)) + "_" + kAxes[axis];
+}
+}  // namespace
+
+Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
+                                                    std::array<bool, kFingerCount> required) {
+  auto csv = CsvReader::open(path);
+  if (!csv) return csv.error();
+  FingerForcesReader reader(std::move(*csv));
+  reader.time_ = reader.csv_.find("t_s");
+  if (reader.time_ < 0)
+    return reader.csv_.error_here("t_s", "the column is missing",
+                                  "add the time of each row in seconds");
+  reader.fields_.resize(reader.csv_.columns().size());
+  for (const Finger finger : kFingers) {
+    const std::size_t f = index_of(finger);
+    int forces = 0;
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      reader.axes_[f][axis] = reader.csv_.find(column_name(finger, axis));
+      if (axis < 3 && reader.axes_[f][axis] >= 0) ++forces;
+    }
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      const bool needed = axis < 3 && (forces > 0 || required[f] || reader.axes_[f][3] >= 0 ||
+                                       reader.axes_[f][4] >= 0 || reader.axes_[f][5] >= 0);
+      if (needed && reader.axes_[f][axis] < 0)
+        return reader.csv_.error_here(column_name(finger, axis), "the column is missing",
+                                      "add the column");
+    }
+  }
+  // Other columns may stand beside; one that looks like a finger's but is not must be a slip.
+  auto standard = finger_forces_columns();
+  for (const Finger finger : kFingers)
+    for (const HandAxis axis : kHandAxes) standard.push_back(anatomical_column(finger, axis));
+  for (const auto& name : reader.csv_.columns())
+    for (const auto finger : kFingerNames)
+      if (name.starts_with(std::string(finger) + "_") &&
+          std::find(standard.begin(), standard.end(), name) == standard.end())
+        return reader.csv_.error_here(name, "unknown column of a finger",
+                                      "name it like thumb_fx_N or thumb_tx_Nm, or remove it");
+  return reader;
+}
+
+Result<bool> FingerForcesReader::next(FingerForcesRow& row) {
+  const auto more = csv_.next(fields_);
+  if (!more || !*more) return more;
+  row.t_s = fields_[static_cast<std::size_t>(time_)];
+  if (std::isnan(row.t_s))
+    return csv_.error_here("t_s", "the time is empty", "give every row a time");
+  if (previous_t_s_ && row.t_s <= *previous_t_s_)
+    return csv_.error_here("t_s", "time does not increase", "sort the rows and remove repeats");
+  previous_t_s_ = row.t_s;
+  for (const Finger finger : kFingers) {
+    const std::size_t f = index_of(finger);
+    row.present[f] = false;
+    row.wrench_C[f] = {};
+    if (!has(finger)) continue;
+    int columns = 0;
+    int empty = 0;
+    std::size_t an_empty_axis = 0;
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      const int column = axes_[f][axis];
+      if (column < 0) continue;
+      const double value = fields_[static_cast<std::size_t>(column)];
+      ++columns;
+      if (std::isnan(value)) {
+        ++empty;
+        an_empty_axis = axis;
+        continue;
+      }
+      auto& part = axis < 3 ? row.wrench_C[f].force : row.wrench_C[f].torque;
+      part[static_cast<Eigen::Index>(axis % 3)] = value;
+    }
+    if (empty > 0 && empty < columns)
+      return csv_.error_here(column_name(finger, an_empty_axis),
+                             "the field is empty while others of this finger are not",
+                             "give the value, or leave all fields of the finger empty");
+    row.present[f] = empty == 0;
+    if (empty > 0) row.wrench_C[f] = {};
+  }
+  return true;
+}
+
+namespace {
+/// The grid of all times that `next_time(csv, column, t_s)` reads.
+template <class NextTime>
+Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) {
+  auto csv = CsvReader::open(path);
+  if (!csv) return csv.error();
+  const int time = csv->find("t_s");
+  if (time < 0)
+    return csv->error_here("t_s", "the column is missing", "add the time of each row in seconds");
+  double previous = 0.0;
+  double largest = 0.0;
+  double least_step = std::numeric_limits<double>::infinity();
+  double largest_step = 0.0;
+  TimeGrid grid;
+  for (std::size_t row = 0;; ++row) {
+    double t = 0.0;
+    const auto more = next_time(*csv, time, t);
+    if (!more) return more.error();
+    if (!*more) {
+      if (row < 2) return csv->error_here("", "fewer than two rows", "give at least two rows");
+      break;
+    }
+    if (std::isnan(t)) return csv->error_here("t_s", "the time is empty", "give every row a time");
+    largest = std::max(largest, std::abs(t));
+    if (row > 0) {
+      const double step = t - previous;
+      if (!(step > 0))
+        return csv->error_here("t_s", "time does not increase", "sort the rows and remove repeats");
+      if (row == 1) grid.hold_s = step;
+      least_step = std::min(least_step, step);
+      largest_step = std::max(largest_step, step);
+    }
+    previous = t;
+  }
+  const double ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  const double tolerance = 4.0 * ulp;
+  grid.regular = grid.hold_s - least_step <= tolerance && largest_step - grid.hold_s <= tolerance;
+  return grid;
+}
+}  // namespace
+
+Result<TimeGrid> read_time_grid(const std::string& path) {
+  auto grid =
+      scan_times(path, [](CsvReader& csv, int time, double& t_s) { return csv.next(time, t_s); });
+  if (grid) return grid;
+  // What is wrong first in the file is what to name, and it may stand in another column.
+  std::vector<double> fields;
+  return scan_times(path, [&fields](CsvReader& csv, int time, double& t_s) {
+    fields.resize(csv.columns().size());
+    auto more = csv.next(fields);
+    t_s = fields[static_cast<std::size_t>(time)];
+    return more;
+  });
+}
+
+std::vector<std::string> finger_forces_columns() {
+  std::vector<std::string> names{"t_s"};
+  for (const Finger finger : kFingers)
+    for (std::size_t axis = 0; axis < 6; ++axis) names.push_back(column_name(finger, axis));
+  return names;
+}
+
+void append_finger_forces(std::string& text, const FingerForcesRow& row) {
+  append_number(text, row.t_s);
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    for (const Vec3& part : {row.wrench_C[f].force, row.wrench_C[f].torque})
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        text += ',';
+        if (row.present[f]) append_number(text, part[axis]);
+      }
+  text += '\n';
+}
+
+}  // namespace isograsp

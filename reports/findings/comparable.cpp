@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/findings/comparable.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/ties.hpp"
+#include "core/time.hpp"
+
+namespace isograsp {
+
+Source source_of(const SessionRecord& session) {
+  if (session.simulated) return Source::simulated;
+  return session.recorded ? Source::recorded : Source::device;
+}
+
+bool same_gain(const VisualGain& a, const VisualGain& b) {
+  if (!a.deg_per_N || !b.deg_per_N) return a.deg_per_N == b.deg_per_N;
+  constexpr double kVisible = 0.01;  // relative: a pixel in a hundred
+  const auto alike = [](double x, double y) {
+    return std::abs(x - y) <= kVisible * std::max(std::abs(x), std::abs(y));
+  };
+  return alike(*a.deg_per_N, *b.deg_per_N) ||
+         alike(*a.deg_per_N * a.maximum_force_N, *b.deg_per_N * b.maximum_force_N);
+}
+
+Conditions conditions_of(const StoredTrial& trial) {
+  const SessionRecord& session = *trial.session_record;
+  return {session.rate_Hz,
+          session.device_delay_s,
+          session.display_delay_s,
+          {trial.trial.visual_gain_deg_per_N, trial.trial.maximum_force_N}};
+}
+
+Conditions conditions_of(const PooledValue& value) {
+  return {value.rate_Hz,
+          value.device_delay_s,
+          value.display_delay_s,
+          {value.visual_gain_deg_per_N, value.maximum_force_N}};
+}
+
+std::string difference(const Conditions& a, const Conditions& b) {
+  if (!are_tied(a.device_delay_s, b.device_delay_s)) return "other filter delay of the device";
+  const bool same_display = a.display_delay_s && b.display_delay_s
+                                ? are_tied(*a.display_delay_s, *b.display_delay_s)
+                                : a.display_delay_s == b.display_delay_s;
+  if (!same_display) return "other delay of the display";
+  if (!are_tied(a.rate_Hz, b.rate_Hz)) return "other frame rate";
+  return same_gain(a.gain, b.gain) ? "" : "other visual gain";
+}
+
+std::string difference(const StoredTrial& a, const StoredTrial& b) {
+  if (source_of(*a.session_record) != source_of(*b.session_record)) return "other source of forces";
+  if (a.trial.task_version != b.trial.task_version) return "other version of the task";
+  if (a.trial.task_text != b.trial.task_text) return "other task parameters";
+  if (a.trial.scene_text != b.trial.scene_text) return "other object or scene";
+  return difference(conditions_of(a), conditions_of(b));
+}
+
+PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure) {
+  return {like.trial.task_name,
+          like.trial.task_version,
+          like.trial.task_text,
+          like.trial.scene_text,
+          measure.name,
+          measure.channel,
+          measure.unit,
+          measure.version,
+          like.session_record->simulated,
+          like.session_record->recorded};
+}
+
+double DayCounter::day_of(const std::string& started_utc) {
+  const auto started = time_of_utc(started_utc);
+  if (started && !first_) first_ = day_ = *started;
+  if (!first_) return 0.0;
+  constexpr double kSecondsPerHour = 3600.0;
+  if (started && std::difftime(*started, day_) >= kDayLength_h * kSecondsPerHour) day_ = *started;
+  return std::difftime(day_, *first_) / (24.0 * kSecondsPerHour);
+}
+
+bool counts(const TrialRecord& trial) {
+  return trial.status == TrialStatus::completed && !trial.practice && !trial.helped;
+}
+
+}  // namespace isograsp

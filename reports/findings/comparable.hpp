@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which trials may be compared with each other: the rules that begin a new series.
+#pragma once
+
+#include <ctime>
+#include <optional>
+#include <string>
+
+#include "reports/findings/measure_series.hpp"
+
+namespace isograsp {
+
+[[nodiscard]] Source source_of(const SessionRecord& session);
+
+/// How large a force is drawn. Targets in newtons keep the degrees per newton, targets relative to
+/// the maximum those per share of it: one of the two is equal. A gain that is not known equals none
+/// that is known: otherwise two different ones would both be equal to it.
+struct VisualGain {
+  std::optional<double> deg_per_N;
+  double maximum_force_N = 0.0;
+};
+[[nodiscard]] bool same_gain(const VisualGain& a, const VisualGain& b);
+
+/// What a trial was measured and shown with.
+struct Conditions {
+  double rate_Hz = 0.0;
+  double device_delay_s = 0.0;
+  std::optional<double> display_delay_s;  ///< lags are corrected by it; nothing: they are not
+  VisualGain gain;
+};
+[[nodiscard]] Conditions conditions_of(const StoredTrial& trial);
+[[nodiscard]] Conditions conditions_of(const PooledValue& value);
+/// Why values measured so must not be compared; empty: they may.
+[[nodiscard]] std::string difference(const Conditions& a, const Conditions& b);
+
+/// Why two trials of one task and hand must not be compared; empty: they may.
+[[nodiscard]] std::string difference(const StoredTrial& a, const StoredTrial& b);
+
+/// What values of other people must equal to be pooled with `measure` of a trial.
+[[nodiscard]] PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure);
+
+/// Days are told apart by the time between sessions, not by dates: a working day of the clinic can
+/// have two dates in UTC, and where the clinic is, is not stored. A session that begins less than
+/// this after the first one of a day belongs to that day; half of a day lies between the longest
+/// working day and the shortest night.
+inline constexpr double kDayLength_h = 12.0;
+class DayCounter {
+ public:
+  /// From the first session to the first one of the day of this session [d]. Sessions come oldest
+  /// first; one whose time cannot be read stands on the day before it.
+  [[nodiscard]] double day_of(const std::string& started_utc);
+
+ private:
+  std::optional<std::time_t> first_;
+  std::time_t day_ = 0;  ///< when the first session of the current day began
+};
+
+/// The trial is an assessment: completed, neither practice nor helped.
+[[nodiscard]] bool counts(const TrialRecord& trial);
+
+}  // namespace isograsp

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/findings/data_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "tasks/score.hpp"
+
+namespace isograsp {
+
+namespace {
+
+std::string printed(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+std::string counted(std::int64_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+std::string share(std::int64_t part, std::int64_t whole) {
+  if (part == 0) return "none";
+  return printed("%.2g %%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+/// What is seen only in the signals of a session.
+struct SignalFacts {
+  std::int64_t rows = 0;
+  std::int64_t held = 0;
+  std::int64_t missing = 0;
+  std::int64_t beyond_range = 0;
+  std::int64_t compared = 0;  ///< measures computed again
+  std::vector<std::string> differing;
+  std::vector<std::string> damaged;
+};
+
+/// Stored values were computed by the same functions; libm may differ by CPU in the last digits.
+bool agree(const Measure& stored, const Measure& again) {
+  constexpr double kLibmSlack = 1e-12;
+  if (stored.value.has_value() != again.value.has_value()) return false;
+  if (!stored.value) return true;
+  return std::abs(*stored.value - *again.value) <=
+         kLibmSlack * std::max(std::abs(*stored.value), std::abs(*again.value));
+}
+
+Result<void> compare_measures(SessionStore& store, const TrialRecord& trial, const Signals& signals,
+                              SignalFacts& facts) {
+  const auto spec = parse_task(trial.task_text, trial.task_name);
+  if (!spec) return {};
+  const auto stored = store.measures(trial.id);
+  if (!stored) return stored.error();
+  if (stored->empty()) return {};
+  const auto again = score(*spec, signals);
+  for (const auto& measure : *stored) {
+    const auto same = std::find_if(again.begin(), again.end(), [&](const Measure& candidate) {
+      return candidate.name == measure.name && candidate.channel == measure.channel &&
+             candidate.version == measure.version;
+    });
+    if (same == again.end()) continue;  // scored by another version of the measure
+    ++facts.compared;
+    if (!agree(measure, *same))
+      facts.differing.push_back(measure.name + " of trial " + std::to_string(trial.number));
+  }
+  return {};
+}
+
+Result<SignalFacts> read_signals(SessionStore& store, const std::vector<TrialRecord>& trials,
+                                 const Progress& progress) {
+  SignalFacts facts;
+  double passed = 0.0;
+  for (const auto& trial : trials) {
+    if (!tell(progress, passed++ / static_cast<double>(trials.size()),
+              "checking trial " + std::to_string(trial.number)))
+      return cancelled();
+    const auto signals = store.signals(trial);
+    if (!signals) {
+      facts.damaged.push_back("trial " + std::to_string(trial.number) + ": " +
+                              signals.error().what);
+      continue;
+    }
+    for (const double flags : signals->column("sample_flags")) {
+      const auto bits = static_cast<std::uint8_t>(flags);
+      ++facts.rows;
+      if (bits & bit(SampleFlag::held)) ++facts.held;
+      if (bits & bit(SampleFlag::missing)) ++facts.missing;
+      if (bits & (bit(SampleFlag::saturated) | bit(SampleFlag::overload))) ++facts.beyond_range;
+    }
+    if (auto done = compare_measures(store, trial, *signals, facts); !done) return done.error();
+  }
+  return facts;
+}
+
+/// A count in what a file says; 0 if it says no such thing.
+std::int64_t count_at(const nlohmann::json& json, std::string_view key) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 50;
+  const auto at = json.find(key);
+  if (at == json.end() || !at->is_number_integer()) return 0;
+  return std::clamp(at->get<std::int64_t>(), std::int64_t{0}, kMost);
+}
+
+/// Frames lost between sensor and computer: counters at the end of the session's last trial.
+std::int64_t lost_on_the_wire(const std::vector<TrialRecord>& trials) {
+  if (trials.empty()) return 0;
+  const auto health = nlohmann::json::parse(trials.back().health_json, nullptr, false);
+  if (!health.is_object()) return 0;
+  std::int64_t lost = count_at(health, "kernel_drops");
+  for (const auto finger : kFingerNames)
+    if (const auto sensor = health.find(finger); sensor != health.end() && sensor->is_object())
+      lost += count_at(*sensor, "lost");
+  return lost;
+}
+
+QualityLine zero_line(const SessionRecord& session,
+                      const std::vector<InstrumentZeroRecord>& zeros) {
+  if (session.recorded && zeros.empty())
+    return {"Instrument zero", "as in the recording; it cannot be repeated", true};
+  if (zeros.empty())
+    return {"Instrument zero", "not done: forces contain the sensor's offset", true};
+  double noise_N = 0.0;
+  for (const auto& sd : zeros.back().sd) noise_N = std::max(noise_N, sd.head<3>().maxCoeff());
+  std::string text = "done with the device empty";
+  if (zeros.size() > 1) text += ", " + counted(static_cast<std::int64_t>(zeros.size()), "time");
+  return {"Instrument zero",
+          text + "; empty noise " + printed("%.2g N", noise_N) + " (SD, largest axis)", false};
+}
+
+QualityLine sample_line(const SignalFacts& facts, std::int64_t recorder_drops, std::int64_t lost) {
+  const std::string text =
+      "missing " + share(facts.missing, facts.rows) + ", held " + share(facts.held, facts.rows) +
+      ", beyond range " + share(facts.beyond_range, facts.rows) + " of " +
+      counted(facts.rows, "sample") + "; lost on the way " + std::to_string(lost) +
+      ", not recorded " + std::to_string(recorder_drops);
+  constexpr double kNoticeable = 0.01;  // of the samples
+  const auto gaps = static_cast<double>(facts.missing + facts.held + facts.beyond_range);
+  return {"Samples", text,
+          gaps > kNoticeable * static_cast<double>(facts.rows) || recorder_drops > 0};
+}
+
+QualityLine trial_line(const std::vector<TrialRecord>& trials) {
+  int completed = 0;
+  int practice = 0;
+  int helped = 0;
+  std::string unfinished;
+  for (const auto& trial : trials) {
+    practice += trial.practice ? 1 : 0;
+    helped += trial.helped ? 1 : 0;
+    if (trial.status == TrialStatus::completed)
+      ++completed;
+    else
+      unfinished += "; trial " + std::to_string(trial.number) + " (" + trial.task_name + ") " +
+                    std::string(name_of(trial.status));
+  }
+  std::string text =
+      std::to_string(completed) + " of " + std::to_string(trials.size()) + " completed";
+  if (practice > 0) text += ", " + std::to_string(practice) + " of them practice";
+  if (helped > 0) text += ", " + std::to_string(helped) + " with the therapist's help";
+  return {"Trials", text + unfinished, !unfinished.empty()};
+}
+
+QualityLine fault_line(const std::vector<EventRecord>& events) {
+  const auto of_kind = [&](const char* kind) {
+    return std::count_if(events.begin(), events.end(),
+                         [&](const EventRecord& event) { return event.kind == kind; });
+  };
+  const auto faults = of_kind("fault");
+  const auto pauses = of_kind("pause");
+  std::string text = (faults == 0 ? "no device fault" : counted(faults, "device fault")) + ", " +
+                     (pauses == 0 ? "no pause" : counted(pauses, "pause"));
+  for (const auto& event : events)
+    if (event.kind == "fault" && !event.text.empty()) {
+      text += "; first: " + event.text;
+      break;
+    }
+  return {"Faults", text, faults > 0};
+}
+
+QualityLine time_line(const std::vector<TrialRecord>& trials, double rate_Hz) {
+  double lateness_s = 0.0;
+  for (const auto& trial : trials) lateness_s = std::max(lateness_s, trial.worst_lateness_s);
+  return {"Timing",
+          printed("%.0f frames per second", rate_Hz) +
+              printed("; latest frame %.1f ms late", 1000.0 * lateness_s),
+          lateness_s * rate_Hz > 1.0};
+}
+
+QualityLine delay_line(const SessionRecord& session) {
+  const std::string filter =
+      session.device_delay_s > 0.0
+          ? printed("filter delay of %.1f ms is", 1000.0 * session.device_delay_s)
+          : std::string("unknown filter delay, if any, is");
+  return {
+      "Delay",
+      filter + " contained in lag and tracking error, not subtracted; display delay not measured",
+      false};
+}
+
+}  // namespace
+
+Result<std::vector<QualityLine>> assess_quality(SessionStore& store, const SessionRecord& session,
+                                                const std::vector<TrialRecord>& trials,
+                                                const Progress& progress) {
+  const auto zeros = store.zeros(session.id);
+  if (!zeros) return zeros.error();
+  const auto events = store.events(session.id);
+  if (!events) return events.error();
+  const auto facts = read_signals(store, trials, progress);
+  if (!facts) return facts.error();
+
+  std::vector<QualityLine> lines;
+  if (session.simulated)
+    lines.push_back({"Source", "simulated device: these are not measurements of a person", true});
+  if (session.recorded) {
+    lines.push_back({"Source", "a replayed recording, not measured with this device", true});
+    const auto& text = session.provenance;
+    for (std::size_t from = 0; from < text.size();) {
+      const auto end = std::min(text.find('\n', from), text.size());
+      lines.push_back({"", text.substr(from, end - from), false});
+      from = end + 1;
+    }
+  }
+  lines.push_back(zero_line(session, *zeros));
+  lines.push_back(trial_line(trials));
+  std::int64_t dropped = 0;
+  for (const auto& trial : trials) dropped += trial.dropped;
+  if (facts->rows > 0) lines.push_back(sample_line(*facts, dropped, lost_on_the_wire(trials)));
+  lines.push_back(fault_line(*events));
+  lines.push_back(time_line(trials, session.rate_Hz));
+  lines.push_back(delay_line(session));
+  if (facts->compared > 0 && facts->differing.empty())
+    lines.push_back(
+        {"Recomputed",
+         "all " + std::to_string(facts->compared) + " results follow again from the stored signals",
+         false});
+  if (!facts->differing.empty())
+    lines.push_back(
+        {"Recomputed",
+         counted(static_cast<std::int64_t>(facts->differing.size()), "result") +
+             " cannot be reproduced from the stored signals, first: " + facts->differing.front(),
+         true});
+  for (const auto& damaged : facts->damaged) lines.push_back({"Damaged", damaged, true});
+  return lines;
+}
+
+}  // namespace isograsp

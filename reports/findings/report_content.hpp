@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a progress report says, before anybody decides how it looks: PDF and HTML are written from
+// the same content. SI units, radians; times of day in UTC.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/measure.hpp"
+#include "core/signals.hpp"
+#include "hand/finger.hpp"
+#include "reports/findings/change.hpp"
+#include "reports/findings/compass.hpp"
+#include "reports/findings/limits.hpp"
+#include "reports/findings/norm_band.hpp"
+#include "reports/findings/practice_dose.hpp"
+#include "tasks/task_spec.hpp"
+
+namespace isograsp {
+
+/// Where forces came from. Results of different sources are never compared.
+enum class Source : std::uint8_t { device, simulated, recorded };
+[[nodiscard]] std::string_view name_of(Source source) noexcept;
+
+struct ReportSession {
+  int number = 0;    ///< 1 is the first session of this patient
+  std::string date;  ///< YYYY-MM-DD
+  std::string started_utc;
+  double day = 0.0;  ///< [d] from the first session to the first of the same day (comparable.hpp)
+  Hand hand = Hand::right;
+  Source source = Source::device;
+  std::string device;      ///< in words
+  std::string provenance;  ///< of a recording; one line each
+};
+
+/// All completed trials of one session, practice and helped ones left out.
+struct SessionValue {
+  std::size_t session = 0;     ///< index into ReportContent::sessions
+  std::vector<double> trials;  ///< in the order of the trials
+  int without_value = 0;       ///< trials whose measure could not be computed
+  std::optional<double> mean;  ///< none if a trial has no value: failures must not drop out of it
+  bool first_day = false;      ///< the first assessment day of the task: drawn hollow
+};
+
+/// What may be said about the change of a primary measure (docs/change.md).
+struct ChangeVerdict {
+  ChangeJudgement change;
+  int people = 0;         ///< whose stable pairs say how large the measurement error is
+  int left_out = 0;       ///< of these pairs, as they lie far outside of the others
+  std::string reason;     ///< why it cannot be judged yet; empty: it can
+  std::string chosen_by;  ///< who made it a primary measure
+  std::string chosen_on;  ///< YYYY-MM-DD
+  /// Even a fall to nothing would not be larger than measurement error.
+  bool fall_cannot_be_told = false;
+};
+
+/// A practice trial: drawn hollow, part of no value.
+struct PracticeValue {
+  std::size_t session = 0;
+  double value = 0.0;
+};
+
+/// One measure over the sessions; all values have the same task parameters and measure version.
+struct MeasureSeries {
+  std::string name;  ///< as stored
+  std::string channel;
+  std::string unit;
+  int version = 1;
+  bool key = false;  ///< stands in the table at a glance
+  std::vector<SessionValue> values;
+  std::optional<double> baseline;
+  std::string baseline_basis;  ///< what the baseline is the mean of
+  std::optional<double> last;  ///< mean of the last day; none: it has no mean
+  std::optional<double> change;
+  std::string trend;  ///< over all days, in words (series_trend.hpp); empty: too few
+  std::vector<PracticeValue> practice;
+  std::optional<ChangeVerdict> verdict;  ///< of primary measures; all others are shown without
+  std::optional<NormBand> norm =
+      std::nullopt;  ///< of key measures; nothing: nobody is like this person
+};
+
+/// A completed trial with what is needed to draw it.
+struct DrawnTrial {
+  std::size_t session = 0;
+  int number = 0;
+  Signals curves;                 ///< t_s, phase, target_*, actual_*, of objects finger forces
+  std::vector<Measure> measures;  ///< as stored
+  std::string problem;            ///< why the signals cannot be shown
+};
+
+/// From this session on a task was done under other conditions.
+struct SeriesBreak {
+  std::size_t session = 0;
+  std::string reason;  ///< "other visual gain"
+};
+
+/// One task with one hand: sessions that may be compared with each other.
+struct TaskSection {
+  std::string task;
+  int version = 1;
+  Hand hand = Hand::right;
+  Source source = Source::device;
+  std::optional<TaskSpec> spec;  ///< none: the stored task file cannot be read
+  std::vector<MeasureSeries> series;
+  std::optional<DrawnTrial> last;  ///< the newest
+  std::optional<DrawnTrial> best;  ///< of a force task, by its first key measure
+  std::optional<DrawnTrial> worst;
+  std::vector<SeriesBreak> breaks;  ///< oldest first
+  std::vector<std::string> notes;   ///< what was left out and why
+};
+
+struct QualityLine {
+  std::string label;
+  std::string text;
+  bool attention = false;  ///< limits what the results mean
+};
+
+struct ReportContent {
+  std::string code;
+  std::string software_version;
+  std::vector<ReportSession> sessions;  ///< oldest first
+  int sessions_stored = 0;              ///< of this patient: more, if only some were asked for
+  std::vector<TaskSection> sections;
+  std::vector<QualityLine> quality;  ///< of the last session
+  bool simulated = false;            ///< any session is
+  bool recorded = false;
+  int primary_measures = 0;          ///< that have been chosen
+  std::vector<std::string> waiting;  ///< primary measures without any assessment, and why, in words
+  std::string goals;                 ///< in the patient's or therapist's words
+  std::vector<ClinicalScore> scores;      ///< by date
+  std::vector<TreatmentMark> treatments;  ///< by date
+  LimitsOfHand limits;
+  std::vector<Compass> compasses;
+  PracticeDose dose;
+  bool early = false;  ///< the last session is less than six months after the onset
+};
+
+}  // namespace isograsp

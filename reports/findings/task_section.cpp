@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/findings/task_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/ties.hpp"
+#include "reports/findings/comparable.hpp"
+#include "reports/findings/series_trend.hpp"
+#include "tasks/facts/measure_words.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// Where trials that count were done under other conditions than those before. Levels that follow
+/// success change with every trial: they are no breaks.
+std::vector<SeriesBreak> breaks_of(const TaskSection& section,
+                                   const std::vector<const StoredTrial*>& all) {
+  std::vector<SeriesBreak> breaks;
+  if (section.spec && section.spec->difficulty) return breaks;
+  const StoredTrial* before = nullptr;
+  for (const StoredTrial* trial : all) {
+    if (!counts(trial->trial)) continue;
+    if (before != nullptr)
+      if (auto why = difference(*before, *trial); !why.empty())
+        breaks.push_back({trial->session, std::move(why)});
+    before = trial;
+  }
+  return breaks;
+}
+
+void add_practice(const std::vector<const StoredTrial*>& practised, MeasureSeries& series) {
+  for (const StoredTrial* trial : practised)
+    for (const auto& measure : trial->measures)
+      if (measure.name == series.name && measure.channel == series.channel && measure.value &&
+          measure.version == series.version && measure.unit == series.unit)
+        series.practice.push_back({trial->session, *measure.value});
+}
+
+/// To the key measures what healthy people do.
+Result<void> add_norms(const VerdictContext& context, const StoredTrial& like,
+                       TaskSection& section) {
+  const PatientProfile& person = context.profile;
+  if (!person.sex || !person.birth_year || !person.dominant) return {};
+  if (section.spec && section.spec->difficulty) return {};  // levels follow success: no assessment
+  for (auto& series : section.series) {
+    if (!series.key && primary_of(context, section, series.name, series.channel) == nullptr)
+      continue;
+    const auto query = pool_query(like, series);
+    const auto healthy =
+        renewed_values(context.renewal, query, context.store.healthy_values(query));
+    if (!healthy) return healthy.error();
+    series.norm =
+        norm_band(*healthy, like, context.profile, words_for(series.name, series.channel).censored);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<TaskSection> make_section(const VerdictContext& context,
+                                 const std::vector<const StoredTrial*>& all,
+                                 const std::vector<ReportSession>& sessions) {
+  const StoredTrial& newest = *all.back();
+  TaskSection section;
+  section.task = newest.trial.task_name;
+  section.version = newest.trial.task_version;
+  section.hand = newest.session_record->hand;
+  section.source = source_of(*newest.session_record);
+  if (auto spec = parse_task(newest.trial.task_text, newest.trial.task_name))
+    section.spec = std::move(*spec);
+
+  std::vector<const StoredTrial*> compared;
+  std::vector<const StoredTrial*> practised;
+  std::map<std::string, std::set<std::size_t>> left_out;
+  int practice = 0;
+  int helped = 0;
+  int unfinished = 0;
+  for (const StoredTrial* entry : all) {
+    if (const auto why = difference(*entry, newest); !why.empty())
+      left_out[why].insert(entry->session);
+    else if (entry->trial.practice) {
+      ++practice;
+      if (entry->trial.status == TrialStatus::completed && !entry->trial.helped)
+        practised.push_back(entry);
+    } else if (entry->trial.helped)
+      ++helped;
+    else if (entry->trial.status != TrialStatus::completed)
+      ++unfinished;
+    else
+      compared.push_back(entry);
+  }
+  section.breaks = breaks_of(section, all);
+  for (const auto& [why, which] : left_out) {
+    auto text = list_sessions(which, sessions) + " not compared: " + why;
+    text[0] = 'S';
+    section.notes.push_back(std::move(text));
+  }
+  const auto note = [&](int n, const char* one, const char* many) {
+    if (n > 0) section.notes.push_back(std::to_string(n) + (n == 1 ? one : many));
+  };
+  note(practice, " practice trial left out", " practice trials left out");
+  note(helped, " trial with the therapist's help left out",
+       " trials with the therapist's help left out");
+  note(unfinished, " trial that did not end left out", " trials that did not end left out");
+  if (compared.empty()) return section;
+
+  for (const Measure& measure : compared.back()->measures) {
+    if (place_of(section.spec, measure.name, measure.channel).prominence == Prominence::none &&
+        primary_of(context, section, measure.name, measure.channel) == nullptr)
+      continue;
+    section.series.push_back(make_series(measure, compared, sessions, section));
+    add_practice(practised, section.series.back());
+    section.series.back().trend = trend_words(section.series.back(), sessions);
+  }
+  const auto place = [&](const MeasureSeries& series) {
+    return place_of(section.spec, series.name, series.channel);
+  };
+  std::stable_sort(section.series.begin(), section.series.end(),
+                   [&](const auto& a, const auto& b) { return place(a).rank < place(b).rank; });
+  for (auto& series : section.series) series.key = place(series).prominence == Prominence::key;
+  if (auto compared_with = add_norms(context, *compared.back(), section); !compared_with)
+    return compared_with.error();
+  if (auto judged = judge_section(context, *compared.back(), sessions, section); !judged)
+    return judged.error();
+  return section;
+}
+
+Extremes extremes_of(const TaskSection& section, const std::vector<const StoredTrial*>& all) {
+  Extremes extremes;
+  if (!section.spec || !std::holds_alternative<ForceTrackingSpec>(section.spec->kind))
+    return extremes;
+  const auto key = std::find_if(section.series.begin(), section.series.end(),
+                                [](const MeasureSeries& series) { return series.key; });
+  if (key == section.series.end()) return extremes;
+  const Better better = words_for(key->name, key->channel).better;
+  if (better == Better::unknown) return extremes;
+  const auto badness = [better](double value) {
+    return better == Better::higher ? -value : better == Better::lower ? value : std::abs(value);
+  };
+  std::vector<const StoredTrial*> compared;
+  std::vector<double> bad;
+  for (const StoredTrial* trial : all) {
+    if (!counts(trial->trial) || !difference(*trial, *all.back()).empty()) continue;
+    for (const auto& measure : trial->measures) {
+      if (measure.name != key->name || measure.channel != key->channel || !measure.value ||
+          measure.version != key->version)
+        continue;
+      compared.push_back(trial);
+      bad.push_back(badness(*measure.value));
+    }
+  }
+  if (bad.empty()) return extremes;
+  const auto first_tied_with = [&](double value) {  // the oldest of trials that are alike
+    const auto found = std::find_if(
+        bad.begin(), bad.end(), [&](double one) { return are_tied(one, value, tie_width(bad)); });
+    return compared[static_cast<std::size_t>(found - bad.begin())];
+  };
+  const auto [least, most] = std::minmax_element(bad.begin(), bad.end());
+  extremes.best = first_tied_with(*least);
+  extremes.worst = first_tied_with(*most);
+  return extremes.best == extremes.worst ? Extremes{} : extremes;
+}
+
+void put_in_order(std::vector<TaskSection>& sections, const std::vector<ReportSession>& sessions) {
+  const auto right = std::count_if(sessions.begin(), sessions.end(),
+                                   [](const auto& session) { return session.hand == Hand::right; });
+  const bool left_first = right * 2 < static_cast<long>(sessions.size());
+  std::stable_sort(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
+    if (a.hand != b.hand) return (a.hand == Hand::left) == left_first;
+    const std::size_t kind_a = a.spec ? a.spec->kind.index() : std::variant_npos;
+    const std::size_t kind_b = b.spec ? b.spec->kind.index() : std::variant_npos;
+    return kind_a != kind_b ? kind_a < kind_b : a.task < b.task;
+  });
+}
+
+}  // namespace isograsp

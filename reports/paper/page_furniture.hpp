@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands around the content of a report, on every page or at its beginning. UTF-8.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/findings/report_text.hpp"
+
+namespace isograsp {
+
+struct PageFurniture {
+  std::string kind;         ///< "Progress report"
+  std::string title;        ///< of this one: a patient's code, a study
+  std::vector<Fact> facts;  ///< at most five
+  std::string watermark;    ///< empty: none
+  std::string footer;
+};
+/// A title of more characters than a patient's code has is set smaller.
+inline constexpr std::size_t kLongTitle = 24;
+[[nodiscard]] PageFurniture furniture_of(const ReportContent& content);
+
+}  // namespace isograsp

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Text, the table at a glance and the data-quality box of a PDF report.
+#include <algorithm>
+#include <array>
+
+#include "reports/findings/report_text.hpp"
+#include "reports/paper/pdf_content.hpp"
+#include "reports/paper/plotting.hpp"
+
+namespace isograsp::pdf {
+
+namespace {
+
+struct Cell {
+  QString text;
+  TextStyle style;
+  QString under;  ///< a second, smaller line
+};
+
+/// A block that is painted in one go.
+Block block(double gap_above, double height, bool keep_with_next, Draw draw) {
+  return {gap_above, height, keep_with_next, {std::move(draw)}};
+}
+
+// The table of key measures: shares of the width, space between columns, right-aligned numbers.
+constexpr std::array kShares{0.145, 0.165, 0.105, 0.145, 0.19, 0.25};
+constexpr double kSpace = 6.0;
+constexpr double kVerdictInset = 12.0;
+constexpr double kUnderSize = 6.8;
+
+bool is_number(std::size_t column) {
+  return column >= 2 && column <= 4;
+}
+double inset(std::size_t column) {
+  if (is_number(column)) return kSpace;
+  return column + 1 == kShares.size() ? kVerdictInset : 0.0;
+}
+double inner_width(std::size_t column) {
+  return kWidth * kShares[column] - (is_number(column) ? 0.0 : kSpace) - inset(column);
+}
+TextStyle under_style(Qt::Alignment align) {
+  return {kUnderSize, false, Palette::quiet(), align};
+}
+
+Block row_block(std::vector<Cell> cells, bool is_head, double rule_width,
+                const QColor& rule_color) {
+  constexpr double kHeadHeight = 15.0;
+  constexpr double kLeastHeight = 27.0;
+  double height = is_head ? kHeadHeight : kLeastHeight;
+  std::vector<double> first_line;  // heights
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (is_number(i)) cells[i].style.align = Qt::AlignRight;
+    first_line.push_back(kText.height(cells[i].text, inner_width(i), cells[i].style));
+    if (cells[i].under.isEmpty()) continue;
+    constexpr double kPad = 6.0;
+    height = std::max(height, first_line[i] + kPad +
+                                  kText.height(cells[i].under, inner_width(i),
+                                               under_style(cells[i].style.align)));
+  }
+  auto draw = [=, cells = std::move(cells)](QCPPainter& painter, double y) {
+    double x = kSide;
+    const double top = y + (is_head ? 1.0 : 4.0);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      kText.draw(painter, x + inset(i), top, inner_width(i), cells[i].text, cells[i].style);
+      if (!cells[i].under.isEmpty())
+        kText.draw(painter, x + inset(i), top + first_line[i], inner_width(i), cells[i].under,
+                   under_style(cells[i].style.align));
+      x += kWidth * kShares[i];
+    }
+    rule(painter, y + height, rule_width, rule_color);
+  };
+  return block(0.0, height, is_head, std::move(draw));
+}
+
+}  // namespace
+
+Block text_block(const QString& text, const TextStyle& style, double gap_above) {
+  return block(gap_above, kText.height(text, kWidth, style), false,
+               [text, style](QCPPainter& painter, double y) {
+                 kText.draw(painter, kSide, y, kWidth, text, style);
+               });
+}
+
+Block heading_block(const QString& text, double gap_above) {
+  return block(gap_above, 20.0, true, [text](QCPPainter& painter, double y) {
+    kText.draw(painter, kSide, y, kWidth, text, kHeading);
+  });
+}
+
+void add_glance(std::vector<Block>& blocks, const ReportContent& content) {
+  const auto rows = glance_rows(content);
+  if (rows.empty()) return;
+  blocks.push_back(heading_block("At a glance", kSectionGap));
+  std::vector<Cell> head;
+  for (const char* title : {"Task", "Measure", "Baseline", "Last", "Change", "Verdict"})
+    head.push_back({title, kQuiet, ""});
+  const std::size_t head_place = blocks.size();
+  blocks.push_back(row_block(std::move(head), true, 0.7, Palette::quiet()));
+  for (const auto& row : rows) {
+    blocks.push_back(row_block(
+        {{text_of(row.task), kBody, text_of(row.hand) + " hand"},
+         {text_of(row.measure), kBody, text_of(row.direction)},
+         {text_of(row.baseline), kBody, text_of(row.baseline_basis)},
+         {text_of(row.last), kStrong, text_of(row.beside)},
+         {text_of(row.change), kBody, text_of(row.mdc)},
+         {text_of(row.verdict), row.primary ? kStrong : kBody, text_of(row.verdict_basis)}},
+        false, 0.5, Palette::line()));
+    blocks.back().below_head = blocks.size() - 1 - head_place;
+  }
+  double gap = 6.0;
+  for (const auto& note : verdict_notes(content)) {
+    blocks.back().keep_with_next = true;
+    blocks.push_back(text_block(text_of(note), kQuiet, gap));
+    gap = 2.0;
+  }
+}
+
+void add_quality(std::vector<Block>& blocks, const ReportContent& content) {
+  if (content.quality.empty() || content.sessions.empty()) return;
+  const auto& last = content.sessions.back();
+  blocks.push_back(heading_block("Was the last measurement valid?", kSectionGap));
+  constexpr double kPad = 10.0;
+  constexpr double kLabel = 84.0;
+  struct Line {
+    QString label;
+    QString text;
+    bool attention;
+    double height;
+  };
+  std::vector<Line> lines;
+  double height = 2.0 * kPad - 3.0;
+  const double text_width = kWidth - 2.0 * kPad - kLabel;
+  const auto add = [&](const QString& label, const QString& text, bool attention) {
+    const TextStyle& style = attention ? kStrong : kBody;
+    lines.push_back({label, text, attention, kText.height(text, text_width, style) + 3.0});
+    height += lines.back().height;
+  };
+  add("Session",
+      QString("%1, %2, %3 hand, %4")
+          .arg(last.number)
+          .arg(text_of(format_date(last.date)), QString::fromUtf8(name_of(last.hand).data()),
+               text_of(last.device)),
+      false);
+  for (const auto& line : content.quality)
+    add(text_of(line.label), text_of(line.text), line.attention);
+  blocks.push_back(block(0.0, height, false, [=](QCPPainter& painter, double y) {
+    painter.setPen(QPen(Palette::line(), 0.7 * kUnit));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(kSide * kUnit, y * kUnit, kWidth * kUnit, height * kUnit));
+    double line_y = y + kPad;
+    for (const auto& line : lines) {
+      kText.draw(painter, kSide + kPad, line_y, kLabel, (line.attention ? "! " : "") + line.label,
+                 line.attention ? kStrong : TextStyle{8.0, false, Palette::quiet()});
+      kText.draw(painter, kSide + kPad + kLabel, line_y, text_width, line.text,
+                 line.attention ? kStrong : kBody);
+      line_y += line.height;
+    }
+  }));
+}
+
+}  // namespace isograsp::pdf

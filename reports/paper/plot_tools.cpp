@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/paper/plot_tools.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace isograsp {
+
+QCPRange range_of(std::initializer_list<const Values*> lists) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Values* list : lists)
+    for (const double value : *list)
+      if (std::isfinite(value)) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  if (!(low <= high)) return {0.0, 1.0};
+  const bool from_zero = low >= 0.0 && low < 0.6 * high;
+  if (from_zero) low = 0.0;
+  // A range far smaller than the values would blow up differences that mean nothing.
+  constexpr double kLeastSpan = 0.2;
+  const double size = std::max(std::abs(low), std::abs(high));
+  const double least = size > 0.0 ? kLeastSpan * size : 1.0;
+  const double more = std::max(0.0, least - (high - low)) / 2.0;
+  constexpr double kAir = 0.12;
+  const double air = kAir * std::max(high - low, least) + more;
+  return {from_zero ? 0.0 : low - air, high + air};
+}
+
+Values scaled(std::span<const double> column, double factor) {
+  Values values;
+  values.reserve(static_cast<int>(column.size()));
+  for (const double value : column) values.push_back(value * factor);
+  return values;
+}
+
+bool any_number(std::span<const double> column) {
+  return std::any_of(column.begin(), column.end(), [](double v) { return std::isfinite(v); });
+}
+
+QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QPen& pen) {
+  QCPGraph* graph =
+      rect.parentPlot()->addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+  graph->setData(x, y, true);
+  graph->setPen(pen);
+  return *graph;
+}
+
+QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern) {
+  QPen pen(color, width);
+  pen.setDashPattern(pattern);
+  pen.setCapStyle(Qt::FlatCap);
+  return pen;
+}
+
+QVector<int> visible_rows(const Values& values, int bins) {
+  const int count = values.size();
+  QVector<int> rows;
+  for (int bin = 0, first = 0; first < count; ++bin) {
+    // The last bin takes what rounding left over.
+    const auto end =
+        bin + 1 >= bins ? count : static_cast<int>(static_cast<qint64>(count) * (bin + 1) / bins);
+    if (end <= first) continue;
+    std::array<int, 4> kept{first, first, first, end - 1};
+    int gap = -1;
+    for (int i = first; i < end; ++i) {
+      if (std::isnan(values[i]))
+        gap = i;
+      else if (std::isnan(values[kept[1]]))
+        kept[1] = kept[2] = i;
+      else if (values[i] < values[kept[1]])
+        kept[1] = i;
+      else if (values[i] > values[kept[2]])
+        kept[2] = i;
+    }
+    QVector<int> of_bin(kept.begin(), kept.end());
+    if (gap >= 0) of_bin.push_back(gap);
+    std::sort(of_bin.begin(), of_bin.end());
+    of_bin.erase(std::unique(of_bin.begin(), of_bin.end()), of_bin.end());
+    rows += of_bin;
+    first = end;
+  }
+  return rows;
+}
+
+Values picked(const Values& values, const QVector<int>& rows) {
+  Values result;
+  result.reserve(rows.size());
+  for (const int row : rows) result.push_back(values[row]);
+  return result;
+}
+
+}  // namespace isograsp

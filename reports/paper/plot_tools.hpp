@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the plots of a report share: margins, ranges, lines, fewer points than samples.
+#pragma once
+
+#include <initializer_list>
+#include <span>
+
+#include "reports/paper/plotting.hpp"
+
+namespace isograsp {
+
+// Distances from the edges of a plot to its axes [points]; equal everywhere, so that axes align.
+inline constexpr double kLeft = 34.0;
+inline constexpr double kRight = 6.0;
+inline constexpr double kBelow = 27.0;
+inline constexpr double kAboveWithKey = 14.0;
+
+inline constexpr double kFinest = 1.0;  ///< detail along an axis [points]: the width of a line
+
+using Values = QVector<double>;
+
+/// Smallest range around all numbers, with some air; from zero where the values allow it.
+[[nodiscard]] QCPRange range_of(std::initializer_list<const Values*> lists);
+
+[[nodiscard]] Values scaled(std::span<const double> column, double factor);
+[[nodiscard]] bool any_number(std::span<const double> column);
+
+QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QPen& pen);
+
+[[nodiscard]] QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern);
+
+/// Indices of the values that a line needs so that it looks the same in `bins` equal pieces of its
+/// length: first, smallest, largest and last of each, and the gaps (NaN). Jugel et al., "M4: a
+/// visualization-oriented time series data aggregation", Proc. VLDB 2014; 7 (10): 797-808.
+[[nodiscard]] QVector<int> visible_rows(const Values& values, int bins);
+/// The values at `rows`.
+[[nodiscard]] Values picked(const Values& values, const QVector<int>& rows);
+
+}  // namespace isograsp

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plots of a report, painted as vectors into PDF or SVG. One PlotView hides the plot library.
+// Sizes are in points (1/72 inch); `unit` is the number of device pixels per point: fonts and pens
+// are set in pixels, so that no device multiplies them by its resolution.
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QRectF>
+#include <QSizeF>
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "reports/findings/report_content.hpp"
+
+class QCustomPlot;
+class QCPPainter;
+class QCPAxisRect;
+
+namespace isograsp {
+
+/// Okabe-Ito: told apart also by people who see fewer colours. Never the only sign.
+struct Palette {
+  static QColor ink() { return QColor(0x22, 0x26, 0x2b); }
+  static QColor quiet() { return QColor(0x5f, 0x66, 0x6e); }
+  static QColor line() { return QColor(0xd5, 0xd9, 0xdd); }
+  static QColor band() { return QColor(0xf0, 0xf2, 0xf4); }
+  static QColor tolerance() { return QColor(0xd3, 0xda, 0xe1); }
+  static QColor of(Hand hand) {
+    return hand == Hand::right ? QColor(0x00, 0x72, 0xb2) : QColor(0xd5, 0x5e, 0x00);
+  }
+  static QColor pale(Hand hand) {
+    return hand == Hand::right ? QColor(0x56, 0xb4, 0xe9) : QColor(0xe6, 0x9f, 0x00);
+  }
+  static QColor target() { return QColor(0x22, 0x26, 0x2b); }
+};
+
+/// The typeface of reports, sized in pixels.
+[[nodiscard]] QFont report_font(double pixels, bool bold);
+
+class PlotView {
+ public:
+  /// @param size  [points]
+  PlotView(QSizeF size, double unit);
+  ~PlotView();
+  PlotView(PlotView&&) noexcept;
+  PlotView& operator=(PlotView&&) noexcept;
+
+  /// A word about one kind of line or mark; stands above the plot in the order of the calls.
+  enum class Mark : std::uint8_t { line, dashed, dotted, band, ring, square };
+  void explain(Mark mark, const QColor& color, const QString& text);
+  /// Paints with the top left corner at the painter's origin.
+  void paint(QCPPainter& painter);
+  /// Axes whose inner rectangle is `inner` [points]; several stand below each other, top first.
+  QCPAxisRect& add_axes(QRectF inner);
+  [[nodiscard]] QSizeF size() const noexcept { return size_; }
+  [[nodiscard]] QCustomPlot& plot() noexcept { return *plot_; }
+  [[nodiscard]] double px(double points) const noexcept { return points * unit_; }
+
+ private:
+  QSizeF size_;
+  double unit_;
+  struct Key {
+    Mark mark;
+    QColor color;
+    QString text;
+  };
+  std::vector<Key> keys_;
+  double key_left_ = 34.0;  ///< where the key begins: above the axes
+  double bottom_ = 0.0;     ///< of the axes added so far
+  std::unique_ptr<QCustomPlot> plot_;
+};
+
+/// Values that do not differ from the baseline by more than measurement error; unit of the measure.
+struct ErrorBand {
+  double low = 0.0;
+  double high = 0.0;
+};
+/// That of the baseline first. Measures that are best near zero have a second one, its mirror
+/// image, unless the two meet at zero. Empty: not known.
+[[nodiscard]] std::vector<ErrorBand> error_bands(const MeasureSeries& series);
+
+/// One measure over the sessions: mean per session, single trials as dots, first day hollow; where
+/// its change is judged, the band that is not larger than measurement error.
+[[nodiscard]] PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
+                                  const ReportContent& content, QSizeF size, double unit);
+
+/// A trial of the section over its target: force against time, or x, y and angle against time.
+/// @pre the trial holds signals
+[[nodiscard]] PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial,
+                                    QSizeF size, double unit);
+
+/// True if finger forces of the last trial are there.
+[[nodiscard]] bool has_fingers(const TaskSection& section);
+/// Normal and tangential forces of the fingers against time, in the contact frames: to be read with
+/// the way of the object below (Kurillo et al., figures 7 and 8). @pre has_fingers(section)
+[[nodiscard]] PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit);
+
+/// True if the last trial moved an object in the plane.
+[[nodiscard]] bool has_path(const TaskSection& section);
+/// The way of the object in the plane, with numbered targets. @pre has_path(section)
+[[nodiscard]] PlotView path_plot(const TaskSection& section, QSizeF size, double unit);
+
+/// One digit of all of them. `most_N`: the radius of the outer ring. Needs a QApplication.
+[[nodiscard]] PlotView compass_plot(const std::vector<Compass>& compasses, Finger finger,
+                                    double most_N, QSizeF size, double unit);
+/// What each plot shows, in one sentence, for people who do not see it.
+[[nodiscard]] std::string describe_overlay(const TaskSection& section);
+
+}  // namespace isograsp

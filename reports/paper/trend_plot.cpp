@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One measure over the sessions.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/findings/report_text.hpp"
+#include "reports/paper/plot_tools.hpp"
+#include "reports/paper/plots.hpp"
+#include "tasks/facts/measure_words.hpp"
+
+namespace isograsp {
+
+namespace {
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr int kMostDatedTicks = 4;
+constexpr double kDateLine = 8.0;  // a second line of tick labels [points]
+constexpr double kAbove = 4.0;
+constexpr double kLetterRow = 7.2;  // of letters of treatments
+
+}  // namespace
+
+std::vector<ErrorBand> error_bands(const MeasureSeries& series) {
+  if (!series.verdict || !series.verdict->change.mdc_up) return {};
+  const auto& change = series.verdict->change;
+  const double down = *change.mdc_down;
+  const double up = *change.mdc_up;
+  const double baseline = *change.baseline;
+  if (words_for(series.name, series.channel).better != Better::near_zero)
+    return {{baseline + down, baseline + up}};
+  // Judged by their distance from zero: so far away on either side.
+  const double near = std::abs(baseline) + down;
+  const double far = std::abs(baseline) + up;
+  if (near <= 0.0) return {{-far, far}};
+  const ErrorBand above{near, far};
+  const ErrorBand below{-far, -near};
+  return baseline < 0.0 ? std::vector{below, above} : std::vector{above, below};
+}
+
+namespace {
+
+/// Where a series stands along its axis.
+struct Span {
+  double low;
+  double high;
+};
+Span span_of(const ReportContent& content) {
+  constexpr int kLeastSpan = 3;  // sessions: two points side by side look like a jump otherwise
+  const int count = static_cast<int>(content.sessions.size());
+  const double low = content.sessions.front().number - 0.5;
+  return {low, low + std::max(count, kLeastSpan)};
+}
+
+QChar letter_of(const std::string& kind) {
+  if (kind == "botulinum_toxin") return 'B';
+  return kind == "other" ? QChar('X') : QChar(kind.front()).toUpper();
+}
+
+/// Above the plot, so that no line goes through it. `row` counts upwards from 0.
+QCPItemText* add_above(PlotView& view, QCPAxisRect& rect, int row, const QString& text,
+                       const QColor& color) {
+  auto* label = new QCPItemText(rect.parentPlot());  // the plot owns it
+  label->position->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+  label->position->setAxisRect(&rect);
+  label->position->setTypeX(QCPItemPosition::ptPlotCoords);
+  label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  label->position->setCoords(0.0, -view.px(row * kLetterRow) / rect.minimumSize().height());
+  label->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+  label->setClipToAxisRect(false);
+  label->setText(text);
+  label->setFont(report_font(view.px(5.8), color == Palette::ink()));
+  label->setColor(color);
+  return label;
+}
+
+/// Healthy people are far from the patient: on one scale the patient's course would be a flat line.
+bool far_away(const Values& norm, const QCPRange& of_patient) {
+  constexpr double kLeastShare = 0.35;  // of the scale is the patient's
+  const double low = std::min(of_patient.lower, *std::min_element(norm.begin(), norm.end()));
+  const double high = std::max(of_patient.upper, *std::max_element(norm.begin(), norm.end()));
+  return of_patient.size() < kLeastShare * (high - low);
+}
+
+/// Where they are, above the plot at its right end.
+void add_far_norm(PlotView& view, QCPAxisRect& rect, const Values& norm, int row) {
+  const bool above = norm.front() > rect.axis(QCPAxis::atLeft)->range().center();
+  const QString text = "healthy " + QString::number(norm.front(), 'g', 3) + "\u2013" +
+                       QString::number(norm.back(), 'g', 3) + (above ? " \u2191" : " \u2193");
+  auto* label = add_above(view, rect, row, text, Palette::quiet());
+  label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+  label->position->setCoords(1.0, label->position->coords().y());
+  label->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
+}
+
+/// Healthy people at `x`: a bar of the middle 90 %, or a triangle for each of a few.
+void add_norm(PlotView& view, QCPAxisRect& rect, const NormBand& norm, double x, double factor) {
+  if (norm.low) {
+    add_line(rect, {x, x}, {*norm.low * factor, *norm.high * factor},
+             QPen(Palette::quiet(), view.px(2.4), Qt::SolidLine, Qt::FlatCap));
+    return;
+  }
+  Values values;
+  for (const double value : norm.values) values.push_back(value * factor);
+  QCPGraph& marks = add_line(rect, Values(values.size(), x), values, QPen(Qt::NoPen));
+  marks.setLineStyle(QCPGraph::lsNone);
+  marks.setScatterStyle(
+      {QCPScatterStyle::ssTriangle, QPen(Palette::quiet(), view.px(0.6)), Qt::white, view.px(3.4)});
+}
+
+/// Where a treatment stands along the sessions, and in which row above the plot.
+struct TreatmentPlace {
+  double x;
+  int row;  ///< several between the same two sessions stand above each other
+  QChar letter;
+};
+std::vector<TreatmentPlace> treatment_places(const ReportContent& content) {
+  std::vector<TreatmentPlace> places;
+  for (const auto& mark : content.treatments) {
+    const auto after =
+        std::find_if(content.sessions.begin(), content.sessions.end(),
+                     [&](const auto& session) { return session.date >= mark.on_date; });
+    if (after == content.sessions.begin() || after == content.sessions.end()) continue;
+    const double x = after->number - 0.5;
+    const int row = places.empty() || places.back().x != x ? 0 : places.back().row + 1;
+    places.push_back({x, row, letter_of(mark.kind)});
+  }
+  return places;
+}
+
+/// Treatments between two sessions, and where the conditions changed.
+void add_marks_of_time(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
+                       const ReportContent& content, const std::vector<TreatmentPlace>& treated) {
+  const QCPRange y = rect.axis(QCPAxis::atLeft)->range();
+  const auto upright = [&](double x, const QPen& pen) {
+    add_line(rect, {x, x}, {y.lower, y.upper}, pen);
+  };
+  for (const auto& change : section.breaks) {
+    const double x = content.sessions[change.session].number - 0.5;
+    constexpr double kApart = 0.08;  // sessions: a double line
+    for (const double side : {-kApart, kApart})
+      upright(x + side, QPen(Palette::quiet(), view.px(0.5)));
+  }
+  for (const auto& [x, row, letter] : treated) {
+    if (row == 0) upright(x, dashed(Palette::ink(), view.px(0.6), {2.0, 2.0}));
+    auto* label = add_above(view, rect, row, QString(letter), Palette::ink());
+    label->position->setCoords(x, label->position->coords().y());
+  }
+}
+
+}  // namespace
+
+PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
+                    const ReportContent& content, QSizeF size, double unit) {
+  PlotView view(size, unit);
+  const int count = static_cast<int>(content.sessions.size());
+  const bool dated = count <= kMostDatedTicks;
+  const auto printed = printed_unit(series.unit);
+  Values x, mean, x_trials, trials, x_first, first, x_later, later, x_without;
+  for (const auto& value : series.values) {
+    const double session = content.sessions[value.session].number;
+    const bool broken =
+        !x.isEmpty() &&
+        std::any_of(section.breaks.begin(), section.breaks.end(), [&](auto& change) {
+          const double at = content.sessions[change.session].number;
+          return x.back() < at && at <= session;
+        });
+    if (broken) {
+      x.push_back(session - 0.5);
+      mean.push_back(kNaN);
+    }
+    x.push_back(session);
+    mean.push_back(value.mean ? *value.mean * printed.factor : kNaN);
+    if (value.trials.size() > 1 || !value.mean)
+      for (const double trial : value.trials) {
+        x_trials.push_back(session);
+        trials.push_back(trial * printed.factor);
+      }
+    if (value.mean) {
+      (value.first_day ? x_first : x_later).push_back(session);
+      (value.first_day ? first : later).push_back(mean.back());
+    }
+    if (value.without_value > 0) x_without.push_back(session);
+  }
+  const auto bands = error_bands(series);
+  Values band;  // on the side of the baseline; of the other only what the values reach
+  if (!bands.empty())
+    band = {bands.front().low * printed.factor, bands.front().high * printed.factor};
+  Values x_practice, practice;
+  for (const auto& [session, value] : series.practice) {
+    x_practice.push_back(content.sessions[session].number);
+    practice.push_back(value * printed.factor);
+  }
+  Values norm;
+  if (series.norm) {
+    norm = {series.norm->values.front(), series.norm->values.back()};
+    if (series.norm->low) norm = {*series.norm->low, *series.norm->high};
+    for (double& value : norm) value *= printed.factor;
+  }
+  QCPRange range = range_of({&mean, &trials, &band, &practice});
+  const bool norm_far = !norm.isEmpty() && far_away(norm, range);
+  if (!norm_far) range = range_of({&mean, &trials, &band, &practice, &norm});
+  // "of 5": the scale is known.
+  if (series.unit.starts_with("of "))
+    range = {0.0, 1.08 * std::strtod(series.unit.c_str() + 3, nullptr)};
+  const auto treated = treatment_places(content);
+  int rows_above = 0;
+  for (const auto& place : treated) rows_above = std::max(rows_above, place.row + 1);
+  const int norm_row = rows_above;
+  if (norm_far) ++rows_above;
+  const double above = std::max(kAbove, rows_above * kLetterRow);
+  QCPAxisRect& rect = view.add_axes({kLeft, above, size.width() - kLeft - kRight,
+                                     size.height() - above - kBelow - (dated ? kDateLine : 0.0)});
+  rect.axis(QCPAxis::atLeft)->setRange(range);
+  rect.axis(QCPAxis::atLeft)
+      ->setLabel(QString::fromStdString(printed.text.empty() ? "ratio" : printed.text));
+
+  const Span span = span_of(content);
+  constexpr double kRoomForNorm = 0.05;  // of the length
+  const bool norm_beside = series.norm && !norm_far;
+  const double right = span.high + (norm_beside ? kRoomForNorm * (span.high - span.low) : 0.0);
+  rect.axis(QCPAxis::atBottom)->setRange(span.low, right);
+  rect.axis(QCPAxis::atBottom)->setLabel("session");
+  auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  constexpr int kMostTicks = 12;
+  const int step = 1 + (count - 1) / kMostTicks;
+  for (int i = 0; i < count; i += step) {
+    const auto& session = content.sessions[static_cast<std::size_t>(i)];
+    QString label = QString::number(session.number);
+    if (dated) {
+      const auto date = QString::fromStdString(format_date(session.date));
+      label += "\n" + date.left(date.size() - 5);  // without the year
+    }
+    ticker->addTick(session.number, label);
+  }
+  rect.axis(QCPAxis::atBottom)->setTicker(ticker);
+
+  for (const auto& [low, high] : bands) {
+    const Values ends{span.low, right};
+    const double factor = printed.factor;
+    QCPGraph& lower = add_line(rect, ends, {low * factor, low * factor}, QPen(Qt::NoPen));
+    QCPGraph& upper = add_line(rect, ends, {high * factor, high * factor}, QPen(Qt::NoPen));
+    upper.setBrush(Palette::tolerance());
+    upper.setChannelFillGraph(&lower);
+  }
+  const QColor color = Palette::of(section.hand);
+  const auto shape =
+      section.hand == Hand::right ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare;
+  if (series.baseline) {
+    const double base = *series.baseline * printed.factor;
+    add_line(rect, {span.low, right}, {base, base},
+             dashed(Palette::quiet(), view.px(0.7), {1.5, 2.5}));
+  }
+  if (norm_far) add_far_norm(view, rect, norm, norm_row);
+  if (norm_beside) add_norm(view, rect, *series.norm, (span.high + right) / 2.0, printed.factor);
+  add_marks_of_time(view, rect, section, content, treated);
+  add_line(rect, x, mean, QPen(color, view.px(1.0)));
+  const auto add_marks = [&](const Values& keys, const Values& values,
+                             const QCPScatterStyle& style) {
+    QCPGraph& marks = add_line(rect, keys, values, QPen(Qt::NoPen));
+    marks.setLineStyle(QCPGraph::lsNone);
+    marks.setScatterStyle(style);
+  };
+  add_marks(x_trials, trials,
+            {QCPScatterStyle::ssDisc, QPen(Palette::pale(section.hand), view.px(0.5)),
+             Palette::pale(section.hand), view.px(2.6)});
+  add_marks(
+      x_practice, practice,
+      {QCPScatterStyle::ssCircle, QPen(Palette::quiet(), view.px(0.6)), Qt::white, view.px(3.0)});
+  add_marks(x_first, first, {shape, QPen(color, view.px(1.1)), Qt::white, view.px(5.0)});
+  add_marks(x_later, later, {shape, QPen(color, view.px(1.1)), color, view.px(5.0)});
+  const double floor = range.lower + 0.06 * range.size();
+  add_marks(
+      x_without, Values(x_without.size(), floor),
+      {QCPScatterStyle::ssCross, QPen(Palette::ink(), view.px(0.9)), Qt::NoBrush, view.px(4.5)});
+  return view;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A group report as one HTML file or as PDF, of the same blocks.
+#pragma once
+
+#include <string>
+
+#include "reports/study/study_report.hpp"
+
+namespace isograsp {
+
+/// Both need a QApplication (ensure_qt_application()); main thread.
+[[nodiscard]] std::string study_html(const StudyReport& report);
+[[nodiscard]] std::string study_pdf(const StudyReport& report);
+
+}  // namespace isograsp

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/protocol/protocol_run.hpp"
+
+#include "session/protocol/protocol_walk.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr int kZeroAttempts = 3;
+constexpr int kTrialAttempts = 2;  ///< a trial that a fault interrupted is repeated once
+/// The hand leaves the device and its sensors settle (filter and hold of well under a second).
+constexpr double kSettle_s = 1.0;
+
+Error failure(std::string what, std::string remedy) {
+  return {Error::Code::failed, std::move(what), std::move(remedy), "", 0, ""};
+}
+
+class Run {
+ public:
+  Run(Session& session, const std::function<void(const ProtocolProgress&)>& progress, bool serviced)
+      : session_(session), progress_(progress), serviced_(serviced) {}
+
+  Result<ProtocolResult> all(const ReadyProtocol& protocol) {
+    ProtocolWalk walk(protocol, session_.earlier(), session_.order_seed());
+    while (const auto act = walk.next()) {
+      if (auto good = may_go_on(); !good) return good.error();
+      position_.step = walk.acts_done();
+      position_.steps = walk.acts();
+      wait_until(act->not_before_s);
+      report(act->words());
+      switch (act->kind) {
+        case ProtocolWalk::Act::Kind::instrument_zero:
+          if (auto done = zero(); !done) return done.error();
+          walk.done(now_s());
+          break;
+        case ProtocolWalk::Act::Kind::pause:
+          session_.let_pass(act->duration_s);
+          walk.done(now_s());
+          break;
+        case ProtocolWalk::Act::Kind::trial: {
+          const auto made = trial(*act);
+          if (!made) return made.error();
+          if (*made)
+            walk.made(result_.trials.back(), now_s());
+          else
+            walk.left_out(now_s());
+          break;
+        }
+      }
+    }
+    position_.step = position_.steps;
+    report("");
+    return std::move(result_);
+  }
+
+ private:
+  void report(std::string doing) {
+    position_.doing = std::move(doing);
+    if (progress_) progress_(position_);
+  }
+
+  /// What cannot be stored is not measured.
+  Result<void> may_go_on() {
+    if (const auto lost = session_.failure()) return *lost;
+    if (session_.is_to_stop())
+      return failure("the session was told to end", "run it again with --resume to go on");
+    return {};
+  }
+
+  Result<void> zero() {
+    std::string reason;
+    std::string remedy;
+    for (int attempt = 0; attempt < kZeroAttempts; ++attempt) {
+      ZeroRequest request;
+      request.device_is_empty = true;  // whoever starts a session without a window promises it
+      request.settle_s = kSettle_s;
+      request.accept_changed = serviced_;
+      if (auto started = session_.start_zero(request); !started) return started;
+      const auto all = session_.wait_for_news();
+      if (auto good = may_go_on(); !good) return good;
+      for (const auto& news : all) {
+        if (!news.zero) continue;
+        if (news.zero->accepted) {
+          serviced_ = false;
+          return {};
+        }
+        reason = news.zero->reason;
+        remedy =
+            news.zero->only_changed ? "after a service or remounting run it with --serviced" : "";
+      }
+    }
+    return failure("the instrument zero was refused: " + reason, remedy);
+  }
+
+  double now_s() { return session_.snapshot().session_time_s; }
+
+  /// Rests go on in the session's own time.
+  void wait_until(double session_time_s) {
+    if (session_time_s > now_s()) session_.let_pass(session_time_s - now_s());
+  }
+
+  /// False: the task was left out.
+  Result<bool> trial(const ProtocolWalk::Act& act) {
+    const auto spec = task_of(act, session_.training());
+    if (!spec) return spec.error();
+    std::string reason;
+    for (int attempt = 0; attempt < kTrialAttempts; ++attempt) {
+      if (auto started = session_.start_trial(*spec, act.practice, act.place); !started) {
+        if (started.error().code != Error::Code::bad_input) return way_on(started.error());
+        leave_out(*spec, started.error());
+        return false;
+      }
+      const auto outcome = wait_for_trial();
+      if (!outcome) return outcome.error();
+      result_.trials.push_back(*outcome);
+      if (outcome->trial.status == TrialStatus::completed) return true;
+      reason = outcome->reason;
+      if (session_.snapshot().stage == Stage::finished) break;
+    }
+    return failure("'" + spec->name + "' could not be completed: " + reason,
+                   "mend the device and run the protocol again");
+  }
+
+  /// Nobody takes the hand out here: what comes next begins with a zero, and with a person.
+  static Error way_on(Error error) {
+    if (error.field == "zero")
+      error.remedy =
+          "take the hand out, and run the protocol again with --resume: it begins with a new zero";
+    return error;
+  }
+
+  void leave_out(const TaskSpec& spec, const Error& why) {
+    result_.left_out.push_back(spec.name + ": " + why.what + "; " + why.remedy);
+    session_.note("Left out: " + result_.left_out.back());
+  }
+
+  Result<TrialOutcome> wait_for_trial() {
+    for (;;) {
+      const auto news = session_.wait_for_news();
+      if (const auto good = may_go_on(); !good) return good.error();
+      if (news.empty()) return failure("the device gives no more data", "check the device");
+      for (const auto& item : news) {
+        if (item.trial) return *item.trial;
+        // Resuming is a therapist's act and there is none here; recorded data go on by themselves.
+        if (item.fault && !session_.device().recorded)
+          session_.abort("Stopped after a device fault.");
+      }
+    }
+  }
+
+  Session& session_;
+  const std::function<void(const ProtocolProgress&)>& progress_;
+  bool serviced_;
+  ProtocolProgress position_;
+  ProtocolResult result_;
+};
+
+}  // namespace
+
+Result<ProtocolResult> run_protocol(Session& session, const ReadyProtocol& protocol,
+                                    const std::function<void(const ProtocolProgress&)>& progress,
+                                    bool serviced) {
+  return Run(session, progress, serviced).all(protocol);
+}
+
+}  // namespace isograsp

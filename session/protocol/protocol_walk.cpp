@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/protocol/protocol_walk.hpp"
+
+#include <algorithm>
+
+namespace isograsp {
+
+std::string ProtocolWalk::Act::words() const {
+  switch (kind) {
+    case Kind::instrument_zero: return "Instrument zero";
+    case Kind::pause: return "Pause";
+    case Kind::trial: break;
+  }
+  std::string words = task->name;
+  if (practice) words += ", practice";
+  if (planned > 1) words += " (" + std::to_string(attempt) + " of " + std::to_string(planned) + ")";
+  return words;
+}
+
+ProtocolWalk::ProtocolWalk(const ReadyProtocol& protocol, const EarlierWork& earlier,
+                           std::uint64_t order_seed)
+    : protocol_(protocol), agenda_(protocol.spec, order_seed) {
+  tell(agenda_, protocol.spec, earlier);
+  if (agenda_.done() > 0) plan_set_up();
+}
+
+void ProtocolWalk::plan_set_up() {
+  const auto next = agenda_.next();
+  if (!next) return;
+  bool zeroed = false;
+  for (std::size_t i = 0; i < next->step; ++i) {
+    Act act;
+    act.step = i;
+    if (protocol_.spec.steps[i].kind == ProtocolStep::Kind::instrument_zero && !zeroed) {
+      zeroed = true;
+      act.kind = Act::Kind::instrument_zero;
+      set_up_.push_back(act);
+    }
+    for (const TaskSpec& spec : protocol_.tasks[i]) {
+      if (!std::holds_alternative<RestSpec>(spec.kind)) continue;
+      act.kind = Act::Kind::trial;
+      act.task = &spec;
+      set_up_.push_back(act);
+    }
+  }
+}
+
+std::optional<ProtocolWalk::Act> ProtocolWalk::next() const {
+  if (!set_up_.empty()) return set_up_.front();
+  const auto item = agenda_.next();
+  if (!item) return std::nullopt;
+  const ProtocolStep& step = protocol_.spec.steps[item->step];
+  Act act;
+  act.step = item->step;
+  act.not_before_s = item->not_before_s;
+  switch (step.kind) {
+    case ProtocolStep::Kind::instrument_zero: act.kind = Act::Kind::instrument_zero; break;
+    case ProtocolStep::Kind::pause:
+      act.kind = Act::Kind::pause;
+      act.duration_s = step.duration_s;
+      break;
+    case ProtocolStep::Kind::task:
+      act.task = &protocol_.tasks[item->step][item->task];
+      act.practice = step.practice;
+      act.adaptive = step.adaptive;
+      act.place = TrialPlace{static_cast<int>(item->step), static_cast<int>(item->task)};
+      act.attempt = item->attempt;
+      act.planned = std::max(step.repetitions, item->attempt);
+      break;
+  }
+  return act;
+}
+
+void ProtocolWalk::record(const Agenda::Outcome& outcome) {
+  if (!set_up_.empty())
+    set_up_.pop_front();
+  else
+    agenda_.record(outcome);
+}
+
+void ProtocolWalk::done(double session_time_s) {
+  Agenda::Outcome outcome;
+  outcome.ended_s = session_time_s;
+  record(outcome);
+}
+
+void ProtocolWalk::made(const TrialOutcome& trial, double session_time_s) {
+  Agenda::Outcome outcome;
+  outcome.ended_s = session_time_s;
+  if (const auto act = next(); act && !trial.trial.helped)
+    outcome.agreeing = agreeing(protocol_.spec.steps[act->step], trial.measures);
+  record(outcome);
+}
+
+void ProtocolWalk::left_out(double session_time_s) {
+  Agenda::Outcome outcome;
+  outcome.completed = false;
+  outcome.ended_s = session_time_s;
+  record(outcome);
+}
+
+Result<TaskSpec> task_of(const ProtocolWalk::Act& act, const Training& training) {
+  if (!act.adaptive) return *act.task;
+  return at_level(*act.task, training.level(*act.task));
+}
+
+}  // namespace isograsp

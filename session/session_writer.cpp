@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session_writer.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "storage/access/open_store.hpp"
+#include "storage/care/emergency.hpp"
+#include "storage/crypto/content_hash.hpp"
+
+namespace isograsp {
+
+namespace {
+
+bool same_value(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool same_measure(const Measure& a, const Measure& b) {
+  return a.name == b.name && a.channel == b.channel && a.value.has_value() == b.value.has_value() &&
+         (!a.value || same_value(*a.value, *b.value)) && a.unit == b.unit &&
+         a.version == b.version && a.samples == b.samples && a.excluded == b.excluded &&
+         a.reason == b.reason;
+}
+
+/// `rows`: row-major, columns of one group; they stand in `read` from `row` and `column` on.
+bool same_rows(const Signals& read, std::size_t row, std::size_t column, std::size_t columns,
+               const std::vector<double>& rows) {
+  if (row + rows.size() / columns > read.rows()) return false;
+  for (std::size_t at = 0; at < rows.size(); ++at)
+    if (!same_value(read.column(column + at % columns)[row + at / columns], rows[at])) return false;
+  return true;
+}
+
+bool same_signals_as(const Signals& read, const std::vector<SignalGroup>& groups,
+                     std::span<const SecondOfSignals> seconds) {
+  std::size_t row = 0;
+  for (const SecondOfSignals& second : seconds) {
+    std::size_t column = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const std::size_t columns = groups[g].columns.size();
+      if (!same_rows(read, row, column, columns, second[g])) return false;
+      column += columns;
+    }
+    row += second[0].size() / groups[0].columns.size();
+  }
+  return row == read.rows();
+}
+
+/// A number that no other row was given.
+RowId unused(const std::map<RowId, RowId>& rows, RowId wanted) {
+  return rows.empty() ? wanted : std::max(wanted, rows.rbegin()->first + 1);
+}
+
+}  // namespace
+
+Result<void> read_back(const std::string& database, const TrialRecord& ended,
+                       std::span<const Measure> measures,
+                       std::span<const SecondOfSignals> seconds) {
+  const auto wrong = [&](const std::string& what) {
+    return Error{Error::Code::failed,
+                 "reading back trial " + std::to_string(ended.number) + ": " + what,
+                 "check the disk, and restore the last backup",
+                 database,
+                 0,
+                 ""};
+  };
+  const auto store = open_store(database, OpenMode::read_only);
+  if (!store) return wrong(store.error().what);
+  const auto trials = (*store)->trials(ended.session_id);
+  if (!trials) return wrong(trials.error().what);
+  const auto trial = std::find_if(trials->begin(), trials->end(),
+                                  [&](const TrialRecord& one) { return one.uuid == ended.uuid; });
+  if (trial == trials->end()) return wrong("it is not there");
+  if (trial->status != ended.status || trial->samples != ended.samples)
+    return wrong("it is there as '" + std::string(name_of(trial->status)) + "' with " +
+                 std::to_string(trial->samples) + " samples instead of '" +
+                 std::string(name_of(ended.status)) + "' with " + std::to_string(ended.samples));
+  const auto stored = (*store)->measures(trial->id);
+  if (!stored) return wrong(stored.error().what);
+  if (!std::equal(stored->begin(), stored->end(), measures.begin(), measures.end(), same_measure))
+    return wrong("its measures are not those that were stored");
+  const auto signals = (*store)->signals(*trial);
+  if (!signals) return wrong(signals.error().what);
+  if (!same_signals_as(*signals, trial->groups, seconds))
+    return wrong("its signals are not those that were stored");
+  return {};
+}
+
+SessionWriter::SessionWriter(std::unique_ptr<SessionStore> store, PatientRecord patient,
+                             SessionRecord session, std::vector<SessionAnswer> answers, bool safe)
+    : store_(std::move(store)),
+      patient_(std::move(patient)),
+      session_(std::move(session)),
+      answers_(std::move(answers)),
+      safe_(safe) {
+  numbers_.session = session_.id;
+  // Asked now: later it may not be there to be asked.
+  if (const auto id = store_->database_id()) database_id_ = *id;
+}
+
+SessionWriter::~SessionWriter() = default;
+
+Result<void> SessionWriter::perform(Operation operation) {
+  if (lost_) return {};
+  auto done = operation(*store_, numbers_);
+  if (safe_) done_.push_back(std::move(operation));
+  if (done) return done;
+  return go_to_emergency(done.error());
+}
+
+Error SessionWriter::go_to_emergency(const Error& why) {
+  Error error = why;
+  error.code = Error::Code::failed;
+  lost_ = true;
+  if (!safe_) return error;
+  if (left_) {
+    error.what += "; this was the emergency file";
+    return error;
+  }
+  const auto file = make_emergency_file({"", store_->path(), database_id_, why.what, "", "", 0});
+  const auto written = file ? write_anew(file->path) : Result<void>(file.error());
+  if (!written) {
+    error.what += "; an emergency file could not be made either: " + written.error().message();
+    return error;
+  }
+  lost_ = false;
+  emergency_path_ = file->path;
+  error.remedy += "; all of this session is in " + emergency_path_ + ": isograsp db rescue " +
+                  left_->path() + " takes it in";
+  return error;
+}
+
+Result<void> SessionWriter::write_anew(const std::string& path) {
+  auto opened = open_store(path, OpenMode::existing);
+  if (!opened) return opened.error();
+  SessionStore& store = **opened;
+  const auto patient = store.add_patient(patient_.code, patient_.created_utc, patient_.uuid);
+  if (!patient) return patient.error();
+  SessionRecord session = session_;
+  session.patient_id = patient->id;
+  session.resumes_id = 0;  // that session is not here
+  const auto id = store.begin_session(session, answers_);
+  if (!id) return id.error();
+  Numbers numbers;
+  numbers.session = *id;
+  for (const Operation& operation : done_)
+    // What the file itself refuses was refused before.
+    if (const auto done = operation(store, numbers);
+        !done && done.error().code == Error::Code::failed)
+      return done.error();
+  left_ = std::exchange(store_, *std::move(opened));
+  numbers_ = std::move(numbers);
+  return {};
+}
+
+Result<void> SessionWriter::begin_trial(TrialRecord trial, RowId& id) {
+  auto given = std::make_shared<RowId>(0);
+  auto kept = std::make_shared<KeptTrial>();
+  if (safe_) trial.uuid = kept->uuid = random_uuid();
+  auto done = perform(
+      [trial = std::move(trial), given](SessionStore& store, Numbers& numbers) -> Result<void> {
+        TrialRecord here = trial;
+        here.session_id = numbers.session;
+        here.zero_id = numbers.of_zero(trial.zero_id);
+        const auto row = store.begin_trial(here);
+        if (!row) return row.error();
+        if (*given == 0) *given = unused(numbers.trials, *row);
+        numbers.trials[*given] = *row;
+        return {};
+      });
+  id = *given;
+  if (id != 0) trials_[id] = std::move(kept);
+  return done;
+}
+
+Result<void> SessionWriter::append_blocks(RowId trial, int second, const SecondOfSignals& rows) {
+  const auto kept = trials_.find(trial);
+  if (kept == trials_.end()) return {};  // its beginning failed, and that was said
+  if (!safe_)
+    return perform(
+        [&](SessionStore& store, Numbers&) { return store.append_blocks(trial, second, rows); });
+  kept->second->seconds.push_back(rows);
+  return perform([trial, second, keeping = kept->second](SessionStore& store, Numbers& numbers) {
+    return store.append_blocks(numbers.of_trial(trial), second,
+                               keeping->seconds[static_cast<std::size_t>(second)]);
+  });
+}
+
+Result<void> SessionWriter::end_trial(const TrialRecord& end,
+                                      const std::vector<Measure>& measures) {
+  const auto found = trials_.find(end.id);
+  if (found == trials_.end()) return {};
+  const auto kept = found->second;
+  kept->end = end;
+  kept->end.uuid = kept->uuid;
+  kept->measures = measures;
+  kept->ended = true;
+  return perform([kept, safe = safe_](SessionStore& store, Numbers& numbers) -> Result<void> {
+    TrialRecord here = kept->end;
+    here.session_id = numbers.session;
+    here.id = numbers.of_trial(kept->end.id);
+    auto done = store.end_trial(here, kept->measures);
+    if (!done || !safe) return done;
+    return read_back(store.path(), here, kept->measures, kept->seconds);
+  });
+}
+
+Result<void> SessionWriter::add_event(const EventRecord& event) {
+  if (lost_) return {};
+  // As the database holds it, while its keys are there.
+  SessionStore* const database = left_ ? left_.get() : store_.get();
+  const auto stored = safe_ ? database->as_stored(patient_.code, event) : event;
+  return perform([event, database, sealed = stored ? *stored : EventRecord{}, ok = stored.ok()](
+                     SessionStore& store, Numbers& numbers) -> Result<void> {
+    const bool elsewhere = &store != database;
+    if (elsewhere && !ok) return {};  // better without it than in plain text
+    EventRecord here = elsewhere ? sealed : event;
+    here.trial_id = numbers.of_trial(event.trial_id);
+    return store.add_event(numbers.session, here);
+  });
+}
+
+Result<void> SessionWriter::add_rating(const RatingRecord& rating, RowId& id) {
+  auto given = std::make_shared<RowId>(0);
+  auto done = perform([rating, given](SessionStore& store, Numbers& numbers) -> Result<void> {
+    RatingRecord here = rating;
+    here.session_id = numbers.session;
+    here.trial_id = numbers.of_trial(rating.trial_id);
+    const auto row = store.add_rating(here);
+    if (!row) return row.error();
+    if (*given == 0) *given = unused(numbers.ratings, *row);
+    numbers.ratings[*given] = *row;
+    return {};
+  });
+  id = *given;
+  return done;
+}
+
+Result<void> SessionWriter::correct_rating(const RatingRecord& rating) {
+  return perform([rating](SessionStore& store, Numbers& numbers) {
+    RatingRecord here = rating;
+    here.id = numbers.of_rating(rating.id);
+    here.session_id = numbers.session;
+    here.trial_id = numbers.of_trial(rating.trial_id);
+    return store.correct_rating(here);
+  });
+}
+
+Result<void> SessionWriter::add_answers(const std::vector<SessionAnswer>& answers) {
+  return perform([answers](SessionStore& store, Numbers& numbers) {
+    return store.add_answers(numbers.session, answers);
+  });
+}
+
+Result<void> SessionWriter::mark_helped(RowId trial, bool helped) {
+  return perform([trial, helped](SessionStore& store, Numbers& numbers) {
+    return store.mark_helped(numbers.of_trial(trial), helped);
+  });
+}
+
+Result<void> SessionWriter::add_zero(const InstrumentZeroRecord& zero, RowId& id) {
+  auto given = std::make_shared<RowId>(0);
+  auto done = perform([zero, given](SessionStore& store, Numbers& numbers) -> Result<void> {
+    InstrumentZeroRecord here = zero;
+    here.session_id = numbers.session;
+    const auto row = store.add_zero(here);
+    if (!row) return row.error();
+    if (*given == 0) *given = unused(numbers.zeros, *row);
+    numbers.zeros[*given] = *row;
+    return {};
+  });
+  id = *given;
+  return done;
+}
+
+Result<void> SessionWriter::add_resting_force(const RestingForceRecord& rest, RowId& id) {
+  auto given = std::make_shared<RowId>(0);
+  auto done = perform([rest, given](SessionStore& store, Numbers& numbers) -> Result<void> {
+    RestingForceRecord here = rest;
+    here.session_id = numbers.session;
+    here.trial_id = numbers.of_trial(rest.trial_id);
+    const auto row = store.add_resting_force(here);
+    if (!row) return row.error();
+    if (*given == 0) *given = *row;
+    return {};
+  });
+  id = *given;
+  return done;
+}
+
+Result<void> SessionWriter::end_session(const std::string& ended_utc) {
+  auto done = perform([ended_utc](SessionStore& store, Numbers& numbers) {
+    return store.end_session(numbers.session, ended_utc);
+  });
+  if (done && safe_ && !lost_ && !left_)
+    if (const auto all = read_back_all(); !all) done = go_to_emergency(all.error());
+  if (left_) keep_whole();
+  return done;
+}
+
+Result<void> SessionWriter::read_back_all() {
+  for (const auto& [id, kept] : trials_) {
+    if (!kept->ended) continue;
+    TrialRecord here = kept->end;
+    here.session_id = numbers_.session;
+    if (auto good = read_back(store_->path(), here, kept->measures, kept->seconds); !good)
+      return good;
+  }
+  return {};
+}
+
+Result<void> SessionWriter::look() {
+  if (lost_ || left_ || !safe_) return {};
+  const auto there = store_->in_place();
+  if (there) return {};
+  return go_to_emergency(there.error());
+}
+
+void SessionWriter::keep_whole() {
+  if (!left_->is_last_hold() || emergency_path_.empty()) return;
+  EmergencyFile file;
+  file.path = emergency_path_;
+  // Where it cannot be kept, the emergency file still has the session.
+  static_cast<void>(left_->save_copy(file.whole()));
+}
+
+}  // namespace isograsp

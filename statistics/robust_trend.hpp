@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a measure is going, whatever single bad days say. Pure statistics, deterministic.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace isograsp {
+
+inline constexpr std::size_t kLeastTrendDays = 5;
+
+/// An estimate with its 95 % interval.
+struct Estimate {
+  double value = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// How an interval is found: percentiles of the estimates of resampled points (Efron 1979). The
+/// same points give the same interval everywhere; docs/report.md says how, draw by draw.
+struct Bootstrap {
+  int resamples = 10000;
+  std::uint64_t seed = 1968;
+  friend bool operator==(const Bootstrap&, const Bootstrap&) = default;
+};
+
+/// Slope of y over x: the median of the slopes of all pairs (Theil 1950, Sen 1968); a quarter of
+/// the points may be anything. Nothing: fewer than kLeastTrendDays points, all at one x, or values
+/// so large that a slope is no number. @pre x and y have the same size
+[[nodiscard]] std::optional<Estimate> theil_sen(std::span<const double> x,
+                                                std::span<const double> y,
+                                                const Bootstrap& bootstrap = {});
+
+/// A day of a censored time: those that came, and how many did not.
+struct CensoredDay {
+  double x = 0.0;
+  std::optional<double> value;  ///< median of the day with misses tied worst; nothing: a miss
+  int reached = 0;
+  int tried = 0;
+};
+/// The trend of a time that does not always come, by ranks: Kendall's tau-b (1945) of time and day,
+/// days whose median was not reached tied as the longest. -1 … 1; negative: sooner.
+struct RankTrend {
+  Estimate tau;
+  int reached = 0;
+  int tried = 0;
+};
+/// Times and days that are tied (ties.hpp) have one rank. Nothing: fewer than kLeastTrendDays days,
+/// or all of one rank.
+[[nodiscard]] std::optional<RankTrend> rank_trend(std::span<const CensoredDay> days,
+                                                  const Bootstrap& bootstrap = {});
+
+}  // namespace isograsp

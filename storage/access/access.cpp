@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opening and making protected databases; who is logged in. Accounts: accounts.cpp.
+#include "storage/access/access.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <filesystem>
+
+#include <soci/soci.h>
+#include <unistd.h>
+
+#include "storage/access/accounts.hpp"
+#include "storage/access/audit_chain.hpp"
+#include "storage/access/audit_head_file.hpp"
+#include "storage/access/user_rows.hpp"
+#include "storage/file/open_mode.hpp"
+
+namespace isograsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Error refused_access(const std::string& path, std::string what, std::string remedy,
+                     std::string field = "") {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), path, 0, std::move(field)};
+}
+
+/// Wrong ones are counted where they can be; what the clock says is not trusted further than the
+/// delay itself.
+std::int64_t seconds_to_wait(const KeySlot& slot, std::int64_t now) {
+  return std::clamp(slot.retry_at_unix_s - now, std::int64_t{0}, delay_after(slot.failed_count));
+}
+
+/// Login failures from before a key was there become part of the chain.
+void take_in_failures(soci::session& sql, const LoginState& state) {
+  std::vector<AuditEntry> failures;
+  AuditEntry one = entry_of("login", "");
+  one.role = "nobody";
+  one.result = "refused";
+  one.detail = "wrong password";
+  soci::statement select = (sql.prepare << "SELECT at_utc, who FROM login_failures ORDER BY id",
+                            soci::into(one.at_utc), soci::into(one.object));
+  select.execute();
+  while (select.fetch()) failures.push_back(one);
+  for (const AuditEntry& failure : failures) (void)append_audit(sql, state, failure);
+  sql << "DELETE FROM login_failures";
+}
+
+Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& password,
+                      const std::string& path) {
+  const std::lock_guard lock(parts.mutex);
+  if (!parts.login->is_protected())
+    return refused_access(path, "asks for no login", "leave the login out");
+  std::optional<KeySlot> slot;
+  const auto read = parts.database.guard("logging in", [&] {
+    soci::session& sql = parts.database.sql();
+    if (owner.kind == SlotKind::user)
+      if (const auto user = find_user(sql, owner.user.name)) owner.user = *user;
+    slot = read_slot(sql, owner);
+  });
+  if (!read) return read.error();
+  const std::int64_t wait = slot ? seconds_to_wait(*slot, parts.clock()) : 0;
+  if (wait > 0)
+    return refused_access(path, "too many wrong passwords",
+                          "wait " + std::to_string(wait) + " s, then try again");
+
+  auto keys = slot ? open_slot(*slot, owner, password) : std::nullopt;
+  const std::string now_utc = utc_text(std::time(nullptr));
+  if (!keys) {
+    const int failed_count = slot ? slot->failed_count + 1 : 0;
+    if (parts.writable) {
+      // A name that nobody has could be a password in the wrong field: it is not written down.
+      const std::string who = slot ? owner.user.name : "unknown user";
+      const std::int64_t retry_at = parts.clock() + delay_after(failed_count);
+      const auto counted = parts.database.transact("logging in", [&] {
+        soci::session& sql = parts.database.sql();
+        if (slot)
+          sql << "UPDATE key_slots SET failed_count = :count, retry_at_unix_s = :at WHERE id = :id",
+              soci::use(failed_count), soci::use(retry_at), soci::use(slot->id);
+        sql << "INSERT INTO login_failures (at_utc, who) VALUES (:at, :who)", soci::use(now_utc),
+            soci::use(who);
+      });
+      if (!counted) return counted.error();
+    }
+    const std::int64_t next = delay_after(failed_count);
+    return refused_access(
+        path, "name or password is wrong",
+        next == 0 ? "try again" : "wait " + std::to_string(next) + " s, then try again");
+  }
+
+  const Login before = parts.login->login();
+  parts.login->set({std::make_shared<const Keys>(*std::move(keys)), owner.user, false});
+  if (!parts.writable) return {};
+  AuditEntry entry = entry_of("login", owner.user.name);
+  auto logged = audited(parts.database, *parts.login, entry, [&] {
+    return parts.database.transact("logging in", [&] {
+      soci::session& sql = parts.database.sql();
+      sql << "UPDATE key_slots SET failed_count = 0, retry_at_unix_s = 0 WHERE id = :id",
+          soci::use(slot->id);
+      if (owner.kind == SlotKind::user)
+        sql << "UPDATE users SET pin_failed_count = 0 WHERE id = :id", soci::use(owner.user.id);
+      take_in_failures(sql, *parts.login);
+    });
+  });
+  if (!logged) parts.login->set(before);
+  return logged;
+}
+
+}  // namespace
+
+bool is_lock_due(const AccessPolicy& policy, double idle_s, bool trial_runs) noexcept {
+  return !trial_runs && idle_s >= policy.lock_after_s;
+}
+
+std::int64_t delay_after(int wrong_passwords) noexcept {
+  constexpr int kFree = 2;
+  constexpr int kDoublings = 8;
+  constexpr std::int64_t kMost_s = 300;
+  if (wrong_passwords <= kFree) return 0;
+  return std::min(kMost_s, std::int64_t{1} << std::min(wrong_passwords - kFree, kDoublings + 1));
+}
+
+Access::Access() = default;
+Access::~Access() = default;
+
+Result<std::unique_ptr<Access>> Access::open(const std::string& database, UtcClock clock) {
+  if (!clock) clock = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
+  const auto with = [&clock](Database opened, bool writable) -> Result<std::unique_ptr<Access>> {
+    std::shared_ptr<LoginState> state;
+    const auto read = opened.guard("opening", [&] { state = login_state_of(opened); });
+    if (!read) return read.error();
+    auto access = std::unique_ptr<Access>(new Access);
+    access->parts_ =
+        std::make_unique<Parts>(std::move(opened), std::move(state), std::move(clock), writable);
+    return access;
+  };
+  auto opened = Database::open(database, OpenMode::existing);
+  if (opened) return with(*std::move(opened), true);
+  // Another program has it locked, or it is damaged: not the same as a file that is only read.
+  if (may_be_written(database)) return opened.error();
+  auto reading = Database::open(database, OpenMode::read_only);
+  if (!reading || reading->format() != kDatabaseFormat) return opened.error();
+  return with(*std::move(reading), false);
+}
+
+Result<Access::Protected> Access::create(const std::string& database, const Secret& passphrase,
+                                         const KeyCost* cost) {
+  std::error_code failure;
+  const fs::path target = fs::weakly_canonical(fs::absolute(database), failure);
+  if (failure || fs::exists(fs::symlink_status(target)))
+    return refused_access(database, "exists already", "name a new file");
+  if (auto good = check_password(passphrase, "passphrase"); !good) return good.error();
+  const std::string part = target.string() + ".new" + std::to_string(getpid());
+  const auto tidy = [&] {
+    for (const char* suffix : {"", "-wal", "-shm", "-journal", "-lock", "-audit"})
+      fs::remove(part + suffix, failure);
+  };
+  tidy();
+  Secret recovery_key = make_recovery_key();
+  const auto made = [&]() -> Result<void> {
+    auto file = Database::open(part, OpenMode::create);
+    if (!file) return file.error();
+    return file->transact("protecting the database", [&] {
+      (void)write_first_slots(file->sql(), login_state_of(*file)->database_id(), passphrase,
+                              recovery_key, cost != nullptr ? *cost : KeyCost{});
+    });
+  }();
+  if (!made) {
+    tidy();
+    Error error = made.error();
+    error.file = database;
+    return error;
+  }
+  // Not with rename: a file that appeared meanwhile is kept.
+  const bool named = ::link(part.c_str(), target.c_str()) == 0;
+  tidy();
+  if (!named)
+    return Error{
+        Error::Code::failed, "could not be made", "choose another name or folder", database, 0, ""};
+  (void)set_aside_head_file(target);  // of a database of this name that is gone
+  auto access = open(database);
+  if (!access) return access.error();
+  if (auto done = (*access)->log_in_with_passphrase(passphrase); !done) return done.error();
+  if (auto logged = log_entry(**access, entry_of("create", target.filename())); !logged)
+    return logged.error();
+  return Protected{*std::move(access), std::move(recovery_key)};
+}
+
+const std::string& Access::path() const noexcept {
+  return parts_->database.path();
+}
+
+bool Access::is_protected() const noexcept {
+  return parts_->login->is_protected();
+}
+
+bool Access::can_log() const noexcept {
+  return parts_->writable;
+}
+
+Result<std::vector<User>> Access::users() {
+  const std::lock_guard lock(parts_->mutex);
+  std::vector<User> all;
+  const auto done =
+      parts_->database.guard("reading accounts", [&] { all = read_users(parts_->database.sql()); });
+  if (!done) return done.error();
+  return all;
+}
+
+Result<AccessPolicy> Access::policy() {
+  const std::lock_guard lock(parts_->mutex);
+  AccessPolicy policy;
+  const auto done = parts_->database.guard("reading the policy", [&] {
+    parts_->database.sql() << "SELECT lock_after_s, retention_years FROM access_settings",
+        soci::into(policy.lock_after_s), soci::into(policy.retention_years);
+  });
+  if (!done) return done.error();
+  return policy;
+}
+
+Result<void> Access::log_in(const std::string& user, const Secret& password) {
+  SlotOwner owner{parts_->login->database_id(), SlotKind::user, {}};
+  owner.user.id = -1;  // nobody's, if there is no such name
+  owner.user.name = user;
+  return open_for(*parts_, owner, password, path());
+}
+
+Result<void> Access::log_in_with_passphrase(const Secret& passphrase) {
+  return open_for(*parts_, holder_of(parts_->login->database_id(), SlotKind::passphrase),
+                  passphrase, path());
+}
+
+Result<void> Access::log_in_with_recovery_key(const Secret& key) {
+  const auto digits = read_recovery_key(key);
+  if (!digits)
+    return refused_access(path(), "is no recovery key: a digit is missing or mistyped",
+                          "copy all 56 digits from the printed page");
+  return open_for(*parts_, holder_of(parts_->login->database_id(), SlotKind::recovery), *digits,
+                  path());
+}
+
+void Access::lock() {
+  parts_->login->lock();
+}
+
+std::shared_ptr<const void> Access::keep_login() const {
+  return parts_->login;
+}
+
+void Access::log_out() {
+  if (parts_->writable && user())
+    (void)log_entry(*this, entry_of("log out", user()->name));  // the keys go in any case
+  parts_->login->set({});
+}
+
+std::optional<User> Access::user() const {
+  return parts_->login->login().user;
+}
+
+bool Access::is_locked() const {
+  return parts_->login->login().locked;
+}
+
+bool Access::allows(Right right) const {
+  return parts_->login->allows(right);
+}
+
+Result<void> Access::require(Right right, const std::string& act, const std::string& object) {
+  if (allows(right)) return {};
+  const Error refusal = refusal_of(*parts_->login, right, path());
+  if (is_protected() && parts_->login->login().keys && parts_->writable) {
+    AuditEntry entry = entry_of(act, object);
+    entry.result = "refused";
+    if (auto logged = log_entry(*this, entry); !logged) return logged;
+  }
+  return refusal;
+}
+
+bool is_protected_database(const std::string& database) {
+  auto opened = Database::open(database, OpenMode::read_only);
+  if (!opened) return false;
+  bool found = false;
+  const auto read =
+      opened->guard("opening", [&] { found = login_state_of(*opened)->is_protected(); });
+  return read && found;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/access/accounts.hpp"
+
+#include <algorithm>
+
+#include <soci/soci.h>
+#include <sodium.h>
+
+#include "storage/access/audit_chain.hpp"
+#include "storage/access/user_rows.hpp"
+
+namespace isograsp {
+
+namespace {
+
+Error refused_account(std::string field, std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::move(field)};
+}
+
+Result<void> check_user_name(const std::string& name) {
+  constexpr std::size_t kMost = 64;
+  const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
+    return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+  });
+  if (name.empty() || name.size() > kMost || !printable || name.front() == ' ' ||
+      name.back() == ' ')
+    return refused_account("name", "is no name of an account",
+                           "give 1 to 64 characters on one line, no blank at either end");
+  return {};
+}
+
+Result<void> check_pin(const Secret& pin) {
+  if (pin.empty()) return {};
+  const std::string_view digits = pin.text();
+  const bool good =
+      digits.size() >= kLeastPin && digits.size() <= kMostPin &&
+      std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!good) return refused_account("pin", "is not 4 to 12 digits", "choose another one");
+  for (const int step : {-1, 0, 1}) {
+    bool easy = true;
+    for (std::size_t i = 1; i < digits.size(); ++i) easy &= digits[i] - digits[i - 1] == step;
+    if (easy) return refused_account("pin", "is too easy to guess", "choose another one");
+  }
+  return {};
+}
+
+std::string pin_place(const std::string& database_id, const User& user) {
+  return "pin\n" + database_id + "\n" + std::to_string(user.id);
+}
+
+User required_user(soci::session& sql, const std::string& name) {
+  auto user = find_user(sql, name);
+  if (!user)
+    throw Refusal{refused_account("name", "nobody has an account of this name",
+                                  "see isograsp db users list")};
+  return *user;
+}
+
+SlotOwner slot_of(const Access::Parts& parts, const User& user) {
+  return {parts.login->database_id(), SlotKind::user, user};
+}
+
+Result<void> manage(Access& access, const std::string& act, const std::string& object) {
+  if (!access.is_protected())
+    return Error{Error::Code::bad_input,
+                 "is not protected: it has no accounts",
+                 "protect it: isograsp db protect FILE",
+                 access.path(),
+                 0,
+                 ""};
+  return access.require(Right::manage, act, object);
+}
+
+}  // namespace
+
+std::vector<User> read_users(soci::session& sql) {
+  std::vector<User> all;
+  User one;
+  std::string role;
+  int has_pin = 0;
+  soci::statement select =
+      (sql.prepare << "SELECT id, name, role, pin <> '', created_utc FROM users "
+                      "WHERE removed_utc = '' ORDER BY name",
+       soci::into(one.id), soci::into(one.name), soci::into(role), soci::into(has_pin),
+       soci::into(one.created_utc));
+  select.execute();
+  while (select.fetch()) {
+    one.role = role_from_name(role).value_or(Role::researcher);
+    one.has_pin = has_pin != 0;
+    all.push_back(one);
+  }
+  return all;
+}
+
+std::optional<User> find_user(soci::session& sql, const std::string& name) {
+  RowId id = 0;
+  sql << "SELECT id FROM users WHERE name = :name AND removed_utc = ''", soci::use(name),
+      soci::into(id);
+  if (!sql.got_data()) return std::nullopt;
+  for (const User& user : read_users(sql))
+    if (user.id == id) return user;
+  return std::nullopt;
+}
+
+Result<void> check_password(const Secret& password, const std::string& field) {
+  if (password.size() < kLeastPassword)
+    return refused_account(field,
+                           "has fewer than " + std::to_string(kLeastPassword) + " characters",
+                           "choose a longer one; several words are easy to keep in mind");
+  return {};
+}
+
+Result<User> add_user(Access& access, const std::string& name, Role role, const Secret& password,
+                      const KeyCost& cost) {
+  if (const auto good = check_user_name(name); !good) return good.error();
+  if (const auto allowed = manage(access, "add user", name); !allowed) return allowed.error();
+  if (const auto good = check_password(password, "password"); !good) return good.error();
+  User user{0, name, role, false, utc_text(std::time(nullptr))};
+  Access::Parts& parts = access.parts();
+  const auto keys = parts.login->login().keys;
+  const auto done = audited(
+      access, "adding an account", entry_of("add user", name, std::string(name_of(role))),
+      [&](AuditEntry&) {
+        soci::session& sql = parts.database.sql();
+        int there = 0;
+        sql << "SELECT count(*) FROM users WHERE name = :name", soci::use(name), soci::into(there);
+        if (there > 0)
+          throw Refusal{refused_account("name", "is or was the name of an account",
+                                        "choose another one: the audit log names people")};
+        const std::string role_name(name_of(role));
+        sql << "INSERT INTO users (name, role, created_utc) VALUES (:name, :role, :utc)",
+            soci::use(name), soci::use(role_name), soci::use(user.created_utc);
+        sql << "SELECT max(id) FROM users", soci::into(user.id);
+        write_slot(sql, slot_of(parts, user), password, cost, *keys);
+      });
+  if (!done) return done.error();
+  return user;
+}
+
+Result<void> remove_user(Access& access, const std::string& name) {
+  if (auto allowed = manage(access, "remove user", name); !allowed) return allowed;
+  return audited(access, "removing an account", entry_of("remove user", name), [&](AuditEntry&) {
+    soci::session& sql = access.parts().database.sql();
+    const User user = required_user(sql, name);
+    const std::string now = utc_text(std::time(nullptr));
+    sql << "DELETE FROM key_slots WHERE user_id = :id", soci::use(user.id);
+    sql << "UPDATE users SET removed_utc = :utc, pin = '' WHERE id = :id", soci::use(now),
+        soci::use(user.id);
+  });
+}
+
+Result<void> reset_password(Access& access, const std::string& name, const Secret& password,
+                            const KeyCost& cost) {
+  if (auto allowed = manage(access, "reset password", name); !allowed) return allowed;
+  if (auto good = check_password(password, "password"); !good) return good;
+  return audited(access, "storing a password", entry_of("reset password", name), [&](AuditEntry&) {
+    soci::session& sql = access.parts().database.sql();
+    const User user = required_user(sql, name);
+    write_slot(sql, slot_of(access.parts(), user), password, cost,
+               *access.parts().login->login().keys);
+    sql << "UPDATE users SET pin_failed_count = 0 WHERE id = :id", soci::use(user.id);
+  });
+}
+
+Result<void> set_policy(Access& access, const AccessPolicy& policy) {
+  if (auto allowed = access.require(Right::manage, "set policy", ""); !allowed) return allowed;
+  return audited(access, "storing the policy",
+                 entry_of("set policy", "",
+                          "lock after " + std::to_string(policy.lock_after_s) + " s, keep " +
+                              std::to_string(policy.retention_years) + " years"),
+                 [&](AuditEntry&) {
+                   access.parts().database.sql()
+                       << "UPDATE access_settings SET lock_after_s = :lock, "
+                          "retention_years = :years",
+                       soci::use(policy.lock_after_s), soci::use(policy.retention_years);
+                 });
+}
+
+Result<void> change_passphrase(Access& access, const Secret& passphrase, const KeyCost& cost) {
+  if (auto allowed = manage(access, "change passphrase", ""); !allowed) return allowed;
+  if (auto good = check_password(passphrase, "passphrase"); !good) return good;
+  return audited(access, "storing the passphrase", entry_of("change passphrase", ""),
+                 [&](AuditEntry&) {
+                   write_slot(access.parts().database.sql(),
+                              holder_of(access.parts().login->database_id(), SlotKind::passphrase),
+                              passphrase, cost, *access.parts().login->login().keys);
+                 });
+}
+
+Result<Secret> new_recovery_key(Access& access) {
+  if (const auto allowed = manage(access, "new recovery key", ""); !allowed) return allowed.error();
+  Secret key = make_recovery_key();
+  const auto done =
+      audited(access, "storing a recovery key", entry_of("new recovery key", ""), [&](AuditEntry&) {
+        write_slot(access.parts().database.sql(),
+                   holder_of(access.parts().login->database_id(), SlotKind::recovery),
+                   *read_recovery_key(key), kCheapKeyCost, *access.parts().login->login().keys);
+      });
+  if (!done) return done.error();
+  return key;
+}
+
+Result<void> change_own_password(Access& access, const Secret& old_password, const Secret& password,
+                                 const KeyCost& cost) {
+  const auto user = access.user();
+  if (!user || user->id == 0)
+    return refused_account("password", "nobody is logged in with an account", "log in with a name");
+  if (auto good = check_password(password, "password"); !good) return good;
+  // Counts a wrong one as every login does.
+  if (auto theirs = access.log_in(user->name, old_password); !theirs) return theirs;
+  return audited(access, "storing a password", entry_of("change password", user->name),
+                 [&](AuditEntry&) {
+                   write_slot(access.parts().database.sql(), slot_of(access.parts(), *user),
+                              password, cost, *access.parts().login->login().keys);
+                 });
+}
+
+Result<void> set_own_pin(Access& access, const Secret& pin) {
+  const auto user = access.user();
+  const Login login = access.parts().login->login();
+  if (!user || user->id == 0 || login.locked)
+    return refused_account("pin", "nobody is logged in with an account", "log in with a name");
+  if (!login.keys || login.keys->pin.empty())
+    return refused_account("pin", "the role " + std::string(name_of(user->role)) + " has no PIN",
+                           "log in with the password");
+  if (auto good = check_pin(pin); !good) return good;
+  std::string sealed;
+  if (!pin.empty()) {
+    Secret check(crypto_pwhash_STRBYTES);
+    if (crypto_pwhash_str(reinterpret_cast<char*>(check.data()), pin.text().data(), pin.size(),
+                          crypto_pwhash_OPSLIMIT_INTERACTIVE,
+                          crypto_pwhash_MEMLIMIT_INTERACTIVE) != 0)
+      return Error{Error::Code::failed, "not enough memory", "close other programs", "", 0, ""};
+    sealed =
+        seal(login.keys->pin, pin_place(access.parts().login->database_id(), *user), check.text());
+  }
+  return audited(access, "storing a PIN",
+                 entry_of(pin.empty() ? "remove PIN" : "set PIN", user->name), [&](AuditEntry&) {
+                   access.parts().database.sql()
+                       << "UPDATE users SET pin = :pin, pin_failed_count = 0 WHERE id = :id",
+                       soci::use(sealed), soci::use(user->id);
+                 });
+}
+
+Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
+  const std::lock_guard lock(parts_->mutex);
+  const Login before = parts_->login->login();
+  if (!before.keys || before.keys->pin.empty())
+    return refused_account("pin", "nobody has opened the database with a password yet",
+                           "log in with the password");
+  std::optional<User> user;
+  std::string sealed;
+  int failed_count = 0;
+  const auto read = parts_->database.guard("changing the user", [&] {
+    soci::session& sql = parts_->database.sql();
+    user = find_user(sql, name);
+    if (user)
+      sql << "SELECT pin, pin_failed_count FROM users WHERE id = :id", soci::use(user->id),
+          soci::into(sealed), soci::into(failed_count);
+  });
+  if (!read) return read.error();
+  if (!user || sealed.empty() || failed_count >= kMostWrongPins)
+    return refused_account("pin", "the PIN cannot be used now", "log in with the password");
+  if (!before.keys->suffice_for(user->role))
+    return refused_account("pin", "whoever opened the database has fewer rights than this account",
+                           "log in with the password");
+  const auto check =
+      unseal(before.keys->pin, pin_place(parts_->login->database_id(), *user), sealed);
+  const bool right = check && check->size() == crypto_pwhash_STRBYTES &&
+                     check->data()[check->size() - 1] == 0 &&
+                     crypto_pwhash_str_verify(reinterpret_cast<const char*>(check->data()),
+                                              pin.text().data(), pin.size()) == 0;
+  AuditEntry entry = entry_of("switch user", user->name);
+  if (!right) entry.result = "refused";
+  if (right) parts_->login->set({before.keys, user, false});
+  auto logged = audited(parts_->database, *parts_->login, entry, [&] {
+    return parts_->database.transact("changing the user", [&] {
+      const int count = right ? 0 : failed_count + 1;
+      parts_->database.sql() << "UPDATE users SET pin_failed_count = :count WHERE id = :id",
+          soci::use(count), soci::use(user->id);
+    });
+  });
+  if (!logged) {
+    parts_->login->set(before);
+    return logged;
+  }
+  if (right) return {};
+  const int left = kMostWrongPins - failed_count - 1;
+  return refused_account(
+      "pin", "the PIN is wrong",
+      left > 0 ? "try again; " + std::to_string(left) + " left" : "log in with the password");
+}
+
+}  // namespace isograsp

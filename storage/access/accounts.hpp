@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Accounts, passwords, PINs, passphrase and policy of a protected database. Everything here is
+// logged. Errors: not protected, not allowed, refused values (field `name`, `password`, `pin`, …).
+#pragma once
+
+#include <string>
+
+#include "storage/access/access.hpp"
+#include "storage/crypto/seal.hpp"
+
+namespace isograsp {
+
+inline constexpr std::size_t kLeastPassword = 8;  ///< characters (NIST SP 800-63B, 5.1.1.1)
+inline constexpr std::size_t kLeastPin = 4;       ///< digits
+inline constexpr std::size_t kMostPin = 12;
+
+// By an administrator.
+/// A name that somebody had stays theirs: the audit log names people.
+[[nodiscard]] Result<User> add_user(Access& access, const std::string& name, Role role,
+                                    const Secret& password, const KeyCost& cost = {});
+[[nodiscard]] Result<void> remove_user(Access& access, const std::string& name);
+/// A new password where the old one is forgotten; also ends a wait.
+[[nodiscard]] Result<void> reset_password(Access& access, const std::string& name,
+                                          const Secret& password, const KeyCost& cost = {});
+[[nodiscard]] Result<void> set_policy(Access& access, const AccessPolicy& policy);
+/// Wraps the same data key anew: nothing else is written. Backups keep the passphrase they had.
+[[nodiscard]] Result<void> change_passphrase(Access& access, const Secret& passphrase,
+                                             const KeyCost& cost = {});
+/// The one before opens nothing any more.
+[[nodiscard]] Result<Secret> new_recovery_key(Access& access);
+
+// By the user who is logged in.
+[[nodiscard]] Result<void> change_own_password(Access& access, const Secret& old_password,
+                                               const Secret& password, const KeyCost& cost = {});
+/// 4 to 12 digits, neither all the same nor in a row (1234); empty: none any more.
+[[nodiscard]] Result<void> set_own_pin(Access& access, const Secret& pin);
+
+}  // namespace isograsp

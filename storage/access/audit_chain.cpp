@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/access/audit_chain.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <soci/soci.h>
+
+#include "core/files.hpp"
+#include "storage/access/audit_head_file.hpp"
+
+namespace isograsp {
+
+const Secret* audit_key(const Login& login) {
+  return login.keys ? &login.keys->audit : nullptr;
+}
+
+std::string first_hash(const Secret* key, const std::string& database_id) {
+  return Digest(key).add("IsoGrasp audit log 1").add(database_id).hex();
+}
+
+std::string entry_hash(const Secret* key, const std::string& before, const AuditEntry& entry) {
+  return Digest(key)
+      .add(before)
+      .add(entry.number)
+      .add(entry.at_utc)
+      .add(entry.actor)
+      .add(entry.role)
+      .add(entry.act)
+      .add(entry.object)
+      .add(entry.result)
+      .add(entry.detail)
+      .hex();
+}
+
+std::string head_proof(const Secret* key, const std::string& database_id, const AuditHead& head) {
+  return Digest(key)
+      .add("IsoGrasp audit head 1")
+      .add(database_id)
+      .add(head.count)
+      .add(head.hash)
+      .hex();
+}
+
+AuditHead append_audit(soci::session& sql, const LoginState& state, AuditEntry entry) {
+  const Login login = state.login();
+  const Secret* const key = audit_key(login);
+  if (state.is_protected() && key == nullptr)
+    throw Refusal{refusal_of(state, Right::read_records, "")};
+  if (entry.at_utc.empty()) entry.at_utc = utc_text(std::time(nullptr));
+  if (login.user && entry.role.empty()) {
+    entry.actor = login.user->name;
+    entry.role = name_of(login.user->role);
+  }
+  // From the anchor on: after a cut the gap stays to be seen.
+  AuditHead head;
+  long long count = 0;
+  sql << "SELECT count, hash FROM audit_anchor", soci::into(count), soci::into(head.hash);
+  const bool first = !sql.got_data();
+  if (first) head.hash = first_hash(key, state.database_id());
+  long long last = 0;
+  sql << "SELECT coalesce(max(id), 0) FROM audit_log", soci::into(last);
+  head.count = std::max(count, last) + 1;
+  entry.number = head.count;
+  entry.hash = entry_hash(key, head.hash, entry);
+  head.hash = entry.hash;
+  const std::string proof = head_proof(key, state.database_id(), head);
+  sql << "INSERT INTO audit_log (id, at_utc, actor, role, act, object, result, detail, hash) "
+         "VALUES (:id, :at, :actor, :role, :act, :object, :result, :detail, :hash)",
+      soci::use(entry.number), soci::use(entry.at_utc), soci::use(entry.actor),
+      soci::use(entry.role), soci::use(entry.act), soci::use(entry.object), soci::use(entry.result),
+      soci::use(entry.detail), soci::use(entry.hash);
+  sql << "INSERT INTO audit_anchor (id, count, hash, proof) VALUES (1, :count, :hash, :proof) "
+         "ON CONFLICT (id) DO UPDATE SET count = excluded.count, hash = excluded.hash, "
+         "proof = excluded.proof",
+      soci::use(head.count), soci::use(head.hash), soci::use(proof);
+  return head;
+}
+
+void note_head(Database& database, const LoginState& state, const AuditHead& head) {
+  if (!state.is_protected() || head.count == 0) return;
+  const Login login = state.login();
+  const Secret* const key = audit_key(login);
+  if (key == nullptr) return;
+  const HeadFile there = read_head_file(database.real_path(), key, state.database_id());
+  if (there.present && !there.head) return;
+  if (there.head) {
+    std::string hash;
+    const auto read = database.guard("reading the audit log", [&] {
+      database.sql() << "SELECT hash FROM audit_log WHERE id = :id", soci::use(there.head->count),
+          soci::into(hash);
+    });
+    if (!read || hash != there.head->hash || there.head->count >= head.count) return;
+  }
+  write_head_file(database.real_path(), key, state.database_id(), head);
+}
+
+Result<void> audited(Access& access, const char* doing, AuditEntry entry,
+                     const std::function<void(AuditEntry&)>& work) {
+  Access::Parts& parts = access.parts();
+  const std::lock_guard lock(parts.mutex);
+  return audited(parts.database, *parts.login, entry,
+                 [&] { return parts.database.transact(doing, [&] { work(entry); }); });
+}
+
+Result<void> log_entry(Access& access, AuditEntry entry) {
+  return audited(access, "writing the audit log", std::move(entry), [](AuditEntry&) {});
+}
+
+AuditEntry entry_of(std::string act, std::string object, std::string detail) {
+  AuditEntry entry;
+  entry.act = std::move(act);
+  entry.object = std::move(object);
+  entry.result = "done";
+  entry.detail = std::move(detail);
+  return entry;
+}
+
+}  // namespace isograsp

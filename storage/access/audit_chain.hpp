@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Adding to the audit log: the hash of an entry, the anchor that a cut is noticed by, and acts that
+// are stored with their entry or not at all. Inside storage/ only.
+#pragma once
+
+#include <ctime>
+#include <functional>
+#include <string>
+
+#include "core/time.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/access/login.hpp"
+
+namespace isograsp {
+
+/// The act with which the chain goes on under a key.
+inline constexpr const char* kProtectAct = "protect";
+
+/// Key of the chain; nothing: not protected.
+[[nodiscard]] const Secret* audit_key(const Login& login);
+/// What stands before the first entry.
+[[nodiscard]] std::string first_hash(const Secret* key, const std::string& database_id);
+[[nodiscard]] std::string entry_hash(const Secret* key, const std::string& before,
+                                     const AuditEntry& entry);
+/// Made by a holder of the key: the log has come so far.
+[[nodiscard]] std::string head_proof(const Secret* key, const std::string& database_id,
+                                     const AuditHead& head);
+
+/// Adds an entry by who is logged in; number, time (if empty) and hash are set here. Inside a
+/// transaction; throws as SOCI does.
+AuditHead append_audit(soci::session& sql, const LoginState& state, AuditEntry entry);
+/// Beside the file (FILE-audit), where protected: a file put back to an earlier state is noticed by
+/// it. A file that does not fit the log is left as it is: it is evidence. Problems are ignored (the
+/// entry itself is stored).
+void note_head(Database& database, const LoginState& state, const AuditHead& head);
+
+/// Runs `work`, which does one transaction of `database`, and stores `entry` in that transaction.
+/// If it fails, an entry that says so is stored alone. `complete` may add at the end of the
+/// transaction what was not known before; so may `work`.
+template <class Work>
+auto audited(Database& database, const LoginState& state, AuditEntry& entry, Work work,
+             const std::function<void(AuditEntry&)>& complete = {}) -> decltype(work()) {
+  AuditHead head;
+  auto done = [&] {
+    const AlsoBeforeCommit also(database, [&] {
+      if (complete) complete(entry);
+      head = append_audit(database.sql(), state, entry);
+    });
+    return work();
+  }();
+  if (!done) {
+    entry.result = done.error().code == Error::Code::bad_input ? "refused" : "failed";
+    const auto logged = database.transact(
+        "writing the audit log", [&] { head = append_audit(database.sql(), state, entry); });
+    if (!logged) return done;
+  }
+  note_head(database, state, head);
+  return done;
+}
+
+/// The same with a transaction made of `work`, for Access.
+[[nodiscard]] Result<void> audited(Access& access, const char* doing, AuditEntry entry,
+                                   const std::function<void(AuditEntry&)>& work);
+/// For acts that change nothing: the entry alone.
+[[nodiscard]] Result<void> log_entry(Access& access, AuditEntry entry);
+
+/// An entry that says "done" unless told otherwise.
+[[nodiscard]] AuditEntry entry_of(std::string act, std::string object, std::string detail = "");
+
+}  // namespace isograsp

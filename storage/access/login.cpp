@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/access/login.hpp"
+
+#include <array>
+#include <map>
+
+#include <soci/soci.h>
+
+#include "storage/file/schema_access.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kRoleNames{"therapist", "researcher", "administrator"};
+
+}  // namespace
+
+std::string_view name_of(Role role) noexcept {
+  return kRoleNames[static_cast<std::size_t>(role)];
+}
+
+std::optional<Role> role_from_name(std::string_view name) noexcept {
+  for (std::size_t i = 0; i < kRoleNames.size(); ++i)
+    if (kRoleNames[i] == name) return static_cast<Role>(i);
+  return std::nullopt;
+}
+
+bool may(Role role, Right right) noexcept {
+  switch (role) {
+    case Role::administrator: return true;
+    case Role::therapist: return right != Right::manage;
+    case Role::researcher: return right == Right::read_records;
+  }
+  return false;
+}
+
+std::shared_ptr<LoginState> LoginState::of(const std::string& database_id, bool is_protected) {
+  if (!is_protected) return std::make_shared<LoginState>(database_id, false);
+  static std::mutex mutex;
+  static std::map<std::string, std::weak_ptr<LoginState>> states;
+  const std::lock_guard lock(mutex);
+  auto& known = states[database_id];
+  auto state = known.lock();
+  if (!state) {
+    state = std::make_shared<LoginState>(database_id, true);
+    known = state;
+  }
+  return state;
+}
+
+Login LoginState::login() const {
+  const std::lock_guard lock(mutex_);
+  return login_;
+}
+
+void LoginState::set(Login login) {
+  const std::lock_guard lock(mutex_);
+  login_ = std::move(login);
+}
+
+void LoginState::lock() {
+  const std::lock_guard lock(mutex_);
+  login_.locked = true;
+}
+
+bool LoginState::allows(Right right) const {
+  if (!protected_) return right != Right::identities;
+  const std::lock_guard lock(mutex_);
+  return login_.user && login_.keys && !login_.locked && may(login_.user->role, right);
+}
+
+std::shared_ptr<LoginState> login_state_of(Database& database) {
+  if (database.format() < schema::kAccessFormat) return LoginState::of("", false);
+  std::string id;
+  int slots = 0;
+  database.sql() << "SELECT database_id, (SELECT count(*) FROM key_slots) FROM access_settings",
+      soci::into(id), soci::into(slots);
+  return LoginState::of(id, slots > 0);
+}
+
+Error refusal_of(const LoginState& state, Right right, const std::string& path) {
+  const auto refused = [&](std::string what, std::string remedy) {
+    return Error{Error::Code::bad_input, std::move(what), std::move(remedy), path, 0, ""};
+  };
+  if (!state.is_protected())
+    return refused("identities are not stored in a database without protection",
+                   "protect it: isograsp db protect FILE");
+  const Login login = state.login();
+  if (!login.user)
+    return refused("is protected, and nobody is logged in",
+                   "give --passphrase-file, or --user and --password-file");
+  if (login.locked) return refused("is locked", "log in again");
+  const std::string role(name_of(login.user->role));
+  switch (right) {
+    case Right::read_records:
+    case Right::write_records:
+      return refused("the role " + role + " may not change records", "log in as a therapist");
+    case Right::read_texts:
+    case Right::identities:
+      return refused("the role " + role + " may not see who people are", "log in as a therapist");
+    case Right::manage:
+      return refused("the role " + role + " may not do this", "log in as an administrator");
+  }
+  return refused("is not allowed", "log in as somebody else");
+}
+
+}  // namespace isograsp

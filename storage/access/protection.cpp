@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/access/protection.hpp"
+
+#include <filesystem>
+#include <tuple>
+
+#include <soci/soci.h>
+
+#include "storage/access/audit_chain.hpp"
+#include "storage/access/audit_head_file.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/access/sealed_text.hpp"
+#include "storage/access/user_rows.hpp"
+#include "storage/file/remains.hpp"
+#include "storage/file/sweep.hpp"
+
+namespace isograsp {
+
+namespace {
+
+/// No other program has the file open, and none can open it until this connection is closed: what
+/// it wrote would be plain text.
+Result<void> close_to_others(Database& database) {
+  return database.guard("closing the file to others", [&] {
+    std::string mode;
+    database.sql() << "PRAGMA busy_timeout=0";  // who has it open will not be gone in seconds
+    database.sql() << "PRAGMA locking_mode=EXCLUSIVE", soci::into(mode);
+    database.sql() << "PRAGMA journal_mode=DELETE", soci::into(mode);
+    database.watch_no_more();  // without a log nothing is as it was opened
+    if (mode != "delete")
+      throw Refusal{{Error::Code::failed, "cannot be closed to other programs",
+                     "close them, then protect it", database.path(), 0, ""}};
+  });
+}
+
+/// Seals a column in place; how many texts.
+int seal_column(soci::session& sql, const LoginState& state, const std::string& place) {
+  const std::string table = place.substr(0, place.find('.'));
+  const std::string column = place.substr(table.size() + 1);
+  const bool of_session = place == sealed_column::kEventText;
+  const std::string from = of_session ? " x JOIN sessions s ON s.id = x.session_id JOIN patients p "
+                                        "ON p.id = s.patient_id WHERE x.kind = '" +
+                                            std::string(kSealedEvent) + "' AND x."
+                                      : " x JOIN patients p ON p.id = x.patient_id WHERE x.";
+  std::vector<std::tuple<RowId, std::string, std::string>> texts;
+  RowId row = 0;
+  std::string code;
+  std::string text;
+  {
+    soci::statement select = (sql.prepare << "SELECT x.rowid, p.code, x." + column + " FROM " +
+                                                 table + from + column + " <> ''",
+                              soci::into(row), soci::into(code), soci::into(text));
+    select.execute();
+    while (select.fetch()) texts.emplace_back(row, code, text);
+  }
+  const Login login = state.login();
+  for (const auto& [id, of, plain] : texts) {
+    const std::string sealed = seal(login.keys->text, place_of(state, place.c_str(), of), plain);
+    sql << "UPDATE " + table + " SET " + column + " = :sealed WHERE rowid = :id", soci::use(sealed),
+        soci::use(id);
+  }
+  return static_cast<int>(texts.size());
+}
+
+Result<RecordingLock> nobody_records(const Database& database) {
+  auto recording = RecordingLock::exclusive_if_free(database.real_path());
+  if (recording && !recording->held())
+    return Error{Error::Code::failed,
+                 "another program records into the file now",
+                 "end that session, then protect it",
+                 database.path(),
+                 0,
+                 ""};
+  return recording;
+}
+
+Result<std::unique_ptr<Access>> opened_with(const std::string& database, const Secret& passphrase) {
+  auto access = Access::open(database);
+  if (!access) return access.error();
+  if (const auto done = (*access)->log_in_with_passphrase(passphrase); !done) return done.error();
+  return access;
+}
+
+Result<Protection> sweep_again(const std::string& database, const Secret& passphrase) {
+  auto access = opened_with(database, passphrase);
+  if (!access) return access.error();
+  Protection done{*std::move(access), {}, "", {}, {}};
+  Database& opened = done.access->parts().database;
+  const auto recording = nobody_records(opened);
+  if (!recording) return recording.error();
+  if (const auto swept = sweep(opened); !swept) done.not_swept = swept.error();
+  return done;
+}
+
+/// Keys, sealed texts and the entry, or nothing.
+Result<AuditHead> seal_all(Database& database, LoginState& state, const Secret& passphrase,
+                           const Secret& recovery_key, const KeyCost& cost) {
+  AuditHead head;
+  const auto done = database.transact("protecting the database", [&] {
+    soci::session& sql = database.sql();
+    const std::string id = state.database_id();
+    Keys keys = write_first_slots(sql, id, passphrase, recovery_key, cost);
+    state.set({std::make_shared<const Keys>(std::move(keys)),
+               holder_of(id, SlotKind::passphrase).user, false});
+    int texts = 0;
+    for (const char* column : sealed_column::kAll) texts += seal_column(sql, state, column);
+    const std::string name = std::filesystem::path(database.real_path()).filename();
+    head = append_audit(sql, state,
+                        entry_of(kProtectAct, name, std::to_string(texts) + " texts sealed"));
+  });
+  if (done) return head;
+  state.set({});
+  return done.error();
+}
+
+}  // namespace
+
+Result<Protection> protect_database(const std::string& database, const Secret& passphrase,
+                                    const KeyCost* cost) {
+  if (is_protected_database(database)) return sweep_again(database, passphrase);
+  if (const auto good = check_password(passphrase, "passphrase"); !good) return good.error();
+  Protection protection;
+  protection.recovery_key = make_recovery_key();
+  std::shared_ptr<LoginState> state;  // with the keys until somebody is logged in
+  {
+    auto opened = Database::open(database, OpenMode::existing);
+    if (!opened) return opened.error();
+    const auto recording = nobody_records(*opened);
+    if (!recording) return recording.error();
+    protection.copy = free_name(opened->real_path() + ".before-protection");
+    {
+      const auto store = open_store(database, OpenMode::existing);
+      if (!store) return store.error();
+      if (const auto copied = (*store)->backup(protection.copy); !copied) return copied.error();
+    }
+    const auto prepared = [&]() -> Result<void> {
+      if (auto alone = close_to_others(*opened); !alone) return alone;
+      if (auto wiping = overwrite_what_is_removed(*opened); !wiping) return wiping;
+      return opened->guard("reading the audit log", [&] {
+        state = LoginState::of(login_state_of(*opened)->database_id(), true);
+        protection.remains = remains_of(opened->sql(), "", "", utc_text(std::time(nullptr)));
+      });
+    }();
+    const auto head = prepared ? seal_all(*opened, *state, passphrase, protection.recovery_key,
+                                          cost != nullptr ? *cost : KeyCost{})
+                               : Result<AuditHead>(prepared.error());
+    if (!head) {
+      std::error_code ignored;
+      std::filesystem::remove(protection.copy, ignored);
+      return head.error();
+    }
+    (void)set_aside_head_file(opened->real_path());  // of another database of this name
+    note_head(*opened, *state, *head);
+    if (const auto swept = sweep(*opened); !swept) protection.not_swept = swept.error();
+  }
+  auto access = opened_with(database, passphrase);
+  if (!access) return access.error();
+  protection.access = *std::move(access);
+  return protection;
+}
+
+}  // namespace isograsp

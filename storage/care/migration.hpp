@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of older formats are brought to the one of this program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "storage/file/open_mode.hpp"
+
+namespace isograsp {
+
+struct Migration {
+  int from = kDatabaseFormat;  ///< format that the file had
+  std::string copy;            ///< of the file as it was; empty: nothing was to be done
+  int packed = 0;              ///< trials that were in blocks of a second
+  /// Trials that stay in such blocks because they cannot be read, and why.
+  std::vector<std::string> not_packed{};
+};
+/// Brings a file to the format of this program, in one transaction, after a checked copy beside
+/// it was made; then packs the signals that are not, trial by trial. Refused while somebody
+/// records into the file.
+[[nodiscard]] Result<Migration> migrate_database(const std::string& path);
+
+}  // namespace isograsp

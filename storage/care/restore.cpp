@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way back from a backup: a copy is made, checked and given its entry in the log beside the
+// file; only then does it take the place of what is there, and every step of that can be taken
+// back.
+#include <filesystem>
+#include <functional>
+
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+#include <unistd.h>
+
+#include "storage/access/audit_head_file.hpp"
+#include "storage/access/audit_log.hpp"
+#include "storage/access/open_store.hpp"
+#include "storage/care/backups.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
+
+namespace isograsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Error restore_failed(const std::string& path, std::string what, std::string remedy) {
+  return {Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
+}
+
+/// No other program has the file open; its log, if it can be read, is in it.
+Result<void> close_for_all(const std::string& path) {
+  constexpr int kPrimary = 0xFF;
+  try {
+    soci::session sql(soci::sqlite3, "db=\"" + path + "\" timeout=0");
+    std::string mode;
+    sql << "PRAGMA journal_mode=DELETE", soci::into(mode);
+  } catch (const soci::sqlite3_soci_error& why) {
+    const int code = why.result() & kPrimary;
+    if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
+      return restore_failed(path, "another program has it open",
+                            "close that program, then restore");
+    // Damaged: it is kept with its log, as it is.
+  }
+  return {};
+}
+
+/// Renamings that are taken back, the last one first, unless all went well.
+class Renamings {
+ public:
+  Renamings() = default;
+  Renamings(const Renamings&) = delete;
+  Renamings& operator=(const Renamings&) = delete;
+  ~Renamings() {
+    for (auto step = undo_.rbegin(); step != undo_.rend(); ++step) (*step)();
+  }
+  /// Nothing if there is no such file.
+  [[nodiscard]] std::error_code rename(const std::string& from, const std::string& to) {
+    std::error_code failure;
+    if (!fs::exists(fs::symlink_status(from, failure))) return {};
+    fs::rename(from, to, failure);
+    if (!failure) take_back([from, to] { again(to, from); });
+    return failure;
+  }
+  void take_back(std::function<void()> step) { undo_.push_back(std::move(step)); }
+  void keep() { undo_.clear(); }
+
+ private:
+  static void again(const std::string& from, const std::string& to) {
+    std::error_code ignored;
+    fs::rename(from, to, ignored);
+  }
+  std::vector<std::function<void()>> undo_;
+};
+
+/// Sound to the last value and with a whole audit log; the entry says where it came from.
+Result<void> prepare(const std::string& copy, const std::string& backup, const std::string& kept,
+                     const LogIn& log_in) {
+  auto source = Database::open(backup, OpenMode::read_only);
+  if (!source) return source.error();
+  const bool current = source->format() == kDatabaseFormat;
+  // Not through a store: the backup stays as it is, its audit log too.
+  if (auto copied = SqliteStore(*std::move(source)).backup(copy); !copied) return copied;
+  std::unique_ptr<Access> access;
+  if (current) {  // files of older formats have no login
+    auto opened = log_in(copy);
+    if (!opened) return opened.error();
+    access = *std::move(opened);
+    if (access->is_protected())
+      if (auto allowed = access->require(Right::write_records, "restore", ""); !allowed)
+        return allowed;
+  }
+  {
+    const auto store = open_store(copy, OpenMode::read_only);
+    if (!store) return store.error();
+    const auto problems = (*store)->check();
+    if (!problems) return problems.error();
+    if (!problems->empty())
+      return restore_failed(backup, "the backup is not sound: " + problems->front(),
+                            "take an older backup");
+  }
+  if (access == nullptr) return {};
+  std::string files = fs::path(backup).filename();
+  if (!kept.empty()) files += "; as it was: " + fs::path(kept).filename().string();
+  return log_act(*access, "restore", "", true, files);
+}
+
+/// `copy` becomes `target`, and what is there `kept`; or nothing is changed.
+Result<void> put_in_place(const std::string& copy, const std::string& target,
+                          const std::string& kept) {
+  const auto not_renamed = [&](const std::error_code& why) {
+    return restore_failed(target, "cannot be renamed: " + why.message(),
+                          "make its folder writable");
+  };
+  const auto lock = RecordingLock::exclusive_if_free(target);
+  if (!lock) return lock.error();
+  if (!lock->held())
+    return restore_failed(target, "another program records into it now",
+                          "end that session, then restore");
+  Renamings renamings;
+  std::error_code failure;
+  if (!kept.empty())
+    if (auto closed = close_for_all(target); !closed) return closed;
+  // The log first: it must never stand beside a file that is not its own. A file that was lost may
+  // have left one.
+  const std::string aside = kept.empty() ? free_name(target + ".before-restore") : kept;
+  for (const char* log : {"-wal", "-journal"})
+    if (const auto why = renamings.rename(target + log, aside + log); why) return not_renamed(why);
+  fs::remove(target + "-shm", failure);
+  if (!kept.empty()) {
+    // A second name, so that at no moment there is no file; where there are none, a new one.
+    if (::link(target.c_str(), kept.c_str()) == 0)
+      renamings.take_back([kept] {
+        std::error_code ignored;
+        fs::remove(kept, ignored);
+      });
+    else if (const auto why = renamings.rename(target, kept); why)
+      return not_renamed(why);
+  }
+  if (const std::string old = set_aside_head_file(target); !old.empty())
+    renamings.take_back([old, target] {
+      std::error_code ignored;
+      fs::rename(old, head_file_of(target), ignored);
+    });
+  if (const auto why = renamings.rename(copy, target); why) return not_renamed(why);
+  renamings.keep();
+  fs::rename(head_file_of(copy), head_file_of(target), failure);  // there is none where unprotected
+  static_cast<void>(sync_path(fs::path(target).parent_path()));
+  return {};
+}
+
+}  // namespace
+
+Result<Restored> restore_backup(const std::string& backup, const std::string& database,
+                                const LogIn& log_in) {
+  std::error_code failure;
+  const std::string target = fs::weakly_canonical(fs::absolute(database), failure).string();
+  if (failure || database.empty())
+    return Error{Error::Code::bad_input, "cannot be reached", "check the path", database, 0, ""};
+  if (fs::equivalent(backup, target, failure))
+    return Error{Error::Code::bad_input, "is the backup itself", "name two files", database, 0, ""};
+  const std::string copy = target + ".restored" + std::to_string(getpid());
+  const auto tidy = [&copy] {
+    std::error_code ignored;
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(copy + suffix, ignored);
+    fs::remove(head_file_of(copy), ignored);
+  };
+  tidy();
+  Restored restored;
+  if (fs::exists(fs::symlink_status(target))) restored.kept = free_name(target + ".before-restore");
+  auto done = prepare(copy, backup, restored.kept, log_in);
+  if (done) done = close_for_all(copy);
+  if (done) done = put_in_place(copy, target, restored.kept);
+  if (done) return restored;
+  tidy();
+  Error error = done.error();
+  if (error.file == copy) error.file = backup;
+  return error;
+}
+
+}  // namespace isograsp

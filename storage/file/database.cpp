@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/file/database.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include <fcntl.h>
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "storage/file/open_mode.hpp"
+#include "storage/file/schema.hpp"
+
+namespace isograsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kBusyTimeout_s = 5;  // below the ten seconds that the recorder's queue bridges
+
+Error bad_file(const std::string& path, std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), path, 0, ""};
+}
+Error opening_failed(const std::string& path, std::string what, std::string remedy) {
+  return {Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
+}
+
+bool files_are_limited() {
+  rlimit limit{};
+  return getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+/// What SQLite's result code means to a user.
+Error explain(const std::string& path, const std::string& doing, int code,
+              const std::string& message) {
+  constexpr int kPrimary = 0xFF;
+  switch (code & kPrimary) {
+    case SQLITE_NOTADB:
+    case SQLITE_CORRUPT:
+      return opening_failed(path, doing + ": the database is damaged",
+                            "run isograsp db check, then restore the last backup");
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+      if (files_are_limited())
+        return opening_failed(path,
+                              doing +
+                                  ": the file has reached the size that this program may write "
+                                  "(RLIMIT_FSIZE), or the disk is full",
+                              "raise that limit (ulimit -f unlimited), or free some space; "
+                              "everything confirmed before is stored");
+      return opening_failed(path, doing + ": the disk is full or does not answer",
+                            "free some space; everything confirmed before is stored");
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return opening_failed(path, doing + ": the database is locked by another program",
+                            "close that program or wait until it is done");
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+      return opening_failed(path, doing + ": the file or its folder is not writable",
+                            "check the permissions of both, or copy the file to a writable folder");
+    case SQLITE_CONSTRAINT:
+      return {Error::Code::bad_input,
+              doing + ": refused by the database (" + message + ")",
+              "give values as docs/file_formats.md describes them",
+              path,
+              0,
+              ""};
+    default: return opening_failed(path, doing + ": " + message, "run isograsp db check");
+  }
+}
+
+struct Header {
+  bool sqlite = false;
+  std::int32_t application_id = 0;
+  int user_version = 0;
+};
+
+std::int32_t big_endian(const unsigned char* bytes) {
+  return static_cast<std::int32_t>((std::uint32_t{bytes[0]} << 24) |
+                                   (std::uint32_t{bytes[1]} << 16) |
+                                   (std::uint32_t{bytes[2]} << 8) | std::uint32_t{bytes[3]});
+}
+
+/// Reads the first 100 bytes without a lock, a journal or any other trace. Through SQLite's own
+/// file layer: closing a plain descriptor would drop the POSIX locks of every other connection that
+/// this process has to the file.
+std::optional<Header> read_header(const std::string& real_path) {
+  using namespace sqlite_api;
+  sqlite3_initialize();
+  sqlite3_vfs* const vfs = sqlite3_vfs_find(nullptr);
+  if (vfs == nullptr) return {};
+  std::string memory(static_cast<std::size_t>(vfs->szOsFile), '\0');
+  auto* const file = reinterpret_cast<sqlite3_file*>(memory.data());
+  const std::string name = real_path + std::string(4, '\0');  // SQLite wants an empty URI list
+  int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_MAIN_DB;
+  if (vfs->xOpen(vfs, name.c_str(), file, flags, &flags) != SQLITE_OK) return {};
+  std::array<unsigned char, 100> bytes{};
+  const int done = file->pMethods->xRead(file, bytes.data(), static_cast<int>(bytes.size()), 0);
+  file->pMethods->xClose(file);
+  if (done != SQLITE_OK && done != SQLITE_IOERR_SHORT_READ) return {};
+  constexpr char kMagic[] = "SQLite format 3";  // with its final zero: 16 bytes
+  Header header;
+  header.sqlite = std::memcmp(bytes.data(), kMagic, sizeof kMagic) == 0;
+  header.user_version = big_endian(bytes.data() + 60);
+  header.application_id = big_endian(bytes.data() + 68);
+  return header;
+}
+
+/// A path as SOCI's connection string carries it.
+std::string connection(const std::string& real_path, bool read_only) {
+  return "db=\"" + real_path + "\" timeout=" + std::to_string(kBusyTimeout_s) +
+         (read_only ? " readonly=true" : "");
+}
+
+template <class T>
+T pragma(soci::session& sql, const std::string& text) {
+  T value{};
+  sql << "PRAGMA " + text, soci::into(value);
+  return value;
+}
+
+bool writable(const std::string& path) {
+  return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+/// Makes an empty database under a name of its own, then gives it its name: either the whole file
+/// is there or none. Somebody else's file that appears meanwhile is kept.
+Result<void> create_file(const std::string& path, const fs::path& real_path) {
+  const fs::path folder = real_path.parent_path();
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    return bad_file(path, "its folder does not exist", "make the folder " + folder.string());
+  if (!writable(folder))
+    return opening_failed(path, "its folder is read-only", "choose a folder that you may write to");
+  const std::string temporary = real_path.string() + ".part" + std::to_string(getpid());
+  const auto tidy = [&] {
+    for (const char* suffix : {"", "-journal"}) fs::remove(temporary + suffix, ignored);
+  };
+  tidy();
+  try {
+    soci::session sql(soci::sqlite3, connection(temporary, false));
+    sql << "PRAGMA synchronous=FULL";
+    sql << "PRAGMA application_id=" + std::to_string(schema::kApplicationId);
+    sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
+    soci::transaction whole(sql);
+    for (int format = 1; format <= kDatabaseFormat; ++format)
+      for (const char* statement : schema::statements_to(format)) sql << statement;
+    whole.commit();
+  } catch (const soci::sqlite3_soci_error& why) {
+    tidy();
+    return explain(path, "making the database", why.result(), why.get_error_message());
+  } catch (const std::exception& why) {
+    tidy();
+    return opening_failed(path, std::string("making the database: ") + why.what(), "try again");
+  }
+  const bool named = ::link(temporary.c_str(), real_path.c_str()) == 0 || errno == EEXIST;
+  std::error_code failure;
+  if (!named) fs::rename(temporary, real_path, failure);  // a file system without hard links
+  tidy();
+  static_cast<void>(sync_path(folder));
+  if (failure)
+    return opening_failed(path, "could not be made: " + failure.message(), "choose another folder");
+  return {};
+}
+
+/// What a file may make this program hold at once: as much as the largest block of signals. A file
+/// of a kilobyte could otherwise ask for gigabytes.
+void limit(soci::session& sql) {
+  constexpr int kLargestValue = (1 << 27) + (1 << 20);  // bytes
+  auto* const backend = static_cast<soci::sqlite3_session_backend*>(sql.get_backend());
+  sqlite_api::sqlite3_limit(backend->conn_, SQLITE_LIMIT_LENGTH, kLargestValue);
+  sql << "PRAGMA cell_size_check=ON";
+}
+
+/// Our tables hold what was written. A view or a computed column makes what it likes when it is
+/// read, as often and as large as it likes.
+void refuse_what_computes(soci::session& sql, const std::string& path) {
+  int views = 0;
+  sql << "SELECT count(*) FROM sqlite_schema WHERE type = 'view' OR sql LIKE 'CREATE VIRTUAL%'",
+      soci::into(views);
+  int computed = 0;
+  if (views == 0)
+    sql << "SELECT count(*) FROM sqlite_schema s, pragma_table_xinfo(s.name) c "
+           "WHERE s.type = 'table' AND c.hidden > 1",
+        soci::into(computed);
+  if (views + computed > 0)
+    throw Refusal{bad_file(path, "holds views or computed columns, which isograsp never makes",
+                           "do not use it: take a backup that you trust")};
+}
+
+/// A pipe of such a name would let SQLite or a lock wait for ever.
+Result<void> check_side_files(const std::string& real_path) {
+  std::error_code ignored;
+  for (const char* suffix : {"-wal", "-shm", "-journal", "-lock", "-audit"}) {
+    const auto status = fs::status(real_path + suffix, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+      return bad_file(real_path + suffix, "is not a plain file", "remove it");
+  }
+  return {};
+}
+
+/// Is this file one of ours that may be opened so?
+Result<void> check_file(const std::string& path, const std::string& real_path, OpenMode how,
+                        int oldest) {
+  if (faccessat(AT_FDCWD, real_path.c_str(), R_OK, AT_EACCESS) != 0)
+    return opening_failed(path, "may not be read", "check its permissions");
+  const auto header = read_header(real_path);
+  if (!header) return opening_failed(path, "cannot be read", "check the disk and the permissions");
+  if (!header->sqlite)
+    return bad_file(path, "is not a database", "give a file made by isograsp db init");
+  if (header->application_id != schema::kApplicationId)
+    return bad_file(path, "is a database of another program",
+                    "give a file made by isograsp db init");
+  if (how == OpenMode::read_only) return {};
+  if (header->user_version > kDatabaseFormat)
+    return bad_file(path,
+                    "was made by a newer isograsp (format " + std::to_string(header->user_version) +
+                        ", this program knows " + std::to_string(kDatabaseFormat) + ")",
+                    "install the newer program; report and export still read it if they can");
+  if (header->user_version < oldest)
+    return bad_file(path,
+                    "was made by an older isograsp (format " +
+                        std::to_string(header->user_version) + ", this program writes " +
+                        std::to_string(kDatabaseFormat) + ")",
+                    "run isograsp db migrate on it; a copy of the file as it is now is kept");
+  if (!writable(real_path))
+    return opening_failed(path, "is read-only",
+                          "make it writable, or copy it to where you may write");
+  if (!writable(fs::path(real_path).parent_path()))
+    return opening_failed(path, "stands in a read-only folder",
+                          "make the folder writable, or copy the file to where you may write");
+  return {};
+}
+
+}  // namespace
+
+bool may_be_written(const std::string& path) {
+  std::error_code failure;
+  const fs::path real_path = fs::weakly_canonical(fs::absolute(path), failure);
+  return !failure && writable(real_path) && writable(real_path.parent_path());
+}
+
+std::string free_name(const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; fs::exists(fs::symlink_status(name)); ++number)
+    name = wanted + "-" + std::to_string(number);
+  return name;
+}
+
+bool sync_path(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool done = fsync(descriptor) == 0;
+  close(descriptor);
+  return done;
+}
+
+void give_permissions_of(const std::string& database, const std::string& beside) {
+  std::error_code failure;
+  const auto allowed = fs::status(database, failure).permissions() & fs::perms::all;
+  if (!failure) fs::permissions(beside, allowed, failure);
+}
+
+RecordingLock::RecordingLock(RecordingLock&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+RecordingLock& RecordingLock::operator=(RecordingLock&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+RecordingLock::~RecordingLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+Result<RecordingLock> RecordingLock::take(const std::string& path, int operation) {
+  RecordingLock lock;
+  const std::string side_file = path + "-lock";
+  // Read access is enough for flock, and everybody who may write the database must get it.
+  int descriptor = ::open(side_file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0 && errno == ENOENT) {
+    descriptor = ::open(side_file.c_str(), O_RDONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600);
+    if (descriptor >= 0) give_permissions_of(path, side_file);
+  }
+  if (descriptor < 0)
+    return opening_failed(side_file, std::string("cannot be opened: ") + std::strerror(errno),
+                          "check the permissions of the file and its folder");
+  int done = 0;
+  do done = flock(descriptor, operation);
+  while (done != 0 && errno == EINTR);
+  if (done == 0)
+    lock.descriptor_ = descriptor;
+  else
+    close(descriptor);
+  if (done != 0 && errno != EWOULDBLOCK)
+    return opening_failed(side_file, std::string("cannot be locked: ") + std::strerror(errno),
+                          "keep the database on a local disk");
+  return lock;
+}
+
+Result<RecordingLock> RecordingLock::shared(const std::string& path) {
+  return take(path, LOCK_SH);
+}
+
+Result<RecordingLock> RecordingLock::exclusive_if_free(const std::string& path) {
+  return take(path, LOCK_EX | LOCK_NB);
+}
+
+bool RecordingLock::in_place(const std::string& path) const noexcept {
+  struct stat ours {};
+  struct stat named {};
+  return held() && fstat(descriptor_, &ours) == 0 && stat((path + "-lock").c_str(), &named) == 0 &&
+         ours.st_dev == named.st_dev && ours.st_ino == named.st_ino;
+}
+
+Database::Database(Database&&) noexcept = default;
+Database::~Database() = default;
+
+Result<Database> Database::open(const std::string& path, OpenMode how, int oldest) {
+  if (path.empty())
+    return Error{Error::Code::bad_input, "no database file is given", "name a file", "", 0, ""};
+  if (path.find('"') != std::string::npos)
+    return bad_file(path, "the name of a database may not hold a quotation mark", "rename it");
+  std::error_code failure;
+  // SQLite keeps its journal beside the file itself, not beside a link to it; so do we.
+  const fs::path real_path = fs::weakly_canonical(fs::absolute(path), failure);
+  if (failure) return bad_file(path, "cannot be reached: " + failure.message(), "check the path");
+  const auto status = fs::status(real_path, failure);
+  if (fs::is_directory(status)) return bad_file(path, "is a folder", "name a file in it");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return bad_file(path, "is not a plain file", "give a file made by isograsp db init");
+  const bool made_now = !fs::exists(status);
+  if (made_now) {
+    if (how != OpenMode::create && how != OpenMode::scratch)
+      return bad_file(path, "does not exist", "make it with isograsp db init, or check the path");
+    if (const auto made = create_file(path, real_path); !made) return made.error();
+  }
+  if (const auto plain = check_side_files(real_path); !plain) return plain.error();
+  if (const auto ours = check_file(path, real_path, how, oldest); !ours) return ours.error();
+
+  Database database;
+  database.path_ = path;
+  database.real_path_ = real_path;
+  const bool read_only = how == OpenMode::read_only;
+  database.read_only_ = read_only;
+  // A reader that may write the file still opens it so (and then promises not to): SQLite can then
+  // remove its journal when the last connection closes, instead of leaving it beside the file.
+  const bool sealed = read_only && !may_be_written(real_path);
+  const auto opened = database.guard("opening", [&] {
+    database.session_ =
+        std::make_unique<soci::session>(soci::sqlite3, connection(real_path, sealed));
+    soci::session& sql = *database.session_;
+    limit(sql);
+    sql << "PRAGMA foreign_keys=ON";
+    sql << "PRAGMA trusted_schema=OFF";
+    refuse_what_computes(sql, path);
+    constexpr int kOff = 0;
+    constexpr int kFull = 2;
+    database.scratch_ = how == OpenMode::scratch;
+    const int synchronous = database.scratch_ ? kOff : kFull;
+    sql << "PRAGMA synchronous=" + std::to_string(synchronous);
+    if (read_only) sql << "PRAGMA query_only=ON";
+    const bool wal = read_only || pragma<std::string>(sql, "journal_mode=WAL") == "wal";
+    if (!wal || pragma<int>(sql, "synchronous") != synchronous ||
+        pragma<int>(sql, "foreign_keys") != 1)
+      throw Refusal{opening_failed(path, "the database cannot be set to durable writing",
+                                   "keep it on a local disk")};
+    if (database.scratch_ && made_now)  // the same each time; nobody's keys hang on it
+      sql << "UPDATE access_settings SET database_id = lower(hex(zeroblob(16)))";
+    database.format_ = pragma<int>(sql, "user_version");
+    if (!read_only && (database.format_ < oldest || database.format_ > kDatabaseFormat))
+      throw Refusal{bad_file(path, "has a format that this program does not know",
+                             "use the program that made it")};
+    if (!read_only && !database.scratch_)
+      database.watch_ = std::make_unique<FileWatch>(sql, real_path);
+  });
+  if (!opened) return opened.error();
+  return database;
+}
+
+Result<void> Database::guard(const char* doing, const std::function<void()>& work) {
+  try {
+    work();
+    return {};
+  } catch (const Refusal& refusal) {
+    return refusal.error;
+  } catch (const soci::sqlite3_soci_error& why) {
+    return explain(path_, doing, why.result(), why.get_error_message());
+  } catch (const std::exception& why) {
+    return opening_failed(path_, std::string(doing) + ": " + why.what(), "run isograsp db check");
+  }
+}
+
+Result<void> Database::snapshot(const char* doing, const std::function<void()>& work) {
+  return enclose("BEGIN", doing, work);
+}
+
+Result<void> Database::transact(const char* doing, const std::function<void()>& work) {
+  // IMMEDIATE: waits for other writers now, instead of failing after the first read.
+  return enclose("BEGIN IMMEDIATE", doing, work);
+}
+
+Result<bool> Database::transact_if_free(const char* doing, const std::function<void()>& work) {
+  const auto wait_ms = [&](int most) {
+    return guard(doing, [&] { sql() << "PRAGMA busy_timeout=" + std::to_string(most); });
+  };
+  constexpr int kMilliseconds = 1000;
+  if (const auto set = wait_ms(0); !set) return set.error();
+  bool begun = false;
+  const auto done = transact(doing, [&] {
+    begun = true;
+    work();
+  });
+  if (const auto set = wait_ms(kMilliseconds * kBusyTimeout_s); !set) return set.error();
+  if (!begun) return false;
+  if (!done) return done.error();
+  return true;
+}
+
+Error Database::lost(const char* doing, const std::string& fault) const {
+  return opening_failed(path_, std::string(doing) + ": " + fault + " while it was open",
+                        "put it back as it was, or restore the last backup");
+}
+
+Result<void> Database::in_place() {
+  if (!watch_) return {};
+  const auto& fault = watch_->fault(false);
+  if (!fault) return {};
+  watch_->leave();
+  return lost("looking at the database", *fault);
+}
+
+Result<void> Database::enclose(const char* begin, const char* doing,
+                               const std::function<void()>& work) {
+  const bool writing = std::string_view(begin) != "BEGIN";
+  const auto stop_if_lost = [&] {
+    if (!watch_ || !writing) return;
+    if (const auto& fault = watch_->fault(true)) throw Refusal{lost(doing, *fault)};
+  };
+  auto done = guard(doing, [&] {
+    sql() << begin;
+    try {
+      work();
+      if (before_commit_) before_commit_();
+      stop_if_lost();
+      sql() << "COMMIT";
+    } catch (...) {
+      try {
+        sql() << "ROLLBACK";
+      } catch (const soci::soci_error&) {  // SQLite has rolled back by itself (full disk)
+      }
+      throw;
+    }
+  });
+  if (done || !watch_) return done;
+  // Whatever SQLite says of a file that was taken away: this is why.
+  const auto& fault = watch_->fault(false);
+  if (!fault) return done;
+  watch_->leave();
+  return lost(doing, *fault);
+}
+
+}  // namespace isograsp

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/file/sweep.hpp"
+
+#include <soci/soci.h>
+
+namespace isograsp {
+
+Result<void> overwrite_what_is_removed(Database& database) {
+  return database.guard("erasing", [&] { database.sql() << "PRAGMA secure_delete=ON"; });
+}
+
+Result<void> sweep(Database& database) {
+  return database.guard("rewriting the file", [&] {
+    soci::session& sql = database.sql();
+    const auto checkpoint = [&] {
+      int busy = 0;
+      int unused = 0;
+      sql << "PRAGMA wal_checkpoint(TRUNCATE)", soci::into(busy), soci::into(unused),
+          soci::into(unused);
+      if (busy != 0)
+        throw Refusal{{Error::Code::failed,
+                       "what was removed may still stand in the file and its log: another program "
+                       "reads them",
+                       "close it, then do the same again", database.path(), 0, ""}};
+    };
+    checkpoint();
+    sql << "VACUUM";
+    checkpoint();
+  });
+}
+
+}  // namespace isograsp

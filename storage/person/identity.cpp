@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/person/identity.hpp"
+
+#include <algorithm>
+
+#include <soci/soci.h>
+
+#include "storage/access/audit_chain.hpp"
+#include "storage/access/sealed_text.hpp"
+#include "storage/person/person_rows.hpp"
+#include "storage/records/profile.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr const char* kColumn = "identities.sealed";
+constexpr char kBetween = '\0';
+
+Error refused_identity(std::string field, std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::move(field)};
+}
+
+/// Errors of an identity never repeat it.
+Identity identity_in(const Secret& opened) {
+  const std::string_view all = opened.text();
+  const std::size_t first = all.find(kBetween);
+  const std::size_t second = all.find(kBetween, first + 1);
+  return {std::string(all.substr(0, first)), std::string(all.substr(first + 1, second - first - 1)),
+          std::string(all.substr(second + 1))};
+}
+
+Result<Identity> open_identity(Access& access, const std::string& sealed, const std::string& code) {
+  const Login login = access.parts().login->login();
+  if (!login.keys || login.keys->identity.empty())
+    return refusal_of(*access.parts().login, Right::identities, access.path());
+  const auto opened =
+      unseal(login.keys->identity, place_of(*access.parts().login, kColumn, code), sealed);
+  if (!opened || std::count(opened->text().begin(), opened->text().end(), kBetween) != 2)
+    return Error{Error::Code::failed,
+                 "the identity of " + code + " was changed or is damaged",
+                 "restore the last backup",
+                 access.path(),
+                 0,
+                 ""};
+  return identity_in(*opened);
+}
+
+/// What cannot be logged is not shown.
+Result<void> require_log(Access& access) {
+  if (access.parts().writable) return {};
+  return Error{Error::Code::failed,
+               "cannot be written, so the reading of an identity could not be logged",
+               "copy the file to where you may write",
+               access.path(),
+               0,
+               ""};
+}
+
+struct Reading {
+  const char* act;
+  std::string detail;
+  bool though_restricted;
+};
+
+Result<std::optional<Identity>> read_logged(Access& access, const std::string& code,
+                                            const Reading& reading) {
+  if (const auto allowed = access.require(Right::identities, reading.act, loggable(code)); !allowed)
+    return allowed.error();
+  if (const auto log = require_log(access); !log) return log.error();
+  const auto person = find_person(access, code);
+  if (!person) return person.error();
+  AuditEntry entry = entry_of(reading.act, person->code, reading.detail);
+  const bool closed = !person->restricted_until.empty() && !reading.though_restricted;
+  if (closed) entry.result = "refused";
+  std::string sealed;
+  const auto done = audited(access, "reading an identity", entry, [&](AuditEntry&) {
+    access.parts().database.sql() << "SELECT sealed FROM identities WHERE patient_id = :id",
+        soci::use(person->id), soci::into(sealed);
+    if (!access.parts().database.sql().got_data()) sealed.clear();
+  });
+  if (!done) return done.error();
+  if (closed)
+    return refused_identity(
+        "patient code",
+        "the records of " + person->code + " are restricted until " + person->restricted_until,
+        "in an emergency give the reason; it is logged");
+  if (sealed.empty()) return std::optional<Identity>();
+  const auto identity = open_identity(access, sealed, person->code);
+  if (!identity) return identity.error();
+  return std::optional(*identity);
+}
+
+}  // namespace
+
+Result<void> check_identity(const Identity& identity) {
+  const auto check = [](const std::string& text, const char* field, bool lines) -> Result<void> {
+    if (text.size() > kMostIdentityText)
+      return refused_identity(field, "is longer than 4096 bytes", "shorten it");
+    const bool printable = std::none_of(text.begin(), text.end(), [lines](char c) {
+      return static_cast<unsigned char>(c) < ' ' && !(lines && c == '\n');
+    });
+    if (!printable) return refused_identity(field, "holds a control character", "remove it");
+    return {};
+  };
+  if (identity.name.empty()) return refused_identity("name", "is empty", "give the person's name");
+  if (auto good = check(identity.name, "name", false); !good) return good;
+  if (auto good = check(identity.contact, "contact", true); !good) return good;
+  if (identity.birth_date.empty()) return {};
+  if (!check_date(identity.birth_date, "birth_date"))
+    return refused_identity("birth_date", "is no day of the calendar in the years 1900 to 2099",
+                            "give year, month and day, such as 1950-03-05");
+  return {};
+}
+
+Result<void> set_identity(Access& access, const std::string& code, const Identity& identity) {
+  if (auto allowed = access.require(Right::identities, "change identity", loggable(code)); !allowed)
+    return allowed;
+  if (auto good = check_identity(identity); !good) return good;
+  const auto person = find_person(access, code);
+  if (!person) return person.error();
+  std::string text = identity.name + kBetween + identity.birth_date + kBetween + identity.contact;
+  const Secret secret = Secret::taken_from(text);
+  const Login login = access.parts().login->login();  // another thread may have logged out by now
+  if (!login.keys || login.keys->identity.empty())
+    return refusal_of(*access.parts().login, Right::identities, access.path());
+  const std::string sealed = seal(
+      login.keys->identity, place_of(*access.parts().login, kColumn, person->code), secret.text());
+  return audited(access, "storing an identity", entry_of("change identity", person->code),
+                 [&](AuditEntry&) {
+                   const std::string now = utc_text(std::time(nullptr));
+                   access.parts().database.sql()
+                       << "INSERT INTO identities (patient_id, changed_utc, sealed) "
+                          "VALUES (:id, :utc, :sealed) ON CONFLICT (patient_id) DO UPDATE SET "
+                          "changed_utc = excluded.changed_utc, sealed = excluded.sealed",
+                       soci::use(person->id), soci::use(now), soci::use(sealed);
+                 });
+}
+
+Result<std::optional<Identity>> read_identity(Access& access, const std::string& code,
+                                              const std::string& emergency) {
+  if (emergency.empty()) return read_logged(access, code, {"read identity", "", false});
+  if (const auto good = check_reason(emergency); !good) return good.error();
+  return read_logged(access, code, {"emergency access", emergency, true});
+}
+
+Result<std::optional<Identity>> read_identity_for_person(Access& access, const std::string& code) {
+  return read_logged(access, code, {"read identity", "for the person's own copy", true});
+}
+
+Result<std::vector<std::pair<std::string, Identity>>> all_identities(Access& access) {
+  if (const auto allowed = access.require(Right::identities, "read all identities", ""); !allowed)
+    return allowed.error();
+  if (const auto log = require_log(access); !log) return log.error();
+  std::vector<std::pair<std::string, std::string>> sealed;
+  const auto done = audited(
+      access, "reading identities", entry_of("read all identities", ""), [&](AuditEntry& entry) {
+        std::pair<std::string, std::string> one;
+        soci::statement select =
+            (access.parts().database.sql().prepare
+                 << "SELECT p.code, i.sealed FROM identities i JOIN patients p "
+                    "ON p.id = i.patient_id WHERE p.id NOT IN "
+                    "(SELECT patient_id FROM restrictions) ORDER BY p.id",
+             soci::into(one.first), soci::into(one.second));
+        select.execute();
+        while (select.fetch()) sealed.push_back(one);
+        entry.detail = std::to_string(sealed.size()) + " people";
+      });
+  if (!done) return done.error();
+  std::vector<std::pair<std::string, Identity>> all;
+  for (const auto& [code, text] : sealed) {
+    const auto identity = open_identity(access, text, code);
+    if (!identity) return identity.error();
+    all.emplace_back(code, *identity);
+  }
+  return all;
+}
+
+}  // namespace isograsp

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/records/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/csv.hpp"
+#include "core/date.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kSideNames{"right", "left", "both", "none"};
+constexpr std::array<std::string_view, 3> kSexNames{"female", "male", "other"};
+
+Error refused_profile(std::string_view field, std::string what, std::string remedy) {
+  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::string(field)};
+}
+
+/// "a, b or c".
+template <class Names>
+std::string listed(const Names& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
+  return text;
+}
+
+/// "0 to 57", "0 blocks or more", "more than 0 s".
+std::string range_of(const ClinicalScale& scale) {
+  const std::string unit = scale.unit.empty() ? "" : " " + std::string(scale.unit);
+  if (std::isinf(scale.least)) return "any number";
+  const std::string least = format_number(scale.least);
+  if (std::isinf(scale.most))
+    return scale.above_least ? "more than " + least + unit : least + unit + " or more";
+  return least + " to " + format_number(scale.most) + unit;
+}
+
+}  // namespace
+
+std::string_view name_of(Side side) noexcept {
+  return kSideNames[static_cast<std::size_t>(side)];
+}
+
+std::optional<Side> side_from_name(std::string_view name) noexcept {
+  const auto* const found = std::find(kSideNames.begin(), kSideNames.end(), name);
+  if (found == kSideNames.end()) return std::nullopt;
+  return static_cast<Side>(found - kSideNames.begin());
+}
+
+std::string_view name_of(Sex sex) noexcept {
+  return kSexNames[static_cast<std::size_t>(sex)];
+}
+
+std::optional<Sex> sex_from_name(std::string_view name) noexcept {
+  const auto* const found = std::find(kSexNames.begin(), kSexNames.end(), name);
+  if (found == kSexNames.end()) return std::nullopt;
+  return static_cast<Sex>(found - kSexNames.begin());
+}
+
+const ClinicalScale* clinical_scale(std::string_view name) noexcept {
+  const auto* const found =
+      std::find_if(kClinicalScales.begin(), kClinicalScales.end(),
+                   [name](const ClinicalScale& scale) { return scale.name == name; });
+  return found == kClinicalScales.end() ? nullptr : found;
+}
+
+Result<void> check_date(const std::string& iso_date, std::string_view field) {
+  const std::string remedy = "give year, month and day, such as 2026-03-05";
+  const auto date = date_from_iso(iso_date);
+  if (!date) return refused_profile(field, "'" + iso_date + "' is no day of the calendar", remedy);
+  const int year = static_cast<int>(date->year());
+  if (year < kFirstYear || year > kLastYear)
+    return refused_profile(field,
+                           "'" + iso_date + "' is not in the years " + std::to_string(kFirstYear) +
+                               " to " + std::to_string(kLastYear),
+                           remedy);
+  return {};
+}
+
+Result<void> check_profile(const PatientProfile& profile) {
+  if (profile.birth_year && (*profile.birth_year < kFirstYear || *profile.birth_year > kLastYear))
+    return refused_profile("birth_year",
+                           std::to_string(*profile.birth_year) + " is no year of birth",
+                           "give a year from " + std::to_string(kFirstYear) + " on");
+  if (profile.onset_date.empty()) return {};
+  return check_date(profile.onset_date, "onset_date");
+}
+
+Result<void> check_treatment_mark(const TreatmentMark& mark) {
+  if (auto good = check_date(mark.on_date, "on_date"); !good) return good;
+  if (std::find(kTreatmentKinds.begin(), kTreatmentKinds.end(), mark.kind) == kTreatmentKinds.end())
+    return refused_profile("kind", "'" + mark.kind + "' is no kind of treatment",
+                           "give " + listed(kTreatmentKinds));
+  return {};
+}
+
+Result<void> check_clinical_score(const ClinicalScore& score) {
+  if (auto good = check_date(score.on_date, "on_date"); !good) return good;
+  const ClinicalScale* const scale = clinical_scale(score.scale);
+  if (scale == nullptr) {
+    std::array<std::string_view, kClinicalScales.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kClinicalScales[i].name;
+    return refused_profile("scale", "'" + score.scale + "' is no scale that is known",
+                           "give " + listed(names));
+  }
+  const bool above = scale->above_least ? score.value > scale->least : score.value >= scale->least;
+  if (!std::isfinite(score.value) || !above || score.value > scale->most)
+    return refused_profile(
+        "value", format_number(score.value) + " is no score of the " + std::string(scale->name),
+        "give " + range_of(*scale));
+  return {};
+}
+
+Result<void> check_primary_measure(const PrimaryMeasure& primary) {
+  if (primary.task_name.empty()) return refused_profile("task_name", "is empty", "name the task");
+  if (primary.measure.empty()) return refused_profile("measure", "is empty", "name the measure");
+  if (primary.chosen_by.empty())
+    return refused_profile("chosen_by", "is empty", "say who chose the measure");
+  return {};
+}
+
+Result<void> check_stable_period(const StablePeriod& period) {
+  if (auto good = check_date(period.from_date, "from_date"); !good) return good;
+  if (auto good = check_date(period.until_date, "until_date"); !good) return good;
+  if (period.until_date < period.from_date)  // ISO 8601 sorts as text
+    return refused_profile("until_date",
+                           "'" + period.until_date + "' is before " + period.from_date,
+                           "give the last day of that time");
+  if (period.judged_by.empty())
+    return refused_profile("judged_by", "is empty", "say which clinician judged the person stable");
+  return {};
+}
+
+Result<void> check_answer(const SessionAnswer& answer) {
+  if (answer.topic.empty()) return refused_profile("topic", "is empty", "say what was asked about");
+  if (answer.item.empty()) return refused_profile("item", "is empty", "say what was asked");
+  return {};
+}
+
+}  // namespace isograsp

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Care of the file: is it sound, and a copy of it while others work.
+#include <filesystem>
+
+#include <soci/soci.h>
+#include <unistd.h>
+
+#include "storage/file/open_mode.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
+
+namespace isograsp {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<std::string>> SqliteStore::check() {
+  return check_through(*this);
+}
+
+Result<std::vector<std::string>> SqliteStore::check_through(SessionStore& door) {
+  std::vector<std::string> problems;
+  std::vector<RowId> sessions_present;
+  const auto done = database_.guard("checking", [&] {
+    soci::session& sql = database_.sql();
+    std::string line;
+    soci::statement integrity = (sql.prepare << "PRAGMA integrity_check", soci::into(line));
+    integrity.execute();
+    while (integrity.fetch())
+      if (line != "ok") problems.push_back("SQLite: " + line);
+    std::string table;
+    long long row = 0;
+    soci::statement foreign =
+        (sql.prepare << "SELECT \"table\", rowid, parent FROM pragma_foreign_key_check",
+         soci::into(table), soci::into(row), soci::into(line));
+    foreign.execute();
+    while (foreign.fetch())
+      problems.push_back("row " + std::to_string(row) + " of " + table + " refers to a row of " +
+                         line + " that does not exist");
+    RowId session = 0;
+    soci::statement select =
+        (sql.prepare << "SELECT id FROM sessions ORDER BY id", soci::into(session));
+    select.execute();
+    while (select.fetch()) sessions_present.push_back(session);
+  });
+  if (!done) return done.error();
+  if (const auto read = check_told(door, problems); !read) return read.error();
+  for (const RowId session : sessions_present) {
+    const auto all = trials(session);
+    if (!all) return all.error();
+    for (const TrialRecord& trial : *all)
+      if (const auto readable = signals(trial); !readable)
+        problems.push_back(readable.error().what);
+  }
+  return problems;
+}
+
+Result<void> SqliteStore::backup(const std::string& to) {
+  const auto failed = [&](std::string what, std::string remedy) {
+    return Error{Error::Code::failed, std::move(what), std::move(remedy), to, 0, ""};
+  };
+  std::error_code failure;
+  const fs::path target = fs::absolute(to, failure);
+  if (to.empty() || failure) return refuse("no file for the backup is given", "name a file");
+  if (fs::exists(fs::symlink_status(target)))
+    return Error{Error::Code::bad_input, "exists already", "name a new file", to, 0, ""};
+  if (!fs::is_directory(target.parent_path(), failure))
+    return Error{Error::Code::bad_input, "its folder does not exist", "make the folder", to, 0, ""};
+  const std::string temporary = target.string() + ".part" + std::to_string(getpid());
+  const auto tidy = [&] {
+    for (const char* suffix : {"", "-journal", "-wal", "-shm"})
+      fs::remove(temporary + suffix, failure);
+  };
+  tidy();
+  // One read transaction: a consistent picture, while others go on writing. The copy is no WAL
+  // file, so it can be read from a read-only medium.
+  const auto copied = database_.guard("copying", [&] {
+    soci::session& sql = database_.sql();
+    int query_only = 0;
+    sql << "PRAGMA query_only", soci::into(query_only);
+    sql << "PRAGMA query_only=OFF";  // it would also forbid writing the copy
+    sql << "VACUUM INTO :to", soci::use(temporary);
+    sql << "PRAGMA query_only=" + std::to_string(query_only);
+  });
+  if (!copied) {
+    tidy();
+    return copied.error();
+  }
+  auto copy = Database::open(temporary, OpenMode::read_only);
+  if (!copy) {
+    tidy();
+    return copy.error();
+  }
+  // Not through a store with the rules of access: a copy is sound or not, whoever is logged in.
+  const auto problems = SqliteStore(*std::move(copy)).check();
+  if (!problems || !problems->empty()) {
+    tidy();
+    if (!problems) return problems.error();
+    return failed("the copy is not sound: " + problems->front(), "run isograsp db check");
+  }
+  const bool synced = sync_path(temporary);
+  fs::rename(temporary, target, failure);
+  if (!synced || failure) {
+    tidy();
+    return failed("the copy could not be written", "check the disk and the folder");
+  }
+  static_cast<void>(sync_path(target.parent_path()));
+  return {};
+}
+
+}  // namespace isograsp

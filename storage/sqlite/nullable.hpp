@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside storage/sqlite/ only: values that SQL knows as NULL.
+#pragma once
+
+#include <optional>
+
+#include <soci/soci-backend.h>
+
+#include "storage/records/records.hpp"
+
+namespace isograsp {
+
+/// Nothing is NULL.
+struct NullableNumber {
+  explicit NullableNumber(const std::optional<double>& from)
+      : value(from.value_or(0.0)), present(from ? soci::i_ok : soci::i_null) {}
+  double value;
+  soci::indicator present;
+};
+
+/// No row is NULL.
+inline soci::indicator null_if_zero(RowId id) {
+  return id == 0 ? soci::i_null : soci::i_ok;
+}
+
+}  // namespace isograsp

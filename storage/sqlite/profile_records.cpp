@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Profiles, treatment marks, clinical scores and answers: written and read.
+#include <soci/soci.h>
+
+#include "core/csv.hpp"
+#include "storage/file/schema_access.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
+
+namespace isograsp {
+
+namespace {
+
+constexpr int kProfileSinceFormat = 4;
+
+}  // namespace
+
+void SqliteStore::require(const char* table, const char* one, RowId id) {
+  int present = 0;
+  database_.sql() << "SELECT count(*) FROM " + std::string(table) + " WHERE id = :id",
+      soci::use(id), soci::into(present);
+  if (present == 0)
+    throw Refusal{refuse("there is no " + std::string(one) + " number " + std::to_string(id),
+                         "read what there is again")};
+}
+
+Result<PatientProfile> SqliteStore::profile(RowId patient) {
+  PatientProfile profile;
+  if (database_.format() < kProfileSinceFormat) return profile;
+  const auto done = database_.guard("reading a profile", [&] {
+    std::string affected;
+    std::string dominant;
+    std::string sex;
+    int birth_year = 0;
+    database_.sql() << "SELECT affected, dominant, " +
+                           since(7, "sex, coalesce(birth_year, 0)", "'', 0") +
+                           ", onset_date, notes, goals FROM patient_profiles "
+                           "WHERE patient_id = :patient",
+        soci::use(patient), soci::into(affected), soci::into(dominant), soci::into(sex),
+        soci::into(birth_year), soci::into(profile.onset_date), soci::into(profile.notes),
+        soci::into(profile.goals);
+    profile.affected = side_from_name(affected);
+    profile.dominant = hand_from_name(dominant);
+    profile.sex = sex_from_name(sex);
+    if (birth_year != 0) profile.birth_year = birth_year;
+  });
+  if (!done) return done.error();
+  return profile;
+}
+
+Result<void> SqliteStore::set_profile(RowId patient, const PatientProfile& profile) {
+  if (auto good = check_profile(profile); !good) return good;
+  const std::string affected(profile.affected ? name_of(*profile.affected) : "");
+  const std::string dominant(profile.dominant ? name_of(*profile.dominant) : "");
+  const std::string sex(profile.sex ? name_of(*profile.sex) : "");
+  const int birth_year = profile.birth_year.value_or(0);
+  return database_.transact("storing a profile", [&] {
+    require("patients", "patient", patient);
+    database_.sql()
+        << "INSERT INTO patient_profiles (patient_id, affected, dominant, sex, birth_year, "
+           "onset_date, notes, goals) VALUES (:patient, :affected, :dominant, :sex, "
+           "nullif(:born, 0), :onset, :notes, :goals) "
+           "ON CONFLICT (patient_id) DO UPDATE SET affected = excluded.affected, "
+           "dominant = excluded.dominant, sex = excluded.sex, birth_year = excluded.birth_year, "
+           "onset_date = excluded.onset_date, notes = excluded.notes, goals = excluded.goals",
+        soci::use(patient), soci::use(affected), soci::use(dominant), soci::use(sex),
+        soci::use(birth_year), soci::use(profile.onset_date), soci::use(profile.notes),
+        soci::use(profile.goals);
+  });
+}
+
+Result<bool> SqliteStore::may_be_used_for_research(RowId patient) {
+  if (database_.format() < schema::kAccessFormat) return true;
+  bool may = true;
+  const auto done = database_.guard("reading a consent", [&] {
+    int restricted = 0;
+    std::string state;
+    database_.sql() << "SELECT (SELECT count(*) FROM restrictions WHERE patient_id = :restricted), "
+                       "coalesce((SELECT state FROM consents WHERE patient_id = :asked "
+                       "AND purpose = 'research' ORDER BY recorded_utc DESC, id DESC LIMIT 1), '')",
+        soci::use(patient), soci::use(patient), soci::into(restricted), soci::into(state);
+    may = restricted == 0 && (state.empty() || state == "given");
+  });
+  if (!done) return done.error();
+  return may;
+}
+
+Result<std::vector<TreatmentMark>> SqliteStore::treatment_marks(RowId patient) {
+  std::vector<TreatmentMark> all;
+  if (database_.format() < kProfileSinceFormat) return all;
+  const auto done = database_.guard("reading treatment marks", [&] {
+    TreatmentMark one;
+    soci::statement select =
+        (database_.sql().prepare << "SELECT id, on_date, kind, text FROM treatment_marks "
+                                    "WHERE patient_id = :patient ORDER BY on_date, id",
+         soci::use(patient), soci::into(one.id), soci::into(one.on_date), soci::into(one.kind),
+         soci::into(one.text));
+    select.execute();
+    while (select.fetch()) all.push_back(one);
+  });
+  if (!done) return done.error();
+  return all;
+}
+
+Result<RowId> SqliteStore::add_treatment_mark(RowId patient, const TreatmentMark& mark) {
+  if (const auto good = check_treatment_mark(mark); !good) return good.error();
+  RowId id = 0;
+  const auto done = database_.transact("storing a treatment mark", [&] {
+    require("patients", "patient", patient);
+    soci::session& sql = database_.sql();
+    sql << "INSERT INTO treatment_marks (patient_id, on_date, kind, text) "
+           "VALUES (:patient, :date, :kind, :text)",
+        soci::use(patient), soci::use(mark.on_date), soci::use(mark.kind), soci::use(mark.text);
+    id = last_id(sql, "treatment_marks");
+  });
+  if (!done) return done.error();
+  return id;
+}
+
+Result<void> SqliteStore::remove_treatment_mark(RowId id) {
+  return database_.transact("removing a treatment mark", [&] {
+    require("treatment_marks", "treatment mark", id);
+    database_.sql() << "DELETE FROM treatment_marks WHERE id = :id", soci::use(id);
+  });
+}
+
+Result<std::vector<ClinicalScore>> SqliteStore::clinical_scores(RowId patient) {
+  std::vector<ClinicalScore> all;
+  if (database_.format() < kProfileSinceFormat) return all;
+  const auto done = database_.guard("reading clinical scores", [&] {
+    ClinicalScore one;
+    soci::statement select =
+        (database_.sql().prepare << "SELECT id, on_date, scale, value, text FROM clinical_scores "
+                                    "WHERE patient_id = :patient ORDER BY on_date, id",
+         soci::use(patient), soci::into(one.id), soci::into(one.on_date), soci::into(one.scale),
+         soci::into(one.value), soci::into(one.text));
+    select.execute();
+    while (select.fetch()) all.push_back(one);
+  });
+  if (!done) return done.error();
+  return all;
+}
+
+Result<RowId> SqliteStore::add_clinical_score(RowId patient, const ClinicalScore& score) {
+  if (const auto good = check_clinical_score(score); !good) return good.error();
+  RowId id = 0;
+  const auto done = database_.transact("storing a clinical score", [&] {
+    require("patients", "patient", patient);
+    soci::session& sql = database_.sql();
+    sql << "INSERT INTO clinical_scores (patient_id, on_date, scale, value, text) "
+           "VALUES (:patient, :date, :scale, :value, :text)",
+        soci::use(patient), soci::use(score.on_date), soci::use(score.scale),
+        soci::use(score.value), soci::use(score.text);
+    id = last_id(sql, "clinical_scores");
+  });
+  if (!done) return done.error();
+  return id;
+}
+
+Result<void> SqliteStore::remove_clinical_score(RowId id) {
+  return database_.transact("removing a clinical score", [&] {
+    require("clinical_scores", "clinical score", id);
+    database_.sql() << "DELETE FROM clinical_scores WHERE id = :id", soci::use(id);
+  });
+}
+
+void SqliteStore::insert_answers(RowId session, std::span<const SessionAnswer> answers) {
+  for (const SessionAnswer& answer : answers) {
+    if (const auto good = check_answer(answer); !good) throw Refusal{good.error()};
+    database_.sql() << "INSERT INTO session_answers (session_id, topic, item, value) "
+                       "VALUES (:session, :topic, :item, :value)",
+        soci::use(session), soci::use(answer.topic), soci::use(answer.item),
+        soci::use(answer.value);
+  }
+}
+
+Result<void> SqliteStore::add_answers(RowId session, std::span<const SessionAnswer> answers) {
+  return database_.transact("storing answers", [&] {
+    require("sessions", "session", session);
+    insert_answers(session, answers);
+  });
+}
+
+Result<std::vector<SessionAnswer>> SqliteStore::answers(RowId session) {
+  std::vector<SessionAnswer> all;
+  if (database_.format() < kProfileSinceFormat) return all;
+  const auto done = database_.guard("reading answers", [&] {
+    SessionAnswer one;
+    soci::statement select =
+        (database_.sql().prepare << "SELECT topic, item, value FROM session_answers "
+                                    "WHERE session_id = :session ORDER BY id",
+         soci::use(session), soci::into(one.topic), soci::into(one.item), soci::into(one.value));
+    select.execute();
+    while (select.fetch()) all.push_back(one);
+  });
+  if (!done) return done.error();
+  return all;
+}
+
+std::string display_delay_query(const std::string& session) {
+  return "coalesce((SELECT value FROM session_answers WHERE session_id = " + session +
+         " AND topic = 'screen' AND item = 'display_delay_s' ORDER BY id DESC LIMIT 1), '')";
+}
+
+std::optional<double> display_delay_from(const std::string& answer) {
+  double delay_s = 0.0;
+  return parse_number(answer, delay_s) ? std::optional(delay_s) : std::nullopt;
+}
+
+Result<void> check_told(SessionStore& store, std::vector<std::string>& problems) {
+  const auto all = store.patients();
+  if (!all) return all.error();
+  for (const PatientRecord& patient : *all) {
+    const auto note = [&](const auto& good, const std::string& what) {
+      if (!good) problems.push_back(what + " of " + patient.code + ": " + good.error().message());
+      return good.ok();
+    };
+    if (const auto told = store.profile(patient.id); note(told, "profile"))
+      note(check_profile(*told), "profile");
+    if (const auto marks = store.treatment_marks(patient.id); note(marks, "treatment marks"))
+      for (const auto& mark : *marks)
+        note(check_treatment_mark(mark), "treatment mark " + std::to_string(mark.id));
+    if (const auto scores = store.clinical_scores(patient.id); note(scores, "clinical scores"))
+      for (const auto& score : *scores)
+        note(check_clinical_score(score), "clinical score " + std::to_string(score.id));
+    if (const auto primaries = store.primary_measures(patient.id);
+        note(primaries, "primary measures")) {
+      for (const auto& primary : *primaries)
+        note(check_primary_measure(primary), "primary measure " + std::to_string(primary.id));
+      if (primaries->size() > kMostPrimaryMeasures)
+        problems.push_back(patient.code + " has more than " + std::to_string(kMostPrimaryMeasures) +
+                           " primary measures");
+    }
+    const auto periods = store.stable_periods(patient.id);
+    if (!note(periods, "stable times")) continue;
+    for (std::size_t i = 0; i < periods->size(); ++i) {
+      const StablePeriod& period = (*periods)[i];
+      note(check_stable_period(period), "stable time " + std::to_string(period.id));
+      if (i > 0 && period.from_date <= (*periods)[i - 1].until_date)
+        problems.push_back("stable times of " + patient.code + " overlap on " + period.from_date);
+    }
+  }
+  return {};
+}
+
+}  // namespace isograsp

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A trial while it is recorded: its row, a block a second, its end. Every call is one transaction,
+// synced to the disk before it returns.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <soci/soci.h>
+
+#include "storage/sqlite/block_codec.hpp"
+#include "storage/sqlite/nullable.hpp"
+#include "storage/sqlite/sqlite_store.hpp"
+
+namespace isograsp {
+
+struct SqliteStore::BlockInsert {
+  explicit BlockInsert(soci::session& sql)
+      : data(sql),
+        statement((sql.prepare << "INSERT INTO signal_blocks (trial_id, position, second, "
+                                  "row_count, crc32, float64_shuffled_zstd) "
+                                  "VALUES (:trial, :position, :second, :rows, :crc, :data)",
+                   soci::use(trial), soci::use(position), soci::use(second), soci::use(row_count),
+                   soci::use(crc), soci::use(data))) {}
+  long long trial = 0;
+  int position = 0;
+  int second = 0;
+  long long row_count = 0;
+  long long crc = 0;
+  soci::blob data;
+  soci::statement statement;
+};
+
+SqliteStore::SqliteStore(Database database) : database_(std::move(database)) {}
+SqliteStore::~SqliteStore() = default;
+
+Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
+  if (recording_) return refuse("a trial is being recorded", "end it before the next one begins");
+  if (trial.groups.empty()) return refuse("the trial has no signals", "give at least one group");
+  Recording recording;
+  for (const SignalGroup& group : trial.groups) {
+    const bool nameless =
+        std::any_of(group.columns.begin(), group.columns.end(),
+                    [](const auto& c) { return c.empty() || c.find('\n') != std::string::npos; });
+    if (group.columns.empty() || nameless)
+      return refuse("signal group '" + group.name + "' has no columns or one without a name",
+                    "name every column");
+    recording.column_counts.push_back(group.columns.size());
+  }
+  auto lock = RecordingLock::shared(database_.real_path());
+  if (!lock) return lock.error();
+  recording.lock = std::move(*lock);
+
+  const int practice = trial.practice ? 1 : 0;
+  auto zero_present = null_if_zero(trial.zero_id);
+  NullableNumber thumb(trial.threshold_N[0]);
+  NullableNumber index(trial.threshold_N[1]);
+  NullableNumber middle(trial.threshold_N[2]);
+  const std::string seed = trial.seed == 0 ? "" : std::to_string(trial.seed);
+  const TrialPlace place = trial.place.value_or(TrialPlace{});
+  auto place_present = trial.place ? soci::i_ok : soci::i_null;
+  const auto done = database_.transact("beginning a trial", [&] {
+    soci::session& sql = database_.sql();
+    std::string of_session;
+    sql << "SELECT rate_Hz, uuid FROM sessions WHERE id = :id", soci::use(trial.session_id),
+        soci::into(recording.rate_Hz), soci::into(of_session);
+    if (!sql.got_data())
+      throw Refusal{refuse("there is no session " + std::to_string(trial.session_id), "begin one")};
+    const std::string uuid = trial.uuid.empty()
+                                 ? new_uuid(of_session + "\n" + std::to_string(trial.number))
+                                 : trial.uuid;
+    sql << "INSERT INTO trials (session_id, number, task_name, task_version, task_text, "
+           "scene_text, practice, session_time_s, status, maximum_force_N, resting_force_N, "
+           "zero_id, thumb_threshold_N, index_threshold_N, middle_threshold_N, seed, step, "
+           "step_task, uuid) "
+           "VALUES (:session, :number, :task, :version, :task_text, :scene_text, "
+           ":practice, :time, 'running', :maximum, :resting, :zero, :thumb, :index, :middle, "
+           ":seed, :step, :step_task, :uuid)",
+        soci::use(trial.session_id), soci::use(trial.number), soci::use(trial.task_name),
+        soci::use(trial.task_version), soci::use(trial.task_text), soci::use(trial.scene_text),
+        soci::use(practice), soci::use(trial.session_time_s), soci::use(trial.maximum_force_N),
+        soci::use(trial.resting_force_N), soci::use(trial.zero_id, zero_present),
+        soci::use(thumb.value, thumb.present), soci::use(index.value, index.present),
+        soci::use(middle.value, middle.present), soci::use(seed),
+        soci::use(place.step, place_present), soci::use(place.task, place_present), soci::use(uuid);
+    recording.trial = last_id(sql, "trials");
+    for (std::size_t g = 0; g < trial.groups.size(); ++g) {
+      const int position = static_cast<int>(g);
+      std::string names;
+      for (const auto& column : trial.groups[g].columns)
+        names += (names.empty() ? "" : "\n") + column;
+      sql << "INSERT INTO signal_groups (trial_id, position, name, column_names) "
+             "VALUES (:trial, :position, :name, :names)",
+          soci::use(recording.trial), soci::use(position), soci::use(trial.groups[g].name),
+          soci::use(names);
+    }
+  });
+  if (!done) return done.error();
+  recording_ = std::move(recording);
+  return recording_->trial;
+}
+
+Result<void> SqliteStore::check_blocks(int second,
+                                       std::span<const std::vector<double>> rows) const {
+  const Recording& now = *recording_;
+  if (second != now.next_second)
+    return refuse(
+        "second " + std::to_string(second) + " came instead of " + std::to_string(now.next_second),
+        "append the seconds in order");
+  if (now.short_block_seen)
+    return refuse("a second follows one that was not full", "end the trial after the last second");
+  if (rows.size() != now.column_counts.size())
+    return refuse("blocks for " + std::to_string(rows.size()) + " instead of " +
+                      std::to_string(now.column_counts.size()) + " groups",
+                  "give all groups of the trial at once");
+  const std::size_t row_count = rows[0].size() / now.column_counts[0];
+  for (std::size_t g = 0; g < rows.size(); ++g)
+    if (row_count == 0 || rows[g].size() != row_count * now.column_counts[g])
+      return refuse("the groups of second " + std::to_string(second) +
+                        " do not hold the same number of whole rows",
+                    "give every group one row per sample");
+  if (static_cast<double>(row_count) > std::ceil(now.rate_Hz))
+    return refuse("second " + std::to_string(second) + " holds " + std::to_string(row_count) +
+                      " rows, more than one second",
+                  "append one second at a time");
+  const auto columns =
+      std::accumulate(now.column_counts.begin(), now.column_counts.end(), std::size_t{0});
+  const double rows_then = second * std::ceil(now.rate_Hz) + static_cast<double>(row_count);
+  if (rows_then * static_cast<double>(columns) > static_cast<double>(kMostTrialValues))
+    return refuse("the trial holds more values than can be read again",
+                  "end it and go on with another one");
+  return {};
+}
+
+void SqliteStore::require_lock() const {
+  if (recording_->lock.in_place(database_.real_path())) return;
+  throw Refusal{{Error::Code::failed,
+                 "the lock (-lock) beside the file was deleted or replaced while it was recorded "
+                 "into: other programs take the running trial for an interrupted one",
+                 "leave the file -lock where it is while a program records", path(), 0, ""}};
+}
+
+Result<void> SqliteStore::in_place() {
+  if (auto there = database_.in_place(); !there) return there;
+  return database_.guard("recording", [this] {
+    if (recording_) require_lock();
+  });
+}
+
+Result<void> SqliteStore::append_blocks(RowId trial, int second,
+                                        std::span<const std::vector<double>> rows) {
+  if (!recording_ || recording_->trial != trial)
+    return refuse("trial " + std::to_string(trial) + " is not being recorded", "begin it first");
+  if (const auto sound = check_blocks(second, rows); !sound) return sound.error();
+  const auto row_count = static_cast<long long>(rows[0].size() / recording_->column_counts[0]);
+  const auto done = database_.transact("storing a second of signals", [&] {
+    if (!block_insert_) block_insert_ = std::make_unique<BlockInsert>(database_.sql());
+    BlockInsert& insert = *block_insert_;
+    insert.trial = trial;
+    insert.second = second;
+    insert.row_count = row_count;
+    for (std::size_t g = 0; g < rows.size(); ++g) {
+      const std::string bytes = encode_block(rows[g], recording_->column_counts[g]);
+      insert.position = static_cast<int>(g);
+      insert.crc = crc32(bytes);
+      if (insert.data.get_len() > 0) insert.data.trim(0);
+      insert.data.append(bytes.data(), bytes.size());
+      insert.statement.execute(true);
+    }
+    require_lock();
+  });
+  if (!done) {
+    block_insert_.reset();  // a statement that failed half-way is not used again
+    return done.error();
+  }
+  ++recording_->next_second;
+  recording_->short_block_seen = static_cast<double>(row_count) < std::floor(recording_->rate_Hz);
+  return {};
+}
+
+Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Measure> measures) {
+  if (!recording_ || recording_->trial != end.id)
+    return refuse("trial " + std::to_string(end.id) + " is not being recorded", "begin it first");
+  if (end.status == TrialStatus::running)
+    return refuse("a trial cannot end as running", "say completed or aborted");
+  for (const Measure& measure : measures)
+    if (measure.value && !std::isfinite(*measure.value))
+      return refuse("measure " + measure.name + " is not a finite number",
+                    "leave the value out and give the reason");
+  const std::string status(name_of(end.status));
+  NullableNumber age(end.display_age_s);
+  NullableNumber gain(end.visual_gain_deg_per_N);
+  NullableNumber distance(end.viewing_distance_m);
+  const auto done = database_.transact("closing a trial", [&] {
+    soci::session& sql = database_.sql();
+    soci::statement update =
+        (sql.prepare
+             << "UPDATE trials SET status = :status, dropped_count = :dropped, "
+                "worst_lateness_s = :lateness, worst_compute_s = :compute, health_json = :health, "
+                "timing_json = :timing, display_age_s = :age, visual_gain_deg_per_N = :gain, "
+                "viewing_distance_m = :distance, "
+                "sample_count = (SELECT coalesce(sum(row_count), 0) FROM signal_blocks "
+                "WHERE trial_id = trials.id AND position = 0) WHERE id = :id AND status = "
+                "'running'",
+         soci::use(status), soci::use(end.dropped), soci::use(end.worst_lateness_s),
+         soci::use(end.worst_compute_s), soci::use(end.health_json), soci::use(end.timing_json),
+         soci::use(age.value, age.present), soci::use(gain.value, gain.present),
+         soci::use(distance.value, distance.present), soci::use(end.id));
+    update.execute(true);
+    if (update.get_affected_rows() != 1)
+      throw Refusal{{Error::Code::failed,
+                     "closing a trial: another program has closed or removed it",
+                     "let only one program record into a file", path(), 0, ""}};
+    require_lock();
+    insert_measures(end.id, measures);
+  });
+  if (!done) return done.error();
+  recording_.reset();
+  pack_or_say(end.id);
+  return {};
+}
+
+}  // namespace isograsp

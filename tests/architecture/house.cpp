@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/architecture/house.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace isograsp::architecture {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of_file(const fs::path& path) {
+  std::ifstream in(path);
+  if (!in) throw std::runtime_error(path.string() + " cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Names words_in(const std::string& text) {
+  std::istringstream in(text);
+  Names words;
+  for (std::string word; in >> word;) words.insert(word);
+  return words;
+}
+
+}  // namespace
+
+std::size_t Folder::room_of(const std::string& file) const {
+  std::size_t found = rooms.size();
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    const bool in_it = file.starts_with(rooms[i].path + "/");
+    if (in_it && (found == rooms.size() || rooms[i].path.size() > rooms[found].path.size()))
+      found = i;
+  }
+  if (found == rooms.size()) throw std::runtime_error(file + " stands in no room of " + name);
+  return found;
+}
+
+House::House(const std::string& map) {
+  std::istringstream in(map);
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    const auto colon = line.find(':');
+    if (colon == std::string::npos) throw std::runtime_error("no colon in: " + line);
+    const std::string rest = line.substr(colon + 1);
+    if (line[0] != ' ') {
+      folders_.push_back({line.substr(0, colon), {}, {}, {}, {}});
+      continue;
+    }
+    if (folders_.empty()) throw std::runtime_error("belongs to no folder: " + line);
+    Folder& folder = folders_.back();
+    const std::string key = line.substr(2, colon - 2);
+    if (key == "uses") {
+      folder.uses = words_in(rest);
+    } else if (key == "library") {
+      folder.libraries = words_in(rest);
+    } else if (key == "source library") {
+      folder.source_libraries = words_in(rest);
+    } else if (key.starts_with("room ")) {
+      const std::string room = key.substr(5);
+      folder.rooms.push_back({room == "." ? folder.name : folder.name + "/" + room,
+                              rest.ends_with("; no Qt"), rest.ends_with("; no widgets")});
+    } else {
+      throw std::runtime_error("unknown: " + line);
+    }
+  }
+  for (Folder& folder : folders_)
+    if (folder.rooms.empty()) folder.rooms.push_back({folder.name});
+}
+
+const House& House::ours() {
+  static const House house(text_of_file(ISOGRASP_SOURCE_DIR "/docs/rooms.txt"));
+  return house;
+}
+
+const Folder& House::folder(const std::string& name) const {
+  const auto found = std::find_if(folders_.begin(), folders_.end(),
+                                  [&](const Folder& folder) { return folder.name == name; });
+  if (found == folders_.end()) throw std::out_of_range("no folder " + name);
+  return *found;
+}
+
+const std::vector<Source>& all_sources() {
+  static const auto sources = [] {
+    const fs::path root = ISOGRASP_SOURCE_DIR;
+    std::vector<Source> found;
+    for (const Folder& folder : House::ours().folders())
+      for (const auto& entry : fs::recursive_directory_iterator(root / folder.name)) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".hpp" && extension != ".cpp") continue;
+        Source source{folder.name, entry.path().lexically_relative(root), {}};
+        std::istringstream in(text_of_file(entry.path()));
+        for (std::string line; std::getline(in, line);) source.lines.push_back(line);
+        found.push_back(std::move(source));
+      }
+    std::sort(found.begin(), found.end(),
+              [](const Source& a, const Source& b) { return a.file < b.file; });
+    constexpr std::size_t kFewest = 500;  // the house has more; fewer: it was not read
+    if (found.size() < kFewest) throw std::runtime_error("the sources were not found");
+    return found;
+  }();
+  return sources;
+}
+
+}  // namespace isograsp::architecture

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the sources: one full name stands for one class. Two that share a name compile and link,
+// and the program then runs the functions of one on objects of the other.
+#include <cctype>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/architecture/house.hpp"
+
+namespace isograsp::names_test {
+namespace {
+
+using namespace architecture;
+
+/// The text without comments, literals and lines of the preprocessor: braces that count are left.
+std::string code_of(const std::string& text) {
+  static const std::regex kNoCode(
+      R"re(//[^\n]*|/\*[^]*?\*/|R"(\w*)\([^]*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|#(?:[^\n]*\\\n)*[^\n]*)re");
+  std::string code;
+  auto from = text.cbegin();
+  for (std::sregex_iterator at(text.begin(), text.end(), kNoCode), end; at != end; ++at) {
+    code.append(from, (*at)[0].first);
+    code += ' ';
+    from = (*at)[0].second;
+  }
+  return code.append(from, text.cend());
+}
+
+/// Full names of the classes and enumerations that a file defines where others could define them,
+/// too: in namespaces that have a name.
+std::vector<std::string> defined_in(const std::string& text) {
+  static const std::regex kNamespace(R"(\bnamespace(?:\s+([\w:]+))?\s*$)");
+  static const std::regex kType(
+      R"((?:^|[;}>\s])(?:class|struct|union|enum(?:\s+class|\s+struct)?)(?:\s*\[\[[^\]]*\]\])*)"
+      R"((?:\s+alignas\([^)]*\))?\s+([\w:]+)(?:\s+final)?(?:\s*:[^;(]*)?\s*$)");
+  const std::string code = code_of(text);
+  std::vector<std::string> names;
+  std::vector<std::string> open;  ///< the name of each open namespace; else nothing to look into
+  constexpr const char* kClosed = "-";
+  std::size_t begin = 0;  ///< of the words before the next brace
+  for (std::size_t at = 0; at < code.size(); ++at) {
+    if (code[at] == ';') begin = at + 1;
+    if (code[at] != '{' && code[at] != '}') continue;
+    const std::string words = code.substr(begin, at - begin);
+    begin = at + 1;
+    if (code[at] == '}') {
+      if (!open.empty()) open.pop_back();
+      continue;
+    }
+    std::smatch match;
+    if (std::regex_search(words, match, kNamespace)) {
+      open.push_back(match[1].matched ? match[1].str() : kClosed);
+      continue;
+    }
+    std::string scope;
+    bool visible = true;
+    for (const auto& name : open) {
+      visible = visible && name != kClosed;
+      scope += name + "::";
+    }
+    if (visible && std::regex_search(words, match, kType)) names.push_back(scope + match[1].str());
+    open.emplace_back(kClosed);
+  }
+  return names;
+}
+
+using Files = std::set<std::string>;
+
+TEST(Names, NoTwoFilesDefineOneFullName) {
+  std::map<std::string, Files> defined;
+  for (const Source& source : all_sources()) {
+    std::string text;
+    for (const std::string& line : source.lines) text += line + "\n";
+    for (const auto& name : defined_in(text)) defined[name].insert(source.file);
+  }
+  constexpr std::size_t kFewest = 500;  // the house has more; fewer: the sources were not read
+  EXPECT_GT(defined.size(), kFewest);
+  EXPECT_TRUE(defined.contains("isograsp::TherapistWindow"));
+  for (const auto& [name, files] : defined) {
+    std::string where;
+    for (const auto& file : files) where += "\n  " + file;
+    EXPECT_EQ(files.size(), 1U) << name << " is defined in" << where;
+  }
+}
+
+TEST(Names, OfClassesStructsAndEnumerationsAreFoundWhereOthersCouldDefineThem) {
+  const std::vector<std::string> expected{"a::One", "a::Two", "a::b::Three", "a::Four", "a::Five"};
+  EXPECT_EQ(
+      defined_in("namespace a {\n"
+                 "class One final : public Base { struct Inner { int x; }; };\n"
+                 "template <class T>\nstruct [[nodiscard]] Two { void f() { struct L {}; } };\n"
+                 "struct Declared;\n"
+                 "namespace {\nstruct Hidden {};\n}\n"
+                 "namespace b {\nenum class Three : int { x };\n}\n"
+                 "// struct Comment {\nconst char* text = \"struct Text {\";\n"
+                 "struct alignas(16) Four {};\n"
+                 "void g(struct Parameter* p) { if (p) { } }\n"
+                 "union Five { int i; };\n}\n"),
+      expected);
+}
+
+}  // namespace
+}  // namespace isograsp::names_test

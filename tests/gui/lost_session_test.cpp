@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session that cannot be stored to its end is told of, also to somebody who is about to leave.
+#include <cstdlib>
+#include <filesystem>
+
+#include "operator.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::lost_session_test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace isograsp::test;
+
+class LostSession : public QtTest {
+ protected:
+  LostSession() {
+    setenv("XDG_STATE_HOME", folder_.path("state").c_str(), 1);
+    windows_.show();
+  }
+  ~LostSession() override {
+    windows_.presenter().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+    unsetenv("XDG_STATE_HOME");
+  }
+
+  TemporaryFolder folder_;
+  Windows windows_{
+      {folder_.path("clinic.db"), "sim://healthy?seed=7", ISOGRASP_SOURCE_DIR "/library", "test"}};
+  Operator operator_{windows_};
+};
+
+TEST_F(LostSession, FoundWhileTheWindowClosesKeepsItOpenUntilItWasSeen) {
+  operator_.prepare("sim://healthy?seed=7");
+  fs::rename(folder_.path("clinic.db"), folder_.path("away.db"));
+  windows_.therapist().close();
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+  EXPECT_TRUE(windows_.therapist().isVisible());
+  const auto words = operator_.find<QLabel>("sentence").text().toStdString();
+  EXPECT_NE(words.find("was deleted or moved away"), std::string::npos) << words;
+  EXPECT_NE(words.find("isograsp db rescue"), std::string::npos) << words;
+  ASSERT_TRUE(windows_.presenter().lost());
+  windows_.therapist().close();
+  EXPECT_FALSE(windows_.therapist().isVisible()) << "seen now";
+}
+
+TEST_F(LostSession, ASoundOneLetsTheWindowGo) {
+  operator_.prepare("sim://healthy?seed=7");
+  windows_.therapist().close();
+  ASSERT_TRUE(wait_until([&] { return !windows_.therapist().isVisible(); }));
+  EXPECT_FALSE(windows_.presenter().lost());
+}
+
+}  // namespace
+}  // namespace isograsp::lost_session_test

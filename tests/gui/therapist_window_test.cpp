@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the therapist's window offers at which moment: keys, the question of an interrupted
+// protocol, the end of the work, a file that another program has open.
+#include <QDialog>
+#include <QPushButton>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "gui/file_in_use.hpp"
+#include "gui/session_pages/step_section.hpp"
+#include "operator.hpp"
+#include "short_library.hpp"
+#include "storage/access/open_store.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::test::therapist_window_test {
+namespace {
+
+class SessionWindow : public QtTest {
+ protected:
+  SessionWindow()
+      : windows_(settling_soon({folder_.path("clinic.db"), "sim://healthy?seed=7",
+                                make_short_library(folder_, "3"), "test"})),
+        operator_(windows_) {
+    windows_.show();
+    EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
+  }
+  ~SessionWindow() override {
+    presenter_.end_session();
+    EXPECT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+  }
+
+  void choose_protocol(const std::string& name) {
+    for (std::size_t i = 0; i < presenter_.protocols().size(); ++i)
+      if (presenter_.protocols()[i].spec.name == name)
+        return presenter_.choose_protocol(static_cast<int>(i));
+    FAIL() << name;
+  }
+
+  /// Buttons of the session that are filled, and can be seen and pressed.
+  std::vector<std::string> filled() {
+    std::vector<std::string> names;
+    windows_.therapist().show_page(TherapistWindow::Page::session);
+    for (auto* button : windows_.therapist().findChildren<QPushButton*>())
+      if (button->property("next").toBool() && button->isVisible() && button->isEnabled())
+        names.push_back(button->objectName().toStdString());
+    return names;
+  }
+
+  TemporaryFolder folder_;
+  Windows windows_;
+  Operator operator_;
+  SessionPresenter& presenter_ = windows_.presenter();
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(SessionWindow, EnterPressesTheButtonThatHasTheFocus) {
+  operator_.add_patient();
+  auto& left = operator_.find<QPushButton>("hand_left");
+  for (const auto key : {Qt::Key_Return, Qt::Key_Enter}) {
+    presenter_.choose_hand(Hand::right);
+    left.setFocus();
+    ASSERT_EQ(windows_.therapist().focusWidget(), &left);
+    QTest::keyClick(&left, key);
+    EXPECT_EQ(presenter_.hand(), Hand::left);
+  }
+}
+
+TEST_F(SessionWindow, OneButtonIsFilledAndTheHandSettlesBeforeAnythingStarts) {
+  operator_.prepare_person();
+  choose_protocol("First session");
+  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_connect; }));
+  EXPECT_EQ(filled(), Names{"connect"});
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_zero; }));
+  EXPECT_EQ(filled(), Names{"zero"});
+  operator_.set_zero();
+  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_strap; }));
+  EXPECT_EQ(filled(), Names{"strapped"});
+  QTest::keyClick(&windows_.therapist(), Qt::Key_F8);
+  EXPECT_FALSE(presenter_.under_way()) << "F8 does not skip the minute";
+  operator_.press("strapped");
+  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_stop; }))
+      << "it goes on by itself: " << presenter_.view().sentence;
+}
+
+TEST_F(SessionWindow, TheQuestionOfAnInterruptedProtocolIsReadableOnASmallDisplay) {
+  operator_.prepare_person();
+  choose_protocol("First session");
+  operator_.press("connect");
+  operator_.set_zero();
+  operator_.press("strapped");
+  // Zero and resting force would be asked again; the maximum is done.
+  ASSERT_TRUE(wait_until([&] { return presenter_.guide().acts_done() >= 3; }, 120));
+  presenter_.stand_by();
+  operator_.disconnect();
+  auto& window = windows_.therapist();
+  window.resize(1280, 720);
+  operator_.press("hand_right");
+  operator_.press("screening_clear");
+  ASSERT_TRUE(wait_until([&] { return presenter_.earlier().has_value(); }));
+  EXPECT_EQ(presenter_.view().next(), Step::work) << "its step is open";
+  QTest::qWait(50);
+  for (const char* name : {"earlier_question", "earlier_go_on", "earlier_anew"}) {
+    auto& part = operator_.find<QWidget>(name);
+    EXPECT_TRUE(part.isVisible()) << name;
+    EXPECT_EQ(part.visibleRegion().boundingRect(), part.rect()) << name << " is cut";
+    EXPECT_GE(part.height(), part.hasHeightForWidth() ? part.heightForWidth(part.width())
+                                                      : part.sizeHint().height())
+        << name;
+  }
+  operator_.press("earlier_go_on");
+  EXPECT_TRUE(presenter_.view().may_connect);
+}
+
+TEST_F(SessionWindow, TheSentenceOfTheEndNamesButtonsThatAreThere) {
+  operator_.prepare_person();
+  choose_protocol("First session");
+  operator_.press("connect");
+  operator_.set_zero();
+  EXPECT_FALSE(operator_.find<QWidget>("end_report").isVisible());
+  ASSERT_TRUE(wait_until([&] { return presenter_.guide().acts_done() == 1; }));
+  while (!presenter_.guide().over()) presenter_.skip();
+  EXPECT_NE(presenter_.view().sentence.find("report, or disconnect"), std::string::npos);
+  EXPECT_TRUE(operator_.find<QWidget>("end_report").isVisible());
+  EXPECT_FALSE(operator_.find<QWidget>("start").isVisible());
+  operator_.press("end_disconnect");
+  ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+}
+
+TEST_F(SessionWindow, ALongSummaryKeepsItsBeginning) {
+  StepSection section(
+      3, "Screening",
+      [] {
+        auto* body = new QWidget;
+        new QVBoxLayout(body);
+        return body;
+      }(),
+      &windows_.therapist());
+  section.show_state(StepState::done, "Comfortable force only, at most 20 N, skin, pain 3 of 10");
+  section.resize(260, 40);
+  section.show();
+  const auto shown = section.findChild<QLabel*>("summary_3")->text();
+  EXPECT_TRUE(shown.startsWith("Comfort")) << shown.toStdString();
+  EXPECT_TRUE(shown.endsWith(QStringLiteral("…"))) << shown.toStdString();
+  EXPECT_TRUE(section.findChild<QPushButton*>("section_3")->toolTip().contains("pain 3 of 10"));
+}
+
+/// Presses that button of the question as soon as it stands there.
+void answer(const char* name, QString& words) {
+  QTimer::singleShot(0, qApp, [name, &words] {
+    for (auto* window : QApplication::topLevelWidgets())
+      if (window->objectName() == "file_in_use" && window->isVisible()) {
+        words = window->findChild<QLabel*>("file_in_use_words")->text();
+        return window->findChild<QPushButton*>(name)->click();
+      }
+    answer(name, words);
+  });
+}
+
+class FileInUseTest : public QtTest {
+ protected:
+  TemporaryFolder folder_;
+  std::string database_ = folder_.path("clinic.db");
+};
+
+TEST_F(FileInUseTest, ASecondProgramIsToldWhoHasTheFileAndMayLook) {
+  QString words;
+  {
+    const auto first = file_to_open(database_);
+    ASSERT_TRUE(first && first->use);
+    EXPECT_FALSE(first->look_only);
+    answer("file_look", words);
+    const auto second = file_to_open(database_);
+    ASSERT_TRUE(second);
+    EXPECT_TRUE(second->look_only);
+    EXPECT_FALSE(second->use);
+    EXPECT_TRUE(words.contains("process " + QString::number(getpid()))) << words.toStdString();
+    answer("file_leave", words);
+    EXPECT_FALSE(file_to_open(database_));
+  }
+  const auto again = file_to_open(database_);
+  ASSERT_TRUE(again && again->use) << "it is free when the window has gone";
+}
+
+TEST_F(FileInUseTest, LookingChangesNothingAndBeginsNoSession) {
+  {
+    auto store = open_store(database_, OpenMode::create);
+    ASSERT_TRUE((*store)->add_patient("P-0427").ok());
+  }
+  GuiConfig config{database_, "sim://healthy?seed=7", ISOGRASP_SOURCE_DIR "/library", "test"};
+  config.look_only = true;
+  Windows windows(config);
+  windows.show();
+  ASSERT_TRUE(wait_until([&] { return windows.clinic().is_open(); }));
+  auto& presenter = windows.presenter();
+  ASSERT_EQ(windows.clinic().patients().size(), 1U);
+  presenter.choose_patient("P-0427");
+  presenter.choose_hand(Hand::right);
+  EXPECT_FALSE(presenter.view().may_connect);
+  EXPECT_EQ(presenter.view().situation, Situation::look_only);
+  const Operator therapist(windows);
+  EXPECT_FALSE(therapist.find<QPushButton>("add_patient").isEnabled());
+}
+
+}  // namespace
+}  // namespace isograsp::test::therapist_window_test

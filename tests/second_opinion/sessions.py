@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sessions that are made for the comparison, and the tasks that the library lacks."""
+
+LIBRARY = """resting_force maximum_grip maximum_thumb maximum_index maximum_middle maximum_pinch maximum_opening
+opening_thumb opening_index opening_middle comfortable_grip directional_maxima familiarisation grip_sine
+grip_sine_short grip_sine_blind grip_sine_comfortable grip_sine_training grip_multi_sine grip_ramp grip_random_fresh
+grip_random_repeated grip_rectangle grip_swept_sine grip_trapezoid grip_triangle grip_from_file index_sine pinch_sine
+open_close steady_grip grip_steps let_go let_go_short open_on_cue force_sense fatigue individuation force_direction
+two_target two_target_long two_target_soft two_target_rate two_target_mirrored two_target_training target_series
+knob_turn knob_turn_rate elastic_block lift_weight pose_tracking_x pose_tracking_planar pose_steps pick_place
+free_handling""".split()
+NOT_RUN = {"grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks"}
+ADAPTIVE = ("grip_sine_training", "two_target_training")  # their level stands in [chosen]
+
+OWN = {
+    "own_sum_sine": 'kind = "force_tracking"\nchannel = "sum"\nscale = "newton"\nleast_N = 2\nmost_N = 6\n'
+                    'band_fraction = 0.25\nfrequency_Hz = 0.5\nduration_s = 34\nlead_in_s = 1\n',
+    "own_mean_triangle": 'kind = "force_tracking"\nchannel = "grip_mean"\nscale = "newton"\nleast_N = 2\nmost_N = 5\n'
+                         'band_fraction = 0.25\nwaveform = "triangle"\nforms = 3\nfrequency_Hz = 0.7\n'
+                         'duration_s = 24\n',
+    "own_sum_rectangle": 'kind = "force_tracking"\nchannel = "sum"\nscale = "newton"\nleast_N = 2\nmost_N = 5\n'
+                         'band_fraction = 0.25\nwaveform = "rectangle"\nfrequency_Hz = 0.6\nduration_s = 27\n',
+    "own_sideways": 'kind = "force_tracking"\nchannel = "thumb_+x"\nscale = "newton"\nleast_N = 1.5\nmost_N = 3\n'
+                    'band_fraction = 0.3\nduration_s = 11\n',
+    "own_levels": 'kind = "steadiness"\nscale = "newton"\nlevels_N = [2.5, 4]\nband_fraction = 0.2\nhold_s = 6.5\n'
+                  'rise_s = 1\nrest_s = 1\n',
+    "own_tenths": 'kind = "steadiness"\nchannel = "index"\nlevels_fractions = [0.07, 0.145]\nband_fraction = 0.5\n'
+                  'hold_s = 3\nrise_s = 1\nrest_s = 1\n',
+    "own_steps": 'kind = "step_response"\nchannel = "index"\nscale = "newton"\nfrom_N = 4\nto_N = [2, 6]\n'
+                 'band_fraction = 0.3\nrepetitions = 2\nhold_s = 2.5\n',
+    "own_let_go": 'kind = "grip_release"\nchannel = "middle"\nscale = "newton"\nlevel_N = 3\nband_fraction = 0.3\n'
+                  'repetitions = 3\nafter_s = 3.7\n',
+    "own_sense": 'kind = "force_sense"\nchannel = "pinch"\nscale = "newton"\nlevel_N = 3\nband_fraction = 0.3\n'
+                 'repetitions = 1\nwindow_s = 1.3\n',
+    "own_fatigue": 'kind = "fatigue"\nchannel = "pinch"\nscale = "newton"\nlevel_N = 4\nband_fraction = 0.2\n'
+                   'hold_s = 4.5\n',
+    "own_two_digits": 'kind = "individuation"\nscale = "newton"\ndigits = ["thumb", "index"]\nlevels_N = [2, 3]\n'
+                      'band_fraction = 0.3\nrepetitions = 1\n',
+    "own_press": 'kind = "maximum"\nchannel = "pinch"\neffort = "comfortable"\nwindow_s = 0.333\n',
+    "own_push": 'kind = "directional_maxima"\ndigits = ["index"]\ndirections = ["-z", "+y"]\nwindow_s = 0.25\n',
+    "own_turn": 'kind = "pose_tracking"\nscene = "free_block"\nduration_s = 20\n[[axis]]\ndof = "ry"\n'
+                'least_deg = -15\nmost_deg = 15\nfrequency_Hz = 0.1\n[[axis]]\ndof = "z"\nleast_m = 0\nmost_m = 0.02\n'
+                'waveform = "multi_sine"\nfrequencies_Hz = [0.1, 0.25]\nseed = 3\n',
+    "own_lean": 'kind = "pose_targets"\nscene = "free_block"\ntime_limit_s = 8\nangle_tolerance_deg = 40\n'
+                'position_tolerance_m = 0.03\n[[target]]\nposition_m = [0.02, 0.02, 0.01]\nhold_s = 0.5\n'
+                '[[target]]\nposition_m = [-0.02, 0, 0]\nangle_deg = 20\nhold_s = 0.5\nlevel = true\n',
+}
+MAXIMA = ["resting_force", "maximum_grip", "maximum_thumb", "maximum_index", "maximum_middle"]
+# One of each kind; a patient gets some of them.
+CORE = ["grip_sine", "let_go_short", "two_target", "maximum_opening", "grip_trapezoid", "open_on_cue", "pick_place",
+        "steady_grip", "own_let_go", "directional_maxima", "grip_steps", "own_sum_sine", "force_sense",
+        "pose_tracking_planar", "fatigue", "own_levels", "individuation", "own_sense", "force_direction",
+        "free_handling", "own_steps", "comfortable_grip"]
+PATIENTS = ["mild", "moderate", "paretic", "severe", "spastic", "opening_loss", "direction_error", "arm_push",
+            "sensory_loss", "inattention", "fatiguing", "submaximal", "slow_wander", "pain_stop"]
+
+
+def sessions(seed):
+    """Name, patient, seed, hand, tasks of every session."""
+    yield "everything", "healthy", seed + 7, "right", LIBRARY + list(OWN)
+    step = 4
+    for k, patient in enumerate(PATIENTS):
+        chosen = [CORE[(step * k + i) % len(CORE)] for i in range(step)]
+        yield patient, patient, seed + 100 + k, "left" if k % 2 else "right", MAXIMA + chosen
+
+
+def write_protocol(folder, name, tasks):
+    """A protocol of these tasks, with the tasks of our own beside it."""
+    lines = ['format = "isograsp-protocol-1"', f'name = "{name}"', "[[step]]", 'kind = "instrument_zero"']
+    for task in tasks:
+        lines += ["[[step]]", 'kind = "task"', f'task = "{task}.toml"']
+        if task in ADAPTIVE:
+            lines.append("adaptive = true")
+        if task in OWN:
+            text = f'format = "isograsp-task-1"\nname = "{task}"\ninstruction = "None."\n{OWN[task]}'
+            (folder / f"{task}.toml").write_text(text, encoding="utf-8")
+    path = folder / f"{name}.toml"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path

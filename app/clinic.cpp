@@ -16,7 +16,7 @@
 #include "storage/care/merge.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -48,10 +48,10 @@ class Parts {
 };
 
 /// What is known of a person beside the sessions.
-Result<void> tell(SessionStore& store, const DemoPerson& person) {
+Result<void> tell(storage::SessionStore& store, const DemoPerson& person) {
   const auto patient = store.find_patient(person.code);
   if (!patient) return patient.error();
-  const RowId id = patient->value().id;
+  const storage::RowId id = patient->value().id;
   if (auto done = store.set_profile(id, person.profile); !done) return done;
   for (const auto& mark : person.treatments)
     if (auto done = store.add_treatment_mark(id, mark); !done) return done.error();
@@ -76,7 +76,7 @@ Result<void> make_group(const DemoGroup& group, const std::string& database,
       if (auto done = run_session(options); !done) return done;
       ++sessions_made;
     }
-  const auto store = open_store(database, OpenMode::scratch);
+  const auto store = storage::open_store(database, storage::OpenMode::scratch);
   if (!store) return store.error();
   for (const DemoPerson& person : group)
     if (auto done = tell(**store, person); !done) return done;
@@ -145,12 +145,13 @@ class Workers {
 /// One group after the other, so that the file does not depend on who was made first.
 Result<void> put_together(std::size_t groups, const Parts& parts, Workers& workers) {
   // Simulated people: the file can be made again, and is the same each time.
-  constexpr auto kHow = OpenMode::scratch;
-  if (const auto clinic = open_store(parts.whole(), kHow); !clinic) return clinic.error();
+  constexpr auto kHow = storage::OpenMode::scratch;
+  if (const auto clinic = storage::open_store(parts.whole(), kHow); !clinic) return clinic.error();
   ProgressBar bar("Making the clinic");
   for (std::size_t group = 0; group < groups; ++group) {
     if (auto made = workers.wait_for(group, bar); !made) return made;
-    if (const auto done = merge_databases(parts.whole(), parts.path(group), {}, kHow); !done)
+    if (const auto done = storage::merge_databases(parts.whole(), parts.path(group), {}, kHow);
+        !done)
       return done.error();
     Parts::remove(parts.path(group));
   }
@@ -193,4 +194,4 @@ Result<void> make_clinic(const std::string& database, const std::vector<DemoGrou
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

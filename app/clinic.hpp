@@ -9,7 +9,7 @@
 #include "app/run.hpp"
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// Makes all sessions on `threads` threads, and what is known of the people. The same people give
 /// the same bytes, whatever the number of threads. @pre there is no file `database`
@@ -19,4 +19,4 @@ namespace isograsp {
 /// How the visit of a person is made; database, printing and syncing are up to the caller.
 [[nodiscard]] RunOptions options_of(const DemoVisit& visit, const std::string& code);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

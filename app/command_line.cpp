@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace isograsp {
+namespace isograsp::app {
 
 Option Option::required() {
   option_->required();
@@ -145,4 +145,4 @@ Result<Action> CommandLine::parse(int argc, const char* const* argv) {
   return state_->chosen;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -24,7 +24,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// What a subcommand does, or why it could not.
 using Action = std::function<Result<void>()>;
@@ -118,4 +118,4 @@ class CommandLine {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -8,7 +8,7 @@
 #include "app/command_line.hpp"
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 // Each is defined in app/<name>.cpp.
 void add_convert(CommandLine& line);
@@ -37,4 +37,4 @@ void add_target(CommandLine& line);
 /// Opens the therapist application; empty: the default database, no device chosen (app/gui.cpp).
 [[nodiscard]] Result<void> run_gui(const std::string& database, const std::string& device);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -99,4 +99,4 @@ void ProgressBar::show(double fraction, std::string_view detail) {
   std::fflush(stderr);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

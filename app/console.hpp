@@ -14,7 +14,7 @@
 #include "core/printable.hpp"
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// As std::printf to standard output, then printable_lines().
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
@@ -65,4 +65,4 @@ class ProgressBar {
   bool drawn_ = false;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::app

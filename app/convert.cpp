@@ -12,7 +12,7 @@
 #include "core/csv.hpp"
 #include "device/recording/csv_mapping.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -75,4 +75,4 @@ void add_convert(CommandLine& line) {
   command.runs([options] { return run_convert(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -15,7 +15,7 @@
 #include "app/run.hpp"
 #include "core/time.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -123,4 +123,4 @@ void add_demo(CommandLine& line) {
   command.runs([options] { return run_demo(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -7,7 +7,7 @@
 #include "core/csv.hpp"
 #include "core/time.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -98,14 +98,14 @@ std::vector<DemoVisit> visits_on(const Calendar& calendar, const Simulated& who,
   return visits;
 }
 
-PrimaryMeasure primary(const std::string& task, Hand hand, const std::string& measure,
-                       const std::string& channel, const std::string& chosen_utc) {
+storage::PrimaryMeasure primary(const std::string& task, Hand hand, const std::string& measure,
+                                const std::string& channel, const std::string& chosen_utc) {
   return {0, task, hand, measure, channel, chosen_utc, kClinician};
 }
-PrimaryMeasure grip_strength(Hand hand, const std::string& chosen_utc) {
+storage::PrimaryMeasure grip_strength(Hand hand, const std::string& chosen_utc) {
   return primary("Maximum grip force", hand, "maximum_force", "grip", chosen_utc);
 }
-PrimaryMeasure release_time(Hand hand, const std::string& chosen_utc) {
+storage::PrimaryMeasure release_time(Hand hand, const std::string& chosen_utc) {
   return primary("Let go, short", hand, "release_time", "grip", chosen_utc);
 }
 
@@ -121,12 +121,12 @@ constexpr Simulated kBetter{"moderate", "rehabilitation", 1.0, 12};
 DemoPerson better(const Calendar& calendar) {
   DemoPerson person;
   person.code = "DEMO-01";
-  person.profile = {Side::right,
+  person.profile = {storage::Side::right,
                     Hand::right,
                     calendar.date(kBetterBegan + 40),
                     "Lives alone on the second floor. Comes on Mondays.",
                     "Hold a cup of tea without spilling, open the front door with the key",
-                    Sex::female,
+                    storage::Sex::female,
                     calendar.birth_year(64)};
   person.visits = visits_on(calendar, kBetter, Hand::right, kBetterBegan,
                             {0, 6, 14, 22, 30, 38, 46, 54}, kVisit);
@@ -154,12 +154,12 @@ DemoPerson worse(const Calendar& calendar) {
   constexpr Simulated kWho{"mild", "relapse", 0.9, 12};
   DemoPerson person;
   person.code = "DEMO-02";
-  person.profile = {Side::left,
+  person.profile = {storage::Side::left,
                     Hand::right,
                     calendar.date(2200),
                     "",
                     "Button a shirt with both hands",
-                    Sex::male,
+                    storage::Sex::male,
                     calendar.birth_year(47)};
   person.visits = visits_on(calendar, kWho, Hand::left, kBegan, {0, 7, 14, 21, 28, 35, 42},
                             kStrengthAndRelease);
@@ -177,12 +177,12 @@ DemoPerson treated(const Calendar& calendar) {
   constexpr Simulated kWho{"opening_loss", "botulinum", 0.9, 6};
   DemoPerson person;
   person.code = "DEMO-03";
-  person.profile = {Side::right,
+  person.profile = {storage::Side::right,
                     Hand::right,
                     calendar.date(900),
                     "",
                     "Put down a glass without knocking it over",
-                    Sex::female,
+                    storage::Sex::female,
                     calendar.birth_year(58)};
   person.visits =
       visits_on(calendar, kWho, Hand::right, kBegan, {0, 7, 14, 21, 40}, kStrengthAndRelease);
@@ -201,13 +201,8 @@ DemoPerson interrupted(const Calendar& calendar) {
   constexpr int kMaxima = 3;  // step of the battery
   DemoPerson person;
   person.code = "DEMO-04";
-  person.profile = {Side::right,
-                    Hand::right,
-                    calendar.date(60),
-                    "",
-                    "Write with the right hand",
-                    Sex::male,
-                    calendar.birth_year(71)};
+  person.profile = {storage::Side::right,        Hand::right,        calendar.date(60),      "",
+                    "Write with the right hand", storage::Sex::male, calendar.birth_year(71)};
   person.visits = visits_on(calendar, kWho, Hand::right, kBegan, {0, 3}, kStrengthAndRelease);
   person.visits.push_back(
       {calendar.minutes_ago(40), "battery", "", Hand::right, device_of(kWho, kBegan), kMaxima});
@@ -227,20 +222,20 @@ std::vector<DemoGroup> stable_people(const Calendar& calendar) {
     DemoPerson person;
     person.code = numbered("STABLE-", i + 1);
     const Hand hand = i % 3 == 0 ? Hand::left : Hand::right;
-    person.profile = {hand == Hand::left ? Side::left : Side::right,
+    person.profile = {hand == Hand::left ? storage::Side::left : storage::Side::right,
                       Hand::right,
                       calendar.date(700 + 90 * i),
                       "",
                       "",
-                      i % 2 == 0 ? Sex::female : Sex::male,
+                      i % 2 == 0 ? storage::Sex::female : storage::Sex::male,
                       calendar.birth_year(45 + 3 * i)};
     person.visits = visits_on(calendar, who, hand, kBegan, {0, 4}, kStrengthAndRelease);
-    person.stable = StablePeriod{0,
-                                 calendar.date(kBegan + 1),
-                                 calendar.date(kBegan - 5),
-                                 calendar.at(kBegan - 5, kAfterVisit),
-                                 kClinician,
-                                 "more than a year after the onset, no new treatment"};
+    person.stable = storage::StablePeriod{0,
+                                          calendar.date(kBegan + 1),
+                                          calendar.date(kBegan - 5),
+                                          calendar.at(kBegan - 5, kAfterVisit),
+                                          kClinician,
+                                          "more than a year after the onset, no new treatment"};
     groups[static_cast<std::size_t>(i) % groups.size()].push_back(std::move(person));
   }
   return groups;
@@ -256,8 +251,13 @@ DemoGroup healthy_people(const Calendar& calendar) {
     const double strength = 0.8 + 0.6 * ((i * kStep) % kPeople) / (kPeople - 1.0);
     DemoPerson person;
     person.code = numbered("HEALTHY-", i + 1);
-    person.profile = {
-        Side::none, Hand::right, "", "", "", Sex::female, calendar.birth_year(61 + i % 8)};
+    person.profile = {storage::Side::none,
+                      Hand::right,
+                      "",
+                      "",
+                      "",
+                      storage::Sex::female,
+                      calendar.birth_year(61 + i % 8)};
     person.visits = visits_on(calendar, {"healthy", "", strength, kSeed + i}, Hand::right,
                               90 - 2 * i, {0}, kStrengthAndRelease);
     group.push_back(std::move(person));
@@ -294,12 +294,12 @@ DemoPerson in_training(const Calendar& calendar, int number) {
   const Simulated who{enrolled.person, enrolled.course, 1.0, kSeedsPerPerson * number};
   DemoPerson person;
   person.code = numbered("CLINIC-", number);
-  person.profile = {Side::right,
+  person.profile = {storage::Side::right,
                     Hand::right,
                     calendar.date(kBegan + 30 + 11 * number),
                     "",
                     enrolled.goal,
-                    number % 2 == 0 ? Sex::female : Sex::male,
+                    number % 2 == 0 ? storage::Sex::female : storage::Sex::male,
                     calendar.birth_year(40 + 3 * number)};
   for (int visit = 0; visit < kVisits; ++visit) {
     const int day = kDaysBetween * visit;
@@ -338,4 +338,4 @@ DemoVisit demo_visit_of_today(const std::string& now_utc) {
           -1,      Said{3, 0}};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

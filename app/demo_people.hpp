@@ -10,7 +10,7 @@
 #include "app/run.hpp"
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// A session that was, or is to be, made.
 struct DemoVisit {
@@ -25,12 +25,12 @@ struct DemoVisit {
 
 struct DemoPerson {
   std::string code;
-  PatientProfile profile;
+  storage::PatientProfile profile;
   std::vector<DemoVisit> visits;  ///< oldest first
-  std::vector<TreatmentMark> treatments;
-  std::vector<ClinicalScore> scores;
-  std::vector<PrimaryMeasure> primaries;
-  std::optional<StablePeriod> stable;
+  std::vector<storage::TreatmentMark> treatments;
+  std::vector<storage::ClinicalScore> scores;
+  std::vector<storage::PrimaryMeasure> primaries;
+  std::optional<storage::StablePeriod> stable;
 };
 
 /// People whose sessions are made in one go and in order.
@@ -46,4 +46,4 @@ using DemoGroup = std::vector<DemoPerson>;
 /// The session of now of the first patient, who has become better.
 [[nodiscard]] DemoVisit demo_visit_of_today(const std::string& now_utc);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

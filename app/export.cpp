@@ -13,7 +13,7 @@
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -28,7 +28,7 @@ struct ExportOptions {
 };
 
 Result<void> run_export(const ExportOptions& options) {
-  const auto format = export_format_from_name(options.format);
+  const auto format = exports::export_format_from_name(options.format);
   if (!format)
     return Error{Error::Code::bad_input,
                  "'" + options.format + "' is not an export format",
@@ -40,20 +40,20 @@ Result<void> run_export(const ExportOptions& options) {
     return Error{Error::Code::bad_input, "no folder is given", "name one", "", 0, "--out"};
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
-  const auto store = open_store_to_read(options.database);
+  const auto store = storage::open_store_to_read(options.database);
   if (!store) return store.error();
-  ExportRequest request{options.patient};
+  exports::ExportRequest request{options.patient};
   if (options.session != 0) request.first_session = request.last_session = options.session;
-  const auto left_out = count_not_released(**store, request);
+  const auto left_out = exports::count_not_released(**store, request);
   if (!left_out) return left_out.error();
   ProgressBar bar("Exporting");
-  const auto written = write_export(**store, request, *format, options.out,
-                                    [&](double done, const std::string& code) {
-                                      bar.show(done, code);
-                                      return true;
-                                    });
-  const auto logged = log_act_of(options.database, access->get(), "export", options.patient,
-                                 written.ok(), options.format);
+  const auto written = exports::write_export(**store, request, *format, options.out,
+                                             [&](double done, const std::string& code) {
+                                               bar.show(done, code);
+                                               return true;
+                                             });
+  const auto logged = storage::log_act_of(options.database, access->get(), "export",
+                                          options.patient, written.ok(), options.format);
   if (!written) return written.error();
   if (!logged) return logged.error();
   Lines text = std::to_string(*written) + (*written == 1 ? " trial" : " trials") + " written to " +
@@ -91,4 +91,4 @@ void add_export(CommandLine& line) {
   command.runs([options] { return run_export(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -18,7 +18,7 @@
 #include "grasp_model/plan.hpp"
 #include "session/acquisition/plan_cost.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -104,7 +104,7 @@ Json as_json(const Plan& plan, const Scales& scales, const std::vector<Subset>& 
   for (const auto& [name, text] : describe(plan)) choices[name] = text;
   choices["hold_s"] = plan.hold_s();
   choices["flops_per_frame"] = flops_per_frame(plan);
-  choices["cost_ns_per_frame"] = cost_ns_per_frame(plan);
+  choices["cost_ns_per_frame"] = session::cost_ns_per_frame(plan);
   document["plan"] = std::move(choices);
   return document;
 }
@@ -137,7 +137,7 @@ void print_table(const Plan& plan, const Scales& scales, const std::vector<Subse
   }
   print("\nPlan\n");
   for (const auto& [name, text] : describe(plan)) print(" %-13s %s\n", name.c_str(), text.c_str());
-  print(" %-13s %.0f ns per frame, measured here\n", "cost", cost_ns_per_frame(plan));
+  print(" %-13s %.0f ns per frame, measured here\n", "cost", session::cost_ns_per_frame(plan));
 }
 
 Result<void> grasp(const GraspOptions& options) {
@@ -182,4 +182,4 @@ void add_grasp(CommandLine& line) {
   command.runs([options] { return grasp(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

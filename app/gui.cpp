@@ -8,7 +8,7 @@
 #include "app/stop_signals.hpp"
 #include "gui/application.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -21,10 +21,10 @@ struct GuiOptions {
 
 Result<void> run(const GuiOptions& options) {
   const StopSignals signals;
-  return run_application({options.database.empty() ? default_database() : options.database,
-                          options.device, library_folder(), "isograsp " ISOGRASP_VERSION,
-                          options.operator_name, options.realtime.wish(), &StopSignals::stop(),
-                          make_small_clinic});
+  return gui::run_application({options.database.empty() ? default_database() : options.database,
+                               options.device, library_folder(), "isograsp " ISOGRASP_VERSION,
+                               options.operator_name, options.realtime.wish(), &StopSignals::stop(),
+                               make_small_clinic});
 }
 
 }  // namespace
@@ -49,4 +49,4 @@ void add_gui(CommandLine& line) {
   command.runs([options] { return run(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

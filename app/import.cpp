@@ -19,7 +19,7 @@
 #include "session/library.hpp"
 #include "storage/access/open_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -51,29 +51,30 @@ Result<void> import_recording(const ImportOptions& options) {
   const std::string path = recording_path(options.recording);
   const auto text = read_text(path);
   if (!text) return text.error();
-  const auto spec = parse_recording(*text, path);
+  const auto spec = session::parse_recording(*text, path);
   if (!spec) return spec.error();
   // All of it is read before anything is written.
-  const auto trials = read_recording(*spec, options.folder);
+  const auto trials = session::read_recording(*spec, options.folder);
   if (!trials) return trials.error();
-  const auto store = open_store(options.database, OpenMode::create);
+  const auto store = storage::open_store(options.database, storage::OpenMode::create);
   if (!store) return store.error();
   ProgressBar bar("Import");
-  const auto imported = store_recording(*spec, *trials, **store, ISOGRASP_VERSION, [&](int done) {
-    bar.show(static_cast<double>(done) / static_cast<double>(trials->size()),
-             (*trials)[static_cast<std::size_t>(done) - 1].patient_code);
-  });
+  const auto imported =
+      session::store_recording(*spec, *trials, **store, ISOGRASP_VERSION, [&](int done) {
+        bar.show(static_cast<double>(done) / static_cast<double>(trials->size()),
+                 (*trials)[static_cast<std::size_t>(done) - 1].patient_code);
+      });
   bar.end();
   if (!imported) return imported.error();
   print("%s: %d patients, %d sessions, %d trials, %lld samples\n", printable(spec->name).c_str(),
         imported->patients, imported->sessions, imported->trials,
         static_cast<long long>(imported->samples));
   std::string codes;
-  for (const RecordedTrial& trial : *trials)
+  for (const session::RecordedTrial& trial : *trials)
     if (!codes.ends_with(trial.patient_code))
       codes += (codes.empty() ? "" : ", ") + trial.patient_code;
   print("  %s\n", printable(codes).c_str());
-  for (const auto& line : provenance_of(*spec)) print("  %s\n", printable(line).c_str());
+  for (const auto& line : session::provenance_of(*spec)) print("  %s\n", printable(line).c_str());
   return {};
 }
 
@@ -136,11 +137,11 @@ Result<void> import_signals(const ImportOptions& options) {
   const std::string given = options.hand.empty() ? sidecar->hand : options.hand;
   const auto hand = hand_option(given.empty() ? "right" : given);
   if (!hand) return hand.error();
-  RecordedTrial trial;
+  session::RecordedTrial trial;
   trial.simulated = sidecar->simulated;
   trial.patient_code = options.patient;
   trial.file = std::filesystem::path(options.signals).filename();
-  const auto task = load_task(options.task);
+  const auto task = session::load_task(options.task);
   if (!task) return task.error();
   trial.task = *task;
   if (!options.scene.empty()) {
@@ -152,9 +153,9 @@ Result<void> import_signals(const ImportOptions& options) {
   auto signals = read_signals(options.signals);
   if (!signals) return signals.error();
   trial.signals = *std::move(signals);
-  const auto store = open_store(options.database, OpenMode::create);
+  const auto store = storage::open_store(options.database, storage::OpenMode::create);
   if (!store) return store.error();
-  const auto measures = store_signals_trial(trial, *hand, **store, ISOGRASP_VERSION);
+  const auto measures = session::store_signals_trial(trial, *hand, **store, ISOGRASP_VERSION);
   if (!measures) return measures.error();
   print("%s: %s, %zu samples\n", options.patient.c_str(), printable(trial.task.name).c_str(),
         trial.signals.rows());
@@ -219,4 +220,4 @@ void add_import(CommandLine& line) {
   command.runs([options] { return run_import(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -11,7 +11,7 @@ Error wrong(std::string field, std::string what, std::string remedy) {
   return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::move(field)};
 }
 
-Result<void> log_in_to(Access& access, const LoginOptions& options) {
+Result<void> log_in_to(storage::Access& access, const LoginOptions& options) {
   if (options.user.empty() != options.password_file.empty())
     return wrong("--user", "a name and a password belong together",
                  "give --user and --password-file");
@@ -20,15 +20,15 @@ Result<void> log_in_to(Access& access, const LoginOptions& options) {
   if (by_passphrase && by_recovery)
     return wrong("--recovery-key-file", "stands beside a passphrase", "give one of them");
   if (by_passphrase || by_recovery) {
-    const auto secret =
-        Secret::from_file(by_passphrase ? options.passphrase_file : options.recovery_key_file);
+    const auto secret = storage::Secret::from_file(by_passphrase ? options.passphrase_file
+                                                                 : options.recovery_key_file);
     if (!secret) return secret.error();
     auto done = by_passphrase ? access.log_in_with_passphrase(*secret)
                               : access.log_in_with_recovery_key(*secret);
     if (!done || options.user.empty()) return done;
   }
   // A name given beside the passphrase is who acts: the log names people.
-  const auto password = Secret::from_file(options.password_file);
+  const auto password = storage::Secret::from_file(options.password_file);
   if (!password) return password.error();
   return access.log_in(options.user, *password);
 }
@@ -49,8 +49,9 @@ bool LoginOptions::given() const noexcept {
          !recovery_key_file.empty();
 }
 
-Result<std::unique_ptr<Access>> log_in(const std::string& database, const LoginOptions& options) {
-  if (is_protected_database(database)) return open_access(database, options);
+Result<std::unique_ptr<storage::Access>> log_in(const std::string& database,
+                                                const LoginOptions& options) {
+  if (storage::is_protected_database(database)) return open_access(database, options);
   std::error_code ignored;
   if (options.given())
     return Error{Error::Code::bad_input,
@@ -63,12 +64,12 @@ Result<std::unique_ptr<Access>> log_in(const std::string& database, const LoginO
                  database,
                  0,
                  ""};
-  return std::unique_ptr<Access>();
+  return std::unique_ptr<storage::Access>();
 }
 
-Result<std::unique_ptr<Access>> open_access(const std::string& database,
-                                            const LoginOptions& options) {
-  auto access = Access::open(database);
+Result<std::unique_ptr<storage::Access>> open_access(const std::string& database,
+                                                     const LoginOptions& options) {
+  auto access = storage::Access::open(database);
   if (!access) return access.error();
   const bool asks = (*access)->is_protected();
   if (asks && !options.given())
@@ -90,4 +91,4 @@ Result<std::unique_ptr<Access>> open_access(const std::string& database,
   return access;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

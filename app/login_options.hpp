@@ -10,7 +10,7 @@
 #include "core/result.hpp"
 #include "storage/access/access.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 struct LoginOptions {
   std::string passphrase_file;
@@ -24,11 +24,11 @@ struct LoginOptions {
 
 /// Logs in; keep it while the command works. Nothing: the database is not protected, or does not
 /// exist yet. Refused: a protected one without a login, a login where none is asked for.
-[[nodiscard]] Result<std::unique_ptr<Access>> log_in(const std::string& database,
-                                                     const LoginOptions& options);
+[[nodiscard]] Result<std::unique_ptr<storage::Access>> log_in(const std::string& database,
+                                                              const LoginOptions& options);
 /// The same for commands that are about access itself: the database must exist and be of the
 /// current format.
-[[nodiscard]] Result<std::unique_ptr<Access>> open_access(const std::string& database,
-                                                          const LoginOptions& options);
+[[nodiscard]] Result<std::unique_ptr<storage::Access>> open_access(const std::string& database,
+                                                                   const LoginOptions& options);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace fs = std::filesystem;
 
@@ -31,4 +31,4 @@ std::string default_database() {
   return base / "isograsp" / "clinic.db";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -4,11 +4,11 @@
 
 #include <string>
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// $ISOGRASP_LIBRARY, else the source tree of this build, else the installed folder.
 [[nodiscard]] std::string library_folder();
 /// $XDG_DATA_HOME/isograsp/clinic.db, else ~/.local/share/isograsp/clinic.db; makes the folder.
 [[nodiscard]] std::string default_database();
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -7,7 +7,7 @@
 #include "app/command_line.hpp"
 #include "session/acquisition/realtime.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 class RealtimeOption {
  public:
@@ -16,10 +16,10 @@ class RealtimeOption {
         .one_of({"off", "prefer", "require"})
         .shows_default();
   }
-  [[nodiscard]] Realtime wish() const { return *realtime_from_name(name_); }
+  [[nodiscard]] session::Realtime wish() const { return *session::realtime_from_name(name_); }
 
  private:
   std::string name_ = "prefer";
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -17,7 +17,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 Result<void> write_report(const std::string& database, const std::string& patient,
                           const std::string& path) {
@@ -29,18 +29,19 @@ Result<void> write_report(const std::string& database, const std::string& patien
                  path,
                  0,
                  "--out"};
-  auto store = open_store_to_read(database);
+  auto store = storage::open_store_to_read(database);
   if (!store) return store.error();
   ProgressBar bar("Report");
   constexpr double kGathered = 0.4;  // share of the time, roughly
-  auto content = gather_progress(**store, patient, [&](double done, const std::string& words) {
-    bar.show(kGathered * done, words);
-    return true;
-  });
+  auto content =
+      reports::gather_progress(**store, patient, [&](double done, const std::string& words) {
+        bar.show(kGathered * done, words);
+        return true;
+      });
   if (!content) return content.error();
-  ensure_qt_application();
-  const auto writer = make_report_writer(*std::move(content), path);
-  auto written = write_all(*writer, path, [&](double done, const std::string& words) {
+  reports::ensure_qt_application();
+  const auto writer = reports::make_report_writer(*std::move(content), path);
+  auto written = reports::write_all(*writer, path, [&](double done, const std::string& words) {
     bar.show(kGathered + (1.0 - kGathered) * done, words);
     return true;
   });
@@ -74,8 +75,8 @@ Result<void> run(const Options& options) {
     done = write_report(options.database, options.patient, options.out);
   }
   const bool pdf = options.all ? options.format == "pdf" : options.out.ends_with(".pdf");
-  auto logged = log_act_of(options.database, access->get(), "report", options.patient, done.ok(),
-                           pdf ? "pdf" : "html");
+  auto logged = storage::log_act_of(options.database, access->get(), "report", options.patient,
+                                    done.ok(), pdf ? "pdf" : "html");
   return done ? logged : done;
 }
 
@@ -109,4 +110,4 @@ void add_report(CommandLine& line) {
   command.runs([options] { return run(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -6,10 +6,10 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// Reads the patient's data and writes `path`; its ending decides: .pdf or .html.
 [[nodiscard]] Result<void> write_report(const std::string& database, const std::string& patient,
                                         const std::string& path);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

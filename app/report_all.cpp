@@ -20,7 +20,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -61,19 +61,19 @@ void tell_error(Shared& shared, const Error& error) {
     std::strncpy(shared.error, error.message().c_str(), sizeof shared.error - 1);
 }
 
-Result<void> write_one(SessionStore& store, const std::string& code,
+Result<void> write_one(storage::SessionStore& store, const std::string& code,
                        const ReportAllOptions& options) {
-  auto content = gather_progress(store, code);
+  auto content = reports::gather_progress(store, code);
   if (!content) return content.error();
   const std::string path = fs::path(options.folder) / (code + "." + options.format);
-  return write_all(*make_report_writer(*std::move(content), path), path);
+  return reports::write_all(*reports::make_report_writer(*std::move(content), path), path);
 }
 
 /// The work of one process.
 void work(const std::vector<std::string>& codes, const ReportAllOptions& options, Shared& shared) {
-  const auto store = open_store_to_read(options.database);
+  const auto store = storage::open_store_to_read(options.database);
   if (!store) return tell_error(shared, store.error());
-  ensure_qt_application();
+  reports::ensure_qt_application();
   for (std::size_t i = shared.next++; i < codes.size(); i = shared.next++) {
     if (const auto written = write_one(**store, codes[i], options); !written)
       tell_error(shared, written.error());
@@ -83,7 +83,7 @@ void work(const std::vector<std::string>& codes, const ReportAllOptions& options
 
 Result<std::vector<std::string>> codes_of(const std::string& database) {
   // Closed before the processes part: a connection must not be used by two.
-  const auto store = open_store_to_read(database);
+  const auto store = storage::open_store_to_read(database);
   if (!store) return store.error();
   const auto patients = (*store)->patients();
   if (!patients) return patients.error();
@@ -153,4 +153,4 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
                  "mend the cause and write the reports again", options.folder);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -6,7 +6,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 struct ReportAllOptions {
   std::string database;
@@ -20,4 +20,4 @@ struct ReportAllOptions {
 /// how many are missing. @pre this process has made no thread and no QApplication yet
 [[nodiscard]] Result<void> write_all_reports(const ReportAllOptions& options);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -16,7 +16,7 @@
 #include "session/protocol/protocol_run.hpp"
 #include "session/session.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 Result<Hand> hand_option(const std::string& text) {
   if (const auto hand = hand_from_name(text)) return *hand;
@@ -39,21 +39,22 @@ void print_measure(const Measure& measure) {
 
 namespace {
 
-void print_trial(const TrialOutcome& outcome) {
-  const TrialRecord& trial = outcome.trial;
+void print_trial(const session::TrialOutcome& outcome) {
+  const storage::TrialRecord& trial = outcome.trial;
   print("\n  Trial %d  %s%s  [%s]\n", trial.number, printable(trial.task_name).c_str(),
-        trial.practice ? ", practice" : "", std::string(name_of(trial.status)).c_str());
+        trial.practice ? ", practice" : "", std::string(storage::name_of(trial.status)).c_str());
   if (outcome.rest) print("    %s\n", printable(outcome.rest->words).c_str());
   for (const auto& measure : outcome.measures) print_measure(measure);
 }
 
 /// One task and nothing else: nobody can be asked to relax or to take the hand out.
-Result<ReadyProtocol> protocol_of(const RunOptions& options) {
+Result<session::ReadyProtocol> protocol_of(const RunOptions& options) {
   if (!options.protocol_text.empty())
-    return read_protocol(options.protocol_text, options.protocol_file, library_folder());
-  if (options.task_file.empty()) return read_protocol(options.protocol_file, library_folder());
+    return session::read_protocol(options.protocol_text, options.protocol_file, library_folder());
+  if (options.task_file.empty())
+    return session::read_protocol(options.protocol_file, library_folder());
   const std::filesystem::path task = options.task_file;
-  return read_protocol(
+  return session::read_protocol(
       "format = \"isograsp-protocol-1\"\nname = \"Imported forces\"\n\n[[step]]\n"
       "kind = \"task\"\ntask = '" +
           task.filename().string() + "'\n",
@@ -61,7 +62,7 @@ Result<ReadyProtocol> protocol_of(const RunOptions& options) {
 }
 
 /// The first steps of a protocol; negative: all.
-ReadyProtocol beginning_of(ReadyProtocol protocol, int steps) {
+session::ReadyProtocol beginning_of(session::ReadyProtocol protocol, int steps) {
   if (steps < 0) return protocol;
   const auto kept = std::min(protocol.tasks.size(), static_cast<std::size_t>(steps));
   protocol.spec.steps.resize(kept);
@@ -70,10 +71,12 @@ ReadyProtocol beginning_of(ReadyProtocol protocol, int steps) {
 }
 
 /// Begins the first task of a step and ends the session in it.
-Result<void> break_off(Session& session, const ReadyProtocol& protocol, int step) {
+Result<void> break_off(session::Session& session, const session::ReadyProtocol& protocol,
+                       int step) {
   const auto& tasks = protocol.tasks.at(static_cast<std::size_t>(step));
   if (tasks.empty()) return {};
-  if (auto started = session.start_trial(tasks.front(), false, TrialPlace{step, 0}); !started)
+  if (auto started = session.start_trial(tasks.front(), false, storage::TrialPlace{step, 0});
+      !started)
     return started;
   constexpr double kBegun_s = 2.0;
   session.let_pass(kBegun_s);
@@ -88,7 +91,7 @@ Result<void> break_off(Session& session, const ReadyProtocol& protocol, int step
 Result<void> run_session(const RunOptions& options) {
   const auto hand = hand_option(options.hand);
   if (!hand) return hand.error();
-  const auto allowed = effort_from_name(options.allowed);
+  const auto allowed = tasks::effort_from_name(options.allowed);
   if (!allowed && !options.allowed.empty())
     return Error{Error::Code::bad_input,
                  "'" + options.allowed + "' is no outcome of a screening",
@@ -98,7 +101,7 @@ Result<void> run_session(const RunOptions& options) {
                  "--allowed"};
   const auto protocol = protocol_of(options);
   if (!protocol) return protocol.error();
-  SessionConfig config;
+  session::SessionConfig config;
   config.database = options.database;
   config.create_database = true;
   config.scratch_database = options.scratch;
@@ -118,7 +121,7 @@ Result<void> run_session(const RunOptions& options) {
   config.resume = options.resume;
   config.clock_is_right = options.clock_is_right;
   config.stop = options.stop;
-  auto session = Session::open(config);
+  auto session = session::Session::open(config);
   if (!session) {
     Error error = session.error();
     if (error.field == "clock") error.remedy = "set the clock, or say --clock-is-right";
@@ -128,23 +131,23 @@ Result<void> run_session(const RunOptions& options) {
   if (!options.quiet) {
     if ((*session)->patient_is_new())
       print_note("patient " + options.patient + " is new and was created");
-    if (const auto got = describe((*session)->realtime()); !got.empty())
+    if (const auto got = session::describe((*session)->realtime()); !got.empty())
       print_note("acquisition with " + got);
     print("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
           printable((*session)->device().description).c_str());
     std::fflush(stdout);
   }
   if (!options.quiet) {
-    const Duration duration = protocol->duration();
+    const tasks::Duration duration = protocol->duration();
     constexpr double kSecondsPerMinute = 60.0;
     print("%s: %.1f min as a rule, %.1f min at most\n", printable(protocol->spec.name).c_str(),
           duration.nominal_s / kSecondsPerMinute, duration.worst_s / kSecondsPerMinute);
     std::fflush(stdout);
   }
   ProgressBar bar("Session");
-  const auto result = run_protocol(
+  const auto result = session::run_protocol(
       **session, beginning_of(*protocol, options.broken_off_in),
-      [&](const ProtocolProgress& at) {
+      [&](const session::ProtocolProgress& at) {
         if (!options.quiet)
           bar.show(static_cast<double>(at.step) / std::max(1, at.steps), at.doing);
       },
@@ -209,4 +212,4 @@ void add_run(CommandLine& line) {
   });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -11,7 +11,7 @@
 #include "hand/finger.hpp"
 #include "session/acquisition/realtime.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// What the patient says at the end, 0 to 10 each.
 struct Said {
@@ -38,7 +38,7 @@ struct RunOptions {
   std::string allowed;    ///< outcome of the screening for this hand; empty: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
   std::optional<Said> said;         ///< nothing: not asked
-  Realtime realtime = Realtime::prefer;
+  session::Realtime realtime = session::Realtime::prefer;
   const std::atomic<bool>* stop = nullptr;  ///< ends the session when somebody sets it
   bool clock_is_right = false;              ///< though it is behind the newest session of the file
 };
@@ -50,4 +50,4 @@ struct RunOptions {
 /// One line on standard output.
 void print_measure(const Measure& measure);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

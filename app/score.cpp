@@ -14,7 +14,7 @@
 #include "core/csv.hpp"
 #include "session/library.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -78,7 +78,7 @@ Result<void> run_score(const ScoreOptions& options) {
   if (options.task.empty()) {
     const auto signals = read_signals(options.signals);
     if (!signals) return signals.error();
-    measures = score_pairs(*signals);
+    measures = tasks::score_pairs(*signals);
     if (measures.empty())
       return Error{Error::Code::bad_input,
                    "has no column target_X with its actual_X",
@@ -87,11 +87,11 @@ Result<void> run_score(const ScoreOptions& options) {
                    0,
                    ""};
   } else {
-    const auto task = load_task(options.task);
+    const auto task = session::load_task(options.task);
     if (!task) return task.error();
     const auto signals = read_signals(options.signals);
     if (!signals) return signals.error();
-    measures = score(*task, *signals);
+    measures = tasks::score(*task, *signals);
   }
   if (options.json)
     print_json(as_json(measures));
@@ -114,4 +114,4 @@ void add_score(CommandLine& line) {
   command.runs([options] { return run_score(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

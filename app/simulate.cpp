@@ -13,7 +13,7 @@
 #include "hand/finger_forces.hpp"
 #include "hand/stale.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -159,4 +159,4 @@ void add_simulate(CommandLine& line) {
   command.runs([options] { return simulate(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -4,7 +4,7 @@
 #include <array>
 #include <csignal>
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -62,4 +62,4 @@ void let_writes_fail() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

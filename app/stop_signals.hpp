@@ -5,7 +5,7 @@
 #include <atomic>
 #include <string>
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// While it lives, these signals end nothing by themselves: they set stop(). A second SIGINT ends
 /// the program at once. One at a time.
@@ -25,4 +25,4 @@ class StopSignals {
 /// program.
 void let_writes_fail();
 
-}  // namespace isograsp
+}  // namespace isograsp::app

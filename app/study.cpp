@@ -14,7 +14,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -40,28 +40,29 @@ Result<void> check_out(const StudyOptions& options) {
                "--out"};
 }
 
-Result<void> write_study(const StudyOptions& options, const Study& study) {
-  const auto store = open_store_to_read(options.database);
+Result<void> write_study(const StudyOptions& options, const reports::Study& study) {
+  const auto store = storage::open_store_to_read(options.database);
   if (!store) return store.error();
   ProgressBar bar("Study");
-  const auto data =
-      gather_study(**store, study, options.study, [&bar](double done, const std::string& subject) {
-        bar.show(done, subject);
-        return true;
-      });
+  const auto data = reports::gather_study(**store, study, options.study,
+                                          [&bar](double done, const std::string& subject) {
+                                            bar.show(done, subject);
+                                            return true;
+                                          });
   if (!data) return data.error();
-  std::vector<GroupAnalysis> analyses;
-  for (const auto& group : data->groups) analyses.push_back(analyse(study, group));
+  std::vector<reports::GroupAnalysis> analyses;
+  for (const auto& group : data->groups) analyses.push_back(reports::analyse(study, group));
   if (options.out.ends_with(".csv")) {
-    if (auto done = write_text(options.out, study_csv(study, *data)); !done) return done;
+    if (auto done = write_text(options.out, reports::study_csv(study, *data)); !done) return done;
   } else if (!options.out.empty()) {
-    ensure_qt_application();
-    const auto report = study_report(study, *data, analyses);
-    const auto page = options.out.ends_with(".html") ? study_html(report) : study_pdf(report);
+    reports::ensure_qt_application();
+    const auto report = reports::study_report(study, *data, analyses);
+    const auto page =
+        options.out.ends_with(".html") ? reports::study_html(report) : reports::study_pdf(report);
     if (auto done = write_text(options.out, page); !done) return done;
   }
   bar.show(1.0);
-  if (options.json) print("%s", study_json(study, *data, analyses).c_str());
+  if (options.json) print("%s", reports::study_json(study, *data, analyses).c_str());
   return {};
 }
 
@@ -69,14 +70,14 @@ Result<void> run_study(const StudyOptions& options) {
   if (auto done = check_out(options); !done) return done;
   const auto text = read_text(options.study);
   if (!text) return text.error();
-  const auto study = parse_study(*text, options.study);
+  const auto study = reports::parse_study(*text, options.study);
   if (!study) return study.error();
   if (auto done = check_different(options.study, options.out); !done) return done;
   if (auto done = check_different(options.database, options.out); !done) return done;
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
   auto done = write_study(options, *study);
-  auto logged = log_act_of(options.database, access->get(), "study", "", done.ok(), "");
+  auto logged = storage::log_act_of(options.database, access->get(), "study", "", done.ok(), "");
   return done ? logged : done;
 }
 
@@ -102,4 +103,4 @@ void add_study(CommandLine& line) {
   command.runs([options] { return run_study(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -12,7 +12,7 @@
 #include "storage/records/session_store.hpp"
 #include "tasks/recorded_target.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -23,14 +23,15 @@ struct TargetOptions {
   int trial = 1;
   std::string out;
   LoginOptions login;
-  RecordedTarget wanted{"Recorded target"};
+  tasks::RecordedTarget wanted{"Recorded target"};
 };
 
 Error bad(const std::string& option, std::string what, std::string remedy) {
   return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, option};
 }
 
-Result<TrialRecord> find_trial(SessionStore& store, const TargetOptions& options) {
+Result<storage::TrialRecord> find_trial(storage::SessionStore& store,
+                                        const TargetOptions& options) {
   const auto patient = store.find_patient(options.patient);
   if (!patient) return patient.error();
   if (!*patient)
@@ -42,7 +43,7 @@ Result<TrialRecord> find_trial(SessionStore& store, const TargetOptions& options
                "give one of them, from 1");
   const auto trials = store.trials((*sessions)[static_cast<std::size_t>(options.session) - 1].id);
   if (!trials) return trials.error();
-  for (const TrialRecord& trial : *trials)
+  for (const storage::TrialRecord& trial : *trials)
     if (trial.number == options.trial) return trial;
   return bad("--trial", "this session has " + std::to_string(trials->size()) + " trials",
              "give one of them, from 1");
@@ -54,15 +55,15 @@ Result<void> make_target(const TargetOptions& options) {
     return bad("--out", options.out + " exists already", "choose another name");
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
-  const auto store = open_store_to_read(options.database);
+  const auto store = storage::open_store_to_read(options.database);
   if (!store) return store.error();
   const auto trial = find_trial(**store, options);
   if (!trial) return trial.error();
-  const auto spec = parse_task(trial->task_text, trial->task_name);
+  const auto spec = tasks::parse_task(trial->task_text, trial->task_name);
   if (!spec) return spec.error();
   const auto signals = (*store)->signals(*trial);
   if (!signals) return signals.error();
-  const auto text = target_by_doing(*spec, *signals, options.wanted);
+  const auto text = tasks::target_by_doing(*spec, *signals, options.wanted);
   if (!text) return text.error();
   if (const auto written = write_text(options.out, *text); !written) return written;
   print("%s: target of '%s', trial %d\n", printable(options.out).c_str(),
@@ -98,4 +99,4 @@ void add_target(CommandLine& line) {
   command.runs([options] { return make_target(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

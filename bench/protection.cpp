@@ -47,16 +47,16 @@ constexpr std::size_t kRate = 100;
 constexpr std::size_t kColumns = 60;
 
 void measure(const std::string& path) {
-  auto store = must(open_store(path, OpenMode::create));
-  const RowId patient = must(store->add_patient("B-1")).id;
-  SessionRecord session;
+  auto store = must(storage::open_store(path, storage::OpenMode::create));
+  const storage::RowId patient = must(store->add_patient("B-1")).id;
+  storage::SessionRecord session;
   session.patient_id = patient;
   session.started_utc = "2026-01-01T00:00:00Z";
-  const RowId session_id = must(store->begin_session(session));
-  TrialRecord trial;
+  const storage::RowId session_id = must(store->begin_session(session));
+  storage::TrialRecord trial;
   trial.session_id = session_id;
   trial.number = 1;
-  SignalGroup group{"force", {}};
+  storage::SignalGroup group{"force", {}};
   for (std::size_t c = 0; c < kColumns; ++c)
     group.columns.push_back("c" + std::to_string(c) + "_N");
   trial.groups = {group};
@@ -72,11 +72,11 @@ void measure(const std::string& path) {
   report("storing one second of 60 columns", kSeconds, [&] {
     must(store->append_blocks(trial.id, second++, std::vector<std::vector<double>>{rows}));
   });
-  trial.status = TrialStatus::completed;
+  trial.status = storage::TrialStatus::completed;
   must(store->end_trial(trial, {}));
-  const TrialRecord stored = must(store->trials(session_id)).at(0);
+  const storage::TrialRecord stored = must(store->trials(session_id)).at(0);
   report("reading five minutes", 5, [&] { (void)must(store->signals(stored)); });
-  PatientProfile profile;
+  storage::PatientProfile profile;
   profile.notes = std::string(500, 'n');
   profile.goals = std::string(100, 'g');
   constexpr int kTimes = 200;
@@ -91,23 +91,28 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::filesystem::path folder = argv[1];
   std::puts("plain");
-  report("opening", 20, [&] { (void)must(open_store(folder / "plain.db", OpenMode::create)); });
+  report("opening", 20,
+         [&] { (void)must(storage::open_store(folder / "plain.db", storage::OpenMode::create)); });
   measure(folder / "plain.db");
   std::puts("protected");
-  const Secret passphrase{std::string_view("a passphrase of the clinic")};
-  std::unique_ptr<Access> access;
-  report("making, once", 1,
-         [&] { access = must(Access::create(folder / "protected.db", passphrase)).access; });
+  const storage::Secret passphrase{std::string_view("a passphrase of the clinic")};
+  std::unique_ptr<storage::Access> access;
+  report("making, once", 1, [&] {
+    access = must(storage::Access::create(folder / "protected.db", passphrase)).access;
+  });
   report("login (Argon2id, 256 MiB, 3 passes)", 3,
          [&] { must(access->log_in_with_passphrase(passphrase)); });
-  report("opening, logged in", 20,
-         [&] { (void)must(open_store(folder / "protected.db", OpenMode::existing)); });
+  report("opening, logged in", 20, [&] {
+    (void)must(storage::open_store(folder / "protected.db", storage::OpenMode::existing));
+  });
   measure(folder / "protected.db");
-  must(set_identity(*access, "B-1", {"Vera Novak", "1950-03-05", "Berlin"}));
-  report("reading an identity, logged", 50, [&] { (void)must(read_identity(*access, "B-1")); });
+  must(storage::set_identity(*access, "B-1", {"Vera Novak", "1950-03-05", "Berlin"}));
+  report("reading an identity, logged", 50,
+         [&] { (void)must(storage::read_identity(*access, "B-1")); });
   std::puts("in addition, if the signals were encrypted as well");
-  const Secret key = Secret::random(kKeySize);
+  const storage::Secret key = storage::Secret::random(storage::kKeySize);
   const std::string block(kRate * kColumns * sizeof(double), 'x');
-  report("sealing 48 kB (one second, not compressed)", 200, [&] { (void)seal(key, "", block); });
+  report("sealing 48 kB (one second, not compressed)", 200,
+         [&] { (void)storage::seal(key, "", block); });
   return 0;
 }

@@ -66,7 +66,7 @@ std::string task_text(const std::string& kind) {
 }
 
 struct Trial {
-  TaskSpec spec;
+  tasks::TaskSpec spec;
   Signals signals;  ///< every column that is stored of such a trial
 };
 
@@ -89,18 +89,19 @@ Trial recorded(const std::string& kind) {
       "[[step]]\nkind = \"instrument_zero\"\n";
   for (const char* task : {"resting_force.toml", "maximum_grip.toml", "long.toml"})
     steps += "[[step]]\nkind = \"task\"\ntask = \"" + std::string(task) + "\"\n";
-  const auto protocol = value_or_throw(read_protocol(folder.write("p.toml", steps), kLibrary));
-  SessionConfig config;
+  const auto protocol =
+      value_or_throw(session::read_protocol(folder.write("p.toml", steps), kLibrary));
+  session::SessionConfig config;
   config.database = folder.path("bench.db");
   config.create_database = true;
   config.patient_code = "BENCH-1";
   config.device_uri = "sim://healthy?seed=7";
   config.library = kLibrary;
   config.virtual_time = true;
-  const auto session = value_or_throw(Session::open(config));
-  const auto result = value_or_throw(run_protocol(*session, protocol, [](const auto&) {}));
+  const auto session = value_or_throw(session::Session::open(config));
+  const auto result = value_or_throw(session::run_protocol(*session, protocol, [](const auto&) {}));
   session->close();
-  const auto store = value_or_throw(open_store_to_read(config.database));
+  const auto store = value_or_throw(storage::open_store_to_read(config.database));
   return {protocol.tasks.back().front(),
           first_rows(value_or_throw(store->signals(result.trials.back().trial)))};
 }
@@ -113,7 +114,7 @@ const Trial& trial_of(const std::string& kind) {
 
 void score_trial(benchmark::State& bench, const std::string& kind) {
   const Trial& trial = trial_of(kind);
-  for (auto _ : bench) benchmark::DoNotOptimize(score(trial.spec, trial.signals));
+  for (auto _ : bench) benchmark::DoNotOptimize(tasks::score(trial.spec, trial.signals));
 }
 BENCHMARK_CAPTURE(score_trial, sine, std::string("sine"))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(score_trial, multi_sine, std::string("multi_sine"))
@@ -149,7 +150,7 @@ const Signals& pairs() {
 
 void score_all_pairs(benchmark::State& bench) {
   const Signals& table = pairs();
-  for (auto _ : bench) benchmark::DoNotOptimize(score_pairs(table));
+  for (auto _ : bench) benchmark::DoNotOptimize(tasks::score_pairs(table));
 }
 BENCHMARK(score_all_pairs)->Unit(benchmark::kMillisecond);
 
@@ -161,39 +162,39 @@ void read_all_pairs(benchmark::State& bench) {
 }
 BENCHMARK(read_all_pairs)->Unit(benchmark::kMillisecond);
 
-UniformSamples column(const char* name) {
+statistics::UniformSamples column(const char* name) {
   const auto values = trial_of("multi_sine").signals.column(name);
   return {0.01, {values.begin(), values.end()}};
 }
 
 void measure_sample_entropy(benchmark::State& bench) {
-  const UniformSamples force = column("actual_force_N");
-  for (auto _ : bench) benchmark::DoNotOptimize(sample_entropy(force.values));
+  const statistics::UniformSamples force = column("actual_force_N");
+  for (auto _ : bench) benchmark::DoNotOptimize(tasks::sample_entropy(force.values));
 }
 BENCHMARK(measure_sample_entropy)->Unit(benchmark::kMillisecond);
 
 void measure_lag(benchmark::State& bench) {
-  const UniformSamples target = column("target_force_N");
-  const UniformSamples force = column("actual_force_N");
-  for (auto _ : bench) benchmark::DoNotOptimize(lag(target, force));
+  const statistics::UniformSamples target = column("target_force_N");
+  const statistics::UniformSamples force = column("actual_force_N");
+  for (auto _ : bench) benchmark::DoNotOptimize(tasks::lag(target, force));
 }
 BENCHMARK(measure_lag)->Unit(benchmark::kMillisecond);
 
 void measure_sparc(benchmark::State& bench) {
-  const UniformSamples rate = rate_of(column("actual_force_N"));
-  for (auto _ : bench) benchmark::DoNotOptimize(sparc(rate));
+  const statistics::UniformSamples rate = tasks::rate_of(column("actual_force_N"));
+  for (auto _ : bench) benchmark::DoNotOptimize(tasks::sparc(rate));
 }
 BENCHMARK(measure_sparc)->Unit(benchmark::kMillisecond);
 
 void measure_ldlj(benchmark::State& bench) {
-  const UniformSamples rate = rate_of(column("actual_force_N"));
-  for (auto _ : bench) benchmark::DoNotOptimize(ldlj(rate));
+  const statistics::UniformSamples rate = tasks::rate_of(column("actual_force_N"));
+  for (auto _ : bench) benchmark::DoNotOptimize(tasks::ldlj(rate));
 }
 BENCHMARK(measure_ldlj)->Unit(benchmark::kMillisecond);
 
 void measure_spectrum(benchmark::State& bench) {
-  const UniformSamples force = column("actual_force_N");
-  for (auto _ : bench) benchmark::DoNotOptimize(welch(force));
+  const statistics::UniformSamples force = column("actual_force_N");
+  for (auto _ : bench) benchmark::DoNotOptimize(tasks::welch(force));
 }
 BENCHMARK(measure_spectrum)->Unit(benchmark::kMillisecond);
 

@@ -98,13 +98,13 @@ class Source {
   std::vector<double> drift_ = std::vector<double>(kColumns, 0.0);
 };
 
-TrialRecord described(RowId session, int number) {
-  TrialRecord trial;
+storage::TrialRecord described(storage::RowId session, int number) {
+  storage::TrialRecord trial;
   trial.session_id = session;
   trial.number = number;
   trial.task_name = "bench";
   for (const char* name : {"force", "raw", "object", "task"}) {
-    SignalGroup group{name, {}};
+    storage::SignalGroup group{name, {}};
     for (std::size_t c = 0; c < kColumns; ++c) group.columns.push_back(name + std::to_string(c));
     trial.groups.push_back(group);
   }
@@ -114,20 +114,20 @@ TrialRecord described(RowId session, int number) {
 void record(const std::string& path) {
   Times seconds;
   Times close;
-  const auto store = must(open_store(path, OpenMode::create));
-  SessionRecord session;
+  const auto store = must(storage::open_store(path, storage::OpenMode::create));
+  storage::SessionRecord session;
   session.patient_id = must(store->add_patient("BENCH-1")).id;
   session.rate_Hz = kRate_Hz;
-  const RowId id = must(store->begin_session(session));
+  const storage::RowId id = must(store->begin_session(session));
   Source source;
   for (int number = 1; number <= kTrials; ++number) {
-    TrialRecord trial = described(id, number);
+    storage::TrialRecord trial = described(id, number);
     trial.id = must(store->begin_trial(trial));
     for (int second = 0; second < kSeconds; ++second) {
       const auto rows = source.second(second);
       seconds.of([&] { must(store->append_blocks(trial.id, second, rows)); });
     }
-    trial.status = TrialStatus::completed;
+    trial.status = storage::TrialStatus::completed;
     close.of([&] { must(store->end_trial(trial, {})); });
   }
   seconds.print("storing one second (four blocks, one synced transaction)");
@@ -135,28 +135,29 @@ void record(const std::string& path) {
 }
 
 void read(const std::string& path) {
-  const auto store = must(open_store(path, OpenMode::read_only));
+  const auto store = must(storage::open_store(path, storage::OpenMode::read_only));
   Times opening;
   constexpr int kRounds = 20;
   const auto trials = must(store->trials(1));
   for (int round = 0; round < kRounds; ++round)
-    for (const TrialRecord& trial : trials) opening.of([&] { must(store->signals(trial)); });
+    for (const storage::TrialRecord& trial : trials)
+      opening.of([&] { must(store->signals(trial)); });
   opening.print("opening a five-minute trial, every hash checked");
 }
 
 void query(const std::string& path) {
   {
-    const auto store = must(open_store(path, OpenMode::scratch));
-    const RowId patient = must(store->add_patient("BENCH-1")).id;
+    const auto store = must(storage::open_store(path, storage::OpenMode::scratch));
+    const storage::RowId patient = must(store->add_patient("BENCH-1")).id;
     constexpr int kSessions = 200;
     constexpr int kMeasures = 20;
     for (int s = 0; s < kSessions; ++s) {
-      SessionRecord session;
+      storage::SessionRecord session;
       session.patient_id = patient;
-      const RowId id = must(store->begin_session(session));
-      TrialRecord trial = described(id, 1);
+      const storage::RowId id = must(store->begin_session(session));
+      storage::TrialRecord trial = described(id, 1);
       trial.id = must(store->begin_trial(trial));
-      trial.status = TrialStatus::completed;
+      trial.status = storage::TrialStatus::completed;
       std::vector<Measure> measures(kMeasures);
       for (std::size_t m = 0; m < measures.size(); ++m) {
         measures[m].name = "measure" + std::to_string(m);
@@ -165,7 +166,7 @@ void query(const std::string& path) {
       must(store->end_trial(trial, measures));
     }
   }
-  const auto store = must(open_store(path, OpenMode::read_only));
+  const auto store = must(storage::open_store(path, storage::OpenMode::read_only));
   Times asking;
   for (int round = 0; round < 50; ++round) asking.of([&] { must(store->progress(1)); });
   asking.print("progress of 200 sessions, 4,000 measures");
@@ -175,7 +176,7 @@ void query(const std::string& path) {
 void flip_bits(const std::string& path, const std::string& copy) {
   std::ifstream in(path, std::ios::binary);
   const std::string whole(std::istreambuf_iterator<char>(in), {});
-  const auto store = must(open_store(path, OpenMode::read_only));
+  const auto store = must(storage::open_store(path, storage::OpenMode::read_only));
   std::vector<Signals> sound;
   for (const auto& trial : must(store->trials(1))) sound.push_back(must(store->signals(trial)));
   constexpr int kFlips = 200;
@@ -195,8 +196,9 @@ void flip_bits(const std::string& path, const std::string& copy) {
     put(static_cast<char>(whole[bit / 8] ^ (1 << (bit % 8))));
     int broken = 0;
     bool same = true;
-    const auto damaged = open_store(copy, OpenMode::read_only);
-    const auto trials = damaged ? (*damaged)->trials(1) : Result<std::vector<TrialRecord>>(Error{});
+    const auto damaged = storage::open_store(copy, storage::OpenMode::read_only);
+    const auto trials =
+        damaged ? (*damaged)->trials(1) : Result<std::vector<storage::TrialRecord>>(Error{});
     if (trials)
       for (std::size_t t = 0; t < sound.size(); ++t) {
         const auto signals =
@@ -228,7 +230,7 @@ void run(const std::string& folder) {
   record(path);
   read(path);
   query(folder + "/progress.db");
-  const auto stats = must(file_stats(path));
+  const auto stats = must(storage::file_stats(path));
   std::printf("\n| per minute of trial | |\n|---|---|\n");
   std::printf("| signals | %.2f MB |\n",
               60e-6 * static_cast<double>(stats.signal_bytes) / stats.recorded_s);

@@ -9,7 +9,7 @@
 
 #include "core/csv.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::string bids_events_sidecar() {
          "\n";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -7,7 +7,7 @@
 
 #include "exports/export_trial.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 /// A cell of words: no tab, no line break, without_formula(); "n/a" if there are none.
 [[nodiscard]] std::string tsv_cell(std::string text);
@@ -15,4 +15,4 @@ namespace isograsp {
 /// What its columns and words mean.
 [[nodiscard]] std::string bids_events_sidecar();
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

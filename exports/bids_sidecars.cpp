@@ -5,13 +5,13 @@
 
 #include "tasks/facts/column_facts.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 using Json = nlohmann::ordered_json;
 
 std::string bids_channels_sidecar() {
   Json json;
-  for (const auto& [axes, description] : kColumnAxes)
+  for (const auto& [axes, description] : tasks::kColumnAxes)
     json["reference_frame"]["Levels"][std::string(axes)] = {{"RotationRule", "right-hand"},
                                                             {"Description", description}};
   // Left hands are mirrored: no rule of turning.
@@ -78,4 +78,4 @@ std::string bids_readme() {
          "task and scene stand in derivatives/isograsp.\n";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

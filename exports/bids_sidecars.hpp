@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace isograsp {
+namespace isograsp::exports {
 
 [[nodiscard]] std::string bids_channels_sidecar();
 [[nodiscard]] std::string bids_participants_sidecar();
@@ -16,4 +16,4 @@ namespace isograsp {
 [[nodiscard]] std::string bids_description(std::string_view type);
 [[nodiscard]] std::string bids_readme();
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -12,7 +12,7 @@
 #include "exports/export_writer.hpp"
 #include "tasks/facts/column_facts.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -56,7 +56,7 @@ std::string text_of(const ExportValue& value) {
 }
 
 /// Type of a channel as the specification names them.
-std::string type_of(std::string_view name, const ColumnFacts& facts) {
+std::string type_of(std::string_view name, const tasks::ColumnFacts& facts) {
   if (name == "t_s") return "LATENCY";
   if (facts.component.starts_with("quat_")) return "ORNT";
   if (facts.component.empty()) return "MISC";
@@ -71,7 +71,7 @@ std::string channels_table(const ExportTrial& trial, Json& counts) {
       "name\tcomponent\ttype\ttracked_point\tunits\treference_frame\tgroup\tdescription\n";
   for (const auto& group : trial.trial.groups)
     for (const auto& name : group.columns) {
-      const auto facts = describe_column(name);
+      const auto facts = tasks::describe_column(name);
       const std::string type = type_of(name, facts);
       const std::string unit = facts.unit == "N m" ? "N*m" : facts.unit;
       for (const auto& field : {name, or_missing(facts.component), type, or_missing(facts.body),
@@ -183,8 +183,8 @@ class BidsExport final : public ExportWriter {
     if (const auto done = write_below(folder_ / kDerivatives / measures, derived(trial)); !done)
       return done;
     scans_ += stem_of(place) + "_motion.tsv\t" + format_number(trial.trial.session_time_s) + "\t" +
-              std::string(name_of(trial.trial.status)) + "\t" + (trial.trial.practice ? "1" : "0") +
-              "\t" + (trial.trial.helped ? "1" : "0") + "\n";
+              std::string(storage::name_of(trial.trial.status)) + "\t" +
+              (trial.trial.practice ? "1" : "0") + "\t" + (trial.trial.helped ? "1" : "0") + "\n";
     return {};
   }
 
@@ -213,7 +213,7 @@ class BidsExport final : public ExportWriter {
       participants_ += "\n";
     }
     at_ = trial.place;
-    const SessionRecord& session = trial.session;
+    const storage::SessionRecord& session = trial.session;
     sessions_ += label("ses", at_.session) + "\t" +
                  (trial.session_day ? std::to_string(*trial.session_day) : kNotAvailable) + "\t" +
                  std::string(name_of(session.hand)) + "\t" + (session.simulated ? "1" : "0") +
@@ -254,4 +254,4 @@ std::unique_ptr<ExportWriter> make_bids_writer(fs::path folder) {
   return std::make_unique<BidsExport>(std::move(folder));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -6,7 +6,7 @@
 #include "core/csv.hpp"
 #include "exports/export_writer.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::unique_ptr<ExportWriter> make_csv_writer(fs::path folder) {
   return std::make_unique<CsvExport>(std::move(folder));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -6,7 +6,7 @@
 #include "exports/export_trial.hpp"
 #include "tasks/facts/column_facts.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -71,7 +71,7 @@ Json columns_of(const ExportTrial& trial) {
   Json columns = Json::array();
   for (const auto& group : trial.trial.groups)
     for (const auto& column : group.columns) {
-      const auto facts = describe_column(column);
+      const auto facts = tasks::describe_column(column);
       Json one{{"name", column}, {"unit", facts.unit}, {"group", group.name}};
       if (!facts.axes.empty()) one["axes"] = facts.axes;
       one["description"] = facts.description;
@@ -90,7 +90,7 @@ std::vector<ExportFact> patient_facts(const ExportTrial& trial) {
 }
 
 std::vector<ExportFact> session_facts(const ExportTrial& trial) {
-  const SessionRecord& session = trial.session;
+  const storage::SessionRecord& session = trial.session;
   return {{"number", std::int64_t{trial.place.session}},
           {"days_from_first_session", known(trial.session_day)},
           {"hand", std::string(name_of(session.hand))},
@@ -110,14 +110,14 @@ std::vector<ExportFact> session_facts(const ExportTrial& trial) {
 }
 
 std::vector<ExportFact> trial_facts(const ExportTrial& exported) {
-  const TrialRecord& trial = exported.trial;
+  const storage::TrialRecord& trial = exported.trial;
   std::vector<ExportFact> facts{{"number", std::int64_t{trial.number}},
                                 {"task", trial.task_name},
                                 {"task_kind", exported.place.task_kind},
                                 {"task_version", std::int64_t{trial.task_version}},
                                 {"practice", trial.practice},
                                 {"helped", trial.helped},
-                                {"status", std::string(name_of(trial.status))},
+                                {"status", std::string(storage::name_of(trial.status))},
                                 {"session_time_s", trial.session_time_s},
                                 {"maximum_force_N", trial.maximum_force_N},
                                 {"resting_force_N", trial.resting_force_N},
@@ -149,7 +149,8 @@ std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite) {
             {"axes", Json::object()},
             {"infinite_values_left_empty", infinite},
             {"instrument_zero", nullptr}};
-  for (const auto& [axes, description] : kColumnAxes) json["axes"][std::string(axes)] = description;
+  for (const auto& [axes, description] : tasks::kColumnAxes)
+    json["axes"][std::string(axes)] = description;
   if (trial.zero)
     json["instrument_zero"] = {{"session_time_s", trial.zero->session_time_s},
                                {"units", "N N N Nm Nm Nm"},
@@ -173,4 +174,4 @@ std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -14,7 +14,7 @@
 #include "tasks/facts/column_facts.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -169,7 +169,7 @@ class FhirExport final : public ExportWriter {
   /// What both Observations of a trial say.
   Json observation(const ExportTrial& trial, Json code) {
     Json json{{"resourceType", "Observation"}, {"meta", meta_of(trial)}};
-    json["status"] = trial.trial.status == TrialStatus::completed ? "final" : "cancelled";
+    json["status"] = trial.trial.status == storage::TrialStatus::completed ? "final" : "cancelled";
     json["code"] = std::move(code);
     json["subject"] = {{"reference", patient_urn_}};
     // The day stays in the clinic; its place in the course is a component.
@@ -205,7 +205,7 @@ class FhirExport final : public ExportWriter {
         trial, coded(trial.place.task_kind,
                      {"task", task, "Kind of the task, as docs/file_formats.md calls it."}));
     for (const auto& measure : trial.measures) {
-      const auto words = words_for(measure.name, measure.channel);
+      const auto words = tasks::words_for(measure.name, measure.channel);
       const std::string unit = measure.unit.empty() ? "no unit" : measure.unit;
       Json component{{"code", coded(fhir_code(measure),
                                     {"measure", words.title,
@@ -229,7 +229,7 @@ class FhirExport final : public ExportWriter {
     constexpr double kMsPerSecond = 1000.0;
     if (trial.signals.rows() == 0) return json;
     for (const auto& name : trial.signals.names()) {
-      const auto facts = describe_column(name);
+      const auto facts = tasks::describe_column(name);
       const std::string axes = facts.axes.empty() ? "" : " Axes: " + facts.axes + ".";
       // No factor and an origin of 0: what stands there are the values themselves, to the last bit.
       json["component"].push_back(
@@ -259,4 +259,4 @@ std::unique_ptr<ExportWriter> make_fhir_writer(fs::path folder) {
   return std::make_unique<FhirExport>(std::move(folder));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

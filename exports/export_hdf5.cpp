@@ -6,7 +6,7 @@
 #include "exports/hdf5_file.hpp"
 #include "tasks/facts/column_facts.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -29,7 +29,7 @@ void write_signals(Hdf5Node& group, const ExportTrial& trial) {
     std::vector<std::string> descriptions;
     for (const auto& name : stored.columns) {
       columns.push_back(trial.signals.column(next++));
-      const auto facts = describe_column(name);
+      const auto facts = tasks::describe_column(name);
       units.push_back(facts.unit);
       axes.push_back(facts.axes);
       descriptions.push_back(facts.description);
@@ -136,7 +136,7 @@ class Hdf5Export final : public ExportWriter {
     file_ = Hdf5Node::create_file(folder_ / kFile);
     file_.set("format", std::string("isograsp-hdf5-1"));
     file_.set("written_by", std::string("IsoGrasp " ISOGRASP_VERSION));
-    for (const auto& [axes, description] : kColumnAxes)
+    for (const auto& [axes, description] : tasks::kColumnAxes)
       file_.set("axes_" + std::string(axes), std::string(description));
     patients_ = file_.make_group("patients");
   }
@@ -157,4 +157,4 @@ std::unique_ptr<ExportWriter> make_hdf5_writer(fs::path folder) {
   return std::make_unique<Hdf5Export>(std::move(folder));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -7,7 +7,7 @@
 #include "hand/anatomical_axes.hpp"
 #include "tasks/kind_name.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -24,8 +24,8 @@ std::optional<int> days(const std::string& first, const std::string& second) {
   return days_between(*from, *to);
 }
 
-SessionRecord without_identity(const SessionRecord& session) {
-  SessionRecord safe = session;
+storage::SessionRecord without_identity(const storage::SessionRecord& session) {
+  storage::SessionRecord safe = session;
   safe.started_utc.clear();
   safe.ended_utc.clear();
   // The name of a recording's file may be a person's: it stays here.
@@ -45,9 +45,9 @@ Record without_time(Record record) {
   return record;
 }
 
-ExportPlace place_of(int patient, int session, const TrialRecord& trial) {
-  const auto task = parse_task(trial.task_text, trial.task_name);
-  return {patient, session, trial.number, std::string(task ? kind_name(*task) : "unknown"),
+ExportPlace place_of(int patient, int session, const storage::TrialRecord& trial) {
+  const auto task = tasks::parse_task(trial.task_text, trial.task_name);
+  return {patient, session, trial.number, std::string(task ? tasks::kind_name(*task) : "unknown"),
           !trial.scene_text.empty()};
 }
 
@@ -74,7 +74,7 @@ Error not_released(const std::string& code, const std::string& file, const std::
           field};
 }
 
-Result<std::size_t> count_not_released(SessionStore& store, const ExportRequest& request) {
+Result<std::size_t> count_not_released(storage::SessionStore& store, const ExportRequest& request) {
   const auto patients = store.patients();
   if (!patients) return patients.error();
   std::size_t count = 0;
@@ -87,7 +87,7 @@ Result<std::size_t> count_not_released(SessionStore& store, const ExportRequest&
   return count;
 }
 
-Result<void> for_each_trial(SessionStore& store, const ExportRequest& request,
+Result<void> for_each_trial(storage::SessionStore& store, const ExportRequest& request,
                             const std::function<Result<void>(const ExportSource&)>& visit) {
   const auto patients = store.patients();
   if (!patients) return patients.error();
@@ -118,7 +118,7 @@ Result<void> for_each_trial(SessionStore& store, const ExportRequest& request,
       if (!trials) return trials.error();
       source.session = &session;
       for (const auto& trial : *trials) {
-        if (trial.status == TrialStatus::running) continue;
+        if (trial.status == storage::TrialStatus::running) continue;
         source.trial = &trial;
         source.place = place_of(number, session_number, trial);
         if (const auto done = visit(source); !done) return done;
@@ -135,7 +135,7 @@ Result<void> for_each_trial(SessionStore& store, const ExportRequest& request,
   return {};
 }
 
-Result<ExportTrial> load_trial(SessionStore& store, const ExportSource& source) {
+Result<ExportTrial> load_trial(storage::SessionStore& store, const ExportSource& source) {
   ExportTrial exported;
   exported.place = source.place;
   exported.patient_code = source.patient->code;
@@ -145,7 +145,7 @@ Result<ExportTrial> load_trial(SessionStore& store, const ExportSource& source) 
   exported.session_day = days(source.first_started_utc, source.session->started_utc);
   exported.session = without_identity(*source.session);
   exported.trial = *source.trial;
-  if (const auto task = parse_task(source.trial->task_text, source.trial->task_name))
+  if (const auto task = tasks::parse_task(source.trial->task_text, source.trial->task_name))
     exported.instruction = task->instruction;
 
   auto signals = store.signals(*source.trial);
@@ -172,4 +172,4 @@ Result<ExportTrial> load_trial(SessionStore& store, const ExportSource& source) 
   return exported;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

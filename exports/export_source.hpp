@@ -9,7 +9,7 @@
 #include "exports/export_trial.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 struct ExportRequest {
   std::string patient;    ///< code; empty: all
@@ -20,10 +20,10 @@ struct ExportRequest {
 /// A trial of the database that is asked for.
 struct ExportSource {
   ExportPlace place;
-  const PatientRecord* patient = nullptr;
-  const PatientProfile* profile = nullptr;
-  const SessionRecord* session = nullptr;
-  const TrialRecord* trial = nullptr;
+  const storage::PatientRecord* patient = nullptr;
+  const storage::PatientProfile* profile = nullptr;
+  const storage::SessionRecord* session = nullptr;
+  const storage::TrialRecord* trial = nullptr;
   std::string first_started_utc;  ///< of the patient's first session
 };
 
@@ -34,17 +34,18 @@ struct ExportSource {
 
 /// How many of the people asked for are left out: the last word on research was no, or their
 /// records are restricted.
-[[nodiscard]] Result<std::size_t> count_not_released(SessionStore& store,
+[[nodiscard]] Result<std::size_t> count_not_released(storage::SessionStore& store,
                                                      const ExportRequest& request);
 
 /// Calls `visit` for each trial asked for, by patient, session and trial. Those being recorded now
 /// are not among them, nor those of people who are not released for research. Errors: bad_input for
 /// a patient who is named and not there, or not released.
 [[nodiscard]] Result<void> for_each_trial(
-    SessionStore& store, const ExportRequest& request,
+    storage::SessionStore& store, const ExportRequest& request,
     const std::function<Result<void>(const ExportSource&)>& visit);
 
 /// Reads it, without all that could tell who, when or where.
-[[nodiscard]] Result<ExportTrial> load_trial(SessionStore& store, const ExportSource& source);
+[[nodiscard]] Result<ExportTrial> load_trial(storage::SessionStore& store,
+                                             const ExportSource& source);
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

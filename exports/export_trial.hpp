@@ -15,7 +15,7 @@
 #include "storage/records/profile.hpp"
 #include "storage/records/records.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 /// Where a trial stands in an export: numbers, so that no name from the database gets into a path.
 struct ExportPlace {
@@ -29,20 +29,20 @@ struct ExportPlace {
 struct ExportTrial {
   ExportPlace place;
   std::string patient_code;
-  std::optional<Side> affected;    ///< nothing: not told
-  std::optional<Hand> dominant;    ///< nothing: not told
+  std::optional<storage::Side> affected;  ///< nothing: not told
+  std::optional<Hand> dominant;           ///< nothing: not told
   std::optional<int> onset_day;    ///< days from the person's first session, as a rule negative
   std::optional<int> session_day;  ///< days from the person's first session
   /// Without times of day, operator, serial numbers, provenance and protocol text; device_uri is
   /// the scheme alone.
-  SessionRecord session;
-  std::string instruction;                   ///< of the task; empty: its task file cannot be read
-  TrialRecord trial;                         ///< its groups name all columns of `signals`
-  std::optional<InstrumentZeroRecord> zero;  ///< without time of day and operator
-  std::optional<RestingForceRecord> rest;    ///< likewise
+  storage::SessionRecord session;
+  std::string instruction;     ///< of the task; empty: its task file cannot be read
+  storage::TrialRecord trial;  ///< its groups name all columns of `signals`
+  std::optional<storage::InstrumentZeroRecord> zero;  ///< without time of day and operator
+  std::optional<storage::RestingForceRecord> rest;    ///< likewise
   std::vector<Measure> measures;
-  std::vector<EventRecord> events;  ///< without notes
-  Signals signals;                  ///< as stored, and the forces in the axes of the hand
+  std::vector<storage::EventRecord> events;  ///< without notes
+  Signals signals;                           ///< as stored, and the forces in the axes of the hand
 };
 
 /// One thing that is said about a session or a trial; monostate: not known.
@@ -60,4 +60,4 @@ struct ExportFact {
 /// `infinite`: values that the format beside it had to leave empty.
 [[nodiscard]] std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite);
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

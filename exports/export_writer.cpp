@@ -5,7 +5,7 @@
 
 #include "core/files.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 std::optional<ExportFormat> export_format_from_name(std::string_view name) noexcept {
   const auto found = std::find(kExportFormats.begin(), kExportFormats.end(), name);
@@ -41,4 +41,4 @@ Result<void> write_below(const std::filesystem::path& path, std::string_view tex
   return write_text(path, text);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -14,7 +14,7 @@
 #include "core/result.hpp"
 #include "exports/export_trial.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 enum class ExportFormat : std::uint8_t { csv, hdf5, bids, fhir };
 inline constexpr std::array<std::string_view, 4> kExportFormats{"csv", "hdf5", "bids", "fhir"};
@@ -49,4 +49,4 @@ class ExportWriter {
 [[nodiscard]] Result<void> write_below(const std::filesystem::path& path, std::string_view text);
 [[nodiscard]] Result<void> make_folder(const std::filesystem::path& folder);
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

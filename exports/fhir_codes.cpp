@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::string FhirCodes::resource() const {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

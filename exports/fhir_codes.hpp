@@ -10,7 +10,7 @@
 
 #include "core/measure.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 /// Canonical name of the code system: the same in every export of every clinic.
 inline constexpr const char* kFhirCodes = "urn:uuid:6f9b0d52-3f0e-4e0b-9d3a-5f3c1f7c9a41";
@@ -42,4 +42,4 @@ class FhirCodes {
   std::map<std::string, Concept> concepts_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -8,7 +8,7 @@
 
 #include <hdf5.h>
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -202,7 +202,7 @@ void Hdf5Node::write_measures(const std::string& name, std::span<const Measure> 
               {"reason", offsetof(Row, reason), text}});
 }
 
-void Hdf5Node::write_events(const std::string& name, std::span<const EventRecord> events) {
+void Hdf5Node::write_events(const std::string& name, std::span<const storage::EventRecord> events) {
   struct Row {
     double session_time_s;
     const char* kind;
@@ -245,4 +245,4 @@ void Hdf5Node::set(std::span<const ExportFact> facts) {
   for (const auto& [name, value] : facts) set(name, value);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -13,7 +13,7 @@
 #include "core/measure.hpp"
 #include "exports/export_trial.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 struct Hdf5Error : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -45,7 +45,7 @@ class Hdf5Node {
   /// name, channel, value (NaN: see reason), unit, version, samples, excluded, reason.
   void write_measures(const std::string& name, std::span<const Measure> measures);
   /// time_s, kind, text.
-  void write_events(const std::string& name, std::span<const EventRecord> events);
+  void write_events(const std::string& name, std::span<const storage::EventRecord> events);
 
   // Of anything.
   void set(const std::string& attribute, const ExportValue& value);  ///< not known: no attribute
@@ -57,4 +57,4 @@ class Hdf5Node {
   Kind kind_ = Kind::none;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-namespace isograsp {
+namespace isograsp::exports {
 
 namespace {
 
@@ -49,7 +49,7 @@ Result<void> publish(const fs::path& from, const fs::path& to) {
 }
 
 /// Everything into a folder beside which nobody looks. Returns the number of trials.
-Result<std::size_t> write_all(SessionStore& store, const ExportRequest& request,
+Result<std::size_t> write_all(storage::SessionStore& store, const ExportRequest& request,
                               ExportFormat format, const fs::path& staging, std::size_t total,
                               const Progress& progress) {
   const auto writer = make_export_writer(format, staging);
@@ -71,8 +71,8 @@ Result<std::size_t> write_all(SessionStore& store, const ExportRequest& request,
 
 }  // namespace
 
-Result<std::vector<std::string>> list_export(SessionStore& store, const ExportRequest& request,
-                                             ExportFormat format) {
+Result<std::vector<std::string>> list_export(storage::SessionStore& store,
+                                             const ExportRequest& request, ExportFormat format) {
   const auto writer = make_export_writer(format, {});
   std::vector<std::string> files;
   std::unordered_set<std::string> listed;
@@ -85,7 +85,7 @@ Result<std::vector<std::string>> list_export(SessionStore& store, const ExportRe
   return files;
 }
 
-Result<std::size_t> write_export(SessionStore& store, const ExportRequest& request,
+Result<std::size_t> write_export(storage::SessionStore& store, const ExportRequest& request,
                                  ExportFormat format, const std::string& folder,
                                  const Progress& progress) {
   std::size_t total = 0;
@@ -123,4 +123,4 @@ Result<std::size_t> write_export(SessionStore& store, const ExportRequest& reque
   return written;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -10,19 +10,20 @@
 #include "exports/export_source.hpp"
 #include "exports/export_writer.hpp"
 
-namespace isograsp {
+namespace isograsp::exports {
 
 /// The files that write_export() makes, below its folder; numbers only. Errors: bad_input for a
 /// patient who is not there.
-[[nodiscard]] Result<std::vector<std::string>> list_export(SessionStore& store,
+[[nodiscard]] Result<std::vector<std::string>> list_export(storage::SessionStore& store,
                                                            const ExportRequest& request,
                                                            ExportFormat format = ExportFormat::csv);
 
 /// Writes them into `folder`, which is made if it does not exist: all of them appear or none, and
 /// nothing is overwritten. Returns the number of trials; none at all is refused. Errors: failed, if
 /// the watcher wants to stop (asked before every trial).
-[[nodiscard]] Result<std::size_t> write_export(SessionStore& store, const ExportRequest& request,
-                                               ExportFormat format, const std::string& folder,
+[[nodiscard]] Result<std::size_t> write_export(storage::SessionStore& store,
+                                               const ExportRequest& request, ExportFormat format,
+                                               const std::string& folder,
                                                const Progress& progress = {});
 
-}  // namespace isograsp
+}  // namespace isograsp::exports

@@ -15,7 +15,7 @@
 #include "gui/windows.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 std::string variable(const char* name) {
@@ -114,4 +114,4 @@ Result<void> run_application(const ApplicationConfig& config) {
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 #include "core/result.hpp"
 #include "session/acquisition/realtime.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct ApplicationConfig {
   std::string database;    ///< made if absent
@@ -17,7 +17,7 @@ struct ApplicationConfig {
   std::string library;
   std::string software_version;
   std::string operator_name = {};
-  Realtime realtime = Realtime::prefer;
+  session::Realtime realtime = session::Realtime::prefer;
   /// Set when the program is to end: windows and sessions are closed in good order. May be null.
   const std::atomic<bool>* stop = nullptr;
   /// Makes a clinic of simulated patients and returns its file; called on another thread.
@@ -29,4 +29,4 @@ struct ApplicationConfig {
 /// thread.
 [[nodiscard]] Result<void> run_application(const ApplicationConfig& config);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

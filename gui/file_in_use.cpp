@@ -11,7 +11,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 FileInUse::FileInUse(const std::string& database, const std::string& holder, QWidget* parent)
     : QDialog(parent) {
@@ -61,7 +61,7 @@ FileInUse::FileInUse(const std::string& database, const std::string& holder, QWi
 std::optional<FileToOpen> file_to_open(const std::string& database) {
   std::string wanted = database;
   for (;;) {
-    auto use = WindowLock::take(wanted, this_program());
+    auto use = storage::WindowLock::take(wanted, storage::this_program());
     // Where that cannot be known, opening says what is wrong.
     if (!use) return FileToOpen{wanted};
     if (use->held()) return FileToOpen{wanted, false, *std::move(use)};
@@ -79,4 +79,4 @@ std::optional<FileToOpen> file_to_open(const std::string& database) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 
 #include "storage/file/window_lock.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class FileInUse final : public QDialog {
   Q_OBJECT
@@ -26,10 +26,11 @@ class FileInUse final : public QDialog {
 struct FileToOpen {
   std::string database;
   bool look_only = false;
-  std::optional<WindowLock> use = std::nullopt;  ///< nothing: another program's, or not known
+  std::optional<storage::WindowLock> use =
+      std::nullopt;  ///< nothing: another program's, or not known
 };
 
 /// Takes `database`, or asks what to do while another program has it. Nothing: the user leaves.
 [[nodiscard]] std::optional<FileToOpen> file_to_open(const std::string& database);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

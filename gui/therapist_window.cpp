@@ -29,7 +29,7 @@
 #include "gui/session_pages/start_page.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
                                  SettingsFile& settings, Staff& staff, QWidget* parent)
@@ -381,4 +381,4 @@ void TherapistWindow::closeEvent(QCloseEvent* event) {
   presenter_.end_session();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

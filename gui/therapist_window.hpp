@@ -18,7 +18,7 @@
 
 class QShortcut;
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class IdentityCard;
 class LibraryPage;
@@ -95,4 +95,4 @@ class TherapistWindow final : public QMainWindow {
   bool closing_ = false;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

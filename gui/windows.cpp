@@ -9,7 +9,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -59,7 +59,7 @@ void Windows::watch_staff() {
       [this](std::function<void()> then) { clinic_.when_done(std::move(then)); });
   QObject::connect(&staff_, &Staff::changed, &presenter_, [this] { follow_staff(); });
   QObject::connect(&staff_, &Staff::opened, &clinic_, [this] {
-    reads_only_ = look_only_ || !staff_.allows(Right::write_records);
+    reads_only_ = look_only_ || !staff_.allows(storage::Right::write_records);
     clinic_.open(*reads_only_);
   });
   QObject::connect(&clinic_, &Clinic::opened, &backups_, [this] {
@@ -79,7 +79,7 @@ void Windows::follow_staff() {
   // Whoever comes back has not seen what was said before.
   if (was_closed && !backups_.problem().isEmpty()) therapist_->say(backups_.problem());
   if (!reads_only_ || staff_.busy()) return;
-  const bool reads_only = look_only_ || !staff_.allows(Right::write_records);
+  const bool reads_only = look_only_ || !staff_.allows(storage::Right::write_records);
   if (std::exchange(reads_only_, reads_only) != reads_only) clinic_.open(reads_only);
   if (clinic_.is_open() && clinic_.file_of() != presenter_.patient())
     clinic_.load_profile(presenter_.patient());
@@ -165,4 +165,4 @@ void Windows::show_patient_screen() {
     patient_->toggle_full_screen();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

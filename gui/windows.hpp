@@ -15,7 +15,7 @@
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/therapist_window.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class Windows {
  public:
@@ -58,4 +58,4 @@ class Windows {
   std::unique_ptr<PatientWindow> patient_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::optional<double> Compensation::pad_shift_m(Finger finger) const noexcept {
   return (pad.now - pad.place).norm();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -9,7 +9,7 @@
 
 #include "session/acquisition/snapshot.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// A finger that lies this far from where it was strapped has moved: it is to be seated anew.
 inline constexpr double kRemarkablePadShift_m = 0.005;
@@ -44,4 +44,4 @@ class Compensation {
   std::optional<double> newest_s_;  ///< session time of the newest snapshot; nothing: none yet
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/contact_threshold.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 std::array<std::optional<double>, kFingerCount> contact_thresholds(
-    const std::optional<InstrumentZeroRecord>& zero, double maximum_force_N) {
+    const std::optional<storage::InstrumentZeroRecord>& zero, double maximum_force_N) {
   std::array<std::optional<double>, kFingerCount> threshold_N{};
   if (!zero || !(maximum_force_N > 0.0)) return threshold_N;
   constexpr Eigen::Index kNormalForce = 2;
@@ -27,4 +27,4 @@ std::array<std::optional<double>, kFingerCount> thresholds_of(const Scene& scene
   return threshold_N;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

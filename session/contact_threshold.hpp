@@ -11,7 +11,7 @@
 #include "hand/finger.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// max(5 noise SD, min(0.8 N, 5 % of the maximum)) [N] (docs/measures.md, "Touching").
 /// @pre noise_sd_N >= 0, maximum_force_N > 0
@@ -26,7 +26,7 @@ namespace isograsp {
 /// Thresholds of a session: of each finger by the noise of its normal force when the device was
 /// empty. Nothing as long as noise or maximum is not measured: then a scene's own ones count.
 [[nodiscard]] std::array<std::optional<double>, kFingerCount> contact_thresholds(
-    const std::optional<InstrumentZeroRecord>& zero, double maximum_force_N);
+    const std::optional<storage::InstrumentZeroRecord>& zero, double maximum_force_N);
 
 /// The scene with these thresholds in place of its own.
 [[nodiscard]] Scene with_thresholds(
@@ -34,4 +34,4 @@ namespace isograsp {
 /// The thresholds that a scene has.
 [[nodiscard]] std::array<std::optional<double>, kFingerCount> thresholds_of(const Scene& scene);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -5,7 +5,7 @@
 #include "session/simulated_person.hpp"
 #include "session/trial_setup.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -15,8 +15,8 @@ constexpr double kAssumedClosing_N = 20.0;
 constexpr double kAssumedOther_N = 6.0;
 constexpr double kComfortable = 0.4;  ///< of the maximum
 
-ForceReferences completed(const ForceReferences& known) {
-  ForceReferences all;
+tasks::ForceReferences completed(const tasks::ForceReferences& known) {
+  tasks::ForceReferences all;
   all.maximum_N = known.maximum_N;
   all.comfortable_N = known.comfortable_N;
   all.resting_C = known.resting_C.value_or(FingerWrenches{});
@@ -35,8 +35,9 @@ ForceReferences completed(const ForceReferences& known) {
 
 }  // namespace
 
-Result<Demonstration> demonstrate(const TaskSpec& spec, const ForceReferences& references,
-                                  Hand hand, const std::string& library) {
+Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
+                                  const tasks::ForceReferences& references, Hand hand,
+                                  const std::string& library) {
   const std::string text = "sim://healthy?seed=1&hand=" + std::string(name_of(hand));
   const auto uri = Uri::parse(text);
   if (!uri) return uri.error();
@@ -51,7 +52,7 @@ Result<Demonstration> demonstrate(const TaskSpec& spec, const ForceReferences& r
   Acquisition acquisition(**device, clock, (*device)->now(clock), {.viewer = person->get()});
 
   Demonstration shown;
-  shown.task = std::make_shared<TaskSpec>(spec);
+  shown.task = std::make_shared<tasks::TaskSpec>(spec);
   shown.period_s = (*device)->info().frame_period_s;
   shown.context.period_s = shown.period_s;
   shown.context.references = completed(references);
@@ -75,4 +76,4 @@ Result<Demonstration> demonstrate(const TaskSpec& spec, const ForceReferences& r
   return shown;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -11,11 +11,11 @@
 #include "session/acquisition/snapshot.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 struct Demonstration {
-  std::shared_ptr<const TaskSpec> task;
-  TaskContext context;                 ///< the task was made with
+  std::shared_ptr<const tasks::TaskSpec> task;
+  tasks::TaskContext context;          ///< the task was made with
   std::shared_ptr<const Scene> scene;  ///< as the hand met it; null: a force task
   double period_s = 0.0;               ///< between frames
   std::vector<Snapshot> frames;        ///< from the beginning of the trial on
@@ -27,8 +27,8 @@ inline constexpr double kLongestDemonstration_s = 30.0;
 /// `references`: of the patient who watches, so that targets look like their own; what was not
 /// measured yet is assumed. What the screening or the sensors would refuse is shown nevertheless.
 /// Takes a fraction of a second. Any thread.
-[[nodiscard]] Result<Demonstration> demonstrate(const TaskSpec& spec,
-                                                const ForceReferences& references, Hand hand,
+[[nodiscard]] Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
+                                                const tasks::ForceReferences& references, Hand hand,
                                                 const std::string& library);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -7,7 +7,7 @@
 
 #include "core/csv.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -41,8 +41,8 @@ class ProtocolReader {
   Result<void> read() {
     for (std::size_t i = 0; i < ready_.spec.steps.size(); ++i) {
       ready_.tasks.emplace_back();
-      const ProtocolStep& step = ready_.spec.steps[i];
-      if (step.kind != ProtocolStep::Kind::task) continue;
+      const tasks::ProtocolStep& step = ready_.spec.steps[i];
+      if (step.kind != tasks::ProtocolStep::Kind::task) continue;
       for (const std::string& name : step.tasks) {
         auto task = find_and_load(name);
         if (!task) return task.error();
@@ -54,7 +54,7 @@ class ProtocolReader {
   }
 
  private:
-  Result<TaskSpec> find_and_load(const std::string& name) const {
+  Result<tasks::TaskSpec> find_and_load(const std::string& name) const {
     const auto path = find_in_library(library_, "tasks", name, ready_.spec.file);
     if (!path) return path.error();
     auto spec = load_task(*path);
@@ -74,29 +74,29 @@ class ProtocolReader {
   }
 
   /// What a task needs must have been measured by an earlier step.
-  Result<void> check(const TaskSpec& task, const ProtocolStep& step) {
+  Result<void> check(const tasks::TaskSpec& task, const tasks::ProtocolStep& step) {
     if (step.adaptive && !task.difficulty)
       return refused("'" + task.name + "' has no difficulty to adapt",
                      "add a [difficulty] table to the task, or leave out adaptive");
-    const auto* maximum = std::get_if<MaximumSpec>(&task.kind);
+    const auto* maximum = std::get_if<tasks::MaximumSpec>(&task.kind);
     const bool above_rest =
-        maximum != nullptr || std::holds_alternative<DirectionalMaximaSpec>(task.kind);
+        maximum != nullptr || std::holds_alternative<tasks::DirectionalMaximaSpec>(task.kind);
     if (above_rest && !rested_)
       return refused(
           "a maximum is measured above the resting force, which no earlier step measures",
           "put a resting-force task before it");
     for (const auto& [scale, measured, what] :
-         {std::tuple{Scale::of_maximum, &maxima_, "maximum"},
-          std::tuple{Scale::of_comfortable, &comfortable_, "comfortable force"}})
+         {std::tuple{tasks::Scale::of_maximum, &maxima_, "maximum"},
+          std::tuple{tasks::Scale::of_comfortable, &comfortable_, "comfortable force"}})
       for (const ForceChannel channel : task.channels_needed(scale))
         if (std::find(measured->begin(), measured->end(), channel) == measured->end())
           return refused("the target is a share of the " + std::string(what) + " of '" +
                              name_of(channel) + "' that no earlier step measures",
                          "put a task that measures it before");
-    rested_ = rested_ || std::holds_alternative<RestSpec>(task.kind);
+    rested_ = rested_ || std::holds_alternative<tasks::RestSpec>(task.kind);
     if (maximum != nullptr)
       (maximum->comfortable ? comfortable_ : maxima_).push_back(maximum->channel);
-    if (const auto* directions = std::get_if<DirectionalMaximaSpec>(&task.kind))
+    if (const auto* directions = std::get_if<tasks::DirectionalMaximaSpec>(&task.kind))
       for (const Finger digit : directions->digits)
         for (const Direction direction : directions->directions)
           maxima_.push_back(channel_of(digit, direction));
@@ -137,21 +137,21 @@ Result<std::string> find_in_library(const std::string& library, const std::strin
                ""};
 }
 
-Result<TaskSpec> load_task(const std::string& path) {
+Result<tasks::TaskSpec> load_task(const std::string& path) {
   const auto text = read_text(path);
   if (!text) return text.error();
   return read_task(*text, path);
 }
 
-Result<TaskSpec> read_task(std::string_view text, const std::string& path) {
-  auto spec = parse_task(text, path);
+Result<tasks::TaskSpec> read_task(std::string_view text, const std::string& path) {
+  auto spec = tasks::parse_task(text, path);
   if (!spec) return spec;
-  const auto* tracking = std::get_if<ForceTrackingSpec>(&spec->kind);
+  const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec->kind);
   if (tracking == nullptr || tracking->waveform.csv.empty() || !tracking->waveform.t_s.empty())
     return spec;
   const auto table = csv_table((fs::path(path).parent_path() / tracking->waveform.csv).string());
   if (!table) return table.error();
-  return parse_task(std::string(text) + *table, path);
+  return tasks::parse_task(std::string(text) + *table, path);
 }
 
 Result<ReadyProtocol> read_protocol(const std::string& path, const std::string& library) {
@@ -162,11 +162,11 @@ Result<ReadyProtocol> read_protocol(const std::string& path, const std::string& 
 
 Result<ReadyProtocol> read_protocol(std::string_view text, const std::string& path,
                                     const std::string& library) {
-  auto spec = parse_protocol(text, path);
+  auto spec = tasks::parse_protocol(text, path);
   if (!spec) return spec.error();
   ReadyProtocol ready{std::move(*spec), {}};
   if (auto read = ProtocolReader(ready, library).read(); !read) return read.error();
   return ready;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -12,7 +12,7 @@
 #include "tasks/agenda.hpp"
 #include "tasks/protocol.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// The clinic's own library: "clinic.library" beside "clinic.db". It need not exist.
 [[nodiscard]] std::string own_library_folder(const std::string& database);
@@ -27,15 +27,15 @@ namespace isograsp {
 
 /// Reads a task file. A target from a CSV file (columns t_s and target, beside the task) is taken
 /// into the task's text, so that what is stored with a trial is whole.
-[[nodiscard]] Result<TaskSpec> load_task(const std::string& path);
+[[nodiscard]] Result<tasks::TaskSpec> load_task(const std::string& path);
 /// The same for a text that is, or will be, the file `path`.
-[[nodiscard]] Result<TaskSpec> read_task(std::string_view text, const std::string& path);
+[[nodiscard]] Result<tasks::TaskSpec> read_task(std::string_view text, const std::string& path);
 
 /// A protocol with all its tasks read: a bad file is found before a session begins.
 struct ReadyProtocol {
-  ProtocolSpec spec;
-  std::vector<std::vector<TaskSpec>> tasks;  ///< of each step; empty for zeros and pauses
-  [[nodiscard]] Duration duration() const { return duration_of(spec, tasks); }
+  tasks::ProtocolSpec spec;
+  std::vector<std::vector<tasks::TaskSpec>> tasks;  ///< of each step; empty for zeros and pauses
+  [[nodiscard]] tasks::Duration duration() const { return tasks::duration_of(spec, tasks); }
 };
 /// Tasks are looked for beside the protocol, then in the library; their scenes must exist.
 [[nodiscard]] Result<ReadyProtocol> read_protocol(const std::string& path,
@@ -44,4 +44,4 @@ struct ReadyProtocol {
 [[nodiscard]] Result<ReadyProtocol> read_protocol(std::string_view text, const std::string& path,
                                                   const std::string& library);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

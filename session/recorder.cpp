@@ -9,7 +9,7 @@
 #include "session/resting.hpp"
 #include "tasks/score.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -43,7 +43,7 @@ std::string newtons(double force_N) {
 
 }  // namespace
 
-std::string remark_on(const InstrumentZeroRecord& zero) {
+std::string remark_on(const storage::InstrumentZeroRecord& zero) {
   std::string remark;
   if (zero.change_confirmed)
     remark += "It differs from the last empty zero by " + newtons(*zero.change_N) +
@@ -54,7 +54,7 @@ std::string remark_on(const InstrumentZeroRecord& zero) {
   return remark;
 }
 
-Recorder::Recorder(std::unique_ptr<SessionWriter> writer, const SessionRecord& session,
+Recorder::Recorder(std::unique_ptr<SessionWriter> writer, const storage::SessionRecord& session,
                    Ring<RecordItem>& records, bool live_score)
     : store_(std::move(writer)),
       session_(session),
@@ -73,10 +73,10 @@ void Recorder::look() {
 }
 
 void Recorder::take_remarks() {
-  std::vector<EventRecord> events;
+  std::vector<storage::EventRecord> events;
   std::vector<Rating> ratings;
-  std::vector<SessionAnswer> answers;
-  std::vector<std::pair<RowId, bool>> helped;
+  std::vector<storage::SessionAnswer> answers;
+  std::vector<std::pair<storage::RowId, bool>> helped;
   {
     const std::lock_guard lock(mutex_);
     events.swap(events_);
@@ -93,7 +93,7 @@ void Recorder::take_remarks() {
   for (const auto& [trial, mark] : helped) stored(store_->mark_helped(trial, mark));
 }
 
-void Recorder::take_rating(RatingRecord rating, bool corrects) {
+void Recorder::take_rating(storage::RatingRecord rating, bool corrects) {
   rating.session_id = session_.id;
   if (corrects) {
     rating.id = last_rating_id_;
@@ -156,7 +156,7 @@ void Recorder::add_sample(const TrialSample& sample) {
   if (static_cast<std::size_t>(samples_) % rows_per_block_ != 0) return;
   write_block();
   if (!live_score_wanted_) return;
-  auto measures = score(trial_->spec, signals_);
+  auto measures = tasks::score(trial_->spec, signals_);
   const std::lock_guard lock(mutex_);
   live_ = std::move(measures);
 }
@@ -186,11 +186,12 @@ void Recorder::end(const RecordItem& item) {
     outcome.trial.viewing_distance_m = screen.distance_m;
   }
   outcome.reason = item.reason;
-  outcome.measures = score(trial_->spec, signals_);
-  if (item.status == TrialStatus::aborted)
+  outcome.measures = tasks::score(trial_->spec, signals_);
+  if (item.status == storage::TrialStatus::aborted)
     stored(store_->add_event({trial_id_, item.session_time_s, "abort", item.reason}));
   stored(store_->end_trial(outcome.trial, outcome.measures));
-  if (item.status == TrialStatus::completed && std::holds_alternative<RestSpec>(trial_->spec.kind))
+  if (item.status == storage::TrialStatus::completed &&
+      std::holds_alternative<tasks::RestSpec>(trial_->spec.kind))
     outcome.rest = add_rest(item);
   trial_ = nullptr;
   last_trial_id_ = std::exchange(trial_id_, 0);
@@ -204,13 +205,13 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
   if (!rest) return std::nullopt;
   RestOutcome outcome;
   outcome.words = describe(*rest);
-  RestingForceRecord& record = outcome.rest;
+  storage::RestingForceRecord& record = outcome.rest;
   record.session_id = session_.id;
   record.trial_id = trial_id_;
   record.session_time_s = item.session_time_s;
   record.recorded_utc = utc_at(item.session_time_s);
   record.operator_name = session_.operator_name;
-  record.duration_s = std::get<RestSpec>(trial_->spec.kind).duration_s;
+  record.duration_s = std::get<tasks::RestSpec>(trial_->spec.kind).duration_s;
   record.since_strapping_s = trial_->since_strapping_s;
   record.samples = rest->samples;
   record.mean = rest->mean;
@@ -222,7 +223,7 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
 void Recorder::add_zero(const RecordItem& item) {
   ZeroOutcome outcome;
   outcome.accepted = !item.zero_refusal.has_value();
-  InstrumentZeroRecord& zero = outcome.zero;
+  storage::InstrumentZeroRecord& zero = outcome.zero;
   zero.session_id = session_.id;
   zero.session_time_s = item.session_time_s;
   zero.mean = item.zero.mean;
@@ -242,7 +243,7 @@ void Recorder::add_zero(const RecordItem& item) {
 }
 
 void Recorder::take_zero(const RecordItem& item, ZeroOutcome& outcome) {
-  InstrumentZeroRecord& zero = outcome.zero;
+  storage::InstrumentZeroRecord& zero = outcome.zero;
   zero.change_confirmed = item.change_confirmed;
   outcome.remark = remark_on(zero);
   stored(store_->add_zero(zero, zero.id));
@@ -299,22 +300,22 @@ std::vector<Measure> Recorder::live_score() const {
   return live_;
 }
 
-void Recorder::add_event(const EventRecord& event) {
+void Recorder::add_event(const storage::EventRecord& event) {
   const std::lock_guard lock(mutex_);
   events_.push_back(event);
 }
 
-void Recorder::add_rating(const RatingRecord& rating) {
+void Recorder::add_rating(const storage::RatingRecord& rating) {
   const std::lock_guard lock(mutex_);
   ratings_.push_back({rating, false});
 }
 
-void Recorder::correct_rating(const RatingRecord& rating) {
+void Recorder::correct_rating(const storage::RatingRecord& rating) {
   const std::lock_guard lock(mutex_);
   ratings_.push_back({rating, true});
 }
 
-void Recorder::add_answers(const std::vector<SessionAnswer>& answers) {
+void Recorder::add_answers(const std::vector<storage::SessionAnswer>& answers) {
   const std::lock_guard lock(mutex_);
   answers_.insert(answers_.end(), answers.begin(), answers.end());
 }
@@ -324,7 +325,7 @@ void Recorder::set_screen(const ScreenShown& screen) {
   screen_ = screen;
 }
 
-void Recorder::mark_helped(RowId trial, bool helped) {
+void Recorder::mark_helped(storage::RowId trial, bool helped) {
   const std::lock_guard lock(mutex_);
   helped_.emplace_back(trial, helped);
 }
@@ -338,4 +339,4 @@ std::optional<Error> Recorder::failure() const {
   return failure_;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -15,16 +15,16 @@
 #include "session/session.hpp"
 #include "session/session_writer.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// What is to be known about an accepted zero; may be empty.
-[[nodiscard]] std::string remark_on(const InstrumentZeroRecord& zero);
+[[nodiscard]] std::string remark_on(const storage::InstrumentZeroRecord& zero);
 
 class Recorder {
  public:
   /// `session` has its row in the store. `live_score`: renew live_score() after every second of a
   /// trial.
-  Recorder(std::unique_ptr<SessionWriter> writer, const SessionRecord& session,
+  Recorder(std::unique_ptr<SessionWriter> writer, const storage::SessionRecord& session,
            Ring<RecordItem>& records, bool live_score);
 
   /// Takes all that waits in the ring; recorder thread. False once the device has finished.
@@ -38,12 +38,12 @@ class Recorder {
   void wait_for_news(double seconds);
   [[nodiscard]] std::vector<Measure> live_score() const;
   // These go to the database with the next pump().
-  void add_event(const EventRecord& event);
-  void add_rating(const RatingRecord& rating);  ///< after the newest trial
+  void add_event(const storage::EventRecord& event);
+  void add_rating(const storage::RatingRecord& rating);  ///< after the newest trial
   /// Of the rating that was added last; its time is that of the correction.
-  void correct_rating(const RatingRecord& rating);
-  void add_answers(const std::vector<SessionAnswer>& answers);
-  void mark_helped(RowId trial, bool helped);
+  void correct_rating(const storage::RatingRecord& rating);
+  void add_answers(const std::vector<storage::SessionAnswer>& answers);
+  void mark_helped(storage::RowId trial, bool helped);
   /// Stored with the trial that ends next.
   void set_screen(const ScreenShown& screen);
 
@@ -56,7 +56,7 @@ class Recorder {
  private:
   void take(const RecordItem& item);
   void take_remarks();
-  void take_rating(RatingRecord rating, bool corrects);
+  void take_rating(storage::RatingRecord rating, bool corrects);
   void add_event(const RecordItem& item);
   void begin(TrialSetup& setup);
   void add_sample(const TrialSample& sample);
@@ -74,7 +74,7 @@ class Recorder {
   bool stored(const Result<void>& result);
 
   std::unique_ptr<SessionWriter> store_;
-  SessionRecord session_;
+  storage::SessionRecord session_;
   std::size_t rows_per_block_;
   Ring<RecordItem>& records_;
   bool live_score_wanted_;
@@ -82,10 +82,10 @@ class Recorder {
   RecordItem item_;
 
   TrialSetup* trial_ = nullptr;
-  RowId trial_id_ = 0;
-  RowId last_trial_id_ = 0;  ///< that ended
-  RowId last_rating_id_ = 0;
-  RowId zero_id_ = 0;
+  storage::RowId trial_id_ = 0;
+  storage::RowId last_trial_id_ = 0;  ///< that ended
+  storage::RowId last_rating_id_ = 0;
+  storage::RowId zero_id_ = 0;
   bool has_object_ = false;
   int second_ = 0;
   std::int64_t samples_ = 0;
@@ -99,15 +99,15 @@ class Recorder {
   std::condition_variable changed_;
   std::vector<SessionNews> news_;
   std::vector<Measure> live_;
-  std::vector<EventRecord> events_;
+  std::vector<storage::EventRecord> events_;
   struct Rating {
-    RatingRecord record;
+    storage::RatingRecord record;
     bool corrects = false;  ///< the one before
   };
   std::vector<Rating> ratings_;
-  std::vector<SessionAnswer> answers_;
+  std::vector<storage::SessionAnswer> answers_;
   ScreenShown screen_;
-  std::vector<std::pair<RowId, bool>> helped_;
+  std::vector<std::pair<storage::RowId, bool>> helped_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/rest_watch.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 constexpr double kRest_s = 0.5;
@@ -33,4 +33,4 @@ bool RestWatch::at_rest() const noexcept {
   return since_s_ && last_s_ - *since_s_ >= kRest_s;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

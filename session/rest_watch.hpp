@@ -8,7 +8,7 @@
 
 #include "session/acquisition/snapshot.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// Largest force that counts as rest, from what the finger pressed at rest [N]: the same as the
 /// largest contact threshold.
@@ -30,4 +30,4 @@ class RestWatch {
   std::optional<double> since_s_;  ///< at rest since
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::session

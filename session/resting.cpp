@@ -8,7 +8,7 @@
 
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -22,7 +22,8 @@ std::vector<std::size_t> rows_that_count(const Signals& trial) {
   const auto flags = trial.column("sample_flags");
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < phase.size(); ++row)
-    if (phase[row] == static_cast<double>(Phase::active) && flags[row] == 0.0) rows.push_back(row);
+    if (phase[row] == static_cast<double>(tasks::Phase::active) && flags[row] == 0.0)
+      rows.push_back(row);
   return rows;
 }
 
@@ -84,4 +85,4 @@ std::string describe(const RestingForce& rest) {
   return text;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

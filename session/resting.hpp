@@ -11,7 +11,7 @@
 #include "core/signals.hpp"
 #include "hand/finger.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// A hand settles for at least this long after it was strapped [s].
 inline constexpr double kSettleAfterStrapping_s = 60.0;
@@ -29,4 +29,4 @@ struct RestingForce {
 /// What the values suggest, in one or two plain sentences. Tone is data: nothing is refused.
 [[nodiscard]] std::string describe(const RestingForce& rest);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -5,7 +5,7 @@
 
 #include "core/time.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -26,10 +26,11 @@ double seconds_between(const std::string& from_utc, const std::string& to_utc) {
 }
 
 /// The newest session of the same hand and kind of device, and those it resumes, newest first.
-Result<std::vector<SessionRecord>> chain_before(SessionStore& store, const SessionRecord& session) {
+Result<std::vector<storage::SessionRecord>> chain_before(storage::SessionStore& store,
+                                                         const storage::SessionRecord& session) {
   const auto sessions = store.sessions(session.patient_id);
   if (!sessions) return sessions.error();
-  std::vector<SessionRecord> chain;
+  std::vector<storage::SessionRecord> chain;
   for (auto earlier = sessions->rbegin(); earlier != sessions->rend(); ++earlier) {
     const bool wanted = chain.empty()
                             ? earlier->hand == session.hand &&
@@ -41,14 +42,14 @@ Result<std::vector<SessionRecord>> chain_before(SessionStore& store, const Sessi
   return chain;
 }
 
-Result<void> add_trials_of(SessionStore& store, const SessionRecord& earlier,
-                           const SessionRecord& session, EarlierWork& work) {
+Result<void> add_trials_of(storage::SessionStore& store, const storage::SessionRecord& earlier,
+                           const storage::SessionRecord& session, EarlierWork& work) {
   const auto trials = store.trials(earlier.id);
   if (!trials) return trials.error();
   work.trials_made += trials->size();
   const double began_s = -seconds_between(earlier.started_utc, session.started_utc);
-  for (const TrialRecord& trial : *trials) {
-    if (trial.status != TrialStatus::completed || !trial.place) continue;
+  for (const storage::TrialRecord& trial : *trials) {
+    if (trial.status != storage::TrialStatus::completed || !trial.place) continue;
     auto measures = store.measures(trial.id);
     if (!measures) return measures.error();
     const double lasted_s = static_cast<double>(trial.samples) / earlier.rate_Hz;
@@ -60,11 +61,12 @@ Result<void> add_trials_of(SessionStore& store, const SessionRecord& earlier,
 
 }  // namespace
 
-Result<EarlierWork> read_earlier_work(SessionStore& store, const SessionRecord& session) {
+Result<EarlierWork> read_earlier_work(storage::SessionStore& store,
+                                      const storage::SessionRecord& session) {
   const auto chain = chain_before(store, session);
   if (!chain) return chain.error();
   if (chain->empty()) return nothing_to_resume("this hand has had no session yet");
-  const SessionRecord& last = chain->front();
+  const storage::SessionRecord& last = chain->front();
   if (last.protocol_text != session.protocol_text)
     return nothing_to_resume("the last session of this hand followed the protocol '" +
                              last.protocol_name + "', or another version of this one");
@@ -77,28 +79,28 @@ Result<EarlierWork> read_earlier_work(SessionStore& store, const SessionRecord& 
   work.ceiling_N = last.ceiling_N;
   for (auto earlier = chain->rbegin(); earlier != chain->rend(); ++earlier)
     if (auto added = add_trials_of(store, *earlier, session, work); !added) return added.error();
-  const auto protocol = parse_protocol(session.protocol_text, session.protocol_name);
+  const auto protocol = tasks::parse_protocol(session.protocol_text, session.protocol_name);
   if (!protocol) return protocol.error();
-  Agenda agenda(*protocol, order_seed(session, work));
+  tasks::Agenda agenda(*protocol, order_seed(session, work));
   tell(agenda, *protocol, work);
   if (!agenda.next()) return nothing_to_resume("the last session finished its protocol");
   return work;
 }
 
-void tell(Agenda& agenda, const ProtocolSpec& protocol, const EarlierWork& earlier) {
+void tell(tasks::Agenda& agenda, const tasks::ProtocolSpec& protocol, const EarlierWork& earlier) {
   auto next = earlier.trials.begin();
   double ended_s = next == earlier.trials.end() ? 0.0 : next->ended_s;
   while (next != earlier.trials.end()) {
     const auto item = agenda.next();
     if (!item) return;
-    const ProtocolStep& step = protocol.steps[item->step];
-    Agenda::Outcome outcome;
-    if (step.kind == ProtocolStep::Kind::task) {
-      const TrialPlace place{static_cast<int>(item->step), static_cast<int>(item->task)};
+    const tasks::ProtocolStep& step = protocol.steps[item->step];
+    tasks::Agenda::Outcome outcome;
+    if (step.kind == tasks::ProtocolStep::Kind::task) {
+      const storage::TrialPlace place{static_cast<int>(item->step), static_cast<int>(item->task)};
       outcome.completed = next->record.place == place;
       if (outcome.completed) {
         ended_s = next->ended_s;
-        if (!next->record.helped) outcome.agreeing = agreeing(step, next->measures);
+        if (!next->record.helped) outcome.agreeing = tasks::agreeing(step, next->measures);
         ++next;
       }
     }
@@ -107,12 +109,12 @@ void tell(Agenda& agenda, const ProtocolSpec& protocol, const EarlierWork& earli
   }
 }
 
-std::uint64_t order_seed(const SessionRecord& session, const EarlierWork& earlier) {
+std::uint64_t order_seed(const storage::SessionRecord& session, const EarlierWork& earlier) {
   if (session.seed != 0) return session.seed;
   return static_cast<std::uint64_t>(earlier.first_id != 0 ? earlier.first_id : session.id);
 }
 
-std::optional<std::string> reason_to_stop(const std::vector<RatingRecord>& ratings) {
+std::optional<std::string> reason_to_stop(const std::vector<storage::RatingRecord>& ratings) {
   constexpr int kMostPain = 4;  // of 10: at this work stops
   constexpr int kMostRise = 2;  // since the first rating of the session
   if (ratings.empty()) return std::nullopt;
@@ -125,4 +127,4 @@ std::optional<std::string> reason_to_stop(const std::vector<RatingRecord>& ratin
   return std::nullopt;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -12,22 +12,22 @@
 #include "storage/records/session_store.hpp"
 #include "tasks/agenda.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// What was measured before still holds for this long [s]: the same half-day.
 inline constexpr double kLongestBreak_s = 4.0 * 3600.0;
 
 /// A completed trial of the protocol.
 struct EarlierTrial {
-  TrialRecord record;
+  storage::TrialRecord record;
   std::vector<Measure> measures;
   double ended_s = 0.0;  ///< in the time of the session that resumes: not positive
 };
 
 /// What an interrupted session, and those that it had resumed itself, did of their protocol.
 struct EarlierWork {
-  RowId first_id = 0;                ///< the session that began the protocol; 0: none
-  RowId last_id = 0;                 ///< the newest one
+  storage::RowId first_id = 0;       ///< the session that began the protocol; 0: none
+  storage::RowId last_id = 0;        ///< the newest one
   std::string allowed;               ///< outcome of its screening, as stored; empty: not asked
   std::optional<double> ceiling_N;   ///< of its screening
   std::vector<EarlierTrial> trials;  ///< in the order in which they were made
@@ -37,18 +37,20 @@ struct EarlierWork {
 /// The work that `session`, which has no row yet, can take up: that of the newest session of the
 /// same patient, hand and kind of device. Refused where that followed another protocol, finished it
 /// or began more than kLongestBreak_s ago.
-[[nodiscard]] Result<EarlierWork> read_earlier_work(SessionStore& store,
-                                                    const SessionRecord& session);
+[[nodiscard]] Result<EarlierWork> read_earlier_work(storage::SessionStore& store,
+                                                    const storage::SessionRecord& session);
 
 /// Tells a new agenda of the protocol what was done, up to the first act that was not. Tasks that
 /// had been refused for this hand are told as such.
-void tell(Agenda& agenda, const ProtocolSpec& protocol, const EarlierWork& earlier);
+void tell(tasks::Agenda& agenda, const tasks::ProtocolSpec& protocol, const EarlierWork& earlier);
 
 /// Orders the tasks of the protocol of `session`: the seed of its device or, without one, the
 /// number of the session that began the protocol.
-[[nodiscard]] std::uint64_t order_seed(const SessionRecord& session, const EarlierWork& earlier);
+[[nodiscard]] std::uint64_t order_seed(const storage::SessionRecord& session,
+                                       const EarlierWork& earlier);
 
 /// Pain of 4 or more, or of 2 more than at first, in words; nothing: work may go on.
-[[nodiscard]] std::optional<std::string> reason_to_stop(const std::vector<RatingRecord>& ratings);
+[[nodiscard]] std::optional<std::string> reason_to_stop(
+    const std::vector<storage::RatingRecord>& ratings);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -10,7 +10,7 @@
 #include "session/session_parts.hpp"
 #include "session/trial_setup.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -31,7 +31,7 @@ Session::~Session() {
 const DeviceInfo& Session::device() const noexcept {
   return parts_->device->info();
 }
-const SessionRecord& Session::record() const noexcept {
+const storage::SessionRecord& Session::record() const noexcept {
   return parts_->record;
 }
 bool Session::patient_is_new() const noexcept {
@@ -47,16 +47,16 @@ const EarlierWork& Session::earlier() const noexcept {
   return parts_->earlier;
 }
 std::uint64_t Session::order_seed() const noexcept {
-  return isograsp::order_seed(parts_->record, parts_->earlier);
+  return session::order_seed(parts_->record, parts_->earlier);
 }
 const Training& Session::training() const noexcept {
   return parts_->lesson.training;
 }
-const ForceReferences& Session::references() const noexcept {
+const tasks::ForceReferences& Session::references() const noexcept {
   return parts_->lesson.references;
 }
-TaskContext Session::next_context() const {
-  TaskContext context;
+tasks::TaskContext Session::next_context() const {
+  tasks::TaskContext context;
   context.period_s = parts_->device->info().frame_period_s;
   context.references = references();
   context.seed = trial_seed(order_seed(), parts_->earlier.trials_made + parts_->setups.size());
@@ -109,14 +109,14 @@ Result<void> Session::start_zero(const ZeroRequest& request) {
   return sent;
 }
 
-Result<void> Session::start_trial(const TaskSpec& spec, bool practice,
-                                  std::optional<TrialPlace> place) {
+Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
+                                  std::optional<storage::TrialPlace> place) {
   Parts& p = *parts_;
   if (p.pending)
     return Error{
         Error::Code::failed, "a trial or a zero is still running", "wait for its end", "", 0, ""};
   if (const double wait_s = settling_s();
-      wait_s > 0.0 && std::holds_alternative<RestSpec>(spec.kind))
+      wait_s > 0.0 && std::holds_alternative<tasks::RestSpec>(spec.kind))
     return Error{Error::Code::failed,
                  "the hand was strapped less than a minute ago and still settles",
                  "wait another " + std::to_string(std::lround(std::ceil(wait_s))) + " s",
@@ -124,7 +124,7 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice,
                  0,
                  ""};
   if (auto fresh = p.check_zero_is_fresh(); !fresh) return fresh;
-  const TaskContext context = next_context();
+  const tasks::TaskContext context = next_context();
   const auto scene =
       read_trial_scene(spec, p.config.hand, contact_thresholds_N(), p.config.library);
   if (!scene) return scene.error();
@@ -136,7 +136,7 @@ Result<void> Session::start_trial(const TaskSpec& spec, bool practice,
   if (p.config.display_delay_s) setup->constants.display_delay_s = *p.config.display_delay_s;
   const double resolution_N = references().resolution_N;
   if (resolution_N > 0.0) setup->constants.resolution_N = resolution_N;
-  TrialRecord& record = setup->record;
+  storage::TrialRecord& record = setup->record;
   record.session_id = p.record.id;
   record.number = static_cast<int>(p.setups.size()) + 1;
   record.practice = practice;
@@ -165,9 +165,9 @@ void Session::note(const std::string& text) {
   parts_->recorder->add_event({0, snapshot().session_time_s, "note", text});
 }
 
-Result<void> Session::answer(const std::vector<SessionAnswer>& answers) {
+Result<void> Session::answer(const std::vector<storage::SessionAnswer>& answers) {
   for (const auto& answer : answers)
-    if (auto good = check_answer(answer); !good) return good;
+    if (auto good = storage::check_answer(answer); !good) return good;
   parts_->recorder->add_answers(answers);
   return {};
 }
@@ -187,7 +187,7 @@ void Session::mark_helped(bool helped) {
 }
 
 std::optional<std::string> Session::rate(int effort, int pain) {
-  RatingRecord rating;
+  storage::RatingRecord rating;
   rating.session_time_s = snapshot().session_time_s;
   rating.effort = effort;
   rating.pain = pain;
@@ -197,10 +197,10 @@ std::optional<std::string> Session::rate(int effort, int pain) {
 }
 
 std::optional<std::string> Session::correct_rating(int effort, int pain) {
-  RatingRecord& rating = parts_->ratings.back();
+  storage::RatingRecord& rating = parts_->ratings.back();
   rating.effort = effort;
   rating.pain = pain;
-  RatingRecord correction = rating;
+  storage::RatingRecord correction = rating;
   correction.session_time_s = snapshot().session_time_s;
   parts_->recorder->correct_rating(correction);
   return reason_to_stop(parts_->ratings);
@@ -273,4 +273,4 @@ bool Session::is_to_stop() const noexcept {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

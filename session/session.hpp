@@ -26,7 +26,7 @@
 #include "tasks/task.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// What glibc's libm may choose its code by; stored beside results (docs/storage.md).
 [[nodiscard]] std::string cpu_features();
@@ -45,9 +45,10 @@ struct SessionConfig {
   std::string started_utc;    ///< ISO 8601; empty: now (demonstration data lie in the past)
   std::string operator_name;  ///< who runs it; stored with zero and resting force; may be empty
   Realtime realtime = Realtime::prefer;  ///< of the acquisition thread; not in virtual time
-  std::optional<Effort> allowed;    ///< outcome of the screening for this hand; nothing: not asked
+  std::optional<tasks::Effort>
+      allowed;                      ///< outcome of the screening for this hand; nothing: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
-  std::vector<SessionAnswer> answers;  ///< what was asked before: screening, posture
+  std::vector<storage::SessionAnswer> answers;  ///< what was asked before: screening, posture
   double settle_after_strapping_s = kSettleAfterStrapping_s;  ///< before a resting force
   std::optional<double> display_delay_s;  ///< of the patient's screen; nothing: not measured
   /// The clock of this computer may be behind the newest session of the file: somebody was asked
@@ -82,18 +83,18 @@ struct ZeroOutcome {
   std::string reason;         ///< why not, in words for the therapist
   bool only_changed = false;  ///< refused, but ZeroRequest::accept_changed would allow it
   std::string remark;         ///< accepted, but this is to be known; may be empty
-  InstrumentZeroRecord zero;
+  storage::InstrumentZeroRecord zero;
 };
 
 /// What each finger pressed at rest, and what that suggests.
 struct RestOutcome {
-  RestingForceRecord rest;
+  storage::RestingForceRecord rest;
   std::string words;
 };
 
 /// A trial ended and is durable.
 struct TrialOutcome {
-  TrialRecord trial;
+  storage::TrialRecord trial;
   std::vector<Measure> measures;
   std::string reason;                              ///< why it was not completed
   std::optional<RestOutcome> rest = std::nullopt;  ///< of a completed resting-force trial
@@ -124,7 +125,7 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   [[nodiscard]] const DeviceInfo& device() const noexcept;
-  [[nodiscard]] const SessionRecord& record() const noexcept;
+  [[nodiscard]] const storage::SessionRecord& record() const noexcept;
   /// The code was not in the database before this session.
   [[nodiscard]] bool patient_is_new() const noexcept;
   /// Newest state. Wait-free. Owner thread.
@@ -144,8 +145,8 @@ class Session {
   /// was set (field "zero"), if the task lacks its context (maximum) or if a hand that is to rest
   /// was strapped less than a minute ago. News: TrialOutcome.
   /// `place`: in the session's protocol; nothing: chosen by hand.
-  [[nodiscard]] Result<void> start_trial(const TaskSpec& spec, bool practice,
-                                         std::optional<TrialPlace> place = std::nullopt);
+  [[nodiscard]] Result<void> start_trial(const tasks::TaskSpec& spec, bool practice,
+                                         std::optional<storage::TrialPlace> place = std::nullopt);
   /// The trial stands still until resume(); task clock and object freeze, recording goes on.
   void pause();
   void resume();
@@ -154,7 +155,7 @@ class Session {
   /// A remark at this moment of the session, stored with it.
   void note(const std::string& text);
   /// Answers given while the session runs, e.g. how the patient sits; stored with it.
-  [[nodiscard]] Result<void> answer(const std::vector<SessionAnswer>& answers);
+  [[nodiscard]] Result<void> answer(const std::vector<storage::SessionAnswer>& answers);
   /// What is known last when the trial ends is stored with it.
   void shown(const ScreenShown& screen);
   /// The therapist helps in the running trial or, if none runs, did in the last one: it is kept and
@@ -173,9 +174,9 @@ class Session {
   /// What earlier sessions, and this one so far, say about the level of training tasks.
   [[nodiscard]] const Training& training() const noexcept;
   /// What the task of the next trial will be made with: the same task made with it is the same.
-  [[nodiscard]] TaskContext next_context() const;
+  [[nodiscard]] tasks::TaskContext next_context() const;
   /// What tasks measure forces against, from this session's trials so far.
-  [[nodiscard]] const ForceReferences& references() const noexcept;
+  [[nodiscard]] const tasks::ForceReferences& references() const noexcept;
   /// Maximum grip force [N]; 0: not measured yet.
   [[nodiscard]] double maximum_force_N() const noexcept;
   /// Grip force at rest [N]; 0: not measured yet.
@@ -212,4 +213,4 @@ class Session {
 [[nodiscard]] Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for,
                                       Hand hand);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

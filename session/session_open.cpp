@@ -12,7 +12,7 @@
 #include "storage/crypto/content_hash.hpp"
 #include "storage/records/patient_code.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 std::string cpu_features() {
   std::string text = "x86-64";
@@ -25,9 +25,9 @@ std::string cpu_features() {
 namespace {
 
 /// Of the newest session, if that lies ahead of the clock of this computer.
-std::optional<std::string> clock_behind(const std::vector<SessionRecord>& newest) {
+std::optional<std::string> clock_behind(const std::vector<storage::SessionRecord>& newest) {
   if (newest.empty()) return std::nullopt;
-  const SessionRecord& last = newest.front();
+  const storage::SessionRecord& last = newest.front();
   // Sessions in virtual time end ahead of every clock.
   const bool lived = !last.simulated && !last.recorded;
   const std::string latest = lived ? std::max(last.started_utc, last.ended_utc) : last.started_utc;
@@ -83,9 +83,9 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   if (!uri) return uri.error();
   const std::string said = uri->text_or("hand", std::string(name_of(config.hand)));
   if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same.error();
-  if (auto good = check_patient_code(config.patient_code); !good) return good.error();
-  for (const SessionAnswer& answer : config.answers)
-    if (auto good = check_answer(answer); !good) return good.error();
+  if (auto good = storage::check_patient_code(config.patient_code); !good) return good.error();
+  for (const storage::SessionAnswer& answer : config.answers)
+    if (auto good = storage::check_answer(answer); !good) return good.error();
   if (config.scratch_database && !config.virtual_time)
     return uri->error("", "a session in real time is not recorded into a scratch file",
                       "give a database that is kept");
@@ -115,9 +115,10 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   if (auto started = parts->device->start(*parts->clock); !started) return started.error();
   parts->streaming = true;
   const Timestamp start = parts->device->now(*parts->clock);
-  auto store = open_store(config.database, config.scratch_database  ? OpenMode::scratch
-                                           : config.create_database ? OpenMode::create
-                                                                    : OpenMode::existing);
+  auto store =
+      storage::open_store(config.database, config.scratch_database  ? storage::OpenMode::scratch
+                                           : config.create_database ? storage::OpenMode::create
+                                                                    : storage::OpenMode::existing);
   if (!store) return store.error();
   const auto newest = (*store)->recent_sessions(1);
   if (!newest) return newest.error();
@@ -138,7 +139,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
     *patient = *added;
     parts->patient_is_new = true;
   }
-  SessionRecord& record = parts->record;
+  storage::SessionRecord& record = parts->record;
   record.patient_id = (*patient)->id;
   record.started_utc =
       config.started_utc.empty() ? utc_text(std::time(nullptr)) : config.started_utc;
@@ -158,7 +159,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   record.calibration = calibration_text(info);
   record.operator_name = config.operator_name;
   record.realtime = describe(parts->realtime);
-  if (config.allowed) record.allowed = name_of(*config.allowed);
+  if (config.allowed) record.allowed = tasks::name_of(*config.allowed);
   record.ceiling_N = config.ceiling_N;
   if (uri->parameters.contains("seed"))
     record.seed = std::strtoull(uri->parameters.at("seed").c_str(), nullptr, 10);
@@ -176,21 +177,21 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
     if (!record.ceiling_N) record.ceiling_N = parts->earlier.ceiling_N;
   }
   parts->lesson.training = *std::move(training);
-  ForceReferences& references = parts->lesson.references;
+  tasks::ForceReferences& references = parts->lesson.references;
   references.baseline_N = parts->lesson.training.baseline_N();
-  references.allowed = effort_from_name(record.allowed).value_or(Effort::maximum);
+  references.allowed = tasks::effort_from_name(record.allowed).value_or(tasks::Effort::maximum);
   references.ceiling_N = record.ceiling_N;
   references.resolution_N = resolution_N(info);
   for (const EarlierTrial& trial : parts->earlier.trials)
     if (!trial.record.helped) learn_maxima(trial.measures, references);
-  if (!config.scratch_database) record.uuid = random_uuid();
+  if (!config.scratch_database) record.uuid = storage::random_uuid();
   const auto session_id = (*store)->begin_session(record, config.answers);
   if (!session_id) return session_id.error();
   record.id = *session_id;
   // Progress is put in order by these times.
-  std::optional<EventRecord> clock_event;
+  std::optional<storage::EventRecord> clock_event;
   if (behind)
-    clock_event = EventRecord{
+    clock_event = storage::EventRecord{
         0, 0.0, "clock",
         "The clock of this computer is behind the newest session of this file (" + *behind + ")."};
 
@@ -208,4 +209,4 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   return std::unique_ptr<Session>(new Session(std::move(parts)));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -4,18 +4,18 @@
 
 #include <algorithm>
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
 /// The noise of the empty device: SD of each force component.
-std::array<Vec3, kFingerCount> noise_of(const InstrumentZeroRecord& zero) {
+std::array<Vec3, kFingerCount> noise_of(const storage::InstrumentZeroRecord& zero) {
   std::array<Vec3, kFingerCount> sd_N;
   for (std::size_t f = 0; f < kFingerCount; ++f) sd_N[f] = zero.sd[f].head<3>();
   return sd_N;
 }
 
-FingerWrenches wrenches_of(const RestingForceRecord& rest) {
+FingerWrenches wrenches_of(const storage::RestingForceRecord& rest) {
   FingerWrenches wrench_C;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     wrench_C[f].force = rest.mean[f].head<3>();
@@ -26,7 +26,7 @@ FingerWrenches wrenches_of(const RestingForceRecord& rest) {
 
 }  // namespace
 
-void learn_maxima(const std::vector<Measure>& measures, ForceReferences& references) {
+void learn_maxima(const std::vector<Measure>& measures, tasks::ForceReferences& references) {
   for (const Measure& measure : measures) {
     if (!measure.value) continue;
     auto* const known = measure.name == "maximum_force"       ? &references.maximum_N
@@ -56,10 +56,10 @@ void Session::Parts::learn(std::vector<SessionNews>& news) {
 }
 
 void Session::Parts::learn(const TrialOutcome& outcome) {
-  if (outcome.trial.status != TrialStatus::completed || outcome.trial.helped) return;
+  if (outcome.trial.status != storage::TrialStatus::completed || outcome.trial.helped) return;
   learn_maxima(outcome.measures, lesson.references);
   lesson.training.learn(setups.back()->spec, outcome.trial, outcome.measures);
   if (outcome.rest) lesson.references.resting_C = wrenches_of(outcome.rest->rest);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

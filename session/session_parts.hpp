@@ -16,13 +16,13 @@
 #include "session/session.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 struct Session::Parts {
   SessionConfig config;
-  SessionRecord record;
+  storage::SessionRecord record;
   std::unique_ptr<Clock> clock;
-  std::unique_ptr<VirtualPatient> viewer;
+  std::unique_ptr<virtual_patient::VirtualPatient> viewer;
   std::unique_ptr<ForceDevice> device;
   std::unique_ptr<Acquisition> acquisition;
   std::unique_ptr<Recorder> recorder;
@@ -38,16 +38,16 @@ struct Session::Parts {
   EarlierWork earlier;
   /// What the trials so far teach.
   struct Lesson {
-    ForceReferences references;
+    tasks::ForceReferences references;
     Training training;
   };
   Lesson lesson;
-  Lesson before_last;                        ///< the same without the last trial
-  std::optional<TrialOutcome> last;          ///< the last trial that ended
-  bool helped = false;                       ///< the running trial, or the last one
-  std::vector<RatingRecord> ratings;         ///< of this session
-  std::optional<InstrumentZeroRecord> zero;  ///< in force
-  std::optional<double> strapped_at_s;       ///< session time
+  Lesson before_last;                                 ///< the same without the last trial
+  std::optional<TrialOutcome> last;                   ///< the last trial that ended
+  bool helped = false;                                ///< the running trial, or the last one
+  std::vector<storage::RatingRecord> ratings;         ///< of this session
+  std::optional<storage::InstrumentZeroRecord> zero;  ///< in force
+  std::optional<double> strapped_at_s;                ///< session time
   RealtimeGrant realtime;
   std::latch go{1};  ///< the acquisition thread may begin
   bool gone = false;
@@ -139,6 +139,6 @@ struct Session::Parts {
 };
 
 /// Maxima and comfortable forces that a trial measured raise the references of their channels.
-void learn_maxima(const std::vector<Measure>& measures, ForceReferences& references);
+void learn_maxima(const std::vector<Measure>& measures, tasks::ForceReferences& references);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -9,7 +9,7 @@
 #include "storage/care/emergency.hpp"
 #include "storage/crypto/content_hash.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -33,7 +33,7 @@ bool same_rows(const Signals& read, std::size_t row, std::size_t column, std::si
   return true;
 }
 
-bool same_signals_as(const Signals& read, const std::vector<SignalGroup>& groups,
+bool same_signals_as(const Signals& read, const std::vector<storage::SignalGroup>& groups,
                      std::span<const SecondOfSignals> seconds) {
   std::size_t row = 0;
   for (const SecondOfSignals& second : seconds) {
@@ -49,13 +49,13 @@ bool same_signals_as(const Signals& read, const std::vector<SignalGroup>& groups
 }
 
 /// A number that no other row was given.
-RowId unused(const std::map<RowId, RowId>& rows, RowId wanted) {
+storage::RowId unused(const std::map<storage::RowId, storage::RowId>& rows, storage::RowId wanted) {
   return rows.empty() ? wanted : std::max(wanted, rows.rbegin()->first + 1);
 }
 
 }  // namespace
 
-Result<void> read_back(const std::string& database, const TrialRecord& ended,
+Result<void> read_back(const std::string& database, const storage::TrialRecord& ended,
                        std::span<const Measure> measures,
                        std::span<const SecondOfSignals> seconds) {
   const auto wrong = [&](const std::string& what) {
@@ -66,17 +66,19 @@ Result<void> read_back(const std::string& database, const TrialRecord& ended,
                  0,
                  ""};
   };
-  const auto store = open_store(database, OpenMode::read_only);
+  const auto store = storage::open_store(database, storage::OpenMode::read_only);
   if (!store) return wrong(store.error().what);
   const auto trials = (*store)->trials(ended.session_id);
   if (!trials) return wrong(trials.error().what);
-  const auto trial = std::find_if(trials->begin(), trials->end(),
-                                  [&](const TrialRecord& one) { return one.uuid == ended.uuid; });
+  const auto trial =
+      std::find_if(trials->begin(), trials->end(),
+                   [&](const storage::TrialRecord& one) { return one.uuid == ended.uuid; });
   if (trial == trials->end()) return wrong("it is not there");
   if (trial->status != ended.status || trial->samples != ended.samples)
-    return wrong("it is there as '" + std::string(name_of(trial->status)) + "' with " +
+    return wrong("it is there as '" + std::string(storage::name_of(trial->status)) + "' with " +
                  std::to_string(trial->samples) + " samples instead of '" +
-                 std::string(name_of(ended.status)) + "' with " + std::to_string(ended.samples));
+                 std::string(storage::name_of(ended.status)) + "' with " +
+                 std::to_string(ended.samples));
   const auto stored = (*store)->measures(trial->id);
   if (!stored) return wrong(stored.error().what);
   if (!std::equal(stored->begin(), stored->end(), measures.begin(), measures.end(), same_measure))
@@ -88,8 +90,9 @@ Result<void> read_back(const std::string& database, const TrialRecord& ended,
   return {};
 }
 
-SessionWriter::SessionWriter(std::unique_ptr<SessionStore> store, PatientRecord patient,
-                             SessionRecord session, std::vector<SessionAnswer> answers, bool safe)
+SessionWriter::SessionWriter(std::unique_ptr<storage::SessionStore> store,
+                             storage::PatientRecord patient, storage::SessionRecord session,
+                             std::vector<storage::SessionAnswer> answers, bool safe)
     : store_(std::move(store)),
       patient_(std::move(patient)),
       session_(std::move(session)),
@@ -119,7 +122,8 @@ Error SessionWriter::go_to_emergency(const Error& why) {
     error.what += "; this was the emergency file";
     return error;
   }
-  const auto file = make_emergency_file({"", store_->path(), database_id_, why.what, "", "", 0});
+  const auto file =
+      storage::make_emergency_file({"", store_->path(), database_id_, why.what, "", "", 0});
   const auto written = file ? write_anew(file->path) : Result<void>(file.error());
   if (!written) {
     error.what += "; an emergency file could not be made either: " + written.error().message();
@@ -133,12 +137,12 @@ Error SessionWriter::go_to_emergency(const Error& why) {
 }
 
 Result<void> SessionWriter::write_anew(const std::string& path) {
-  auto opened = open_store(path, OpenMode::existing);
+  auto opened = storage::open_store(path, storage::OpenMode::existing);
   if (!opened) return opened.error();
-  SessionStore& store = **opened;
+  storage::SessionStore& store = **opened;
   const auto patient = store.add_patient(patient_.code, patient_.created_utc, patient_.uuid);
   if (!patient) return patient.error();
-  SessionRecord session = session_;
+  storage::SessionRecord session = session_;
   session.patient_id = patient->id;
   session.resumes_id = 0;  // that session is not here
   const auto id = store.begin_session(session, answers_);
@@ -155,40 +159,43 @@ Result<void> SessionWriter::write_anew(const std::string& path) {
   return {};
 }
 
-Result<void> SessionWriter::begin_trial(TrialRecord trial, RowId& id) {
-  auto given = std::make_shared<RowId>(0);
+Result<void> SessionWriter::begin_trial(storage::TrialRecord trial, storage::RowId& id) {
+  auto given = std::make_shared<storage::RowId>(0);
   auto kept = std::make_shared<KeptTrial>();
-  if (safe_) trial.uuid = kept->uuid = random_uuid();
-  auto done = perform(
-      [trial = std::move(trial), given](SessionStore& store, Numbers& numbers) -> Result<void> {
-        TrialRecord here = trial;
-        here.session_id = numbers.session;
-        here.zero_id = numbers.of_zero(trial.zero_id);
-        const auto row = store.begin_trial(here);
-        if (!row) return row.error();
-        if (*given == 0) *given = unused(numbers.trials, *row);
-        numbers.trials[*given] = *row;
-        return {};
-      });
+  if (safe_) trial.uuid = kept->uuid = storage::random_uuid();
+  auto done = perform([trial = std::move(trial), given](storage::SessionStore& store,
+                                                        Numbers& numbers) -> Result<void> {
+    storage::TrialRecord here = trial;
+    here.session_id = numbers.session;
+    here.zero_id = numbers.of_zero(trial.zero_id);
+    const auto row = store.begin_trial(here);
+    if (!row) return row.error();
+    if (*given == 0) *given = unused(numbers.trials, *row);
+    numbers.trials[*given] = *row;
+    return {};
+  });
   id = *given;
   if (id != 0) trials_[id] = std::move(kept);
   return done;
 }
 
-Result<void> SessionWriter::append_blocks(RowId trial, int second, const SecondOfSignals& rows) {
+Result<void> SessionWriter::append_blocks(storage::RowId trial, int second,
+                                          const SecondOfSignals& rows) {
   const auto kept = trials_.find(trial);
   if (kept == trials_.end()) return {};  // its beginning failed, and that was said
   if (!safe_)
-    return perform(
-        [&](SessionStore& store, Numbers&) { return store.append_blocks(trial, second, rows); });
+    return perform([&](storage::SessionStore& store, Numbers&) {
+      return store.append_blocks(trial, second, rows);
+    });
   kept->second->seconds.push_back(rows);
-  return perform([trial, second, keeping = kept->second](SessionStore& store, Numbers& numbers) {
-    return store.append_blocks(numbers.of_trial(trial), second,
-                               keeping->seconds[static_cast<std::size_t>(second)]);
-  });
+  return perform(
+      [trial, second, keeping = kept->second](storage::SessionStore& store, Numbers& numbers) {
+        return store.append_blocks(numbers.of_trial(trial), second,
+                                   keeping->seconds[static_cast<std::size_t>(second)]);
+      });
 }
 
-Result<void> SessionWriter::end_trial(const TrialRecord& end,
+Result<void> SessionWriter::end_trial(const storage::TrialRecord& end,
                                       const std::vector<Measure>& measures) {
   const auto found = trials_.find(end.id);
   if (found == trials_.end()) return {};
@@ -197,50 +204,53 @@ Result<void> SessionWriter::end_trial(const TrialRecord& end,
   kept->end.uuid = kept->uuid;
   kept->measures = measures;
   kept->ended = true;
-  return perform([kept, safe = safe_](SessionStore& store, Numbers& numbers) -> Result<void> {
-    TrialRecord here = kept->end;
-    here.session_id = numbers.session;
-    here.id = numbers.of_trial(kept->end.id);
-    auto done = store.end_trial(here, kept->measures);
-    if (!done || !safe) return done;
-    return read_back(store.path(), here, kept->measures, kept->seconds);
-  });
+  return perform(
+      [kept, safe = safe_](storage::SessionStore& store, Numbers& numbers) -> Result<void> {
+        storage::TrialRecord here = kept->end;
+        here.session_id = numbers.session;
+        here.id = numbers.of_trial(kept->end.id);
+        auto done = store.end_trial(here, kept->measures);
+        if (!done || !safe) return done;
+        return read_back(store.path(), here, kept->measures, kept->seconds);
+      });
 }
 
-Result<void> SessionWriter::add_event(const EventRecord& event) {
+Result<void> SessionWriter::add_event(const storage::EventRecord& event) {
   if (lost_) return {};
   // As the database holds it, while its keys are there.
-  SessionStore* const database = left_ ? left_.get() : store_.get();
+  storage::SessionStore* const database = left_ ? left_.get() : store_.get();
   const auto stored = safe_ ? database->as_stored(patient_.code, event) : event;
-  return perform([event, database, sealed = stored ? *stored : EventRecord{}, ok = stored.ok()](
-                     SessionStore& store, Numbers& numbers) -> Result<void> {
-    const bool elsewhere = &store != database;
-    if (elsewhere && !ok) return {};  // better without it than in plain text
-    EventRecord here = elsewhere ? sealed : event;
-    here.trial_id = numbers.of_trial(event.trial_id);
-    return store.add_event(numbers.session, here);
-  });
+  return perform(
+      [event, database, sealed = stored ? *stored : storage::EventRecord{}, ok = stored.ok()](
+          storage::SessionStore& store, Numbers& numbers) -> Result<void> {
+        const bool elsewhere = &store != database;
+        if (elsewhere && !ok) return {};  // better without it than in plain text
+        storage::EventRecord here = elsewhere ? sealed : event;
+        here.trial_id = numbers.of_trial(event.trial_id);
+        return store.add_event(numbers.session, here);
+      });
 }
 
-Result<void> SessionWriter::add_rating(const RatingRecord& rating, RowId& id) {
-  auto given = std::make_shared<RowId>(0);
-  auto done = perform([rating, given](SessionStore& store, Numbers& numbers) -> Result<void> {
-    RatingRecord here = rating;
-    here.session_id = numbers.session;
-    here.trial_id = numbers.of_trial(rating.trial_id);
-    const auto row = store.add_rating(here);
-    if (!row) return row.error();
-    if (*given == 0) *given = unused(numbers.ratings, *row);
-    numbers.ratings[*given] = *row;
-    return {};
-  });
+Result<void> SessionWriter::add_rating(const storage::RatingRecord& rating, storage::RowId& id) {
+  auto given = std::make_shared<storage::RowId>(0);
+  auto done =
+      perform([rating, given](storage::SessionStore& store, Numbers& numbers) -> Result<void> {
+        storage::RatingRecord here = rating;
+        here.session_id = numbers.session;
+        here.trial_id = numbers.of_trial(rating.trial_id);
+        const auto row = store.add_rating(here);
+        if (!row) return row.error();
+        if (*given == 0) *given = unused(numbers.ratings, *row);
+        numbers.ratings[*given] = *row;
+        return {};
+      });
   id = *given;
   return done;
 }
 
-Result<void> SessionWriter::correct_rating(const RatingRecord& rating) {
-  return perform([rating](SessionStore& store, Numbers& numbers) {
-    RatingRecord here = rating;
+Result<void> SessionWriter::correct_rating(const storage::RatingRecord& rating) {
+  return perform([rating](storage::SessionStore& store, Numbers& numbers) {
+    storage::RatingRecord here = rating;
     here.id = numbers.of_rating(rating.id);
     here.session_id = numbers.session;
     here.trial_id = numbers.of_trial(rating.trial_id);
@@ -248,50 +258,54 @@ Result<void> SessionWriter::correct_rating(const RatingRecord& rating) {
   });
 }
 
-Result<void> SessionWriter::add_answers(const std::vector<SessionAnswer>& answers) {
-  return perform([answers](SessionStore& store, Numbers& numbers) {
+Result<void> SessionWriter::add_answers(const std::vector<storage::SessionAnswer>& answers) {
+  return perform([answers](storage::SessionStore& store, Numbers& numbers) {
     return store.add_answers(numbers.session, answers);
   });
 }
 
-Result<void> SessionWriter::mark_helped(RowId trial, bool helped) {
-  return perform([trial, helped](SessionStore& store, Numbers& numbers) {
+Result<void> SessionWriter::mark_helped(storage::RowId trial, bool helped) {
+  return perform([trial, helped](storage::SessionStore& store, Numbers& numbers) {
     return store.mark_helped(numbers.of_trial(trial), helped);
   });
 }
 
-Result<void> SessionWriter::add_zero(const InstrumentZeroRecord& zero, RowId& id) {
-  auto given = std::make_shared<RowId>(0);
-  auto done = perform([zero, given](SessionStore& store, Numbers& numbers) -> Result<void> {
-    InstrumentZeroRecord here = zero;
-    here.session_id = numbers.session;
-    const auto row = store.add_zero(here);
-    if (!row) return row.error();
-    if (*given == 0) *given = unused(numbers.zeros, *row);
-    numbers.zeros[*given] = *row;
-    return {};
-  });
+Result<void> SessionWriter::add_zero(const storage::InstrumentZeroRecord& zero,
+                                     storage::RowId& id) {
+  auto given = std::make_shared<storage::RowId>(0);
+  auto done =
+      perform([zero, given](storage::SessionStore& store, Numbers& numbers) -> Result<void> {
+        storage::InstrumentZeroRecord here = zero;
+        here.session_id = numbers.session;
+        const auto row = store.add_zero(here);
+        if (!row) return row.error();
+        if (*given == 0) *given = unused(numbers.zeros, *row);
+        numbers.zeros[*given] = *row;
+        return {};
+      });
   id = *given;
   return done;
 }
 
-Result<void> SessionWriter::add_resting_force(const RestingForceRecord& rest, RowId& id) {
-  auto given = std::make_shared<RowId>(0);
-  auto done = perform([rest, given](SessionStore& store, Numbers& numbers) -> Result<void> {
-    RestingForceRecord here = rest;
-    here.session_id = numbers.session;
-    here.trial_id = numbers.of_trial(rest.trial_id);
-    const auto row = store.add_resting_force(here);
-    if (!row) return row.error();
-    if (*given == 0) *given = *row;
-    return {};
-  });
+Result<void> SessionWriter::add_resting_force(const storage::RestingForceRecord& rest,
+                                              storage::RowId& id) {
+  auto given = std::make_shared<storage::RowId>(0);
+  auto done =
+      perform([rest, given](storage::SessionStore& store, Numbers& numbers) -> Result<void> {
+        storage::RestingForceRecord here = rest;
+        here.session_id = numbers.session;
+        here.trial_id = numbers.of_trial(rest.trial_id);
+        const auto row = store.add_resting_force(here);
+        if (!row) return row.error();
+        if (*given == 0) *given = *row;
+        return {};
+      });
   id = *given;
   return done;
 }
 
 Result<void> SessionWriter::end_session(const std::string& ended_utc) {
-  auto done = perform([ended_utc](SessionStore& store, Numbers& numbers) {
+  auto done = perform([ended_utc](storage::SessionStore& store, Numbers& numbers) {
     return store.end_session(numbers.session, ended_utc);
   });
   if (done && safe_ && !lost_ && !left_)
@@ -303,7 +317,7 @@ Result<void> SessionWriter::end_session(const std::string& ended_utc) {
 Result<void> SessionWriter::read_back_all() {
   for (const auto& [id, kept] : trials_) {
     if (!kept->ended) continue;
-    TrialRecord here = kept->end;
+    storage::TrialRecord here = kept->end;
     here.session_id = numbers_.session;
     if (auto good = read_back(store_->path(), here, kept->measures, kept->seconds); !good)
       return good;
@@ -320,10 +334,10 @@ Result<void> SessionWriter::look() {
 
 void SessionWriter::keep_whole() {
   if (!left_->is_last_hold() || emergency_path_.empty()) return;
-  EmergencyFile file;
+  storage::EmergencyFile file;
   file.path = emergency_path_;
   // Where it cannot be kept, the emergency file still has the session.
   static_cast<void>(left_->save_copy(file.whole()));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

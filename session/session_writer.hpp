@@ -13,14 +13,14 @@
 
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// Rows of one second, per group of columns.
 using SecondOfSignals = std::vector<std::vector<double>>;
 
 /// A trial as another program reads it: by its path, through a new connection. An error names what
 /// is not as it was given.
-[[nodiscard]] Result<void> read_back(const std::string& database, const TrialRecord& ended,
+[[nodiscard]] Result<void> read_back(const std::string& database, const storage::TrialRecord& ended,
                                      std::span<const Measure> measures,
                                      std::span<const SecondOfSignals> seconds);
 
@@ -28,24 +28,28 @@ class SessionWriter {
  public:
   /// `session` has its row in `store`, with `answers`. `safe`: false for what is made for a moment:
   /// nothing is kept or read back.
-  SessionWriter(std::unique_ptr<SessionStore> store, PatientRecord patient, SessionRecord session,
-                std::vector<SessionAnswer> answers, bool safe);
+  SessionWriter(std::unique_ptr<storage::SessionStore> store, storage::PatientRecord patient,
+                storage::SessionRecord session, std::vector<storage::SessionAnswer> answers,
+                bool safe);
   ~SessionWriter();
 
   // As SessionStore's, of this session. The first error says where the session is now, and what
   // failed and what follows goes there; a second one is the last. Row numbers stay those given
   // first; `id` is given with an error, too, where the row was written elsewhere; else it is 0.
-  [[nodiscard]] Result<void> begin_trial(TrialRecord trial, RowId& id);
-  [[nodiscard]] Result<void> append_blocks(RowId trial, int second, const SecondOfSignals& rows);
-  [[nodiscard]] Result<void> end_trial(const TrialRecord& end,
+  [[nodiscard]] Result<void> begin_trial(storage::TrialRecord trial, storage::RowId& id);
+  [[nodiscard]] Result<void> append_blocks(storage::RowId trial, int second,
+                                           const SecondOfSignals& rows);
+  [[nodiscard]] Result<void> end_trial(const storage::TrialRecord& end,
                                        const std::vector<Measure>& measures);
-  [[nodiscard]] Result<void> add_event(const EventRecord& event);
-  [[nodiscard]] Result<void> add_rating(const RatingRecord& rating, RowId& id);
-  [[nodiscard]] Result<void> correct_rating(const RatingRecord& rating);
-  [[nodiscard]] Result<void> add_answers(const std::vector<SessionAnswer>& answers);
-  [[nodiscard]] Result<void> mark_helped(RowId trial, bool helped);
-  [[nodiscard]] Result<void> add_zero(const InstrumentZeroRecord& zero, RowId& id);
-  [[nodiscard]] Result<void> add_resting_force(const RestingForceRecord& rest, RowId& id);
+  [[nodiscard]] Result<void> add_event(const storage::EventRecord& event);
+  [[nodiscard]] Result<void> add_rating(const storage::RatingRecord& rating, storage::RowId& id);
+  [[nodiscard]] Result<void> correct_rating(const storage::RatingRecord& rating);
+  [[nodiscard]] Result<void> add_answers(const std::vector<storage::SessionAnswer>& answers);
+  [[nodiscard]] Result<void> mark_helped(storage::RowId trial, bool helped);
+  [[nodiscard]] Result<void> add_zero(const storage::InstrumentZeroRecord& zero,
+                                      storage::RowId& id);
+  [[nodiscard]] Result<void> add_resting_force(const storage::RestingForceRecord& rest,
+                                               storage::RowId& id);
   /// Reads back every trial of the session once more. After a failure: keeps what a deleted file
   /// still holds.
   [[nodiscard]] Result<void> end_session(const std::string& ended_utc);
@@ -55,24 +59,29 @@ class SessionWriter {
  private:
   /// Numbers of rows as they were given first, and in the store of now.
   struct Numbers {
-    RowId session = 0;
-    std::map<RowId, RowId> trials;
-    std::map<RowId, RowId> zeros;
-    std::map<RowId, RowId> ratings;
+    storage::RowId session = 0;
+    std::map<storage::RowId, storage::RowId> trials;
+    std::map<storage::RowId, storage::RowId> zeros;
+    std::map<storage::RowId, storage::RowId> ratings;
 
-    [[nodiscard]] RowId of_trial(RowId given) const { return here(trials, given); }
-    [[nodiscard]] RowId of_rating(RowId given) const { return here(ratings, given); }
-    [[nodiscard]] RowId of_zero(RowId given) const { return here(zeros, given); }
+    [[nodiscard]] storage::RowId of_trial(storage::RowId given) const {
+      return here(trials, given);
+    }
+    [[nodiscard]] storage::RowId of_rating(storage::RowId given) const {
+      return here(ratings, given);
+    }
+    [[nodiscard]] storage::RowId of_zero(storage::RowId given) const { return here(zeros, given); }
     /// 0: none; one of another session is itself.
-    [[nodiscard]] static RowId here(const std::map<RowId, RowId>& rows, RowId given) {
+    [[nodiscard]] static storage::RowId here(const std::map<storage::RowId, storage::RowId>& rows,
+                                             storage::RowId given) {
       const auto row = rows.find(given);
       return row == rows.end() ? given : row->second;
     }
   };
-  using Operation = std::function<Result<void>(SessionStore&, Numbers&)>;
+  using Operation = std::function<Result<void>(storage::SessionStore&, Numbers&)>;
   struct KeptTrial {
     std::string uuid;
-    TrialRecord end;
+    storage::TrialRecord end;
     std::vector<Measure> measures;
     std::vector<SecondOfSignals> seconds;
     bool ended = false;
@@ -85,18 +94,18 @@ class SessionWriter {
   [[nodiscard]] Result<void> read_back_all();
   void keep_whole();
 
-  std::unique_ptr<SessionStore> store_;
-  std::unique_ptr<SessionStore> left_;  ///< the database that was taken away
-  PatientRecord patient_;
-  SessionRecord session_;
-  std::vector<SessionAnswer> answers_;
+  std::unique_ptr<storage::SessionStore> store_;
+  std::unique_ptr<storage::SessionStore> left_;  ///< the database that was taken away
+  storage::PatientRecord patient_;
+  storage::SessionRecord session_;
+  std::vector<storage::SessionAnswer> answers_;
   bool safe_;
   std::string database_id_;
   std::string emergency_path_;
   bool lost_ = false;  ///< nothing can be written any more, and it was said
   Numbers numbers_;
   std::vector<Operation> done_;
-  std::map<RowId, std::shared_ptr<KeptTrial>> trials_;
+  std::map<storage::RowId, std::shared_ptr<KeptTrial>> trials_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::session

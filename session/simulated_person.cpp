@@ -9,7 +9,7 @@
 #include "virtual_patient/course.hpp"
 #include "virtual_patient/patient_file.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace fs = std::filesystem;
 
@@ -49,25 +49,26 @@ Result<std::string> chosen(const Uri& uri, const std::string& field, const std::
                    list.empty() ? "this library has none" : "use one of: " + list);
 }
 
-Result<PatientTraits> named(const Uri& uri, const std::string& library) {
-  if (const auto traits = patient_traits(uri.target)) return *traits;
+Result<virtual_patient::PatientTraits> named(const Uri& uri, const std::string& library) {
+  if (const auto traits = virtual_patient::patient_traits(uri.target)) return *traits;
   const auto path = chosen(uri, "", "simulated patient", uri.target, simulated_people(library),
                            people_folder(library));
   if (!path) return path.error();
   const auto text = read_text(*path);
   if (!text) return text.error();
-  const auto patient = parse_patient(*text, *path);
+  const auto patient = virtual_patient::parse_patient(*text, *path);
   if (!patient) return patient.error();
   return patient->traits;
 }
 
-Result<Course> course_of(const Uri& uri, const std::string& library, const std::string& name) {
+Result<virtual_patient::Course> course_of(const Uri& uri, const std::string& library,
+                                          const std::string& name) {
   const auto path =
       chosen(uri, "course", "course", name, simulated_courses(library), courses_folder(library));
   if (!path) return path.error();
   const auto text = read_text(*path);
   if (!text) return text.error();
-  return parse_course(*text, *path);
+  return virtual_patient::parse_course(*text, *path);
 }
 
 Result<double> seed_of(const Uri& uri) {
@@ -88,16 +89,17 @@ std::vector<std::string> simulated_courses(const std::string& library) {
   return names;
 }
 
-Result<PatientTraits> simulated_traits(const Uri& uri, const std::string& library) {
+Result<virtual_patient::PatientTraits> simulated_traits(const Uri& uri,
+                                                        const std::string& library) {
   const auto found = named(uri, library);
   if (!found) return found.error();
   const auto recovery = uri.number_or("recovery", 0.0, 0.0, 1.0);
   if (!recovery) return recovery.error();
   const auto strength = uri.number_or("strength", 1.0, kLeastStrength, kMostStrength);
   if (!strength) return strength.error();
-  PatientTraits traits = recovered(*found, *recovery);
+  virtual_patient::PatientTraits traits = virtual_patient::recovered(*found, *recovery);
   traits.maximum_force_N *= *strength;
-  traits = clamped(traits);
+  traits = virtual_patient::clamped(traits);
   const auto seed = seed_of(uri);
   if (!seed) return seed.error();
   const std::string course_name = uri.text_or("course", "");
@@ -111,15 +113,16 @@ Result<PatientTraits> simulated_traits(const Uri& uri, const std::string& librar
     return uri.error("day", "is not a whole number", "write a whole number such as day=14");
   const auto person = static_cast<std::uint64_t>(*seed);
   const auto today = static_cast<std::uint64_t>(*day);
-  if (course_name.empty()) return on_day(traits, day_seed(person, today));
+  if (course_name.empty())
+    return virtual_patient::on_day(traits, virtual_patient::day_seed(person, today));
   const auto course = course_of(uri, library, course_name);
   if (!course) return course.error();
-  return course_traits(*course, traits, today, person);
+  return virtual_patient::course_traits(*course, traits, today, person);
 }
 
-Result<std::unique_ptr<VirtualPatient>> simulated_person(const Uri& uri,
-                                                         const std::string& library) {
-  if (uri.scheme != "sim") return std::unique_ptr<VirtualPatient>();
+Result<std::unique_ptr<virtual_patient::VirtualPatient>> simulated_person(
+    const Uri& uri, const std::string& library) {
+  if (uri.scheme != "sim") return std::unique_ptr<virtual_patient::VirtualPatient>();
   const auto traits = simulated_traits(uri, library);
   if (!traits) return traits.error();
   const auto seed = seed_of(uri);
@@ -128,8 +131,9 @@ Result<std::unique_ptr<VirtualPatient>> simulated_person(const Uri& uri,
   const auto day = uri.number_or("day", 0.0, 0.0, kLatestDay);
   const auto person = static_cast<std::uint64_t>(*seed);
   const bool dated = uri.parameters.count("day") > 0;
-  return std::make_unique<VirtualPatient>(
-      *traits, dated ? day_seed(person, static_cast<std::uint64_t>(*day)) : person);
+  return std::make_unique<virtual_patient::VirtualPatient>(
+      *traits,
+      dated ? virtual_patient::day_seed(person, static_cast<std::uint64_t>(*day)) : person);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -10,7 +10,7 @@
 #include "device/config/uri.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// sim://NAME: healthy, paretic or a file LIBRARY/patients/NAME.toml. Parameters:
 ///   seed      of the person; same seed, same forces
@@ -18,14 +18,15 @@ namespace isograsp {
 ///   course    a file LIBRARY/patients/courses/NAME.toml
 ///   day       of the course and of the person's form; without it the person is as named
 /// Nothing for a device that is not simulated. Without a library only the first two have a name.
-[[nodiscard]] Result<std::unique_ptr<VirtualPatient>> simulated_person(
+[[nodiscard]] Result<std::unique_ptr<virtual_patient::VirtualPatient>> simulated_person(
     const Uri& uri, const std::string& library = "");
 
 /// The traits that this person would have.
-[[nodiscard]] Result<PatientTraits> simulated_traits(const Uri& uri, const std::string& library);
+[[nodiscard]] Result<virtual_patient::PatientTraits> simulated_traits(const Uri& uri,
+                                                                      const std::string& library);
 
 /// Names of the people of a library and of the program, and of its courses; sorted.
 [[nodiscard]] std::vector<std::string> simulated_people(const std::string& library);
 [[nodiscard]] std::vector<std::string> simulated_courses(const std::string& library);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

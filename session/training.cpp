@@ -6,7 +6,7 @@
 #include "tasks/measure_version.hpp"
 #include "tasks/score.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -19,20 +19,20 @@ constexpr const char* kMaximum = "maximum_force";
 
 /// A trial that gave maxima.
 struct MaximumTrial {
-  TrialRecord trial;
+  storage::TrialRecord trial;
   std::vector<Measure> measures;
 };
 using Days = std::map<std::string, std::vector<MaximumTrial>>;
 
 /// Newtons of an older definition are not those that a target is reckoned from now: they follow
 /// again from the signals of the trial. It does not count if they cannot be read.
-void renew_maxima(SessionStore& store, MaximumTrial& one) {
+void renew_maxima(storage::SessionStore& store, MaximumTrial& one) {
   std::erase_if(one.measures, [](const Measure& measure) { return measure.name != kMaximum; });
-  if (!any_is_older(one.measures)) return;
-  const auto spec = parse_task(one.trial.task_text, one.trial.task_name);
+  if (!tasks::any_is_older(one.measures)) return;
+  const auto spec = tasks::parse_task(one.trial.task_text, one.trial.task_name);
   const auto signals = store.signals(one.trial);
-  if (spec && signals) renew(one.measures, score(*spec, *signals));
-  std::erase_if(one.measures, is_older);
+  if (spec && signals) tasks::renew(one.measures, tasks::score(*spec, *signals));
+  std::erase_if(one.measures, tasks::is_older);
 }
 
 void learn_maxima(const std::vector<Measure>& measures, DayMaxima& day) {
@@ -45,7 +45,7 @@ void learn_maxima(const std::vector<Measure>& measures, DayMaxima& day) {
 }
 
 /// The first days that have a maximum, kBaselineDays of each channel. Later ones are not looked at.
-std::map<ForceChannel, double> baseline_of(SessionStore& store, Days& days) {
+std::map<ForceChannel, double> baseline_of(storage::SessionStore& store, Days& days) {
   std::map<ForceChannel, std::vector<double>> of;
   const auto is_wanted = [&of](const Measure& measure) {
     const auto channel = force_channel_from_name(measure.channel);
@@ -73,36 +73,38 @@ std::map<ForceChannel, double> baseline_of(SessionStore& store, Days& days) {
 
 }  // namespace
 
-bool is_success(const Difficulty& difficulty, const std::vector<Measure>& measures) {
+bool is_success(const tasks::Difficulty& difficulty, const std::vector<Measure>& measures) {
   return std::any_of(measures.begin(), measures.end(), [&](const Measure& measure) {
     return measure.name == difficulty.measure && measure.value &&
            *measure.value >= difficulty.at_least;
   });
 }
 
-Result<Training> Training::read(SessionStore& store, const SessionRecord& session) {
+Result<Training> Training::read(storage::SessionStore& store,
+                                const storage::SessionRecord& session) {
   const auto sessions = store.sessions(session.patient_id);
   if (!sessions) return sessions.error();
   const auto points = store.progress(session.patient_id);
   if (!points) return points.error();
-  std::map<RowId, std::vector<Measure>> measures_of;  // by trial
-  for (const MeasurePoint& point : *points) measures_of[point.trial_id].push_back(point.measure);
+  std::map<storage::RowId, std::vector<Measure>> measures_of;  // by trial
+  for (const storage::MeasurePoint& point : *points)
+    measures_of[point.trial_id].push_back(point.measure);
   Training training;
   Days days;
-  for (const SessionRecord& earlier : *sessions) {
+  for (const storage::SessionRecord& earlier : *sessions) {
     if (earlier.hand != session.hand || earlier.simulated != session.simulated ||
         earlier.recorded || earlier.id == session.id)
       continue;
     const auto trials = store.trials(earlier.id);
     if (!trials) return trials.error();
     constexpr std::size_t kDateLength = 10;  // YYYY-MM-DD
-    for (const TrialRecord& trial : *trials) {
-      if (trial.status != TrialStatus::completed || trial.helped) continue;
+    for (const storage::TrialRecord& trial : *trials) {
+      if (trial.status != storage::TrialStatus::completed || trial.helped) continue;
       const auto& measures = measures_of[trial.id];
       if (!trial.practice)
         days[earlier.started_utc.substr(0, kDateLength)].push_back({trial, measures});
       if (trial.task_text.find("\n[chosen]\n") == std::string::npos) continue;
-      if (const auto spec = parse_task(trial.task_text, trial.task_name))
+      if (const auto spec = tasks::parse_task(trial.task_text, trial.task_name))
         training.learn(*spec, trial, measures);
     }
   }
@@ -110,17 +112,17 @@ Result<Training> Training::read(SessionStore& store, const SessionRecord& sessio
   return training;
 }
 
-double Training::level(const TaskSpec& spec) const {
+double Training::level(const tasks::TaskSpec& spec) const {
   const auto found = staircases_.find({spec.name, spec.version});
   return found == staircases_.end() ? spec.difficulty->start : found->second.level;
 }
 
-void Training::learn(const TaskSpec& spec, const TrialRecord& trial,
+void Training::learn(const tasks::TaskSpec& spec, const storage::TrialRecord& trial,
                      const std::vector<Measure>& measures) {
-  if (trial.status != TrialStatus::completed || trial.helped) return;
+  if (trial.status != storage::TrialStatus::completed || trial.helped) return;
   if (!spec.difficulty || !spec.difficulty->chosen) return;
-  const Staircase used{*spec.difficulty->chosen};
+  const tasks::Staircase used{*spec.difficulty->chosen};
   staircases_[{spec.name, spec.version}] = used.after(is_success(*spec.difficulty, measures));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -14,17 +14,19 @@
 #include "tasks/staircase.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 class Training {
  public:
   /// Reads what is stored of the patient of `session`, before it.
-  [[nodiscard]] static Result<Training> read(SessionStore& store, const SessionRecord& session);
+  [[nodiscard]] static Result<Training> read(storage::SessionStore& store,
+                                             const storage::SessionRecord& session);
 
   /// The level at which this task goes on; its start if it was never trained. @pre spec.difficulty
-  [[nodiscard]] double level(const TaskSpec& spec) const;
+  [[nodiscard]] double level(const tasks::TaskSpec& spec) const;
   /// A trial of today. Only completed ones at a chosen level count, without help.
-  void learn(const TaskSpec& spec, const TrialRecord& trial, const std::vector<Measure>& measures);
+  void learn(const tasks::TaskSpec& spec, const storage::TrialRecord& trial,
+             const std::vector<Measure>& measures);
 
   /// Mean of the best maxima of the first two days of assessment, per channel [N].
   [[nodiscard]] const std::map<ForceChannel, double>& baseline_N() const noexcept {
@@ -33,11 +35,12 @@ class Training {
 
  private:
   using Key = std::pair<std::string, int>;  ///< name and version of the task
-  std::map<Key, Staircase> staircases_;
+  std::map<Key, tasks::Staircase> staircases_;
   std::map<ForceChannel, double> baseline_N_;
 };
 
 /// The measure that decides reached what the task asks for.
-[[nodiscard]] bool is_success(const Difficulty& difficulty, const std::vector<Measure>& measures);
+[[nodiscard]] bool is_success(const tasks::Difficulty& difficulty,
+                              const std::vector<Measure>& measures);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -5,10 +5,10 @@
 #include "session/contact_threshold.hpp"
 #include "session/library.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 Result<TrialScene> read_trial_scene(
-    const TaskSpec& spec, Hand hand,
+    const tasks::TaskSpec& spec, Hand hand,
     const std::array<std::optional<double>, kFingerCount>& threshold_N,
     const std::string& library) {
   TrialScene read;
@@ -24,11 +24,12 @@ Result<TrialScene> read_trial_scene(
   return read;
 }
 
-Result<std::unique_ptr<TrialSetup>> prepare_trial(const TaskSpec& spec, const TaskContext& context,
+Result<std::unique_ptr<TrialSetup>> prepare_trial(const tasks::TaskSpec& spec,
+                                                  const tasks::TaskContext& context,
                                                   const TrialScene& scene) {
   auto setup = std::make_unique<TrialSetup>();
   setup->spec = spec;
-  TrialRecord& record = setup->record;
+  storage::TrialRecord& record = setup->record;
   if (scene.scene) {
     auto plan = Plan::compile(*scene.scene, context.period_s);
     if (!plan) return plan.error();
@@ -36,7 +37,7 @@ Result<std::unique_ptr<TrialSetup>> prepare_trial(const TaskSpec& spec, const Ta
     record.threshold_N = thresholds_of(*scene.scene);
     record.scene_text = scene.text;
   }
-  auto task = make_task(spec, context);
+  auto task = tasks::make_task(spec, context);
   if (!task) return task.error();
   setup->task = std::move(*task);
   record.task_name = spec.name;
@@ -46,4 +47,4 @@ Result<std::unique_ptr<TrialSetup>> prepare_trial(const TaskSpec& spec, const Ta
   return setup;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

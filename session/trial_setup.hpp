@@ -12,7 +12,7 @@
 #include "session/acquisition/acquisition.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// The scene of `spec` as this hand meets it: turned for it, with its contact thresholds [N]
 /// (nothing: as the scene says). Nothing for a force task.
@@ -21,13 +21,13 @@ struct TrialScene {
   std::string text;  ///< of its file
 };
 [[nodiscard]] Result<TrialScene> read_trial_scene(
-    const TaskSpec& spec, Hand hand,
+    const tasks::TaskSpec& spec, Hand hand,
     const std::array<std::optional<double>, kFingerCount>& threshold_N, const std::string& library);
 
 /// Task, plan and what their record says of them; the session adds its own. Refused like
 /// make_task(), or where the scene cannot be read or compiled.
-[[nodiscard]] Result<std::unique_ptr<TrialSetup>> prepare_trial(const TaskSpec& spec,
-                                                                const TaskContext& context,
+[[nodiscard]] Result<std::unique_ptr<TrialSetup>> prepare_trial(const tasks::TaskSpec& spec,
+                                                                const tasks::TaskContext& context,
                                                                 const TrialScene& scene);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

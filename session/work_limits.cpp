@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace isograsp {
+namespace isograsp::session {
 
 void WorkLimits::begin(bool numb_skin) {
   *this = {};
@@ -44,4 +44,4 @@ std::optional<std::string> WorkLimits::reason_to_stop() const {
   return std::nullopt;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

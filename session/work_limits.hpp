@@ -10,7 +10,7 @@
 
 #include "core/measure.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 inline constexpr double kMostWork_s = 30.0 * 60.0;             ///< of a session, rests left out
 inline constexpr double kStrapsLookedAtEvery_s = 20.0 * 60.0;  ///< on skin without feeling
@@ -49,4 +49,4 @@ class WorkLimits {
   bool helped_ = false;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -10,7 +10,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 namespace {
 
@@ -251,4 +251,4 @@ std::vector<PairedT> bonferroni_pairs(const SubjectTable& table, double confiden
   return pairs;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

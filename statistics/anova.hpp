@@ -10,7 +10,7 @@
 #include "statistics/samples.hpp"
 #include "statistics/subject_table.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 /// Are the differences between the conditions equally variable?
 struct Sphericity {
@@ -77,4 +77,4 @@ struct PairedT {
 [[nodiscard]] std::vector<PairedT> bonferroni_pairs(const SubjectTable& table,
                                                     double confidence = 0.95);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

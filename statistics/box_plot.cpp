@@ -6,7 +6,7 @@
 #include "core/ties.hpp"
 #include "statistics/percentile.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 std::optional<BoxPlot> box_plot(std::span<const double> values) {
   if (values.empty()) return {};
@@ -30,4 +30,4 @@ std::optional<BoxPlot> box_plot(std::span<const double> values) {
   return box;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -8,7 +8,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 /// Whiskers end at the most distant values within this many box lengths of the box.
 inline constexpr double kWhiskerReach = 1.5;
@@ -29,4 +29,4 @@ struct BoxPlot {
 /// Nothing for no values. @pre all finite
 [[nodiscard]] std::optional<BoxPlot> box_plot(std::span<const double> values);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

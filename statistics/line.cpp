@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 std::optional<Line> fit_line(std::span<const double> t_s, std::span<const double> x) {
   assert(t_s.size() == x.size());
@@ -34,4 +34,4 @@ std::optional<Line> fit_line(std::span<const double> t_s, std::span<const double
   return line;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

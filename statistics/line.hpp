@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 /// x = mean + slope (t - t_mean), every sample counting alike.
 struct Line {
@@ -17,4 +17,4 @@ struct Line {
 /// None through fewer than three samples. @pre times increase strictly
 [[nodiscard]] std::optional<Line> fit_line(std::span<const double> t_s, std::span<const double> x);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

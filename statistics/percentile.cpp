@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 Computed percentile(std::span<const double> x, double percent) {
   assert(percent >= 0.0 && percent <= 100.0);
@@ -26,4 +26,4 @@ Computed median(std::span<const double> x) {
   return percentile(x, 50.0);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -6,7 +6,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 /// Percentile, version 1, unit of x: of the sorted values x_0 ... x_n-1 the one at position
 /// (n - 1) percent / 100, interpolated linearly between neighbours. (Definition 7 of Hyndman & Fan
@@ -15,4 +15,4 @@ namespace isograsp {
 /// The 50th percentile.
 [[nodiscard]] Computed median(std::span<const double> x);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 Computed quantile(std::span<const double> x, std::span<const double> weight, double share) {
   assert(x.size() == weight.size() && share > 0.0 && share <= 1.0);
@@ -42,4 +42,4 @@ Computed quantile(std::span<const double> x, std::span<const double> weight, dou
   return first->value;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

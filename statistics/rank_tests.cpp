@@ -12,7 +12,7 @@
 #include "core/ties.hpp"
 #include "statistics/percentile.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 namespace {
 
@@ -211,4 +211,4 @@ std::vector<SignedRank> signed_rank_pairs(const SubjectTable& table, double conf
   return tests;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -10,7 +10,7 @@
 #include "statistics/samples.hpp"
 #include "statistics/subject_table.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 struct Friedman {
   Eigen::Index subjects = 0;
@@ -57,4 +57,4 @@ struct SignedRank {
 [[nodiscard]] std::vector<SignedRank> signed_rank_pairs(const SubjectTable& table,
                                                         double confidence = 0.95);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -6,7 +6,7 @@
 
 #include <boost/math/distributions/fisher_f.hpp>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 namespace {
 
@@ -84,4 +84,4 @@ Reliability reliability(const SubjectTable& table, double confidence) {
   return result;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -8,7 +8,7 @@
 #include "statistics/samples.hpp"
 #include "statistics/subject_table.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 struct Reliability {
   Eigen::Index subjects = 0;
@@ -27,4 +27,4 @@ struct Reliability {
 /// @param table  subjects x repeats @pre 0 < confidence < 1
 [[nodiscard]] Reliability reliability(const SubjectTable& table, double confidence = 0.95);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

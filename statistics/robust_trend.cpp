@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "core/ties.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 namespace {
 
@@ -208,4 +208,4 @@ std::optional<RankTrend> rank_trend(std::span<const CensoredDay> days, const Boo
   return trend;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

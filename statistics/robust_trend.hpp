@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 inline constexpr std::size_t kLeastTrendDays = 5;
 
@@ -52,4 +52,4 @@ struct RankTrend {
 [[nodiscard]] std::optional<RankTrend> rank_trend(std::span<const CensoredDay> days,
                                                   const Bootstrap& bootstrap = {});
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 namespace {
 
@@ -85,4 +85,4 @@ RobustSd robust_sd(std::span<const PairDifference> pairs, const Consistency& con
   return {unit * std::sqrt(variance), left_out};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 /// Two values of the same thing.
 struct PairDifference {
@@ -40,4 +40,4 @@ struct RobustSd {
 [[nodiscard]] RobustSd robust_sd(std::span<const PairDifference> pairs,
                                  const Consistency& consistency, double tied);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

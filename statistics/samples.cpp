@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 std::size_t first_row_from(std::span<const double> t_s, double when_s) {
   return static_cast<std::size_t>(std::lower_bound(t_s.begin(), t_s.end(), when_s, is_earlier) -
@@ -101,4 +101,4 @@ std::vector<double> grid_times(const UniformSamples& samples) {
   return t_s;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 /// The value of a measure, or why it has none.
 struct Computed {
@@ -82,4 +82,4 @@ struct UniformSamples {
 /// 0, step, 2 step, ... for these samples [s].
 [[nodiscard]] std::vector<double> grid_times(const UniformSamples& samples);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

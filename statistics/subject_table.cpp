@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 CompleteSubjects complete_subjects(const SubjectTable& table) {
   CompleteSubjects result;
@@ -42,4 +42,4 @@ bool only_rounding(double sum_of_squares, double largest, Eigen::Index terms) {
   return sum_of_squares <= static_cast<double>(terms) * error * error;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 using SubjectTable = Eigen::MatrixXd;
 
@@ -37,4 +37,4 @@ struct CompleteSubjects {
 /// of `terms` is wrong by at most some ulp.
 [[nodiscard]] bool only_rounding(double sum_of_squares, double largest, Eigen::Index terms);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -7,7 +7,7 @@
 
 #include "core/ties.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::vector<double> ranks(std::span<const Completion> completions) {
   return mid_ranks(times_s, kTimeSlack_s);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

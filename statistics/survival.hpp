@@ -5,7 +5,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 /// One target: reached after time_s, or tried for time_s without reaching it.
 struct Completion {
@@ -43,4 +43,4 @@ struct SurvivalStep {
 /// were not reached are tied worst, however long they tried.
 [[nodiscard]] std::vector<double> ranks(std::span<const Completion> completions);
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

@@ -7,7 +7,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::statistics {
 
 /// sum(w_k f(k)) / sum(w_k), unit of f; `weight` are hold lengths.
 template <class Function>
@@ -22,4 +22,4 @@ template <class Function>
   return sum / total;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::statistics

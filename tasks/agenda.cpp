@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "tasks/attempts.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -142,4 +142,4 @@ Duration duration_of(const ProtocolSpec& protocol,
   return {time_of(protocol, tasks, false), time_of(protocol, tasks, true)};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

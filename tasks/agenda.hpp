@@ -11,7 +11,7 @@
 #include "core/measure.hpp"
 #include "tasks/protocol.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 class Agenda {
  public:
@@ -72,4 +72,4 @@ inline constexpr double kInstruction_s = 6.0;
 [[nodiscard]] Duration duration_of(const ProtocolSpec& protocol,
                                    const std::vector<std::vector<TaskSpec>>& tasks);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

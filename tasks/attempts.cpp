@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 bool attempts_agree(std::span<const double> attempts, double percent, Compared compared) {
   if (attempts.size() < 2) return false;
@@ -21,4 +21,4 @@ bool attempts_agree(std::span<const double> attempts, double percent, Compared c
   return 100.0 * std::abs(two[0] - two[1]) <= percent * larger;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Which two attempts must agree: the best of an assessment, the last of practice.
 enum class Compared : std::uint8_t { best_two, last_two };
@@ -14,4 +14,4 @@ enum class Compared : std::uint8_t { best_two, last_two };
 [[nodiscard]] bool attempts_agree(std::span<const double> attempts, double percent,
                                   Compared compared);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -8,7 +8,7 @@
 
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// In the order of TaskSpec::kind.
 inline constexpr std::array<std::string_view, std::variant_size_v<decltype(TaskSpec::kind)>>
@@ -33,4 +33,4 @@ inline constexpr std::array<std::string_view, std::variant_size_v<decltype(TaskS
   return kTaskKinds[spec.kind.index()];
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -69,4 +69,4 @@ int renew(std::vector<Measure>& stored, const std::vector<Measure>& scored) {
   return renewed;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

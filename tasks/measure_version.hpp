@@ -9,7 +9,7 @@
 
 #include "core/measure.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Version of a measure as docs/measures.md tells it: raised whenever the same signals could give
 /// another value. NAME_share, NAME_restricted and NAME_corrected have that of NAME.
@@ -23,4 +23,4 @@ namespace isograsp {
 /// same trial, if that holds it; all others stay. Returns how many.
 int renew(std::vector<Measure>& stored, const std::vector<Measure>& scored);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

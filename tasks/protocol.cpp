@@ -4,7 +4,7 @@
 
 #include "tasks/kinds/read_kinds.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -75,4 +75,4 @@ Result<ProtocolSpec> parse_protocol(std::string_view text, const std::string& fi
   return spec;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

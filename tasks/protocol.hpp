@@ -10,7 +10,7 @@
 #include "core/result.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// In which order the repetitions of several tasks come.
 enum class Order : std::uint8_t {
@@ -54,4 +54,4 @@ struct ProtocolSpec {
 };
 [[nodiscard]] Result<ProtocolSpec> parse_protocol(std::string_view text, const std::string& file);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

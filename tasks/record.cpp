@@ -8,7 +8,7 @@
 #include "tasks/measure_version.hpp"
 #include "tasks/measures/motion.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -55,13 +55,13 @@ Record::Record(const Signals& signals) : signals_(signals) {
   const auto t_s = signals.column("t_s");
   const auto phase = signals.column("phase");
   const auto flags = signals.column("sample_flags");
-  hold_s_ = hold_lengths(t_s);
+  hold_s_ = statistics::hold_lengths(t_s);
   const std::size_t n = hold_s_.size();
   phase_.assign(n, Phase::active);
   flagged_.assign(n, false);
   missing_.assign(n, false);
   task_time_s_.assign(n, 0.0);
-  const bool regular = is_regular(t_s);
+  const bool regular = statistics::is_regular(t_s);
   double elapsed_s = 0.0;
   std::size_t unpaused = 0;
   for (std::size_t row = 0; row < n; ++row) {
@@ -163,7 +163,7 @@ std::optional<double> Record::known_delay_s() const {
 }
 
 Measure make_measure(std::string name, std::string channel, std::string unit,
-                     const Section& section, Computed computed) {
+                     const Section& section, statistics::Computed computed) {
   Measure measure;
   measure.version = measure_version(name);
   measure.name = std::move(name);
@@ -185,9 +185,9 @@ Measure make_measure(std::string name, std::string channel, std::string unit,
   return measure;
 }
 
-Computed mean_over(const Section& section, std::string_view column) {
+statistics::Computed mean_over(const Section& section, std::string_view column) {
   const auto values = section.values(column);
-  return weighted_mean_of(section.weight_s, [&](std::size_t k) { return values[k]; });
+  return statistics::weighted_mean_of(section.weight_s, [&](std::size_t k) { return values[k]; });
 }
 
 namespace {
@@ -215,11 +215,11 @@ Measure path_length(const Section& motion) {
                       motion.rows.empty() ? 0.0 : path_length(path_of(motion)));
 }
 
-std::vector<UniformSamples> position_of(const Section& section) {
-  std::vector<UniformSamples> position;
+std::vector<statistics::UniformSamples> position_of(const Section& section) {
+  std::vector<statistics::UniformSamples> position;
   for (const auto& axis : position_axes(section))
-    position.push_back(on_uniform_grid(section.t_s, axis));
+    position.push_back(statistics::on_uniform_grid(section.t_s, axis));
   return position;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -12,7 +12,7 @@
 #include "statistics/samples.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Rows chosen for a measure, without the excluded ones, and the columns that it may read there.
 struct Section {
@@ -87,15 +87,15 @@ class Record {
 
 /// Puts a computed value on record. A section that could not be made gives its reason.
 [[nodiscard]] Measure make_measure(std::string name, std::string channel, std::string unit,
-                                   const Section& section, Computed computed);
+                                   const Section& section, statistics::Computed computed);
 
 /// sum of the column's value times hold / sum of holds, over the section.
-[[nodiscard]] Computed mean_over(const Section& section, std::string_view column);
+[[nodiscard]] statistics::Computed mean_over(const Section& section, std::string_view column);
 /// Positions of the object in the rows of the section [m]; z = 0 where it was not selected.
 [[nodiscard]] std::vector<Vec3> path_of(const Section& section);
 /// The measure path_length over a section of select_position().
 [[nodiscard]] Measure path_length(const Section& motion);
 /// The position on a grid: x and y, and z if selected.
-[[nodiscard]] std::vector<UniformSamples> position_of(const Section& section);
+[[nodiscard]] std::vector<statistics::UniformSamples> position_of(const Section& section);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

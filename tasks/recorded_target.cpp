@@ -10,7 +10,7 @@
 #include "core/csv.hpp"
 #include "tasks/record.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -76,7 +76,7 @@ class Recording {
  private:
   /// Freed of tremor, on the grid.
   [[nodiscard]] std::vector<double> smooth(const Section& rows, const std::vector<double>& values) {
-    const UniformSamples grid = on_uniform_grid(rows.t_s, values);
+    const statistics::UniformSamples grid = statistics::on_uniform_grid(rows.t_s, values);
     step_s_ = grid.step_s;
     return filtered_zero_phase(butterworth2(1.0 / grid.step_s, kCourseCutoff_Hz), grid.values);
   }
@@ -233,4 +233,4 @@ Result<std::string> target_by_doing(const TaskSpec& spec, const Signals& signals
   return Recording(spec, signals, wanted).text();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

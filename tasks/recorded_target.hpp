@@ -9,7 +9,7 @@
 #include "core/signals.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 struct RecordedTarget {
   std::string name;     ///< of the task
@@ -25,4 +25,4 @@ struct RecordedTarget {
 [[nodiscard]] Result<std::string> target_by_doing(const TaskSpec& spec, const Signals& signals,
                                                   const RecordedTarget& wanted);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -3,7 +3,7 @@
 
 #include "core/csv.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -71,4 +71,4 @@ Result<double> ForceReferences::unit_N(Scale scale, ForceChannel channel, double
   return load;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

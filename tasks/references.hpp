@@ -13,7 +13,7 @@
 #include "hand/force_channel.hpp"
 #include "tasks/kinds/force_kinds.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Outcome of the screening for one hand.
 enum class Effort : std::uint8_t { none, comfortable, maximum };
@@ -51,4 +51,4 @@ struct ForceReferences {
   return share > noise ? share : noise;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

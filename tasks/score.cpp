@@ -5,7 +5,7 @@
 #include "tasks/kinds/object_score.hpp"
 #include "tasks/kinds/score_kinds.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 std::vector<Measure> score(const TaskSpec& spec, const Signals& signals) {
   const Record record(signals);
@@ -22,11 +22,11 @@ std::vector<Measure> measures_of(const ObserveSpec&, const Record& record) {
   double touching_s = 0.0;
   for (std::size_t k = 0; k < contact.rows.size(); ++k)
     if (object.touched(contact.rows[k])) touching_s += contact.weight_s[k];
-  Computed most = "no samples";
+  statistics::Computed most = "no samples";
   for (const double force_N : force.values("actual_force_N"))
     if (!most.value || force_N > *most.value) most = force_N;
   return {object.mean_grip({Phase::active}), make_measure("peak_force", "grip", "N", force, most),
           path_length(motion), make_measure("contact_time", "contact", "s", contact, touching_s)};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -8,7 +8,7 @@
 #include "core/signals.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// The measures of this task. Columns used (those a task needs, see docs/measures.md): t_s, phase,
 /// sample_flags (non-zero: excluded), target_* and actual_* pairs, resting_force_N, finger forces.
@@ -19,4 +19,4 @@ namespace isograsp {
 /// (docs/measures.md).
 [[nodiscard]] std::vector<Measure> score_pairs(const Signals& signals);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -12,7 +12,7 @@
 #include "tasks/record.hpp"
 #include "tasks/score.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -42,7 +42,8 @@ void score_pair(const Record& record, const std::string& quantity_column,
   const auto target = both.values(target_column);
   const auto actual = both.values(actual_column);
   const auto& weight_s = both.weight_s;
-  const auto add = [&](const char* name, const std::string& unit, const Computed& computed) {
+  const auto add = [&](const char* name, const std::string& unit,
+                       const statistics::Computed& computed) {
     measures.push_back(make_measure(name, quantity.channel, unit, both, computed));
   };
   // Two measures know no target: a row counts wherever the actual value does.
@@ -52,7 +53,8 @@ void score_pair(const Record& record, const std::string& quantity_column,
   const Section alone =
       target_has_gaps ? record.select({}, {actual_column}, Record::TimeAxis::record) : both;
   const auto all_actual = alone.values(actual_column);
-  const auto add_alone = [&](const char* name, const std::string& unit, const Computed& computed) {
+  const auto add_alone = [&](const char* name, const std::string& unit,
+                             const statistics::Computed& computed) {
     measures.push_back(make_measure(name, quantity.channel, unit, alone, computed));
   };
   add("rmse", quantity.unit, rmse(target, actual, weight_s));
@@ -63,21 +65,24 @@ void score_pair(const Record& record, const std::string& quantity_column,
   if (alone.rows.size() < 2)
     add_alone("sample_entropy", "", kPairTooShort);
   else
-    add_alone("sample_entropy", "", sample_entropy(on_uniform_grid(alone.t_s, all_actual).values));
+    add_alone("sample_entropy", "",
+              sample_entropy(statistics::on_uniform_grid(alone.t_s, all_actual).values));
   if (both.rows.size() < 2)
     add("lag", "s", kPairTooShort);
   else
-    add("lag", "s", lag(on_uniform_grid(both.t_s, target), on_uniform_grid(both.t_s, actual)));
+    add("lag", "s",
+        lag(statistics::on_uniform_grid(both.t_s, target),
+            statistics::on_uniform_grid(both.t_s, actual)));
 }
 
 void score_motion(const Record& record, std::vector<Measure>& measures) {
   const Signals& signals = record.signals();
   if (!signals.has("actual_x_m") || !signals.has("actual_y_m")) return;
   const Section motion = record.select_position(0, record.rows(), {}, Record::TimeAxis::record);
-  Computed smooth = kPairTooShort;
-  Computed jerk = kPairTooShort;
+  statistics::Computed smooth = kPairTooShort;
+  statistics::Computed jerk = kPairTooShort;
   if (motion.rows.size() >= 2) {
-    const UniformSamples speed = speed_of(position_of(motion));
+    const statistics::UniformSamples speed = speed_of(position_of(motion));
     smooth = sparc(speed);
     jerk = ldlj(speed);
   }
@@ -100,4 +105,4 @@ std::vector<Measure> score_pairs(const Signals& signals) {
   return measures;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

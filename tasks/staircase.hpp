@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 struct Staircase {
   static constexpr double kSuccess = 0.75;  ///< within the 70 … 80 % that keep people trying
@@ -21,4 +21,4 @@ struct Staircase {
   }
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

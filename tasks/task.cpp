@@ -4,7 +4,7 @@
 #include "tasks/kinds/make_task.hpp"
 #include "tasks/timeline.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 std::string_view name_of(Phase phase) noexcept {
   switch (phase) {
@@ -55,4 +55,4 @@ Result<std::unique_ptr<Task>> make_task(const TaskSpec& spec, const TaskContext&
   return play(*std::move(timeline), context);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

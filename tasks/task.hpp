@@ -13,7 +13,7 @@
 #include "tasks/references.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// What a task may depend on besides its file; stored with the trial.
 struct TaskContext {
@@ -83,4 +83,4 @@ class Task {
 [[nodiscard]] Result<std::unique_ptr<Task>> make_task(const TaskSpec& spec,
                                                       const TaskContext& context);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -10,7 +10,7 @@
 #include "tasks/kinds/read_kinds.hpp"
 #include "tasks/kinds/segments.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -251,4 +251,4 @@ Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
   return spec;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -15,7 +15,7 @@
 #include "tasks/kinds/object_kinds.hpp"
 #include "tasks/kinds/recorded_kind.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// How long something takes as a rule and at most [s].
 struct Duration {
@@ -66,4 +66,4 @@ struct TaskSpec {
 
 [[nodiscard]] Result<TaskSpec> parse_task(std::string_view text, const std::string& file);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

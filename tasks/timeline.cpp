@@ -7,7 +7,7 @@
 
 #include "tasks/kinds/segments.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -187,4 +187,4 @@ std::unique_ptr<Task> play(Timeline timeline, const TaskContext& context) {
   return std::make_unique<Play>(std::move(timeline), context);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

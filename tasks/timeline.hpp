@@ -9,7 +9,7 @@
 #include "core/result.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 struct Segment {
   Phase phase = Phase::active;
@@ -35,4 +35,4 @@ struct Timeline {
 /// The task that goes through it.
 [[nodiscard]] std::unique_ptr<Task> play(Timeline timeline, const TaskContext& context);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "tasks/kinds/make_task.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::vector<double> samples_of(const Waveform& waveform, double duration_s, doub
   return values;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

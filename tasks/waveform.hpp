@@ -7,7 +7,7 @@
 
 #include "tasks/kinds/force_kinds.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Value k is at k * period_s, for `duration_s`. `trial_seed` makes a fresh sequence where the
 /// shape has no seed of its own.
@@ -32,4 +32,4 @@ namespace isograsp {
 /// Most lines that a random target may have: beyond, noise is no longer a movement to follow.
 inline constexpr double kMostSines = 200.0;
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

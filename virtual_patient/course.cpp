@@ -7,7 +7,7 @@
 #include "core/csv.hpp"
 #include "core/toml_reader.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 namespace {
 
@@ -100,4 +100,4 @@ PatientTraits course_traits(const Course& course, const PatientTraits& patient, 
                 day_seed(seed, day));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

@@ -12,7 +12,7 @@
 #include "core/result.hpp"
 #include "virtual_patient/traits.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 /// One change. Its strength on a day is between 0 and 1:
 ///   approach  1 - exp(-(day - from) / time), from its first day on (exponential recovery)
@@ -53,4 +53,4 @@ struct Course {
 [[nodiscard]] PatientTraits course_traits(const Course& course, const PatientTraits& patient,
                                           std::uint64_t day, std::uint64_t seed);
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

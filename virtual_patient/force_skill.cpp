@@ -6,7 +6,7 @@
 
 #include "virtual_patient/loop_delay.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 namespace {
 constexpr double kCorrectionRate_per_s = 0.8;    ///< far below 1 / loop delay: a calm loop
@@ -140,4 +140,4 @@ FingerForces ForceSkill::wanted(double t_s) const noexcept {
   return forces;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

@@ -9,7 +9,7 @@
 #include "virtual_patient/motor.hpp"
 #include "virtual_patient/traits.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 /// How a person shares `force_N` of a channel among the digits: the thumb against both fingers
 /// equally, a sum in three equal parts. The channel's force of the result is `force_N`.
@@ -79,4 +79,4 @@ class ForceSkill {
   LevelMemory memory_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

@@ -4,7 +4,7 @@
 
 #include "virtual_patient/traits.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 /// Sensor (32 ms) and half a frame and its hold: what a person has learned of the device.
 inline constexpr double kLearnedDeviceDelay_s = 0.040;
@@ -13,4 +13,4 @@ inline constexpr double kLearnedDeviceDelay_s = 0.040;
   return traits.visual_delay_s + 2.0 * traits.muscle_lag_s + kLearnedDeviceDelay_s;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

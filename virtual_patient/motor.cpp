@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 namespace {
 
@@ -120,4 +120,4 @@ FingerWrenches Motor::step(const FingerForces& wanted, double dt_s) noexcept {
   return wrench_C;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

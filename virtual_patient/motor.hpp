@@ -10,7 +10,7 @@
 #include "hand/finger.hpp"
 #include "virtual_patient/traits.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 /// Wanted force of each fingertip [N], contact frames.
 using FingerForces = std::array<Vec3, kFingerCount>;
@@ -50,4 +50,4 @@ class Motor {
   double fatigue_ = 0.0;  ///< share of the strength lost
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

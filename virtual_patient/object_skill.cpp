@@ -10,7 +10,7 @@
 #include "grasp_model/rotation.hpp"
 #include "virtual_patient/loop_delay.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 namespace {
 
@@ -288,4 +288,4 @@ FingerForces ObjectSkill::wanted(double t_s) noexcept {
   return wanted;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

@@ -9,7 +9,7 @@
 #include "virtual_patient/motor.hpp"
 #include "virtual_patient/traits.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 /// A movement with least jerk from one pose to another (Flash, Hogan 1985).
 class PosePlan {
@@ -108,4 +108,4 @@ class ObjectSkill {
   Vec6 error_ = Vec6::Zero();       ///< seen last [m, rad], world axes
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

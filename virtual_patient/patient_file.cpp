@@ -6,7 +6,7 @@
 #include "core/csv.hpp"
 #include "core/toml_reader.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 namespace {
 
@@ -48,4 +48,4 @@ Result<VirtualPatientFile> parse_patient(std::string_view text, const std::strin
   return patient;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

@@ -9,7 +9,7 @@
 #include "core/result.hpp"
 #include "virtual_patient/traits.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 struct VirtualPatientFile {
   std::string name;         ///< for people to read
@@ -22,4 +22,4 @@ struct VirtualPatientFile {
 [[nodiscard]] Result<VirtualPatientFile> parse_patient(std::string_view text,
                                                        const std::string& file);
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

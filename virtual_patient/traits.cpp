@@ -6,7 +6,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::uint64_t day_seed(std::uint64_t person_seed, std::uint64_t day) noexcept {
   return person_seed * kDaysApart + day;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

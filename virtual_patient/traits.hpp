@@ -13,7 +13,7 @@
 
 #include "hand/finger.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 struct PatientTraits {
   // Seeing and deciding
@@ -99,4 +99,4 @@ inline constexpr double kLargestArmPush = 1.0;
 /// The seed of a person's day.
 [[nodiscard]] std::uint64_t day_seed(std::uint64_t person_seed, std::uint64_t day) noexcept;
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

@@ -9,7 +9,7 @@
 #include "virtual_patient/object_skill.hpp"
 #include "virtual_patient/visual_memory.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 namespace {
 
@@ -247,4 +247,4 @@ FingerWrenches VirtualPatient::press(double t_s) noexcept {
   return wrench_C;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

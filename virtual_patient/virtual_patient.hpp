@@ -12,7 +12,7 @@
 #include "hand/stimulus.hpp"
 #include "virtual_patient/traits.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 class VirtualPatient final : public FingerSource {
  public:
@@ -36,4 +36,4 @@ class VirtualPatient final : public FingerSource {
   std::unique_ptr<Mind> mind_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

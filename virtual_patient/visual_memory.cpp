@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "virtual_patient/visual_memory.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 VisualMemory::VisualMemory() : ring_(kPictures) {}
 
@@ -18,4 +18,4 @@ const Stimulus* VisualMemory::next(double until_s) noexcept {
   return &ring_[taken_++ % kPictures];
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

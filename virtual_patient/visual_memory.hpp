@@ -7,7 +7,7 @@
 
 #include "hand/stimulus.hpp"
 
-namespace isograsp {
+namespace isograsp::virtual_patient {
 
 class VisualMemory {
  public:
@@ -26,4 +26,4 @@ class VisualMemory {
   std::size_t taken_ = 0;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::virtual_patient

@@ -23,7 +23,7 @@
 #include "storage/file/file_stats.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -41,8 +41,8 @@ struct DbOptions {
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
-Result<std::unique_ptr<SessionStore>> read_store(const std::string& file) {
-  return open_store_to_read(file);
+Result<std::unique_ptr<storage::SessionStore>> read_store(const std::string& file) {
+  return storage::open_store_to_read(file);
 }
 
 Result<void> init(const DbOptions& options) {
@@ -57,10 +57,10 @@ Result<void> init(const DbOptions& options) {
   std::error_code ignored;
   if (std::filesystem::exists(options.file, ignored))
     return Error{Error::Code::bad_input, "exists already", "name a new file", options.file, 0, ""};
-  const auto store = open_store(options.file, OpenMode::create);
+  const auto store = storage::open_store(options.file, storage::OpenMode::create);
   if (!store) return store.error();
-  print_answer(options.json, {{"file", options.file}, {"format", kDatabaseFormat}},
-               options.file + ": made, format " + std::to_string(kDatabaseFormat));
+  print_answer(options.json, {{"file", options.file}, {"format", storage::kDatabaseFormat}},
+               options.file + ": made, format " + std::to_string(storage::kDatabaseFormat));
   return {};
 }
 
@@ -130,7 +130,7 @@ Result<void> verify(const DbOptions& options) {
 }
 
 Result<void> scheduled_backup(const DbOptions& options) {
-  const auto made = Backups(options.file).make_if_due(std::time(nullptr));
+  const auto made = storage::Backups(options.file).make_if_due(std::time(nullptr));
   if (!made) return made.error();
   Json json{{"file", options.file}, {"made", made->has_value()}};
   Lines text = options.file + ": there is a backup of today already";
@@ -164,9 +164,9 @@ Result<void> backup(const DbOptions& options) {
 }
 
 Result<void> restore(const DbOptions& options) {
-  const auto done = restore_backup(options.from, options.file, [&options](const std::string& copy) {
-    return open_access(copy, options.login);
-  });
+  const auto done = storage::restore_backup(
+      options.from, options.file,
+      [&options](const std::string& copy) { return open_access(copy, options.login); });
   if (!done) return done.error();
   Json json{{"file", options.file}, {"restored_from", options.from}};
   Lines text = options.file + ": restored from " + options.from + " and checked";
@@ -180,9 +180,9 @@ Result<void> restore(const DbOptions& options) {
 }
 
 Result<void> stats(const DbOptions& options) {
-  const auto counted = file_stats(options.file);
+  const auto counted = storage::file_stats(options.file);
   if (!counted) return counted.error();
-  const FileStats& all = *counted;
+  const storage::FileStats& all = *counted;
   constexpr double kMega = 1e6;
   constexpr double kMinute_s = 60.0;
   const auto rounded = [](double value, const char* unit) {
@@ -228,7 +228,7 @@ Result<void> stats(const DbOptions& options) {
 }
 
 Result<void> merge(const DbOptions& options) {
-  const auto done = merge_databases(options.file, options.from, options.same_patients);
+  const auto done = storage::merge_databases(options.file, options.from, options.same_patients);
   if (!done) return done.error();
   Lines text;
   if (done->conflicts.empty())
@@ -259,12 +259,12 @@ Result<void> merge(const DbOptions& options) {
 Result<void> migrate(const DbOptions& options) {
   const auto access = log_in(options.file, options.login);
   if (!access) return access.error();
-  const auto done = migrate_database(options.file);
+  const auto done = storage::migrate_database(options.file);
   if (!done) return done.error();
   const bool migrated = !done->copy.empty();
-  const std::string format = "format " + std::to_string(kDatabaseFormat);
+  const std::string format = "format " + std::to_string(storage::kDatabaseFormat);
   Json json{{"file", options.file},
-            {"format", kDatabaseFormat},
+            {"format", storage::kDatabaseFormat},
             {"migrated", migrated},
             {"packed", done->packed},
             {"not_packed", done->not_packed}};
@@ -327,4 +327,4 @@ void add_db(CommandLine& line) {
   add_db_person(db);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

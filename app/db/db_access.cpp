@@ -10,7 +10,7 @@
 #include "storage/access/audit_log.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -25,13 +25,13 @@ struct AccountOptions {
   int retention_years = -1;
 };
 
-Result<void> list_users(Access& access, const AccountOptions& options) {
+Result<void> list_users(storage::Access& access, const AccountOptions& options) {
   const auto users = access.users();
   if (!users) return users.error();
   Json json = Json::array();
   Lines text;
-  for (const User& user : *users) {
-    const std::string role(name_of(user.role));
+  for (const storage::User& user : *users) {
+    const std::string role(storage::name_of(user.role));
     json.push_back({{"name", user.name},
                     {"role", role},
                     {"pin", user.has_pin},
@@ -42,8 +42,8 @@ Result<void> list_users(Access& access, const AccountOptions& options) {
   return {};
 }
 
-Result<void> add(Access& access, const AccountOptions& options) {
-  const auto role = role_from_name(options.role);
+Result<void> add(storage::Access& access, const AccountOptions& options) {
+  const auto role = storage::role_from_name(options.role);
   if (!role)
     return Error{Error::Code::bad_input,
                  "'" + options.role + "' is no role",
@@ -51,74 +51,74 @@ Result<void> add(Access& access, const AccountOptions& options) {
                  "",
                  0,
                  "--role"};
-  const auto password = Secret::from_file(options.new_file);
+  const auto password = storage::Secret::from_file(options.new_file);
   if (!password) return password.error();
-  const auto user = add_user(access, options.name, *role, *password);
+  const auto user = storage::add_user(access, options.name, *role, *password);
   if (!user) return user.error();
   print_answer(options.common.json, {{"name", user->name}, {"role", options.role}},
                user->name + ": " + options.role);
   return {};
 }
 
-Result<void> remove(Access& access, const AccountOptions& options) {
-  if (auto done = remove_user(access, options.name); !done) return done;
+Result<void> remove(storage::Access& access, const AccountOptions& options) {
+  if (auto done = storage::remove_user(access, options.name); !done) return done;
   print_answer(options.common.json, {{"removed", options.name}}, options.name + ": removed");
   return {};
 }
 
-Result<void> password(Access& access, const AccountOptions& options) {
-  const auto fresh = Secret::from_file(options.new_file);
+Result<void> password(storage::Access& access, const AccountOptions& options) {
+  const auto fresh = storage::Secret::from_file(options.new_file);
   if (!fresh) return fresh.error();
   Result<void> done;
   if (options.name.empty() || options.name == options.common.login.user) {
-    const auto old = Secret::from_file(options.common.login.password_file);
+    const auto old = storage::Secret::from_file(options.common.login.password_file);
     if (!old) return old.error();
-    done = change_own_password(access, *old, *fresh);
+    done = storage::change_own_password(access, *old, *fresh);
   } else {
-    done = reset_password(access, options.name, *fresh);
+    done = storage::reset_password(access, options.name, *fresh);
   }
   if (!done) return done;
   print_answer(options.common.json, {{"changed", true}}, "the password was changed");
   return {};
 }
 
-Result<void> pin(Access& access, const AccountOptions& options) {
-  Secret fresh;
+Result<void> pin(storage::Access& access, const AccountOptions& options) {
+  storage::Secret fresh;
   if (!options.new_file.empty()) {
-    auto read = Secret::from_file(options.new_file);
+    auto read = storage::Secret::from_file(options.new_file);
     if (!read) return read.error();
     fresh = *std::move(read);
   }
-  if (auto done = set_own_pin(access, fresh); !done) return done;
+  if (auto done = storage::set_own_pin(access, fresh); !done) return done;
   print_answer(options.common.json, {{"pin", !fresh.empty()}},
                fresh.empty() ? "there is no PIN any more" : "the PIN was set");
   return {};
 }
 
-Result<void> passphrase(Access& access, const AccountOptions& options) {
-  const auto fresh = Secret::from_file(options.new_file);
+Result<void> passphrase(storage::Access& access, const AccountOptions& options) {
+  const auto fresh = storage::Secret::from_file(options.new_file);
   if (!fresh) return fresh.error();
-  if (auto done = change_passphrase(access, *fresh); !done) return done;
+  if (auto done = storage::change_passphrase(access, *fresh); !done) return done;
   print_answer(options.common.json, {{"changed", true}},
                "the passphrase was changed; backups made before keep the one they had");
   return {};
 }
 
-Result<void> recovery_key(Access& access, const AccountOptions& options) {
-  const auto key = new_recovery_key(access);
+Result<void> recovery_key(storage::Access& access, const AccountOptions& options) {
+  const auto key = storage::new_recovery_key(access);
   if (!key) return key.error();
   print_recovery_key(options.common.json, {}, "the recovery key of before opens nothing any more",
                      *key);
   return {};
 }
 
-Result<void> policy(Access& access, const AccountOptions& options) {
+Result<void> policy(storage::Access& access, const AccountOptions& options) {
   auto now = access.policy();
   if (!now) return now.error();
   if (options.lock_after_s > 0 || options.retention_years >= 0) {
     if (options.lock_after_s > 0) now->lock_after_s = options.lock_after_s;
     if (options.retention_years >= 0) now->retention_years = options.retention_years;
-    if (auto done = set_policy(access, *now); !done) return done;
+    if (auto done = storage::set_policy(access, *now); !done) return done;
   }
   print_answer(options.common.json,
                {{"lock_after_s", now->lock_after_s}, {"retention_years", now->retention_years}},
@@ -129,15 +129,15 @@ Result<void> policy(Access& access, const AccountOptions& options) {
 
 struct AuditOptions {
   AccessOptions common;
-  AuditFilter filter;
+  storage::AuditFilter filter;
   std::string contains;
 };
 
 /// COUNT:HASH
-Result<AuditHead> head_in(const std::string& text) {
+Result<storage::AuditHead> head_in(const std::string& text) {
   const std::size_t colon = text.find(':');
   char* end = nullptr;
-  AuditHead head;
+  storage::AuditHead head;
   head.count = std::strtoll(text.c_str(), &end, 10);
   constexpr std::size_t kDigits = 64;
   if (colon == std::string::npos || end != text.c_str() + colon || head.count < 1 ||
@@ -152,18 +152,18 @@ Result<AuditHead> head_in(const std::string& text) {
   return head;
 }
 
-Result<void> audit(Access& access, const AuditOptions& options) {
-  const auto entries = read_audit(access, options.filter);
+Result<void> audit(storage::Access& access, const AuditOptions& options) {
+  const auto entries = storage::read_audit(access, options.filter);
   if (!entries) return entries.error();
-  const auto problems = check_audit(access);
+  const auto problems = storage::check_audit(access);
   if (!problems) return problems.error();
-  const auto head = audit_head(access);
+  const auto head = storage::audit_head(access);
   if (!head) return head.error();
   const std::string head_text = std::to_string(head->count) + ":" + head->hash;
   Json json{{"file", options.common.file}, {"head", head_text}, {"problems", *problems}};
   Lines text;
   Json list = Json::array();
-  for (const AuditEntry& entry : *entries) {
+  for (const storage::AuditEntry& entry : *entries) {
     list.push_back({{"number", entry.number},
                     {"at_utc", entry.at_utc},
                     {"actor", entry.actor},
@@ -185,7 +185,7 @@ Result<void> audit(Access& access, const AuditOptions& options) {
   if (!options.contains.empty()) {
     const auto noted = head_in(options.contains);
     if (!noted) return noted.error();
-    const auto found = audit_contains(access, *noted);
+    const auto found = storage::audit_contains(access, *noted);
     if (!found) return found.error();
     contained = *found;
     json["contains"] = contained;
@@ -272,4 +272,4 @@ void add_db_access(Subcommand db) {
                  "COUNT:HASH, a head that was printed earlier: is it part of this log?");
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

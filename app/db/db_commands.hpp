@@ -11,7 +11,7 @@
 #include "app/console.hpp"
 #include "app/login_options.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// Accounts, passphrase, policy, audit log (app/db/db_access.cpp).
 void add_db_access(Subcommand db);
@@ -34,7 +34,7 @@ struct AccessOptions {
 template <class Options>
 Subcommand add_access_command(Subcommand parent, const char* name, const char* description,
                               const char* example, const std::shared_ptr<Options>& options,
-                              Result<void> (*work)(Access&, const Options&)) {
+                              Result<void> (*work)(storage::Access&, const Options&)) {
   Subcommand command = add_access_options(parent, name, description, example, options->common);
   command.runs([options, work]() -> Result<void> {
     const auto access = open_access(options->common.file, options->common.login);
@@ -49,9 +49,10 @@ Subcommand add_access_command(Subcommand parent, const char* name, const char* d
 
 /// Makes a protected database and prints its recovery key, once (app/db/db_protect.cpp).
 [[nodiscard]] Result<void> init_protected(const AccessOptions& options);
-void print_recovery_key(bool as_json, nlohmann::ordered_json json, Lines text, const Secret& key);
+void print_recovery_key(bool as_json, nlohmann::ordered_json json, Lines text,
+                        const storage::Secret& key);
 
 /// Prints one or the other.
 void print_answer(bool as_json, const nlohmann::ordered_json& json, const Lines& text);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -12,7 +12,7 @@
 #include "storage/person/erasure.hpp"
 #include "storage/person/identity.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -27,7 +27,7 @@ struct PersonOptions {
   std::string reason;
   bool plan = false;
   bool lift = false;
-  Consent consent;
+  storage::Consent consent;
 };
 
 Error bad_json(const std::string& path, std::string what) {
@@ -40,15 +40,15 @@ Error bad_json(const std::string& path, std::string what) {
 }
 
 /// Errors never repeat what the file holds.
-Result<Identity> read_identity_file(const std::string& path) {
+Result<storage::Identity> read_identity_file(const std::string& path) {
   constexpr std::size_t kMost = std::size_t{64} << 10;
   auto text = read_text(path);
   if (!text) return text.error();
   if (text->size() > kMost) return bad_json(path, "is larger than 64 KiB");
   const Json json = Json::parse(*text, nullptr, false);
-  (void)Secret::taken_from(*text);
+  (void)storage::Secret::taken_from(*text);
   if (!json.is_object()) return bad_json(path, "is no JSON object");
-  Identity identity;
+  storage::Identity identity;
   for (const auto& [key, value] : json.items()) {
     std::string* const field = key == "name"         ? &identity.name
                                : key == "birth_date" ? &identity.birth_date
@@ -61,15 +61,15 @@ Result<Identity> read_identity_file(const std::string& path) {
   return identity;
 }
 
-Result<void> show(Access& access, const PersonOptions& options) {
-  const auto identity = read_identity(access, options.patient, options.emergency);
+Result<void> show(storage::Access& access, const PersonOptions& options) {
+  const auto identity = storage::read_identity(access, options.patient, options.emergency);
   if (!identity) return identity.error();
   if (!*identity) {
     print_answer(options.common.json, {{"patient", options.patient}, {"identity", nullptr}},
                  options.patient + ": not told");
     return {};
   }
-  const Identity& one = **identity;
+  const storage::Identity& one = **identity;
   Lines text = options.patient + ": " + one.name +
                (one.birth_date.empty() ? "" : ", born " + one.birth_date);
   if (!one.contact.empty()) text.add(one.contact);
@@ -81,21 +81,21 @@ Result<void> show(Access& access, const PersonOptions& options) {
   return {};
 }
 
-Result<void> set(Access& access, const PersonOptions& options) {
+Result<void> set(storage::Access& access, const PersonOptions& options) {
   const auto identity = read_identity_file(options.from);
   if (!identity) return identity.error();
-  if (auto done = set_identity(access, options.patient, *identity); !done) return done;
+  if (auto done = storage::set_identity(access, options.patient, *identity); !done) return done;
   print_answer(options.common.json, {{"patient", options.patient}, {"stored", true}},
                options.patient + ": identity stored");
   return {};
 }
 
-Result<void> list_consents(Access& access, const PersonOptions& options) {
-  const auto all = consents(access, options.patient);
+Result<void> list_consents(storage::Access& access, const PersonOptions& options) {
+  const auto all = storage::consents(access, options.patient);
   if (!all) return all.error();
   Json json = Json::array();
   Lines text;
-  for (const Consent& one : *all) {
+  for (const storage::Consent& one : *all) {
     json.push_back({{"on_date", one.on_date},
                     {"purpose", one.purpose},
                     {"basis", one.basis},
@@ -110,16 +110,16 @@ Result<void> list_consents(Access& access, const PersonOptions& options) {
   return {};
 }
 
-Result<void> record_consent(Access& access, const PersonOptions& options) {
-  const auto id = add_consent(access, options.patient, options.consent);
+Result<void> record_consent(storage::Access& access, const PersonOptions& options) {
+  const auto id = storage::add_consent(access, options.patient, options.consent);
   if (!id) return id.error();
   print_answer(options.common.json, {{"patient", options.patient}, {"stored", true}},
                options.patient + ": " + options.consent.purpose + " " + options.consent.state);
   return {};
 }
 
-void print_erasure(const PersonOptions& options, const ErasureDone& done) {
-  const ErasurePlan& plan = done.plan;
+void print_erasure(const PersonOptions& options, const storage::ErasureDone& done) {
+  const storage::ErasurePlan& plan = done.plan;
   Json json{{"patient", plan.code},
             {"erased", done.erased},
             {"swept", done.erased && !done.not_swept},
@@ -151,29 +151,30 @@ void print_erasure(const PersonOptions& options, const ErasureDone& done) {
   print_answer(options.common.json, json, text);
 }
 
-Result<void> erase(Access& access, const PersonOptions& options) {
+Result<void> erase(storage::Access& access, const PersonOptions& options) {
   if (options.plan) {
-    const auto plan = plan_erasure(access, options.patient);
+    const auto plan = storage::plan_erasure(access, options.patient);
     if (!plan) return plan.error();
-    ErasureDone nothing;
+    storage::ErasureDone nothing;
     nothing.plan = *plan;
     print_erasure(options, nothing);
     return {};
   }
   if (options.lift) {
-    if (auto done = lift_restriction(access, options.patient, options.reason); !done) return done;
+    if (auto done = storage::lift_restriction(access, options.patient, options.reason); !done)
+      return done;
     print_answer(options.common.json, {{"patient", options.patient}, {"restricted", false}},
                  options.patient + ": no longer restricted");
     return {};
   }
-  const auto done = erase_patient(access, options.patient, options.reason);
+  const auto done = storage::erase_patient(access, options.patient, options.reason);
   if (!done) return done.error();
   print_erasure(options, *done);
   if (done->not_swept) return *done->not_swept;
   return {};
 }
 
-Result<void> person(Access& access, const PersonOptions& options) {
+Result<void> person(storage::Access& access, const PersonOptions& options) {
   const auto trials = export_person(access, options.patient, options.out);
   if (!trials) return trials.error();
   print_answer(options.common.json,
@@ -236,4 +237,4 @@ void add_db_person(Subcommand db) {
       .required();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

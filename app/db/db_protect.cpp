@@ -7,13 +7,13 @@
 #include "storage/file/open_mode.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Result<Secret> passphrase_of(const AccessOptions& options, const char* field) {
+Result<storage::Secret> passphrase_of(const AccessOptions& options, const char* field) {
   if (options.login.passphrase_file.empty())
     return Error{Error::Code::bad_input,
                  "no passphrase is given",
@@ -21,13 +21,13 @@ Result<Secret> passphrase_of(const AccessOptions& options, const char* field) {
                  "",
                  0,
                  field};
-  return Secret::from_file(options.login.passphrase_file);
+  return storage::Secret::from_file(options.login.passphrase_file);
 }
 
 Result<void> protect(const AccessOptions& options) {
   const auto passphrase = passphrase_of(options, "--passphrase-file");
   if (!passphrase) return passphrase.error();
-  const auto done = protect_database(options.file, *passphrase);
+  const auto done = storage::protect_database(options.file, *passphrase);
   if (!done) return done.error();
   Json json{{"file", options.file},
             {"protected", true},
@@ -51,16 +51,17 @@ Result<void> protect(const AccessOptions& options) {
 Result<void> init_protected(const AccessOptions& options) {
   const auto passphrase = passphrase_of(options, "--protected");
   if (!passphrase) return passphrase.error();
-  const auto made = Access::create(options.file, *passphrase);
+  const auto made = storage::Access::create(options.file, *passphrase);
   if (!made) return made.error();
   print_recovery_key(
-      options.json, {{"file", options.file}, {"format", kDatabaseFormat}, {"protected", true}},
-      options.file + ": made, format " + std::to_string(kDatabaseFormat) + ", protected",
+      options.json,
+      {{"file", options.file}, {"format", storage::kDatabaseFormat}, {"protected", true}},
+      options.file + ": made, format " + std::to_string(storage::kDatabaseFormat) + ", protected",
       made->recovery_key);
   return {};
 }
 
-void print_recovery_key(bool as_json, Json json, Lines text, const Secret& key) {
+void print_recovery_key(bool as_json, Json json, Lines text, const storage::Secret& key) {
   json["recovery_key"] = std::string(key.text());
   text.add("recovery key: " + std::string(key.text()));
   text.add("Print it and lock it away: it is shown this once and opens everything.");
@@ -75,4 +76,4 @@ void add_db_protect(Subcommand db) {
   command.runs([options] { return protect(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

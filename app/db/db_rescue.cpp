@@ -7,7 +7,7 @@
 #include "app/db/db_commands.hpp"
 #include "storage/care/emergency.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -18,14 +18,14 @@ struct RescueOptions {
   bool list = false;
 };
 
-std::string line_of(const EmergencyFile& file) {
+std::string line_of(const storage::EmergencyFile& file) {
   return file.path + ": session of " + file.patient_code + " that began " + file.started_utc +
          ", " + std::to_string(file.trials) + " trials" +
          (file.has_whole ? ", and a copy of the whole database" : "") + "; recorded into " +
          file.database + ", left because: " + file.reason;
 }
 
-Json json_of(const EmergencyFile& file) {
+Json json_of(const storage::EmergencyFile& file) {
   return {{"path", file.path},
           {"database", file.database},
           {"patient", file.patient_code},
@@ -35,9 +35,9 @@ Json json_of(const EmergencyFile& file) {
           {"reason", file.reason}};
 }
 
-Result<void> take_in(const std::string& database, const EmergencyFile& file, Json& json,
+Result<void> take_in(const std::string& database, const storage::EmergencyFile& file, Json& json,
                      Lines& text) {
-  const auto done = rescue(database, file);
+  const auto done = storage::rescue(database, file);
   if (!done) return done.error();
   if (!done->conflicts.empty())
     return Error{Error::Code::failed,
@@ -58,21 +58,21 @@ Result<void> take_in(const std::string& database, const EmergencyFile& file, Jso
 
 Result<void> rescue_all(const RescueOptions& options) {
   const std::string& database = options.common.file;
-  const auto files = emergency_files(database);
+  const auto files = storage::emergency_files(database);
   Json json{{"file", database}};
   Lines text;
   if (options.list) {
     json["emergency_files"] = Json::array();
-    for (const EmergencyFile& file : files) {
+    for (const storage::EmergencyFile& file : files) {
       json["emergency_files"].push_back(json_of(file));
       text.add(line_of(file));
     }
   } else {
     json["rescued"] = Json::array();
-    std::unique_ptr<Access> access;
-    for (const EmergencyFile& file : files) {
-      if (auto there = put_back(database, file); !there) return there;
-      if (access == nullptr && is_protected_database(database)) {
+    std::unique_ptr<storage::Access> access;
+    for (const storage::EmergencyFile& file : files) {
+      if (auto there = storage::put_back(database, file); !there) return there;
+      if (access == nullptr && storage::is_protected_database(database)) {
         auto opened = log_in(database, options.common.login);
         if (!opened) return opened.error();
         access = *std::move(opened);
@@ -80,7 +80,7 @@ Result<void> rescue_all(const RescueOptions& options) {
       if (auto done = take_in(database, file, json, text); !done) return done;
     }
   }
-  if (files.empty()) text = database + ": no session of it is in " + emergency_folder();
+  if (files.empty()) text = database + ": no session of it is in " + storage::emergency_folder();
   print_answer(options.common.json, json, text);
   return {};
 }
@@ -96,4 +96,4 @@ void add_db_rescue(Subcommand db) {
   command.runs([options] { return rescue_all(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -14,7 +14,7 @@
 #include "storage/records/patient_code.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -39,14 +39,14 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json known_of(SessionStore& store, const PatientRecord& patient) {
-  const PatientProfile profile = need(store.profile(patient.id));
-  Json json{{"affected", profile.affected ? name_of(*profile.affected) : ""},
+Json known_of(storage::SessionStore& store, const storage::PatientRecord& patient) {
+  const storage::PatientProfile profile = need(store.profile(patient.id));
+  Json json{{"affected", profile.affected ? storage::name_of(*profile.affected) : ""},
             {"dominant", profile.dominant ? name_of(*profile.dominant) : ""},
             {"onset_date", profile.onset_date},
             {"notes", profile.notes},
             {"goals", profile.goals},
-            {"sex", profile.sex ? name_of(*profile.sex) : ""},
+            {"sex", profile.sex ? storage::name_of(*profile.sex) : ""},
             {"birth_year", or_null(profile.birth_year)}};
   for (const auto& mark : need(store.treatment_marks(patient.id)))
     json["treatment_marks"].push_back(
@@ -79,13 +79,13 @@ Json wrench_rows(const std::array<Vec6, kFingerCount>& wrenches) {
   return json;
 }
 
-Json trial_of(SessionStore& store, const TrialRecord& trial) {
+Json trial_of(storage::SessionStore& store, const storage::TrialRecord& trial) {
   Json json{{"number", trial.number},
             {"task", trial.task_name},
             {"task_version", trial.task_version},
             {"practice", trial.practice},
             {"session_time_s", trial.session_time_s},
-            {"status", name_of(trial.status)},
+            {"status", storage::name_of(trial.status)},
             {"samples", trial.samples},
             {"maximum_force_N", trial.maximum_force_N},
             {"resting_force_N", trial.resting_force_N},
@@ -102,7 +102,7 @@ Json trial_of(SessionStore& store, const TrialRecord& trial) {
   return json;
 }
 
-Json session_of(SessionStore& store, const SessionRecord& session) {
+Json session_of(storage::SessionStore& store, const storage::SessionRecord& session) {
   Json json{{"started_utc", session.started_utc}, {"ended_utc", session.ended_utc},
             {"hand", name_of(session.hand)},      {"device", session.device_description},
             {"simulated", session.simulated},     {"recorded", session.recorded},
@@ -130,14 +130,14 @@ Json session_of(SessionStore& store, const SessionRecord& session) {
   return json;
 }
 
-Json access_of(Access& access, const std::string& code) {
+Json access_of(storage::Access& access, const std::string& code) {
   Json json = Json::object();
   if (access.is_protected())
-    if (const auto identity = need(read_identity_for_person(access, code)))
+    if (const auto identity = need(storage::read_identity_for_person(access, code)))
       json["identity"] = {{"name", identity->name},
                           {"birth_date", identity->birth_date},
                           {"contact", identity->contact}};
-  for (const Consent& consent : need(consents(access, code)))
+  for (const storage::Consent& consent : need(storage::consents(access, code)))
     json["consents"].push_back({{"on_date", consent.on_date},
                                 {"purpose", consent.purpose},
                                 {"basis", consent.basis},
@@ -148,8 +148,8 @@ Json access_of(Access& access, const std::string& code) {
   return json;
 }
 
-int write_all_of(Access& access, SessionStore& store, const PatientRecord& patient,
-                 const fs::path& folder) {
+int write_all_of(storage::Access& access, storage::SessionStore& store,
+                 const storage::PatientRecord& patient, const fs::path& folder) {
   Json json{{"code", patient.code}, {"created_utc", patient.created_utc}};
   json.update(access_of(access, patient.code));
   json["profile"] = known_of(store, patient);
@@ -158,11 +158,11 @@ int write_all_of(Access& access, SessionStore& store, const PatientRecord& patie
       "reason\n";
   int trials = 0;
   int number = 0;
-  for (const SessionRecord& session : need(store.sessions(patient.id))) {
+  for (const storage::SessionRecord& session : need(store.sessions(patient.id))) {
     const std::string session_name = "session_" + std::to_string(++number);
     fs::create_directory(folder / session_name);
     Json one = session_of(store, session);
-    for (const TrialRecord& trial : need(store.trials(session.id))) {
+    for (const storage::TrialRecord& trial : need(store.trials(session.id))) {
       ++trials;
       one["trials"].push_back(trial_of(store, trial));
       const Signals signals = need(store.signals(trial));
@@ -191,13 +191,15 @@ int write_all_of(Access& access, SessionStore& store, const PatientRecord& patie
 
 }  // namespace
 
-Result<int> export_person(Access& access, const std::string& code, const std::string& folder) {
-  const bool known = check_patient_code(code).ok();
+Result<int> export_person(storage::Access& access, const std::string& code,
+                          const std::string& folder) {
+  const bool known = storage::check_patient_code(code).ok();
   if (access.is_protected())
-    if (const auto allowed = access.require(Right::identities, "export person", known ? code : "");
+    if (const auto allowed =
+            access.require(storage::Right::identities, "export person", known ? code : "");
         !allowed)
       return allowed.error();
-  const auto store = open_store_to_read(access.path());
+  const auto store = storage::open_store_to_read(access.path());
   if (!store) return store.error();
   const auto patient = (*store)->find_patient(code);
   if (!patient) return patient.error();
@@ -227,9 +229,10 @@ Result<int> export_person(Access& access, const std::string& code, const std::st
   }
   if (!done) fs::remove_all(folder, failure);
   if (access.can_log())
-    if (const auto logged = log_act(access, "export person", (*patient)->code, done.ok()); !logged)
+    if (const auto logged = storage::log_act(access, "export person", (*patient)->code, done.ok());
+        !logged)
       return logged.error();
   return done;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

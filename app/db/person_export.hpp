@@ -7,12 +7,12 @@
 #include "core/result.hpp"
 #include "storage/access/access.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// Makes `folder` (refused if it exists) with person.json, measures.csv and session_S/trial_T.csv.
 /// With the identity where the database holds one, also of a restricted person. Needs
 /// Right::identities in a protected database.
-[[nodiscard]] Result<int> export_person(Access& access, const std::string& code,
+[[nodiscard]] Result<int> export_person(storage::Access& access, const std::string& code,
                                         const std::string& folder);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -18,7 +18,7 @@
 #include "storage/records/session_store.hpp"
 #include "tasks/score.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -80,7 +80,8 @@ void compare(const std::string& place, const std::vector<Measure>& stored,
 
 /// Calls `visit` for every trial of the file that is closed.
 Result<void> for_each_trial(
-    SessionStore& store, const std::function<void(const std::string&, const TrialRecord&)>& visit) {
+    storage::SessionStore& store,
+    const std::function<void(const std::string&, const storage::TrialRecord&)>& visit) {
   const auto patients = store.patients();
   if (!patients) return patients.error();
   for (const auto& patient : *patients) {
@@ -90,7 +91,7 @@ Result<void> for_each_trial(
       const auto trials = store.trials((*sessions)[s].id);
       if (!trials) return trials.error();
       for (const auto& trial : *trials)
-        if (trial.status != TrialStatus::running)
+        if (trial.status != storage::TrialStatus::running)
           visit("patient " + patient.code + ", session " + std::to_string(s + 1) + ", trial " +
                     std::to_string(trial.number),
                 trial);
@@ -102,24 +103,24 @@ Result<void> for_each_trial(
 /// One trial: where it is, and what came of it.
 struct Checked {
   std::string place;
-  TrialRecord trial;
+  storage::TrialRecord trial;
   Verification result;
 };
 
-Result<void> check_trial(SessionStore& store, Checked& one) {
+Result<void> check_trial(storage::SessionStore& store, Checked& one) {
   one.result.trials = 1;
   const auto stored = store.measures_of_all_versions(one.trial.id);
   if (!stored) return stored.error();
   // An interrupted trial was never scored.
-  if (stored->empty() && one.trial.status == TrialStatus::interrupted) return {};
+  if (stored->empty() && one.trial.status == storage::TrialStatus::interrupted) return {};
   const auto signals = store.signals(one.trial);
-  const auto task = parse_task(one.trial.task_text, "the task of " + one.place);
+  const auto task = tasks::parse_task(one.trial.task_text, "the task of " + one.place);
   if (!signals)
     one.result.problems.push_back(signals.error().what);
   else if (!task)
     one.result.problems.push_back(task.error().message());
   else
-    compare(one.place, *stored, score(*task, *signals), one.result);
+    compare(one.place, *stored, tasks::score(*task, *signals), one.result);
   return {};
 }
 
@@ -141,11 +142,11 @@ void add(const Verification& one, Verification& all) {
 }  // namespace
 
 Result<Verification> verify_database(const std::string& file, int threads) {
-  const auto first = open_store_to_read(file);
+  const auto first = storage::open_store_to_read(file);
   if (!first) return first.error();
   std::vector<Checked> trials;
-  const auto listed =
-      for_each_trial(**first, [&trials](const std::string& place, const TrialRecord& trial) {
+  const auto listed = for_each_trial(
+      **first, [&trials](const std::string& place, const storage::TrialRecord& trial) {
         trials.push_back({place, trial, {}});
       });
   if (!listed) return listed.error();
@@ -159,7 +160,7 @@ Result<Verification> verify_database(const std::string& file, int threads) {
   for (int worker = at_work; worker > 0; --worker)
     workers.emplace_back([&] {
       auto done = Result<void>();
-      if (const auto store = open_store(file, OpenMode::read_only); !store)
+      if (const auto store = storage::open_store(file, storage::OpenMode::read_only); !store)
         done = store.error();
       else
         for (std::size_t i = next++; i < trials.size() && !failed && done; i = next++)
@@ -188,4 +189,4 @@ Result<Verification> verify_database(const std::string& file, int threads) {
   return all;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -8,7 +8,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// What recomputing all measures showed. The same for any number of threads.
 struct Verification {
@@ -26,4 +26,4 @@ struct Verification {
 /// With a progress bar on a terminal; each thread reads through its own connection.
 [[nodiscard]] Result<Verification> verify_database(const std::string& file, int threads);
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -14,7 +14,7 @@
 #include "device/config/device_config.hpp"
 #include "device/recording/log_samples.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -117,4 +117,4 @@ void add_decode(CommandLine& line) {
   command.runs([options] { return run_decode(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -14,7 +14,7 @@
 #include "device/config/device_config.hpp"
 #include "device/sensors/device_check.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -242,4 +242,4 @@ void add_devices(CommandLine& line) {
   command.runs([options] { return run_devices(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

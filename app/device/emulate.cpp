@@ -20,7 +20,7 @@
 #include "tasks/task.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -36,11 +36,11 @@ struct EmulateOptions {
 };
 
 /// A minute of a virtual patient who presses, holds and releases, repeated for ever.
-FingerPlay patient_play(const PatientTraits& traits, std::uint64_t seed) {
+FingerPlay patient_play(const virtual_patient::PatientTraits& traits, std::uint64_t seed) {
   constexpr double kRound_s = 60.0;
   constexpr int kRate_Hz = 1000;
   constexpr int kStepsPerPicture = 10;
-  VirtualPatient person(traits, seed);
+  virtual_patient::VirtualPatient person(traits, seed);
   FingerPlay play;
   play.repeat = true;
   play.duration_s = kRound_s;
@@ -79,7 +79,7 @@ Result<FingerPlay> file_play(const std::string& path) {
 }
 
 Result<FingerPlay> make_play(const EmulateOptions& options, EmulatorOptions& emulator) {
-  if (const auto traits = patient_traits(options.play)) {
+  if (const auto traits = virtual_patient::patient_traits(options.play)) {
     constexpr int kSensorNoise = 3;  // counts, as real sensors show at rest
     emulator.noise_counts = kSensorNoise;
     emulator.filtered = true;
@@ -302,4 +302,4 @@ void add_emulate(CommandLine& line) {
   command.runs([options] { return run_emulate(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

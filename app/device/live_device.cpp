@@ -12,7 +12,7 @@
 #include "session/simulated_person.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -72,7 +72,7 @@ Result<LiveDevice> LiveDevice::open(const std::string& text, const std::shared_p
   LiveDevice live;
   const auto uri = Uri::parse(text);
   if (!uri) return uri.error();
-  auto person = simulated_person(*uri, library_folder());
+  auto person = session::simulated_person(*uri, library_folder());
   if (!person) return person.error();
   live.person_ = *std::move(person);
   auto device = open_device(text, {live.person_.get(), tap});
@@ -81,10 +81,11 @@ Result<LiveDevice> LiveDevice::open(const std::string& text, const std::shared_p
   return live;
 }
 
-Result<void> LiveDevice::ask_for(Realtime wish) {
-  const auto got = enter_realtime(wish);
+Result<void> LiveDevice::ask_for(session::Realtime wish) {
+  const auto got = session::enter_realtime(wish);
   if (!got) return got.error();
-  if (const auto words = describe(*got); !words.empty()) print_note("acquisition with " + words);
+  if (const auto words = session::describe(*got); !words.empty())
+    print_note("acquisition with " + words);
   return {};
 }
 
@@ -113,4 +114,4 @@ Result<void> LiveDevice::run(double duration_s,
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

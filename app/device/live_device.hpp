@@ -16,7 +16,7 @@
 #include "session/acquisition/timing.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 /// What somebody who presses, holds and releases every ten seconds sees on the screen: relax for
 /// 2 s, follow 12 N for 5 s, relax. `grip_N` is the force that the screen shows.
@@ -35,23 +35,23 @@ class LiveDevice {
 
   [[nodiscard]] ForceDevice& device() noexcept { return *device_; }
   /// This thread, which run() works on, asks for real time and notes on standard error what it got.
-  [[nodiscard]] static Result<void> ask_for(Realtime wish);
+  [[nodiscard]] static Result<void> ask_for(session::Realtime wish);
   /// Starts the device and hands every frame on until `duration_s` is over (0: no end), the
   /// recording ends, Ctrl-C is pressed or `on_frame` returns false; then stops it.
   [[nodiscard]] Result<void> run(double duration_s,
                                  const std::function<bool(const FingerFrame&)>& on_frame);
   /// Of the frames of run(); the work is that of `on_frame`.
-  [[nodiscard]] const Timing& timing() const noexcept { return timing_; }
+  [[nodiscard]] const session::Timing& timing() const noexcept { return timing_; }
 
  private:
   LiveDevice() = default;
-  std::unique_ptr<VirtualPatient> person_;
+  std::unique_ptr<virtual_patient::VirtualPatient> person_;
   std::unique_ptr<ForceDevice> device_;
-  Timing timing_;
+  session::Timing timing_;
 };
 
 /// From now on Ctrl-C and SIGTERM set a flag instead of ending the program.
 void watch_for_interrupt();
 [[nodiscard]] bool interrupted() noexcept;
 
-}  // namespace isograsp
+}  // namespace isograsp::app

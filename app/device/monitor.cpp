@@ -11,7 +11,7 @@
 #include "app/device/live_device.hpp"
 #include "app/realtime_option.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -43,7 +43,8 @@ void print_live(const FingerFrame& frame, const DeviceHealth& health) {
 
 nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& health,
                                const std::array<Seen, kFingerCount>& seen, double seconds,
-                               std::uint64_t frames, std::uint64_t missing, const Timing& timing) {
+                               std::uint64_t frames, std::uint64_t missing,
+                               const session::Timing& timing) {
   nlohmann::ordered_json document{
       {"device", info.uri},
       {"description", info.description},
@@ -82,7 +83,7 @@ nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& healt
          {"status_errors", counters.status_errors},
          {"restarts", counters.restarts}});
   }
-  document["timing"] = nlohmann::ordered_json::parse(as_json(timing));
+  document["timing"] = nlohmann::ordered_json::parse(session::as_json(timing));
   return document;
 }
 
@@ -156,4 +157,4 @@ void add_monitor(CommandLine& line) {
   command.runs([options] { return run_monitor(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -7,7 +7,7 @@
 #include "device/bus/datagram_log.hpp"
 #include "device/sensors/open_sensors.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 Result<std::unique_ptr<RawLog>> RawLog::open(const std::string& device, const std::string& path) {
   const auto uri = Uri::parse(device);
@@ -87,4 +87,4 @@ Result<void> RawLog::finish() {
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

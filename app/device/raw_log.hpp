@@ -15,7 +15,7 @@
 #include "device/bus/tapped_bus.hpp"
 #include "hand/finger.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 class RawLog {
  public:
@@ -45,4 +45,4 @@ class RawLog {
   std::thread thread_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::app

@@ -11,7 +11,7 @@
 #include "core/csv.hpp"
 #include "hand/finger_forces.hpp"
 
-namespace isograsp {
+namespace isograsp::app {
 
 namespace {
 
@@ -91,4 +91,4 @@ void add_record(CommandLine& line) {
   command.runs([options] { return run_record(*options); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::app

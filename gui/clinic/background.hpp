@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class Background : public QObject {
  public:
@@ -40,4 +40,4 @@ class Background : public QObject {
   QThreadPool pool_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

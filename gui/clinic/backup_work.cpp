@@ -7,7 +7,7 @@
 
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kLookEvery_ms = 15 * 60 * 1000;
@@ -31,7 +31,7 @@ void BackupWork::hold(bool wait) {
 void BackupWork::look() {
   again_.start(kLookEvery_ms);
   if (held_ || std::exchange(running_, true)) return;
-  using Made = Result<std::optional<Backups::Made>>;
+  using Made = Result<std::optional<storage::Backups::Made>>;
   worker_.run([backups = backups_]() -> Made { return backups.make_if_due(std::time(nullptr)); },
               [this](const Made& outcome) {
                 running_ = false;
@@ -47,4 +47,4 @@ void BackupWork::look() {
               });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -13,7 +13,7 @@
 #include "gui/clinic/background.hpp"
 #include "storage/care/backups.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class BackupWork final : public QObject {
   Q_OBJECT
@@ -34,7 +34,7 @@ class BackupWork final : public QObject {
   void failed(const QString& why);  ///< once a day for each reason
 
  private:
-  Backups backups_;
+  storage::Backups backups_;
   bool held_ = false;
   bool running_ = false;
   QString problem_;
@@ -43,4 +43,4 @@ class BackupWork final : public QObject {
   Background worker_;  ///< last: its job ends before anything else goes away
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

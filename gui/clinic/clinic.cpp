@@ -6,7 +6,7 @@
 #include "reports/findings/renewed.hpp"
 #include "storage/access/open_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -14,11 +14,12 @@ QString words(const Error& error) {
   return shown(error);
 }
 
-Result<std::vector<HistorySeries>> read_history(SessionStore& store, const std::string& code) {
+Result<std::vector<HistorySeries>> read_history(storage::SessionStore& store,
+                                                const std::string& code) {
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!patient->has_value()) return std::vector<HistorySeries>{};
-  const auto points = renewed_progress(store, (*patient)->id);
+  const auto points = reports::renewed_progress(store, (*patient)->id);
   if (!points) return points.error();
   return sort_history(*points);
 }
@@ -29,7 +30,7 @@ Clinic::Clinic(std::string database, QObject* parent)
     : QObject(parent),
       database_(std::move(database)),
       entropy_(std::random_device{}()),
-      store_(std::make_shared<std::unique_ptr<SessionStore>>()),
+      store_(std::make_shared<std::unique_ptr<storage::SessionStore>>()),
       report_(store_, worker_),
       export_(database_) {}
 
@@ -38,11 +39,11 @@ Clinic::~Clinic() {
 }
 
 void Clinic::open(bool to_read) {
-  using Opened = Result<std::vector<PatientRecord>>;
+  using Opened = Result<std::vector<storage::PatientRecord>>;
   worker_.run(
       [store = store_, path = database_,
-       how = to_read ? OpenMode::read_only : OpenMode::create]() -> Opened {
-        auto opened = open_store(path, how);
+       how = to_read ? storage::OpenMode::read_only : storage::OpenMode::create]() -> Opened {
+        auto opened = storage::open_store(path, how);
         if (!opened) return opened.error();
         *store = *std::move(opened);
         return (*store)->patients();
@@ -65,7 +66,7 @@ void Clinic::when_done(std::function<void()> then) {
 
 void Clinic::add_patient() {
   if (!open_) return;
-  using Added = Result<PatientRecord>;
+  using Added = Result<storage::PatientRecord>;
   worker_.run(
       [store = store_, code = generate_patient_code(patients_, entropy_)]() -> Added {
         return (*store)->add_patient(code);
@@ -102,4 +103,4 @@ void Clinic::load_history(const std::string& code) {
               });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

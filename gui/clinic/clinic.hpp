@@ -20,15 +20,15 @@
 #include "gui/clinic/report_work.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What is known of a person beside the sessions.
 struct PersonRecords {
-  PatientProfile profile;
-  std::vector<TreatmentMark> marks;   ///< by date
-  std::vector<ClinicalScore> scores;  ///< by date
-  std::vector<PrimaryMeasure> primaries;
-  std::vector<StablePeriod> stable;  ///< by date
+  storage::PatientProfile profile;
+  std::vector<storage::TreatmentMark> marks;   ///< by date
+  std::vector<storage::ClinicalScore> scores;  ///< by date
+  std::vector<storage::PrimaryMeasure> primaries;
+  std::vector<storage::StablePeriod> stable;  ///< by date
 };
 
 class Clinic final : public QObject {
@@ -54,16 +54,20 @@ class Clinic final : public QObject {
   void load_profile(const std::string& code);
   /// Nobody may read on what was decrypted for somebody else -> profile_changed().
   void forget_profile();
-  void save_profile(const std::string& code, const PatientProfile& profile, Stored then = {});
-  void add_treatment_mark(const std::string& code, const TreatmentMark& mark, Stored then = {});
-  void remove_treatment_mark(const std::string& code, RowId id, Stored then = {});
-  void add_clinical_score(const std::string& code, const ClinicalScore& score, Stored then = {});
-  void remove_clinical_score(const std::string& code, RowId id, Stored then = {});
-  void add_primary_measure(const std::string& code, const PrimaryMeasure& primary,
+  void save_profile(const std::string& code, const storage::PatientProfile& profile,
+                    Stored then = {});
+  void add_treatment_mark(const std::string& code, const storage::TreatmentMark& mark,
+                          Stored then = {});
+  void remove_treatment_mark(const std::string& code, storage::RowId id, Stored then = {});
+  void add_clinical_score(const std::string& code, const storage::ClinicalScore& score,
+                          Stored then = {});
+  void remove_clinical_score(const std::string& code, storage::RowId id, Stored then = {});
+  void add_primary_measure(const std::string& code, const storage::PrimaryMeasure& primary,
                            Stored then = {});
-  void remove_primary_measure(const std::string& code, RowId id, Stored then = {});
-  void add_stable_period(const std::string& code, const StablePeriod& period, Stored then = {});
-  void remove_stable_period(const std::string& code, RowId id, Stored then = {});
+  void remove_primary_measure(const std::string& code, storage::RowId id, Stored then = {});
+  void add_stable_period(const std::string& code, const storage::StablePeriod& period,
+                         Stored then = {});
+  void remove_stable_period(const std::string& code, storage::RowId id, Stored then = {});
   [[nodiscard]] ReportWork& report() noexcept { return report_; }
   [[nodiscard]] ExportWork& research_export() noexcept { return export_; }
   /// Files are being written that people wait for.
@@ -82,7 +86,9 @@ class Clinic final : public QObject {
 
   [[nodiscard]] bool is_open() const noexcept { return open_; }
   [[nodiscard]] const std::string& database() const noexcept { return database_; }
-  [[nodiscard]] const std::vector<PatientRecord>& patients() const noexcept { return patients_; }
+  [[nodiscard]] const std::vector<storage::PatientRecord>& patients() const noexcept {
+    return patients_;
+  }
   /// Of the patient whose history was asked for last.
   [[nodiscard]] const std::vector<HistorySeries>& history() const noexcept { return history_; }
   /// Of the patient whose profile was loaded last; nothing: not read yet.
@@ -107,17 +113,17 @@ class Clinic final : public QObject {
 
   std::string database_;
   bool open_ = false;
-  std::vector<PatientRecord> patients_;
+  std::vector<storage::PatientRecord> patients_;
   std::string history_of_;  ///< code
   std::vector<HistorySeries> history_;
   int loads_under_way_ = 0;
   std::string file_of_;  ///< code
   std::optional<PersonRecords> file_;
   std::mt19937_64 entropy_;
-  std::shared_ptr<std::unique_ptr<SessionStore>> store_;  ///< used by the worker only
+  std::shared_ptr<std::unique_ptr<storage::SessionStore>> store_;  ///< used by the worker only
   ReportWork report_;
   ExportWork export_;
   Background worker_;  ///< last: its jobs end before anything else goes away
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -3,11 +3,11 @@
 #include "gui/clinic/clinic.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
-Result<RowId> patient_id(SessionStore& store, const std::string& code) {
+Result<storage::RowId> patient_id(storage::SessionStore& store, const std::string& code) {
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!*patient)
@@ -17,7 +17,7 @@ Result<RowId> patient_id(SessionStore& store, const std::string& code) {
   return (*patient)->id;
 }
 
-Result<PersonRecords> read_file(SessionStore& store, RowId patient) {
+Result<PersonRecords> read_file(storage::SessionStore& store, storage::RowId patient) {
   PersonRecords file;
   auto profile = store.profile(patient);
   if (!profile) return profile.error();
@@ -33,7 +33,7 @@ Result<PersonRecords> read_file(SessionStore& store, RowId patient) {
                        *std::move(primaries), *std::move(stable)};
 }
 
-Result<void> without_value(const Result<RowId>& added) {
+Result<void> without_value(const Result<storage::RowId>& added) {
   return added ? Result<void>{} : Result<void>{added.error()};
 }
 
@@ -76,7 +76,7 @@ void Clinic::load_profile(const std::string& code) {
     Q_EMIT profile_changed();
   }
   if (code.empty()) return;
-  change_file(code, [](SessionStore&, RowId) { return Result<void>{}; }, {});
+  change_file(code, [](storage::SessionStore&, storage::RowId) { return Result<void>{}; }, {});
 }
 
 void Clinic::forget_profile() {
@@ -85,72 +85,88 @@ void Clinic::forget_profile() {
   Q_EMIT profile_changed();
 }
 
-void Clinic::save_profile(const std::string& code, const PatientProfile& profile, Stored then) {
+void Clinic::save_profile(const std::string& code, const storage::PatientProfile& profile,
+                          Stored then) {
   change_file(
       code,
-      [profile](SessionStore& store, RowId patient) { return store.set_profile(patient, profile); },
+      [profile](storage::SessionStore& store, storage::RowId patient) {
+        return store.set_profile(patient, profile);
+      },
       std::move(then));
 }
 
-void Clinic::add_treatment_mark(const std::string& code, const TreatmentMark& mark, Stored then) {
+void Clinic::add_treatment_mark(const std::string& code, const storage::TreatmentMark& mark,
+                                Stored then) {
   change_file(
       code,
-      [mark](SessionStore& store, RowId patient) {
+      [mark](storage::SessionStore& store, storage::RowId patient) {
         return without_value(store.add_treatment_mark(patient, mark));
       },
       std::move(then));
 }
 
-void Clinic::remove_treatment_mark(const std::string& code, RowId id, Stored then) {
+void Clinic::remove_treatment_mark(const std::string& code, storage::RowId id, Stored then) {
   change_file(
-      code, [id](SessionStore& store, RowId) { return store.remove_treatment_mark(id); },
+      code,
+      [id](storage::SessionStore& store, storage::RowId) {
+        return store.remove_treatment_mark(id);
+      },
       std::move(then));
 }
 
-void Clinic::add_clinical_score(const std::string& code, const ClinicalScore& score, Stored then) {
+void Clinic::add_clinical_score(const std::string& code, const storage::ClinicalScore& score,
+                                Stored then) {
   change_file(
       code,
-      [score](SessionStore& store, RowId patient) {
+      [score](storage::SessionStore& store, storage::RowId patient) {
         return without_value(store.add_clinical_score(patient, score));
       },
       std::move(then));
 }
 
-void Clinic::remove_clinical_score(const std::string& code, RowId id, Stored then) {
+void Clinic::remove_clinical_score(const std::string& code, storage::RowId id, Stored then) {
   change_file(
-      code, [id](SessionStore& store, RowId) { return store.remove_clinical_score(id); },
+      code,
+      [id](storage::SessionStore& store, storage::RowId) {
+        return store.remove_clinical_score(id);
+      },
       std::move(then));
 }
 
-void Clinic::add_primary_measure(const std::string& code, const PrimaryMeasure& primary,
+void Clinic::add_primary_measure(const std::string& code, const storage::PrimaryMeasure& primary,
                                  Stored then) {
   change_file(
       code,
-      [primary](SessionStore& store, RowId patient) {
+      [primary](storage::SessionStore& store, storage::RowId patient) {
         return without_value(store.add_primary_measure(patient, primary));
       },
       std::move(then));
 }
 
-void Clinic::remove_primary_measure(const std::string& code, RowId id, Stored then) {
+void Clinic::remove_primary_measure(const std::string& code, storage::RowId id, Stored then) {
   change_file(
-      code, [id](SessionStore& store, RowId) { return store.remove_primary_measure(id); },
+      code,
+      [id](storage::SessionStore& store, storage::RowId) {
+        return store.remove_primary_measure(id);
+      },
       std::move(then));
 }
 
-void Clinic::add_stable_period(const std::string& code, const StablePeriod& period, Stored then) {
+void Clinic::add_stable_period(const std::string& code, const storage::StablePeriod& period,
+                               Stored then) {
   change_file(
       code,
-      [period](SessionStore& store, RowId patient) {
+      [period](storage::SessionStore& store, storage::RowId patient) {
         return without_value(store.add_stable_period(patient, period));
       },
       std::move(then));
 }
 
-void Clinic::remove_stable_period(const std::string& code, RowId id, Stored then) {
+void Clinic::remove_stable_period(const std::string& code, storage::RowId id, Stored then) {
   change_file(
-      code, [id](SessionStore& store, RowId) { return store.remove_stable_period(id); },
+      code,
+      [id](storage::SessionStore& store, storage::RowId) { return store.remove_stable_period(id); },
       std::move(then));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

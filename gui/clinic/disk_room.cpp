@@ -6,7 +6,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -51,4 +51,4 @@ void DiskRoom::look() {
       });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 
 #include "gui/clinic/background.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class DiskRoom {
  public:
@@ -30,4 +30,4 @@ class DiskRoom {
   Background worker_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -6,7 +6,7 @@
 #include "gui/words/texts.hpp"
 #include "storage/access/open_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 ExportWork::ExportWork(std::string database) : database_(std::move(database)) {}
 
@@ -15,7 +15,7 @@ ExportWork::~ExportWork() {
   hold(false);
 }
 
-void ExportWork::start(const ExportRequest& request, ExportFormat format,
+void ExportWork::start(const exports::ExportRequest& request, exports::ExportFormat format,
                        const std::string& folder) {
   if (running_) return;
   running_ = true;
@@ -36,9 +36,9 @@ void ExportWork::start(const ExportRequest& request, ExportFormat format,
   using Written = Result<std::size_t>;
   worker_.run(
       [database = database_, request, format, folder, watch]() -> Written {
-        const auto store = open_store(database, OpenMode::read_only);
+        const auto store = storage::open_store(database, storage::OpenMode::read_only);
         if (!store) return store.error();
-        return write_export(**store, request, format, folder, watch);
+        return exports::write_export(**store, request, format, folder, watch);
       },
       [this, stop, folder](const Written& written) {
         running_ = false;
@@ -72,4 +72,4 @@ std::string free_export_folder(const std::string& in) {
   return folder;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "exports/research_export.hpp"
 #include "gui/clinic/background.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ExportWork final : public QObject {
   Q_OBJECT
@@ -22,7 +22,8 @@ class ExportWork final : public QObject {
   ~ExportWork() override;  ///< as cancel(); waits for the worker
 
   /// Ignored while one is written.
-  void start(const ExportRequest& request, ExportFormat format, const std::string& folder);
+  void start(const exports::ExportRequest& request, exports::ExportFormat format,
+             const std::string& folder);
   /// Nothing appears, the folder is as it was.
   void cancel();
   /// Nothing is read or written while a trial needs the disk; the next step waits.
@@ -51,4 +52,4 @@ class ExportWork final : public QObject {
 /// overwritten.
 [[nodiscard]] std::string free_export_folder(const std::string& in);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

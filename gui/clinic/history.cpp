@@ -10,24 +10,24 @@
 #include "gui/words/words.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
 /// What makes trials comparable: task, its version, hand, simulated or not.
 using TaskKey = std::tuple<std::string, int, Hand, bool>;
-TaskKey task_of(const MeasurePoint& point) {
+TaskKey task_of(const storage::MeasurePoint& point) {
   return {point.task_name, point.task_version, point.hand, point.simulated};
 }
 
 /// And in addition the measure, its channel and its version.
 using SeriesKey = std::tuple<TaskKey, std::string, std::string, int>;
-SeriesKey series_of(const MeasurePoint& point) {
+SeriesKey series_of(const storage::MeasurePoint& point) {
   const auto& measure = point.measure;
   return {task_of(point), measure.name, measure.channel, measure.version};
 }
 
-QString title_of(const MeasurePoint& point) {
+QString title_of(const storage::MeasurePoint& point) {
   const auto hand = point.hand == Hand::right ? QObject::tr("right") : QObject::tr("left");
   auto title =
       QObject::tr("%1 (%2): %3").arg(shown(point.task_name), hand, measure_title(point.measure));
@@ -37,20 +37,20 @@ QString title_of(const MeasurePoint& point) {
 
 }  // namespace
 
-std::vector<HistorySeries> sort_history(const std::vector<MeasurePoint>& points) {
+std::vector<HistorySeries> sort_history(const std::vector<storage::MeasurePoint>& points) {
   std::vector<HistorySeries> series;
   std::map<SeriesKey, std::size_t> places;
   for (const auto& point : points) {
     const auto [place, is_new] = places.try_emplace(series_of(point), series.size());
     if (is_new)
-      series.push_back({title_of(point), shown(printed_unit(point.measure.unit).text), {}});
+      series.push_back({title_of(point), shown(tasks::printed_unit(point.measure.unit).text), {}});
     series[place->second].points.push_back(point);
   }
   // The task of the newest trial is what the therapist wants to see; inside a task the order in
   // which its measures were computed stays.
-  std::map<TaskKey, RowId> newest;
+  std::map<TaskKey, storage::RowId> newest;
   for (const auto& point : points) {
-    RowId& trial = newest[task_of(point)];
+    storage::RowId& trial = newest[task_of(point)];
     trial = std::max(trial, point.trial_id);
   }
   std::stable_sort(series.begin(), series.end(),
@@ -60,4 +60,4 @@ std::vector<HistorySeries> sort_history(const std::vector<MeasurePoint>& points)
   return series;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -7,17 +7,18 @@
 
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// One measure of one task (of one version) and hand over all trials, oldest first. Simulated and
 /// real trials are never in one series.
 struct HistorySeries {
   QString title;  ///< "Grip force, sine (right): Tracking error, relative"
   QString unit;   ///< as printed
-  std::vector<MeasurePoint> points;
+  std::vector<storage::MeasurePoint> points;
 };
 
 /// In the order of the newest task first, its key measures first.
-[[nodiscard]] std::vector<HistorySeries> sort_history(const std::vector<MeasurePoint>& points);
+[[nodiscard]] std::vector<HistorySeries> sort_history(
+    const std::vector<storage::MeasurePoint>& points);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

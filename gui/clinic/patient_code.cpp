@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <string_view>
 
-namespace isograsp {
+namespace isograsp::gui {
 
-std::string generate_patient_code(const std::vector<PatientRecord>& taken,
+std::string generate_patient_code(const std::vector<storage::PatientRecord>& taken,
                                   std::mt19937_64& entropy) {
   constexpr std::string_view kDigits = "23456789";
   constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ";
@@ -18,9 +18,10 @@ std::string generate_patient_code(const std::vector<PatientRecord>& taken,
       const auto from = i % 2 == 0 ? kDigits : kLetters;
       code += from[static_cast<std::size_t>(entropy() % from.size())];
     }
-  } while (std::any_of(taken.begin(), taken.end(),
-                       [&](const PatientRecord& patient) { return patient.code == code; }));
+  } while (std::any_of(taken.begin(), taken.end(), [&](const storage::PatientRecord& patient) {
+    return patient.code == code;
+  }));
   return code;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,12 +8,12 @@
 
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// A code such as "P-7K3M9" that none of `taken` has: digits and letters in turn, without those
 /// that are mistaken for each other (0 O, 1 I). `entropy` must not be seeded with anything
 /// personal.
-[[nodiscard]] std::string generate_patient_code(const std::vector<PatientRecord>& taken,
+[[nodiscard]] std::string generate_patient_code(const std::vector<storage::PatientRecord>& taken,
                                                 std::mt19937_64& entropy);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,19 +9,19 @@
 #include "reports/findings/renewed.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
-Result<PatientCourse> read_course(SessionStore& store, const std::string& code) {
+Result<PatientCourse> read_course(storage::SessionStore& store, const std::string& code) {
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!patient->has_value())
     return Error{Error::Code::bad_input, "there is no patient " + code, "", store.path(), 0, ""};
   PatientCourse course;
   course.code = (*patient)->code;
-  auto points = renewed_progress(store, (*patient)->id);
+  auto points = reports::renewed_progress(store, (*patient)->id);
   if (!points) return points.error();
   course.points = *std::move(points);
-  std::map<RowId, std::vector<Measure>> measures;
+  std::map<storage::RowId, std::vector<Measure>> measures;
   for (const auto& point : course.points) measures[point.trial_id].push_back(point.measure);
   auto sessions = store.sessions((*patient)->id);
   if (!sessions) return sessions.error();
@@ -30,7 +30,7 @@ Result<PatientCourse> read_course(SessionStore& store, const std::string& code) 
     if (!trials) return trials.error();
     CourseSession session{static_cast<int>(course.sessions.size()) + 1, std::move(record), {}};
     for (auto& trial : *trials) {
-      const RowId id = trial.id;
+      const storage::RowId id = trial.id;
       session.trials.push_back({std::move(trial), std::move(measures[id])});
     }
     course.sessions.push_back(std::move(session));
@@ -38,18 +38,18 @@ Result<PatientCourse> read_course(SessionStore& store, const std::string& code) 
   return course;
 }
 
-bool is_assessment(const TrialRecord& trial) noexcept {
-  return trial.status == TrialStatus::completed && !trial.practice && !trial.helped;
+bool is_assessment(const storage::TrialRecord& trial) noexcept {
+  return trial.status == storage::TrialStatus::completed && !trial.practice && !trial.helped;
 }
 
 const Measure* key_measure(const CourseTrial& trial) {
-  const auto spec = parse_task(trial.record.task_text, trial.record.task_name);
+  const auto spec = tasks::parse_task(trial.record.task_text, trial.record.task_name);
   if (!spec) return nullptr;
   const Measure* best = nullptr;
-  Place best_place;
+  tasks::Place best_place;
   for (const auto& measure : trial.measures) {
-    const auto place = place_of(*spec, measure.name, measure.channel);
-    if (place.prominence == Prominence::none) continue;
+    const auto place = tasks::place_of(*spec, measure.name, measure.channel);
+    if (place.prominence == tasks::Prominence::none) continue;
     const bool better = best == nullptr || place.prominence > best_place.prominence ||
                         (place.prominence == best_place.prominence && place.rank < best_place.rank);
     if (!better) continue;
@@ -59,7 +59,7 @@ const Measure* key_measure(const CourseTrial& trial) {
   return best;
 }
 
-QString source_mark(const SessionRecord& session) {
+QString source_mark(const storage::SessionRecord& session) {
   if (session.simulated) return QObject::tr("SIMULATED");
   return session.recorded ? QObject::tr("RECORDED") : QString();
 }
@@ -72,11 +72,11 @@ QString hand_words(Hand hand) {
   return hand == Hand::right ? QObject::tr("right hand") : QObject::tr("left hand");
 }
 
-QString standing_words(const TrialRecord& trial) {
+QString standing_words(const storage::TrialRecord& trial) {
   QStringList words{status_words(trial.status)};
   if (trial.practice) words << QObject::tr("practice");
   if (trial.helped) words << QObject::tr("helped");
   return words.join(QObject::tr(", "));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

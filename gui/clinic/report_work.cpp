@@ -5,13 +5,14 @@
 #include "gui/clinic/save_folder.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr double kGathered = 0.4;  // share of the time, roughly
 }
 
-ReportWork::ReportWork(std::shared_ptr<std::unique_ptr<SessionStore>> store, Background& worker)
+ReportWork::ReportWork(std::shared_ptr<std::unique_ptr<storage::SessionStore>> store,
+                       Background& worker)
     : store_(std::move(store)), worker_(worker) {
   between_events_.setInterval(0);
   connect(&between_events_, &QTimer::timeout, this, &ReportWork::paint_next);
@@ -21,7 +22,8 @@ ReportWork::~ReportWork() {
   stop_.request_stop();
 }
 
-void ReportWork::start(const std::string& code, const std::string& path, const ReportScope& scope) {
+void ReportWork::start(const std::string& code, const std::string& path,
+                       const reports::ReportScope& scope) {
   if (running()) return;
   stage_ = Stage::gathering;
   code_ = code;
@@ -38,11 +40,11 @@ void ReportWork::start(const std::string& code, const std::string& path, const R
         Qt::QueuedConnection);
     return !stop.stop_requested();
   };
-  using Gathered = Result<ReportContent>;
+  using Gathered = Result<reports::ReportContent>;
   worker_.run(
       [store = store_, code, path, watch, scope]() -> Gathered {
         if (auto folder = check_folder_of(path); !folder) return folder.error();
-        return gather_progress(**store, code, watch, scope);
+        return reports::gather_progress(**store, code, watch, scope);
       },
       [this, stop](Gathered content) {
         if (stop.stop_requested()) return;
@@ -52,7 +54,7 @@ void ReportWork::start(const std::string& code, const std::string& path, const R
           return;
         }
         stage_ = Stage::painting;
-        writer_ = make_report_writer(*std::move(content), path_);
+        writer_ = reports::make_report_writer(*std::move(content), path_);
         if (!held_) between_events_.start();
       });
   Q_EMIT progress(0.0, tr("reading"));
@@ -102,4 +104,4 @@ void ReportWork::end() {
   writer_.reset();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -15,18 +15,19 @@
 #include "reports/paper/report_writer.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ReportWork final : public QObject {
   Q_OBJECT
 
  public:
   /// The store is touched on `worker` only.
-  ReportWork(std::shared_ptr<std::unique_ptr<SessionStore>> store, Background& worker);
+  ReportWork(std::shared_ptr<std::unique_ptr<storage::SessionStore>> store, Background& worker);
   ~ReportWork() override;  ///< as cancel()
 
   /// PDF, or HTML if `path` ends in ".html". Ignored while a report is being written.
-  void start(const std::string& code, const std::string& path, const ReportScope& scope = {});
+  void start(const std::string& code, const std::string& path,
+             const reports::ReportScope& scope = {});
   /// Nothing is written, a file that was there stays. Too late once the file is being saved.
   void cancel();
   /// No painting while a trial needs an even picture; gathering goes on.
@@ -51,15 +52,15 @@ class ReportWork final : public QObject {
   void save();
   void end();
 
-  std::shared_ptr<std::unique_ptr<SessionStore>> store_;
+  std::shared_ptr<std::unique_ptr<storage::SessionStore>> store_;
   Background& worker_;
   Stage stage_ = Stage::idle;
   bool held_ = false;
   std::string code_;
   std::string path_;
   std::stop_source stop_;
-  std::unique_ptr<ReportWriter> writer_;
+  std::unique_ptr<reports::ReportWriter> writer_;
   QTimer between_events_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

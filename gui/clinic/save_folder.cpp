@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 QString proposed_folder(const std::string& database) {
   for (const auto place : {QStandardPaths::DocumentsLocation, QStandardPaths::HomeLocation}) {
@@ -28,4 +28,4 @@ Result<void> check_folder_of(const std::string& path) {
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -7,7 +7,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// The first that exists and may be written into: the folder for documents, the home, that of the
 /// database.
@@ -16,4 +16,4 @@ namespace isograsp {
 /// Can a file be made in the folder of `path`? Error: failed, with the folder and what to do.
 [[nodiscard]] Result<void> check_folder_of(const std::string& path);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

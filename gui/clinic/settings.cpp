@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -106,4 +106,4 @@ void SettingsFile::change(const Settings& settings) {
                       .arg(path_));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

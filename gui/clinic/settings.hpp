@@ -10,7 +10,7 @@
 
 #include "gui/words/language.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct Settings {
   std::string language = kDesktopLanguage;
@@ -66,4 +66,4 @@ class SettingsFile final : public QObject {
   QStringList problems_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,16 +10,16 @@
 #include "gui/words/texts.hpp"
 #include "storage/access/audit_log.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kLookAtRights_ms = 1000;
 }  // namespace
 
 struct Staff::Answer {
-  std::shared_ptr<Access> access;
-  std::vector<User> users;
-  AccessPolicy policy;
+  std::shared_ptr<storage::Access> access;
+  std::vector<storage::User> users;
+  storage::AccessPolicy policy;
   std::optional<Error> error;
   bool in = false;
   std::string user;
@@ -32,7 +32,7 @@ template <class Answer>
 void look_around(Answer& answer) {
   if (auto users = answer.access->users()) answer.users = *std::move(users);
   if (auto policy = answer.access->policy()) answer.policy = *policy;
-  answer.in = answer.access->allows(Right::read_records);
+  answer.in = answer.access->allows(storage::Right::read_records);
   if (const auto user = answer.access->user()) answer.user = user->name;
 }
 
@@ -42,7 +42,7 @@ Staff::Staff(std::string database, const Clock* clock, QObject* parent)
     : QObject(parent),
       clock_(clock == nullptr ? &steady_ : clock),
       database_(std::move(database)),
-      protected_(is_protected_database(database_)) {
+      protected_(storage::is_protected_database(database_)) {
   if (!protected_) return;
   touched_ = clock_->now();
   qApp->installEventFilter(this);
@@ -65,7 +65,7 @@ void Staff::open() {
   worker_.run(
       [database = database_] {
         Answer answer;
-        auto access = Access::open(database);
+        auto access = storage::Access::open(database);
         if (!access) {
           answer.error = access.error();
           return answer;
@@ -86,10 +86,11 @@ void Staff::log_in(Key key, const std::string& user, QString& text) {
   busy_ = true;
   worker_.run(
       [access = access_, database = database_, locked = locked_, key, user,
-       secret = std::make_shared<Secret>(Secret::taken_from(plain))]() mutable -> Answer {
+       secret = std::make_shared<storage::Secret>(
+           storage::Secret::taken_from(plain))]() mutable -> Answer {
         Answer answer;
         if (access == nullptr) {
-          auto opened = Access::open(database);
+          auto opened = storage::Access::open(database);
           if (!opened) {
             answer.error = opened.error();
             return answer;
@@ -165,28 +166,30 @@ void Staff::lock_if_due() {
     return;
   }
   const double idle_s = to_seconds(clock_->now() - touched_);
-  if (is_lock_due(policy_, idle_s, false)) lock();
+  if (storage::is_lock_due(policy_, idle_s, false)) lock();
 }
 
-bool Staff::allows(Right right) const {
-  return !protected_ ? right != Right::identities : in_ && access_->allows(right);
+bool Staff::allows(storage::Right right) const {
+  return !protected_ ? right != storage::Right::identities : in_ && access_->allows(right);
 }
 
 void Staff::read_identity(QObject* reader, const std::string& code, IdentityRead done) {
   if (access_ == nullptr) return;
-  using Read = Result<std::optional<Identity>>;
-  worker_.run([access = access_, code]() -> Read { return isograsp::read_identity(*access, code); },
+  using Read = Result<std::optional<storage::Identity>>;
+  worker_.run([access = access_,
+               code]() -> Read { return isograsp::storage::read_identity(*access, code); },
               [reader = QPointer<QObject>(reader), done = std::move(done)](const Read& read) {
                 if (reader) done(read);
               });
 }
 
-void Staff::store_identity(QObject* reader, const std::string& code, const Identity& identity,
+void Staff::store_identity(QObject* reader, const std::string& code,
+                           const storage::Identity& identity,
                            std::function<void(const Result<void>&)> done) {
   if (access_ == nullptr) return;
   worker_.run(
       [access = access_, code, identity]() -> Result<void> {
-        return set_identity(*access, code, identity);
+        return storage::set_identity(*access, code, identity);
       },
       [reader = QPointer<QObject>(reader), done = std::move(done)](const Result<void>& stored) {
         if (reader) done(stored);
@@ -194,9 +197,9 @@ void Staff::store_identity(QObject* reader, const std::string& code, const Ident
 }
 
 void Staff::show_names() {
-  if (!allows(Right::identities)) return;
-  using Names = Result<std::vector<std::pair<std::string, Identity>>>;
-  worker_.run([access = access_]() -> Names { return all_identities(*access); },
+  if (!allows(storage::Right::identities)) return;
+  using Names = Result<std::vector<std::pair<std::string, storage::Identity>>>;
+  worker_.run([access = access_]() -> Names { return storage::all_identities(*access); },
               [this](const Names& names) {
                 if (!names) {
                   Q_EMIT refused(shown(names.error()));
@@ -213,7 +216,7 @@ void Staff::log(const std::string& act, const std::string& object, bool done) {
   if (protected_ && access_ == nullptr) return;
   worker_.run(
       [access = access_, database = database_, act, object, done]() -> Result<void> {
-        return log_act_of(database, access.get(), act, object, done);
+        return storage::log_act_of(database, access.get(), act, object, done);
       },
       [this](const Result<void>& logged) {
         if (!logged) Q_EMIT refused(shown(logged.error()));
@@ -237,4 +240,4 @@ bool Staff::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

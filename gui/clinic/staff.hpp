@@ -19,7 +19,7 @@
 #include "storage/access/access.hpp"
 #include "storage/person/identity.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class Staff final : public QObject {
   Q_OBJECT
@@ -38,12 +38,12 @@ class Staff final : public QObject {
   /// Somebody was in: a PIN is enough.
   [[nodiscard]] bool locked() const noexcept { return locked_; }
   [[nodiscard]] bool busy() const noexcept { return busy_; }
-  [[nodiscard]] const std::vector<User>& users() const noexcept { return users_; }
+  [[nodiscard]] const std::vector<storage::User>& users() const noexcept { return users_; }
   /// Who is in; empty: nobody, or not protected.
   [[nodiscard]] const std::string& user() const noexcept { return user_; }
-  [[nodiscard]] bool allows(Right right) const;
+  [[nodiscard]] bool allows(storage::Right right) const;
   /// Null: not protected.
-  [[nodiscard]] std::shared_ptr<Access> access() const noexcept { return access_; }
+  [[nodiscard]] std::shared_ptr<storage::Access> access() const noexcept { return access_; }
 
   enum class Key : std::uint8_t { password, pin, passphrase, recovery_key };
   /// `user` is ignored with the clinic's own keys. -> changed() or login_refused(). The text is
@@ -61,9 +61,9 @@ class Staff final : public QObject {
   void set_trial_runs(std::function<bool()> trial_runs) { trial_runs_ = std::move(trial_runs); }
   // Who a code is. Refused without Right::identities; every reading is logged with its reader.
   /// Nothing: not told.
-  using IdentityRead = std::function<void(const Result<std::optional<Identity>>&)>;
+  using IdentityRead = std::function<void(const Result<std::optional<storage::Identity>>&)>;
   void read_identity(QObject* reader, const std::string& code, IdentityRead done);
-  void store_identity(QObject* reader, const std::string& code, const Identity& identity,
+  void store_identity(QObject* reader, const std::string& code, const storage::Identity& identity,
                       std::function<void(const Result<void>&)> done);
   /// Names of all, to look for one -> changed(). Forgotten with the lock.
   void show_names();
@@ -94,15 +94,15 @@ class Staff final : public QObject {
   bool busy_ = false;
   bool opened_ = false;
   std::string user_;
-  std::vector<User> users_;
+  std::vector<storage::User> users_;
   std::map<std::string, std::string> names_;  ///< by code
-  AccessPolicy policy_;
+  storage::AccessPolicy policy_;
   std::function<bool()> trial_runs_;
   AfterStoring after_storing_;
   Timestamp touched_{0};
   QTimer watch_;
-  std::shared_ptr<Access> access_;
+  std::shared_ptr<storage::Access> access_;
   Background worker_;  ///< last: its jobs end before anything else goes away
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 #include "gui/library/task_groups.hpp"
 #include "session/library.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -161,7 +161,7 @@ std::vector<LibraryEntry> LibraryFiles::files_in(LibraryKind kind, bool own) con
     if (const auto text = read_text(entry.path)) {
       if (auto name = name_in(*text); !name.empty()) entry.name = std::move(name);
       if (kind == LibraryKind::tasks) {
-        const auto spec = read_task(*text, entry.path);
+        const auto spec = session::read_task(*text, entry.path);
         if (spec && !own) entry.group = title_of(group_of(*spec));
       }
       entry.sound = check(kind, *text, entry.path).ok();
@@ -197,10 +197,11 @@ Result<void> LibraryFiles::check(LibraryKind kind, const std::string& text,
                                  const std::string& path) const {
   switch (kind) {
     case LibraryKind::tasks: {
-      const auto spec = read_task(text, path);
+      const auto spec = session::read_task(text, path);
       if (!spec) return spec.error();
       if (!spec->scene().empty())
-        if (auto scene = find_in_library(shipped_, "scenes", spec->scene(), path); !scene) {
+        if (auto scene = session::find_in_library(shipped_, "scenes", spec->scene(), path);
+            !scene) {
           auto error = scene.error();
           error.field = "scene";
           return error;
@@ -215,7 +216,7 @@ Result<void> LibraryFiles::check(LibraryKind kind, const std::string& text,
     }
     case LibraryKind::protocols: break;
   }
-  const auto protocol = read_protocol(text, path, shipped_);
+  const auto protocol = session::read_protocol(text, path, shipped_);
   if (!protocol) return protocol.error();
   return {};
 }
@@ -272,8 +273,9 @@ Result<LibraryEntry> LibraryFiles::duplicate(const LibraryEntry& entry,
   if (entry.kind == LibraryKind::tasks && find_key(changed, "version").found)
     changed = with_version(changed, 1);
   if (auto written = write_text(copy.path, changed); !written) return written.error();
-  if (const auto spec = parse_task(text, entry.path); entry.kind == LibraryKind::tasks && spec)
-    if (const auto* tracking = std::get_if<ForceTrackingSpec>(&spec->kind);
+  if (const auto spec = tasks::parse_task(text, entry.path);
+      entry.kind == LibraryKind::tasks && spec)
+    if (const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec->kind);
         tracking != nullptr && !tracking->waveform.csv.empty()) {
       std::error_code failure;
       fs::copy_file(fs::path(entry.path).parent_path() / tracking->waveform.csv,
@@ -305,14 +307,14 @@ Result<LibraryFiles::Saved> LibraryFiles::save(const LibraryEntry& entry, const 
                  ""};
   Saved saved{text, 0, false, ""};
   if (entry.kind == LibraryKind::tasks) {
-    const auto spec = parse_task(text, entry.path);
+    const auto spec = tasks::parse_task(text, entry.path);
     if (!spec) return spec.error();
     saved.version = spec->version;
     if (use.newest_version >= spec->version) {
       saved.version = use.newest_version + 1;
       saved.raised = true;
       saved.text = with_version(text, saved.version);
-      const auto raised = parse_task(saved.text, entry.path);
+      const auto raised = tasks::parse_task(saved.text, entry.path);
       if (!raised || raised->version != saved.version)
         return Error{Error::Code::bad_input,
                      "trials were recorded with this version",
@@ -394,4 +396,4 @@ void LibraryFiles::drop_draft(const LibraryEntry& entry) const {
   fs::remove(draft_path(entry), ignored);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

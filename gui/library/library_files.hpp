@@ -12,7 +12,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 enum class LibraryKind : std::uint8_t { tasks, scenes, protocols };
 inline constexpr std::size_t kLibraryKindCount = 3;
@@ -100,4 +100,4 @@ class LibraryFiles {
   std::string own_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

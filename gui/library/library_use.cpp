@@ -6,7 +6,7 @@
 
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -17,7 +17,7 @@ bool is_text_of(const std::string& stored, const std::string& file) {
   return rest.empty() || rest.starts_with("\n[csv_data]\n") || rest.starts_with("\n[chosen]\n");
 }
 
-void look_at(const TrialRecord& trial, LibraryKind kind, const std::string& former,
+void look_at(const storage::TrialRecord& trial, LibraryKind kind, const std::string& former,
              const std::string& text, const std::string& name, FileUse& use) {
   if (kind == LibraryKind::scenes) {
     use.used = use.used || trial.scene_text == former;
@@ -30,7 +30,7 @@ void look_at(const TrialRecord& trial, LibraryKind kind, const std::string& form
 
 }  // namespace
 
-Result<FileUse> use_of(SessionStore& store, LibraryKind kind, const std::string& former,
+Result<FileUse> use_of(storage::SessionStore& store, LibraryKind kind, const std::string& former,
                        const std::string& text) {
   FileUse use;
   const auto name = name_in(text);
@@ -56,8 +56,8 @@ void count_as_used(FileUse& use, LibraryKind kind, const std::string& former,
                    const std::string& text) {
   use.used = true;
   if (kind != LibraryKind::tasks || former == text || name_in(former) != name_in(text)) return;
-  if (const auto spec = parse_task(former, ""))
+  if (const auto spec = tasks::parse_task(former, ""))
     use.newest_version = std::max(use.newest_version, spec->version);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -7,11 +7,11 @@
 #include "gui/library/library_files.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What is stored of the file with the text `former` that is to become `text`. A trial's task text
 /// may go on behind that of the file (level, curve). The thread of `store`.
-[[nodiscard]] Result<FileUse> use_of(SessionStore& store, LibraryKind kind,
+[[nodiscard]] Result<FileUse> use_of(storage::SessionStore& store, LibraryKind kind,
                                      const std::string& former, const std::string& text);
 
 /// The file may belong to a protocol that is being followed: its trials to come will have the text
@@ -19,4 +19,4 @@ namespace isograsp {
 void count_as_used(FileUse& use, LibraryKind kind, const std::string& former,
                    const std::string& text);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

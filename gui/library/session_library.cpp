@@ -7,7 +7,7 @@
 
 #include "gui/library/task_groups.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -44,14 +44,14 @@ SessionLibrary read_session_library(const std::string& shipped, const std::strin
   };
   for (const auto& folder : {shipped, own}) {
     for (const auto& file : files_in(fs::path(folder) / "tasks")) {
-      auto spec = load_task(file);
+      auto spec = session::load_task(file);
       if (!spec)
         library.problems.push_back(spec.error().message());
       else if (is_free(task_names, spec->name, file))
         library.tasks.push_back(*std::move(spec));
     }
     for (const auto& file : files_in(fs::path(folder) / "protocols")) {
-      auto protocol = read_protocol(file, shipped);
+      auto protocol = session::read_protocol(file, shipped);
       if (!protocol)
         library.problems.push_back(protocol.error().message());
       else if (is_free(protocol_names, protocol->spec.name, file))
@@ -63,12 +63,13 @@ SessionLibrary read_session_library(const std::string& shipped, const std::strin
   return library;
 }
 
-int place_of_file(const std::vector<TaskSpec>& tasks, const std::string& file) {
-  return place(tasks, file, [](const TaskSpec& task) { return task.file; });
+int place_of_file(const std::vector<tasks::TaskSpec>& tasks, const std::string& file) {
+  return place(tasks, file, [](const tasks::TaskSpec& task) { return task.file; });
 }
 
-int place_of_file(const std::vector<ReadyProtocol>& protocols, const std::string& file) {
-  return place(protocols, file, [](const ReadyProtocol& protocol) { return protocol.spec.file; });
+int place_of_file(const std::vector<session::ReadyProtocol>& protocols, const std::string& file) {
+  return place(protocols, file,
+               [](const session::ReadyProtocol& protocol) { return protocol.spec.file; });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

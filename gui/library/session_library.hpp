@@ -8,12 +8,12 @@
 
 #include "session/library.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct SessionLibrary {
-  std::vector<TaskSpec> tasks;           ///< in the order of the list
-  std::vector<ReadyProtocol> protocols;  ///< shipped ones first, by file name
-  std::vector<std::string> problems;     ///< files that cannot be used, in words
+  std::vector<tasks::TaskSpec> tasks;             ///< in the order of the list
+  std::vector<session::ReadyProtocol> protocols;  ///< shipped ones first, by file name
+  std::vector<std::string> problems;              ///< files that cannot be used, in words
 };
 
 /// Reads all files; any thread. A name that two files bear belongs to the shipped one.
@@ -21,8 +21,8 @@ struct SessionLibrary {
                                                   const std::string& own);
 
 /// The place of the element that was read from `file`; -1: there is none.
-[[nodiscard]] int place_of_file(const std::vector<TaskSpec>& tasks, const std::string& file);
-[[nodiscard]] int place_of_file(const std::vector<ReadyProtocol>& protocols,
+[[nodiscard]] int place_of_file(const std::vector<tasks::TaskSpec>& tasks, const std::string& file);
+[[nodiscard]] int place_of_file(const std::vector<session::ReadyProtocol>& protocols,
                                 const std::string& file);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -6,41 +6,43 @@
 #include <cctype>
 #include <string>
 
-namespace isograsp {
+namespace isograsp::gui {
 
-TaskKind kind_of(const TaskSpec& spec) {
-  if (std::holds_alternative<RestSpec>(spec.kind)) return TaskKind::rest;
-  if (const auto* maximum = std::get_if<MaximumSpec>(&spec.kind))
+TaskKind kind_of(const tasks::TaskSpec& spec) {
+  if (std::holds_alternative<tasks::RestSpec>(spec.kind)) return TaskKind::rest;
+  if (const auto* maximum = std::get_if<tasks::MaximumSpec>(&spec.kind))
     return maximum->channel == ForceChannel{} && !maximum->comfortable ? TaskKind::maximum
                                                                        : TaskKind::other;
-  if (std::holds_alternative<ForceTrackingSpec>(spec.kind)) return TaskKind::force_tracking;
-  if (std::holds_alternative<PoseTargetsSpec>(spec.kind)) return TaskKind::pose_targets;
-  if (std::holds_alternative<ObserveSpec>(spec.kind)) return TaskKind::observe;
+  if (std::holds_alternative<tasks::ForceTrackingSpec>(spec.kind)) return TaskKind::force_tracking;
+  if (std::holds_alternative<tasks::PoseTargetsSpec>(spec.kind)) return TaskKind::pose_targets;
+  if (std::holds_alternative<tasks::ObserveSpec>(spec.kind)) return TaskKind::observe;
   return TaskKind::other;
 }
 
-TaskGroup group_of(const TaskSpec& spec) {
+TaskGroup group_of(const tasks::TaskSpec& spec) {
   struct Group {
-    TaskGroup operator()(const RestSpec&) const { return TaskGroup::rest_and_maximum; }
-    TaskGroup operator()(const MaximumSpec&) const { return TaskGroup::rest_and_maximum; }
-    TaskGroup operator()(const DirectionalMaximaSpec&) const { return TaskGroup::rest_and_maximum; }
-    TaskGroup operator()(const ForceTrackingSpec&) const { return TaskGroup::follow; }
-    TaskGroup operator()(const StepResponseSpec&) const { return TaskGroup::follow; }
-    TaskGroup operator()(const SteadinessSpec&) const { return TaskGroup::hold_and_let_go; }
-    TaskGroup operator()(const FatigueSpec&) const { return TaskGroup::hold_and_let_go; }
-    TaskGroup operator()(const ForceSenseSpec&) const { return TaskGroup::hold_and_let_go; }
-    TaskGroup operator()(const GripReleaseSpec&) const { return TaskGroup::hold_and_let_go; }
-    TaskGroup operator()(const IndividuationSpec&) const {
+    TaskGroup operator()(const tasks::RestSpec&) const { return TaskGroup::rest_and_maximum; }
+    TaskGroup operator()(const tasks::MaximumSpec&) const { return TaskGroup::rest_and_maximum; }
+    TaskGroup operator()(const tasks::DirectionalMaximaSpec&) const {
+      return TaskGroup::rest_and_maximum;
+    }
+    TaskGroup operator()(const tasks::ForceTrackingSpec&) const { return TaskGroup::follow; }
+    TaskGroup operator()(const tasks::StepResponseSpec&) const { return TaskGroup::follow; }
+    TaskGroup operator()(const tasks::SteadinessSpec&) const { return TaskGroup::hold_and_let_go; }
+    TaskGroup operator()(const tasks::FatigueSpec&) const { return TaskGroup::hold_and_let_go; }
+    TaskGroup operator()(const tasks::ForceSenseSpec&) const { return TaskGroup::hold_and_let_go; }
+    TaskGroup operator()(const tasks::GripReleaseSpec&) const { return TaskGroup::hold_and_let_go; }
+    TaskGroup operator()(const tasks::IndividuationSpec&) const {
       return TaskGroup::fingers_and_directions;
     }
-    TaskGroup operator()(const ForceDirectionSpec&) const {
+    TaskGroup operator()(const tasks::ForceDirectionSpec&) const {
       return TaskGroup::fingers_and_directions;
     }
-    TaskGroup operator()(const PoseTargetsSpec&) const { return TaskGroup::object; }
-    TaskGroup operator()(const PoseTrackingSpec&) const { return TaskGroup::object; }
-    TaskGroup operator()(const PickPlaceSpec&) const { return TaskGroup::object; }
-    TaskGroup operator()(const ObserveSpec&) const { return TaskGroup::object; }
-    TaskGroup operator()(const RecordedSpec&) const { return TaskGroup::follow; }
+    TaskGroup operator()(const tasks::PoseTargetsSpec&) const { return TaskGroup::object; }
+    TaskGroup operator()(const tasks::PoseTrackingSpec&) const { return TaskGroup::object; }
+    TaskGroup operator()(const tasks::PickPlaceSpec&) const { return TaskGroup::object; }
+    TaskGroup operator()(const tasks::ObserveSpec&) const { return TaskGroup::object; }
+    TaskGroup operator()(const tasks::RecordedSpec&) const { return TaskGroup::follow; }
   };
   return std::visit(Group{}, spec.kind);
 }
@@ -60,7 +62,7 @@ std::string_view title_of(TaskGroup group) noexcept {
 namespace {
 
 /// Before all others of the group: what every session begins with.
-int rank_of(const TaskSpec& spec) {
+int rank_of(const tasks::TaskSpec& spec) {
   const TaskKind kind = kind_of(spec);
   return kind == TaskKind::rest ? 0 : kind == TaskKind::maximum ? 1 : 2;
 }
@@ -90,12 +92,13 @@ std::string reading_order(const std::string& name) {
   return key;
 }
 
-void sort_for_list(std::vector<TaskSpec>& tasks) {
-  std::stable_sort(tasks.begin(), tasks.end(), [](const TaskSpec& a, const TaskSpec& b) {
-    if (group_of(a) != group_of(b)) return group_of(a) < group_of(b);
-    if (rank_of(a) != rank_of(b)) return rank_of(a) < rank_of(b);
-    return reading_order(a.name) < reading_order(b.name);
-  });
+void sort_for_list(std::vector<tasks::TaskSpec>& tasks) {
+  std::stable_sort(tasks.begin(), tasks.end(),
+                   [](const tasks::TaskSpec& a, const tasks::TaskSpec& b) {
+                     if (group_of(a) != group_of(b)) return group_of(a) < group_of(b);
+                     if (rank_of(a) != rank_of(b)) return rank_of(a) < rank_of(b);
+                     return reading_order(a.name) < reading_order(b.name);
+                   });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

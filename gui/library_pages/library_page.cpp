@@ -9,7 +9,7 @@
 #include "gui/look/form_fields.hpp"
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -42,7 +42,7 @@ LibraryPage::LibraryPage(Clinic& clinic, SessionPresenter& presenter, QWidget* p
     : QWidget(parent),
       clinic_(clinic),
       presenter_(presenter),
-      files_(presenter.config().library, own_library_folder(presenter.config().database)) {
+      files_(presenter.config().library, session::own_library_folder(presenter.config().database)) {
   auto* row = new QBoxLayout(side_by_side(), this);
   row->setContentsMargins(12, 12, 12, 12);
   row->setSpacing(10);
@@ -255,4 +255,4 @@ void LibraryPage::say(const QString& words) {
   refresh();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

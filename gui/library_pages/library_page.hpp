@@ -18,7 +18,7 @@
 #include "gui/look/toml_editor.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class LibraryPage final : public QWidget {
   Q_OBJECT
@@ -105,4 +105,4 @@ class LibraryPage final : public QWidget {
   Background worker_;  ///< last: its jobs end before anything else goes away
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

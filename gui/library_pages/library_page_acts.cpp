@@ -9,7 +9,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace fs = std::filesystem;
 
@@ -231,7 +231,8 @@ void LibraryPage::save() {
   const bool asked = clinic_.read(
       this,
       [kind = entry_->kind, former = former_, now = text(),
-       planned = presenter_.session_open() && presenter_.has_protocol()](SessionStore& store) {
+       planned =
+           presenter_.session_open() && presenter_.has_protocol()](storage::SessionStore& store) {
         auto use = use_of(store, kind, former, now);
         if (use && planned) count_as_used(*use, kind, former, now);
         return use;
@@ -317,4 +318,4 @@ void LibraryPage::bring_back() {
       });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -14,7 +14,7 @@
 #include "tasks/timeline.hpp"
 #include "tasks/waveform.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -29,18 +29,18 @@ QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
 }
 
-QString duration_words_of(const Duration& duration) {
+QString duration_words_of(const tasks::Duration& duration) {
   if (duration.worst_s - duration.nominal_s < 1.0) return time_words(duration.nominal_s);
   return PreviewTexts::tr("%1, at most %2")
       .arg(time_words(duration.nominal_s), time_words(duration.worst_s));
 }
 
 /// One unit of every scale is a hundred newtons, so that forces read as percent.
-TaskContext sample_context(const TaskSpec& spec) {
-  TaskContext context;
+tasks::TaskContext sample_context(const tasks::TaskSpec& spec) {
+  tasks::TaskContext context;
   context.period_s = kPeriod_s;
   auto& references = context.references;
-  const bool fixed_load = spec.aim() != nullptr && spec.aim()->scale == Scale::of_baseline;
+  const bool fixed_load = spec.aim() != nullptr && spec.aim()->scale == tasks::Scale::of_baseline;
   for (std::size_t d = 0; d < kDigitsCount; ++d)
     for (std::size_t k = 0; k < kDirectionCount; ++k) {
       const ForceChannel channel{static_cast<Digits>(d), static_cast<Direction>(k)};
@@ -51,27 +51,28 @@ TaskContext sample_context(const TaskSpec& spec) {
   return context;
 }
 
-QString axis_of(Scale scale) {
+QString axis_of(tasks::Scale scale) {
   switch (scale) {
-    case Scale::newton: return PreviewTexts::tr("Target (N)");
-    case Scale::of_maximum: return PreviewTexts::tr("Target (% of the maximum)");
-    case Scale::of_comfortable: return PreviewTexts::tr("Target (% of the comfortable force)");
-    case Scale::of_baseline: break;
+    case tasks::Scale::newton: return PreviewTexts::tr("Target (N)");
+    case tasks::Scale::of_maximum: return PreviewTexts::tr("Target (% of the maximum)");
+    case tasks::Scale::of_comfortable:
+      return PreviewTexts::tr("Target (% of the comfortable force)");
+    case tasks::Scale::of_baseline: break;
   }
   return PreviewTexts::tr("Target (% of the baseline)");
 }
 
-std::optional<LibraryPreview::Curve> force_curve(const TaskSpec& spec) {
-  const Aim* aim = spec.aim();
+std::optional<LibraryPreview::Curve> force_curve(const tasks::TaskSpec& spec) {
+  const tasks::Aim* aim = spec.aim();
   if (aim == nullptr) return std::nullopt;
-  const auto timeline = timeline_of(spec, sample_context(spec));
+  const auto timeline = tasks::timeline_of(spec, sample_context(spec));
   if (!timeline) return std::nullopt;
   LibraryPreview::Curve curve{axis_of(aim->scale), kPeriod_s, {}, {}};
-  for (const Segment& segment : timeline->segments)
+  for (const tasks::Segment& segment : timeline->segments)
     for (std::int64_t k = 0; k < segment.frames; ++k) {
       const auto& targets = segment.target_N;
       const auto place = targets.size() == 1 ? std::size_t{0} : static_cast<std::size_t>(k);
-      curve.values.push_back(targets.empty() ? kNotMeasured : targets[place]);
+      curve.values.push_back(targets.empty() ? tasks::kNotMeasured : targets[place]);
       curve.hidden.push_back(!segment.target_shown);
     }
   const bool any = std::any_of(curve.values.begin(), curve.values.end(),
@@ -80,7 +81,7 @@ std::optional<LibraryPreview::Curve> force_curve(const TaskSpec& spec) {
 }
 
 /// The first axis of a target that moves.
-std::optional<LibraryPreview::Curve> pose_curve(const PoseTrackingSpec& kind) {
+std::optional<LibraryPreview::Curve> pose_curve(const tasks::PoseTrackingSpec& kind) {
   if (kind.axes.empty()) return std::nullopt;
   const auto& axis = kind.axes.front();
   const bool turns = axis.axis >= 3;
@@ -91,7 +92,7 @@ std::optional<LibraryPreview::Curve> pose_curve(const PoseTrackingSpec& kind) {
                               kPeriod_s,
                               {},
                               {}};
-  const auto samples = samples_of(axis.waveform, kind.duration_s, kPeriod_s, 0);
+  const auto samples = tasks::samples_of(axis.waveform, kind.duration_s, kPeriod_s, 0);
   const auto value = [&](double sample) {
     return factor * (axis.least + sample * (axis.most - axis.least));
   };
@@ -126,11 +127,11 @@ LibraryPreview::Sketch sketch_of(const Scene& scene) {
   return sketch;
 }
 
-void add_targets(const TaskSpec& spec, LibraryPreview::Sketch& sketch) {
-  if (const auto* poses = std::get_if<PoseTargetsSpec>(&spec.kind))
+void add_targets(const tasks::TaskSpec& spec, LibraryPreview::Sketch& sketch) {
+  if (const auto* poses = std::get_if<tasks::PoseTargetsSpec>(&spec.kind))
     for (const auto& target : poses->targets)
       sketch.targets.push_back({{target.p_WT.x(), target.p_WT.y()}, target.angle_rad, false});
-  if (const auto* items = std::get_if<PickPlaceSpec>(&spec.kind))
+  if (const auto* items = std::get_if<tasks::PickPlaceSpec>(&spec.kind))
     for (const auto& item : items->items) {
       sketch.targets.push_back({{item.p_WO.x(), item.p_WO.y()}, 0.0, true});
       sketch.targets.push_back({{item.p_WT.x(), item.p_WT.y()}, item.angle_rad, false});
@@ -138,12 +139,12 @@ void add_targets(const TaskSpec& spec, LibraryPreview::Sketch& sketch) {
 }
 
 /// What must have been measured in the session before.
-QString needed_by(const TaskSpec& spec) {
+QString needed_by(const tasks::TaskSpec& spec) {
   QStringList needed;
   for (const auto& [scale, words] :
-       {std::pair{Scale::of_maximum, PreviewTexts::tr("maximum: %1")},
-        std::pair{Scale::of_comfortable, PreviewTexts::tr("comfortable force: %1")},
-        std::pair{Scale::of_baseline, PreviewTexts::tr("baseline: %1")}}) {
+       {std::pair{tasks::Scale::of_maximum, PreviewTexts::tr("maximum: %1")},
+        std::pair{tasks::Scale::of_comfortable, PreviewTexts::tr("comfortable force: %1")},
+        std::pair{tasks::Scale::of_baseline, PreviewTexts::tr("baseline: %1")}}) {
     QStringList channels;
     for (const ForceChannel channel : spec.channels_needed(scale))
       channels << QString::fromStdString(name_of(channel));
@@ -152,7 +153,7 @@ QString needed_by(const TaskSpec& spec) {
   return needed.join(QStringLiteral("; "));
 }
 
-LibraryPreview of_task(const TaskSpec& spec, const std::string& shipped) {
+LibraryPreview of_task(const tasks::TaskSpec& spec, const std::string& shipped) {
   LibraryPreview preview;
   preview.title = QString::fromStdString(spec.name);
   auto& facts = preview.facts;
@@ -167,10 +168,10 @@ LibraryPreview of_task(const TaskSpec& spec, const std::string& shipped) {
         {PreviewTexts::tr("Difficulty"),
          PreviewTexts::tr("may be chosen or follow success: for training, not assessment")});
   preview.curve = force_curve(spec);
-  if (const auto* tracking = std::get_if<PoseTrackingSpec>(&spec.kind))
+  if (const auto* tracking = std::get_if<tasks::PoseTrackingSpec>(&spec.kind))
     preview.curve = pose_curve(*tracking);
   if (spec.scene().empty()) return preview;
-  const auto path = find_in_library(shipped, "scenes", spec.scene(), spec.file);
+  const auto path = session::find_in_library(shipped, "scenes", spec.scene(), spec.file);
   const auto text = path ? read_text(*path) : Result<std::string>(path.error());
   const auto scene = text ? parse_scene(*text, *path) : Result<Scene>(text.error());
   if (!scene) return preview;
@@ -222,16 +223,16 @@ LibraryPreview of_scene(const Scene& scene, const Plan& plan) {
     if (const auto label = word(name); !label.isEmpty())
       preview.facts.push_back({label, QString::fromStdString(text)});
   preview.facts.push_back(
-      {PreviewTexts::tr("Cost"),
-       PreviewTexts::tr("%1 ns per frame, measured here").arg(cost_ns_per_frame(plan), 0, 'f', 0)});
+      {PreviewTexts::tr("Cost"), PreviewTexts::tr("%1 ns per frame, measured here")
+                                     .arg(session::cost_ns_per_frame(plan), 0, 'f', 0)});
   return preview;
 }
 
-QString words_of(const ProtocolStep& step, const std::vector<TaskSpec>& tasks) {
+QString words_of(const tasks::ProtocolStep& step, const std::vector<tasks::TaskSpec>& tasks) {
   switch (step.kind) {
-    case ProtocolStep::Kind::instrument_zero: return PreviewTexts::tr("Instrument zero");
-    case ProtocolStep::Kind::pause: return PreviewTexts::tr("Pause");
-    case ProtocolStep::Kind::task: break;
+    case tasks::ProtocolStep::Kind::instrument_zero: return PreviewTexts::tr("Instrument zero");
+    case tasks::ProtocolStep::Kind::pause: return PreviewTexts::tr("Pause");
+    case tasks::ProtocolStep::Kind::task: break;
   }
   QStringList names;
   for (const auto& task : tasks) names << QString::fromStdString(task.name);
@@ -248,17 +249,17 @@ QString words_of(const ProtocolStep& step, const std::vector<TaskSpec>& tasks) {
   return words;
 }
 
-LibraryPreview of_protocol(const ReadyProtocol& protocol) {
+LibraryPreview of_protocol(const session::ReadyProtocol& protocol) {
   LibraryPreview preview;
   preview.title = QString::fromStdString(protocol.spec.name);
   // Each step counts what the protocol takes longer with it: the sum is that of the whole.
-  ProtocolSpec part;
-  std::vector<std::vector<TaskSpec>> tasks;
-  Duration before;
+  tasks::ProtocolSpec part;
+  std::vector<std::vector<tasks::TaskSpec>> tasks;
+  tasks::Duration before;
   for (std::size_t i = 0; i < protocol.spec.steps.size(); ++i) {
     part.steps.push_back(protocol.spec.steps[i]);
     tasks.push_back(protocol.tasks[i]);
-    const Duration with = duration_of(part, tasks);
+    const tasks::Duration with = tasks::duration_of(part, tasks);
     preview.steps.push_back({words_of(protocol.spec.steps[i], protocol.tasks[i]),
                              {with.nominal_s - before.nominal_s, with.worst_s - before.worst_s}});
     before = with;
@@ -281,11 +282,11 @@ QString time_words(double duration_s) {
 LibraryPreview preview_of(LibraryKind kind, const std::string& text, const std::string& path,
                           const std::string& shipped) {
   if (kind == LibraryKind::tasks) {
-    const auto spec = read_task(text, path);
+    const auto spec = session::read_task(text, path);
     return spec ? of_task(*spec, shipped) : LibraryPreview{};
   }
   if (kind == LibraryKind::protocols) {
-    const auto protocol = read_protocol(text, path, shipped);
+    const auto protocol = session::read_protocol(text, path, shipped);
     return protocol ? of_protocol(*protocol) : LibraryPreview{};
   }
   const auto scene = parse_scene(text, path);
@@ -294,4 +295,4 @@ LibraryPreview preview_of(LibraryKind kind, const std::string& text, const std::
   return plan ? of_scene(*scene, *plan) : LibraryPreview{};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

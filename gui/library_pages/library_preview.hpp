@@ -13,7 +13,7 @@
 #include "gui/library/library_files.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct LibraryPreview {
   struct Fact {
@@ -45,7 +45,7 @@ struct LibraryPreview {
   };
   struct Step {
     QString words;
-    Duration duration;  ///< what the protocol takes longer for it
+    tasks::Duration duration;  ///< what the protocol takes longer for it
   };
 
   QString title;
@@ -63,4 +63,4 @@ struct LibraryPreview {
 /// "45 s", "3 min 20 s".
 [[nodiscard]] QString time_words(double duration_s);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

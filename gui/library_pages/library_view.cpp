@@ -10,7 +10,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -310,4 +310,4 @@ void LibraryView::show_outdated(bool outdated) {
   outdated_->setVisible(outdated);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

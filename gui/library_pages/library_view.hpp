@@ -10,7 +10,7 @@
 #include "gui/library_pages/library_preview.hpp"
 #include "gui/look/card.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// A target over time; what the patient does not see is dashed.
 class TargetCurve final : public QWidget {
@@ -61,4 +61,4 @@ class LibraryView final : public Card {
   QLabel* facts_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

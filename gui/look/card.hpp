@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class Card : public QFrame {
   Q_OBJECT
@@ -32,4 +32,4 @@ class Card : public QFrame {
   QLabel* title_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

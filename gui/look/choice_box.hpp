@@ -7,7 +7,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ChoiceBox final : public QComboBox {
   Q_OBJECT
@@ -27,4 +27,4 @@ class ChoiceBox final : public QComboBox {
   }
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

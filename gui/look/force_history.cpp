@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -19,7 +19,7 @@ double round_up(double value) {
 }
 }  // namespace
 
-void ForceHistory::add(const Snapshot& snapshot) {
+void ForceHistory::add(const session::Snapshot& snapshot) {
   if (snapshot.frames == 0) return;
   if (!points_.empty()) {
     if (snapshot.session_time_s == points_.back().t_s) return;
@@ -59,4 +59,4 @@ ForceHistory::Range ForceHistory::range() const {
   return range;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

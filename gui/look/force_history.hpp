@@ -7,7 +7,7 @@
 
 #include "session/acquisition/snapshot.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct ForcePoint {
   double t_s = 0.0;                             ///< session time
@@ -20,7 +20,7 @@ class ForceHistory {
   explicit ForceHistory(double length_s = 20.0) : length_s_(length_s) {}
 
   /// Takes the snapshot if it is a new frame; forgets what is older than the length.
-  void add(const Snapshot& snapshot);
+  void add(const session::Snapshot& snapshot);
   void clear() { points_.clear(); }
   [[nodiscard]] const std::deque<ForcePoint>& points() const noexcept { return points_; }
   [[nodiscard]] double length_s() const noexcept { return length_s_; }
@@ -36,4 +36,4 @@ class ForceHistory {
   std::deque<ForcePoint> points_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -255,4 +255,4 @@ QString removed_words(const std::string& date, const QString& what) {
   return QObject::tr("Removed: %1, %2.").arg(shown_date(date), what);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

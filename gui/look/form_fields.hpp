@@ -13,7 +13,7 @@
 
 #include "gui/words/profile_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// One of a few, or none: pressing the chosen one again takes the choice back.
 class SegmentedChoice final : public QWidget {
@@ -118,4 +118,4 @@ class DatedList final : public QWidget {
 /// Calls `act` on `key` while the focus is in `widget`.
 void add_key(QWidget* widget, const QString& key, const std::function<void()>& act);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -13,7 +13,7 @@
 #include <QVariant>
 #include <QWidget>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -214,4 +214,4 @@ void describe(QWidget& widget, const QString& name, const QString& tooltip) {
   widget.setAccessibleDescription(words);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -13,7 +13,7 @@
 class QApplication;
 class QWidget;
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace look {
 // On white: kText 14.6:1, kQuietText 6.6:1, kAccent 6.5:1, kReady 5.5:1, kFault 6.5:1.
@@ -60,4 +60,4 @@ void take_rest(QWidget& widget, int least_px);
 /// is set.
 void describe(QWidget& widget, const QString& name, const QString& tooltip);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

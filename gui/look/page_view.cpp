@@ -10,7 +10,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kAround_px = 14;
@@ -59,7 +59,7 @@ PageView::PageView(QWidget* parent) : QScrollArea(parent), canvas_(new Sheets(*t
 
 PageView::~PageView() = default;
 
-void PageView::show_pages(std::shared_ptr<const ReportPages> pages) {
+void PageView::show_pages(std::shared_ptr<const reports::ReportPages> pages) {
   under_way_.reset();  // before what it paints
   pages_ = std::move(pages);
   sheets_.assign(pages_ == nullptr ? 0 : static_cast<std::size_t>(pages_->pages()), {});
@@ -68,7 +68,7 @@ void PageView::show_pages(std::shared_ptr<const ReportPages> pages) {
 }
 
 QRect PageView::place_of(int page) const {
-  const QSizeF size = scale_ * report_page_size();
+  const QSizeF size = scale_ * reports::report_page_size();
   const int height = static_cast<int>(std::lround(size.height()));
   const int width = static_cast<int>(std::lround(size.width()));
   const int left = std::max(kAround_px, (viewport()->width() - width) / 2);
@@ -84,8 +84,9 @@ int PageView::page() const {
 
 void PageView::lay_out() {
   if (fits_)
-    scale_ = std::clamp((viewport()->width() - 2.0 * kAround_px) / report_page_size().width(),
-                        kLeastScale, kMostFitting);
+    scale_ =
+        std::clamp((viewport()->width() - 2.0 * kAround_px) / reports::report_page_size().width(),
+                   kLeastScale, kMostFitting);
   const QRect last = place_of(std::max(0, pages() - 1));
   canvas_->resize(std::max(viewport()->width(), last.width() + 2 * kAround_px),
                   pages() == 0 ? viewport()->height() : last.bottom() + kAround_px);
@@ -143,7 +144,8 @@ void PageView::paint_next() {
   if (under_way_ == nullptr || under_way_page_ != page || under_way_scale_ != scale_) {
     under_way_page_ = page;
     under_way_scale_ = scale_;
-    under_way_ = std::make_unique<PagePicture>(*pages_, page, scale_ * devicePixelRatioF());
+    under_way_ =
+        std::make_unique<reports::PagePicture>(*pages_, page, scale_ * devicePixelRatioF());
   }
   under_way_->paint_next();
   if (!under_way_->complete()) return;
@@ -173,4 +175,4 @@ void PageView::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

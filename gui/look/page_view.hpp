@@ -11,7 +11,7 @@
 
 #include "reports/paper/report_pages.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class PageView final : public QScrollArea {
   Q_OBJECT
@@ -21,7 +21,7 @@ class PageView final : public QScrollArea {
   ~PageView() override;
 
   /// Null: none.
-  void show_pages(std::shared_ptr<const ReportPages> pages);
+  void show_pages(std::shared_ptr<const reports::ReportPages> pages);
   [[nodiscard]] int pages() const noexcept { return static_cast<int>(sheets_.size()); }
   [[nodiscard]] int page() const;  ///< in the middle of the view, from 1; 0: none
   /// Larger (above 1) or smaller; from then on the width of the window no longer counts.
@@ -54,9 +54,9 @@ class PageView final : public QScrollArea {
   void lay_out();
   void paint_next();
 
-  std::shared_ptr<const ReportPages> pages_;
+  std::shared_ptr<const reports::ReportPages> pages_;
   std::vector<Sheet> sheets_;
-  std::unique_ptr<PagePicture> under_way_;
+  std::unique_ptr<reports::PagePicture> under_way_;
   int under_way_page_ = -1;
   double under_way_scale_ = 0.0;
   double scale_ = 1.0;
@@ -66,4 +66,4 @@ class PageView final : public QScrollArea {
   QTimer between_events_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -5,9 +5,9 @@
 class QCustomPlot;
 class QWidget;
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// A plot that fills `parent`, takes no focus and lets the mouse through to it.
 [[nodiscard]] QCustomPlot* make_plot(QWidget& parent);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 #include "gui/look/plot_style.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 QCustomPlot* make_plot(QWidget& parent) {
   auto* plot = new QCustomPlot(&parent);
@@ -146,4 +146,4 @@ void TrendPlot::show_trend(const std::vector<TrendPoint>& points, const QString&
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

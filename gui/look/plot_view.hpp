@@ -15,7 +15,7 @@ class QCustomPlot;
 class QCPGraph;
 class QCPItemText;
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// Scrolling normal forces of three fingers and the target over the last seconds.
 class LivePlot final : public QWidget {
@@ -53,4 +53,4 @@ class TrendPlot final : public QWidget {
   QCPGraph* practised_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

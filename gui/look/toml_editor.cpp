@@ -8,7 +8,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// The strip at the left; it belongs to the editor, which paints it.
 class LineNumbers final : public QWidget {
@@ -197,4 +197,4 @@ void TomlEditor::paint_numbers(QPaintEvent* event) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -5,7 +5,7 @@
 
 #include <QPlainTextEdit>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class TomlEditor final : public QPlainTextEdit {
   Q_OBJECT
@@ -39,4 +39,4 @@ class TomlEditor final : public QPlainTextEdit {
   int marked_ = 0;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

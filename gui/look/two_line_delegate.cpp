@@ -5,7 +5,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 enum LineRole { kMark = Qt::UserRole + 1, kBelow, kDoubtful };
@@ -84,4 +84,4 @@ QSize TwoLineDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
   return {0, 2 * line_px + 3 * kAir_px - 2};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

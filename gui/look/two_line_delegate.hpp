@@ -5,7 +5,7 @@
 #include <QListWidget>
 #include <QStyledItemDelegate>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct TwoLines {
   QString title;
@@ -28,4 +28,4 @@ class TwoLineDelegate final : public QStyledItemDelegate {
                                const QModelIndex& index) const override;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

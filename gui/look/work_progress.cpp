@@ -5,7 +5,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kSteps = 1000;
@@ -35,4 +35,4 @@ void WorkProgress::show_fraction(double fraction) {
   progress_->setValue(static_cast<int>(kSteps * fraction));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

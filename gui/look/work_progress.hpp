@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QWidget>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class WorkProgress final : public QWidget {
   Q_OBJECT
@@ -26,4 +26,4 @@ class WorkProgress final : public QWidget {
   QPushButton* cancel_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

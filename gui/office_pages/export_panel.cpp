@@ -13,7 +13,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -74,10 +74,11 @@ QWidget* ExportPanel::make_choices() {
   format_->setObjectName("export_format");
   describe(*format_, tr("Format of the export"),
            tr("How signals and measures are written (Alt+N, then arrow keys)"));
-  for (const auto& [format, words] : {std::pair{ExportFormat::csv, tr("Tables: CSV and JSON")},
-                                      {ExportFormat::hdf5, tr("One file: HDF5")},
-                                      {ExportFormat::bids, tr("Data set: Motion-BIDS")},
-                                      {ExportFormat::fhir, tr("Health record: HL7 FHIR")}})
+  for (const auto& [format, words] :
+       {std::pair{exports::ExportFormat::csv, tr("Tables: CSV and JSON")},
+        {exports::ExportFormat::hdf5, tr("One file: HDF5")},
+        {exports::ExportFormat::bids, tr("Data set: Motion-BIDS")},
+        {exports::ExportFormat::fhir, tr("Health record: HL7 FHIR")}})
     format_->addItem(words, static_cast<int>(format));
   auto* privacy =
       new QLabel(tr("Codes only: no names, dates, notes or addresses of devices are written."));
@@ -134,13 +135,13 @@ QWidget* ExportPanel::make_list() {
   return card;
 }
 
-ExportRequest ExportPanel::request() const {
+exports::ExportRequest ExportPanel::request() const {
   if (whose_->currentIndex() == 1) return {};
   return {presenter_.patient(), span_->first(), span_->last()};
 }
 
-ExportFormat ExportPanel::format() const {
-  return static_cast<ExportFormat>(format_->currentData().toInt());
+exports::ExportFormat ExportPanel::format() const {
+  return static_cast<exports::ExportFormat>(format_->currentData().toInt());
 }
 
 void ExportPanel::showEvent(QShowEvent* event) {
@@ -162,10 +163,10 @@ void ExportPanel::load_sessions() {
   }
   code_ = code;
   stale_ = false;
-  using Sessions = std::vector<SessionRecord>;
+  using Sessions = std::vector<storage::SessionRecord>;
   const bool asked = clinic_.read(
       this,
-      [code](SessionStore& store) -> Sessions {
+      [code](storage::SessionStore& store) -> Sessions {
         const auto patient = store.find_patient(code);
         if (!patient || !*patient) return {};
         auto sessions = store.sessions((*patient)->id);
@@ -192,10 +193,10 @@ void ExportPanel::list_files() {
   using Files = Result<Listed>;
   clinic_.read(
       this,
-      [wanted, form = format()](SessionStore& store) -> Files {
-        auto files = list_export(store, wanted, form);
+      [wanted, form = format()](storage::SessionStore& store) -> Files {
+        auto files = exports::list_export(store, wanted, form);
         if (!files) return files.error();
-        const auto not_released = count_not_released(store, wanted);
+        const auto not_released = exports::count_not_released(store, wanted);
         if (!not_released) return not_released.error();
         return Listed{*std::move(files), *not_released};
       },
@@ -255,4 +256,4 @@ void ExportPanel::refresh() {
   remark_->setVisible(!remark_->text().isEmpty() && !work.running());
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -14,7 +14,7 @@
 #include "gui/office_pages/session_span.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ExportPanel final : public QWidget {
   Q_OBJECT
@@ -36,8 +36,8 @@ class ExportPanel final : public QWidget {
   void list_files();
   void ask_where();
   void refresh();
-  [[nodiscard]] ExportRequest request() const;
-  [[nodiscard]] ExportFormat format() const;
+  [[nodiscard]] exports::ExportRequest request() const;
+  [[nodiscard]] exports::ExportFormat format() const;
 
   Clinic& clinic_;
   SessionPresenter& presenter_;
@@ -56,4 +56,4 @@ class ExportPanel final : public QWidget {
   QListWidget* files_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

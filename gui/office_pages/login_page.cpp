@@ -11,7 +11,7 @@
 #include "gui/look/form_fields.hpp"
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -131,7 +131,7 @@ Staff::Key LoginPage::key() const {
   if (who == QLatin1String(kPassphrase)) return Staff::Key::passphrase;
   if (who == QLatin1String(kRecovery)) return Staff::Key::recovery_key;
   const auto& users = staff_.users();
-  const bool has_pin = std::any_of(users.begin(), users.end(), [&](const User& user) {
+  const bool has_pin = std::any_of(users.begin(), users.end(), [&](const storage::User& user) {
     return user.has_pin && who == QString::fromStdString(user.name);
   });
   return staff_.locked() && has_pin && !with_password_->isChecked() ? Staff::Key::pin
@@ -172,4 +172,4 @@ void LoginPage::refresh() {
   problem_->setVisible(!problem_->text().isEmpty());
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 
 #include "gui/clinic/staff.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class LoginPage final : public QWidget {
   Q_OBJECT
@@ -41,4 +41,4 @@ class LoginPage final : public QWidget {
   bool chosen_ = false;  ///< in the list, by hand
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

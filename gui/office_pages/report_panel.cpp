@@ -15,7 +15,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -187,13 +187,13 @@ void ReportPanel::load_sessions() {
   code_ = code;
   stale_ = false;
   if (code.empty()) return refresh();
-  using Sessions = Result<std::vector<SessionRecord>>;
+  using Sessions = Result<std::vector<storage::SessionRecord>>;
   const bool asked = clinic_.read(
       this,
-      [code](SessionStore& store) -> Sessions {
+      [code](storage::SessionStore& store) -> Sessions {
         const auto patient = store.find_patient(code);
         if (!patient) return patient.error();
-        if (!*patient) return std::vector<SessionRecord>{};
+        if (!*patient) return std::vector<storage::SessionRecord>{};
         return store.sessions((*patient)->id);
       },
       [this, code, same](const Sessions& sessions) {
@@ -212,21 +212,22 @@ void ReportPanel::load_pages() {
   reading_stop_ = {};
   reading_ = clinic_.read(
       this,
-      [code = code_, scope = scope(), stop = reading_stop_.get_token()](SessionStore& store) {
-        return gather_progress(
+      [code = code_, scope = scope(),
+       stop = reading_stop_.get_token()](storage::SessionStore& store) {
+        return reports::gather_progress(
             store, code, [stop](double, const std::string&) { return !stop.stop_requested(); },
             scope);
       },
-      [this, stop = reading_stop_.get_token()](Result<ReportContent> content) {
+      [this, stop = reading_stop_.get_token()](Result<reports::ReportContent> content) {
         if (!stop.stop_requested()) show_pages(std::move(content));
       });
   refresh();
 }
 
-void ReportPanel::show_pages(Result<ReportContent> content) {
+void ReportPanel::show_pages(Result<reports::ReportContent> content) {
   reading_ = false;
   if (content) {
-    pages_ = std::make_shared<const ReportPages>(*std::move(content));
+    pages_ = std::make_shared<const reports::ReportPages>(*std::move(content));
     view_->show_pages(pages_);
   } else {
     pages_.reset();
@@ -266,7 +267,7 @@ void ReportPanel::ask_printer() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, qOverload<>(&QDialog::accepted), this, [this, pages = pages_] {
     printed_ = pages;
-    printing_ = std::make_unique<PagePrinter>(*printed_, *printer_);
+    printing_ = std::make_unique<reports::PagePrinter>(*printed_, *printer_);
     between_events_.start();
   });
   dialog->open();
@@ -333,4 +334,4 @@ void ReportPanel::refresh() {
                                : tr("Nothing can be shown."));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -19,7 +19,7 @@
 
 class QPrinter;
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ReportPanel final : public QWidget {
   Q_OBJECT
@@ -45,13 +45,13 @@ class ReportPanel final : public QWidget {
   void look_again();
   void load_sessions();
   void load_pages();
-  void show_pages(Result<ReportContent> content);
+  void show_pages(Result<reports::ReportContent> content);
   void ask_where();
   void ask_printer();
   void print_next();
   void end_printing();
   void refresh();
-  [[nodiscard]] ReportScope scope() const { return {span_->first(), span_->last()}; }
+  [[nodiscard]] reports::ReportScope scope() const { return {span_->first(), span_->last()}; }
 
   Clinic& clinic_;
   SessionPresenter& presenter_;
@@ -59,10 +59,10 @@ class ReportPanel final : public QWidget {
   bool stale_ = true;
   bool reading_ = false;
   std::stop_source reading_stop_;
-  std::shared_ptr<const ReportPages> pages_;
-  std::shared_ptr<const ReportPages> printed_;
+  std::shared_ptr<const reports::ReportPages> pages_;
+  std::shared_ptr<const reports::ReportPages> printed_;
   std::unique_ptr<QPrinter> printer_;
-  std::unique_ptr<PagePrinter> printing_;
+  std::unique_ptr<reports::PagePrinter> printing_;
   QTimer between_events_;
   QString at_;  ///< where the report is: "page 3 of 7"
 
@@ -82,4 +82,4 @@ class ReportPanel final : public QWidget {
   PageView* view_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 #include "gui/office_pages/report_panel.hpp"
 #include "gui/record_pages/history_panel.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 ReportsPage::ReportsPage(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
     : QWidget(parent) {
@@ -45,4 +45,4 @@ bool ReportsPage::printing() const {
   return report_->printing();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

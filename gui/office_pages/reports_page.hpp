@@ -8,7 +8,7 @@
 #include "gui/clinic/clinic.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ReportPanel;
 
@@ -29,4 +29,4 @@ class ReportsPage final : public QWidget {
   ReportPanel* report_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 #include "storage/access/access.hpp"
 #include "storage/care/emergency.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -19,8 +19,8 @@ QString say(const char* text) {
 }
 
 /// Empty: it is in the database now.
-QString take_back(const std::string& database, const EmergencyFile& file) {
-  const auto done = rescue(database, file);
+QString take_back(const std::string& database, const storage::EmergencyFile& file) {
+  const auto done = storage::rescue(database, file);
   if (!done) return shown(done.error());
   return done->conflicts.empty() ? QString() : shown(done->conflicts.front());
 }
@@ -59,25 +59,26 @@ bool ask(const QString& words) {
 }  // namespace
 
 void ask_about_emergency_files(const std::string& database) {
-  const auto files = emergency_files(database);
+  const auto files = storage::emergency_files(database);
   if (files.empty()) return;
   QString words = say(QT_TRANSLATE_NOOP(
       "Rescue", "The database was taken away while these sessions were recorded. They are kept:"));
-  for (const EmergencyFile& file : files)
+  for (const storage::EmergencyFile& file : files)
     words += QStringLiteral("\n%1, %2")
                  .arg(QString::fromStdString(file.patient_code),
                       QString::fromStdString(file.started_utc));
   words += QStringLiteral("\n\n");
   const QString by_command = words + command_words(database);
-  if (is_protected_database(database)) return tell(QMessageBox::Information, by_command);
+  if (storage::is_protected_database(database)) return tell(QMessageBox::Information, by_command);
   if (!ask(words + say(QT_TRANSLATE_NOOP("Rescue", "Take them into the database now?")))) return;
-  for (const EmergencyFile& file : files) {
+  for (const storage::EmergencyFile& file : files) {
     // A deleted file that was protected is so again.
-    const auto there = put_back(database, file);
-    if (there && is_protected_database(database)) return tell(QMessageBox::Information, by_command);
+    const auto there = storage::put_back(database, file);
+    if (there && storage::is_protected_database(database))
+      return tell(QMessageBox::Information, by_command);
     if (const QString problem = take_back(database, file); !problem.isEmpty())
       tell(QMessageBox::Warning, problem);
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

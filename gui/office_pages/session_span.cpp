@@ -9,7 +9,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kDateLetters = 10;  // YYYY-MM-DD
@@ -48,7 +48,8 @@ SessionSpan::SessionSpan(const QString& first, const QString& last, const QStrin
   });
 }
 
-void SessionSpan::show_sessions(const std::vector<SessionRecord>& sessions, bool same_patient) {
+void SessionSpan::show_sessions(const std::vector<storage::SessionRecord>& sessions,
+                                bool same_patient) {
   const int from = same_patient ? std::max(0, first_->currentIndex()) : 0;
   const int to =
       same_patient && last() != 0 ? last_->currentIndex() : static_cast<int>(sessions.size()) - 1;
@@ -68,4 +69,4 @@ int SessionSpan::last() const {
   return last_->currentIndex() == last_->count() - 1 ? 0 : last_->currentIndex() + 1;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 
 #include "storage/records/records.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class SessionSpan final : public QWidget {
   Q_OBJECT
@@ -20,7 +20,7 @@ class SessionSpan final : public QWidget {
               QWidget* parent = nullptr);
 
   /// Oldest first. All of them are chosen; a choice stays while the same patient is shown.
-  void show_sessions(const std::vector<SessionRecord>& sessions, bool same_patient);
+  void show_sessions(const std::vector<storage::SessionRecord>& sessions, bool same_patient);
   [[nodiscard]] int first() const { return first_->currentIndex() + 1; }
   /// 0: up to the newest, also one that is to come.
   [[nodiscard]] int last() const;
@@ -33,4 +33,4 @@ class SessionSpan final : public QWidget {
   QComboBox* last_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

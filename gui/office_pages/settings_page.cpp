@@ -11,7 +11,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -267,4 +267,4 @@ void SettingsPage::refresh() {
   volume_->setValue(now.volume_percent);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

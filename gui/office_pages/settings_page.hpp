@@ -17,7 +17,7 @@
 #include "gui/look/choice_box.hpp"
 #include "gui/patient_screen/speaker.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class SettingsPage final : public QWidget {
   Q_OBJECT
@@ -50,4 +50,4 @@ class SettingsPage final : public QWidget {
   QLabel* sound_words_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -19,7 +19,7 @@
 
 #include "gui/patient_screen/scene_nodes.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 using namespace scene_nodes;
 
@@ -162,4 +162,4 @@ QPointF ObjectScene::project(const Vec3& p_W, QSize size_px) const {
           (1.0 - static_cast<qreal>(place[1])) * size_px.height()};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 
 #include "gui/presenter/patient_picture.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ObjectScene {
  public:
@@ -32,4 +32,4 @@ class ObjectScene {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

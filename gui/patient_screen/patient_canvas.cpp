@@ -11,7 +11,7 @@
 #include "gui/patient_screen/patient_ink.hpp"
 #include "gui/patient_screen/patient_signs.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 using namespace ink;
 
@@ -386,4 +386,4 @@ void paint_notice(QPainter& painter, const QRectF& area, const PatientPicture& p
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

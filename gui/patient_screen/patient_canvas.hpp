@@ -9,7 +9,7 @@
 
 #include "gui/presenter/patient_picture.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// Everything of a page without an object. @pre picture.page != Page::object
 void paint_page(QPainter& painter, const QRectF& area, const PatientPicture& picture);
@@ -27,4 +27,4 @@ void paint_check(QPainter& painter, const QPointF& centre, double radius);
 /// Pause or fault, over a page that stands still. Nothing if there is none.
 void paint_notice(QPainter& painter, const QRectF& area, const PatientPicture& picture);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

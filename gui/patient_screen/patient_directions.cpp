@@ -12,7 +12,7 @@
 #include "gui/patient_screen/patient_ink.hpp"
 #include "gui/words/cue_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 using namespace ink;
 
@@ -117,4 +117,4 @@ void paint_directions(QPainter& painter, const QRectF& field, const PatientPictu
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

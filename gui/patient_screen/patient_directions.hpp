@@ -9,7 +9,7 @@
 
 #include "gui/presenter/patient_picture.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 void paint_directions(QPainter& painter, const QRectF& field, const PatientPicture& picture);
 
@@ -22,4 +22,4 @@ struct PadMark {
 };
 [[nodiscard]] PadMark mark_on_pad(const Vec3& force_C, double full_N) noexcept;
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

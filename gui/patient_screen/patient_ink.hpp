@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <QRectF>
 
-namespace isograsp::ink {
+namespace isograsp::gui::ink {
 
 // On kPaper: kInk 15.5:1, kSoftInk 8.7:1, kDot 8.6:1.
 inline const QColor kPaper(0xF4, 0xF6, 0xF8);
@@ -34,4 +34,4 @@ void draw_line(QPainter& painter, const QRectF& area, const QRectF& line, const 
           (right - left) * area.width(), (bottom - top) * area.height()};
 }
 
-}  // namespace isograsp::ink
+}  // namespace isograsp::gui::ink

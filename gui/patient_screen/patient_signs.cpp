@@ -8,7 +8,7 @@
 #include "gui/patient_screen/patient_ink.hpp"
 #include "gui/words/cue_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 using namespace ink;
 
@@ -192,4 +192,4 @@ void paint_sign(QPainter& painter, const QRectF& box, const PatientPicture& pict
   painter.restore();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

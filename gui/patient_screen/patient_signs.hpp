@@ -6,9 +6,9 @@
 
 #include "gui/presenter/patient_picture.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// The sign of the picture; `act` shows what its channel asks of which digits of its hand.
 void paint_sign(QPainter& painter, const QRectF& box, const PatientPicture& picture);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -16,7 +16,7 @@
 #include "gui/patient_screen/patient_canvas.hpp"
 #include "gui/patient_screen/patient_ink.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -250,4 +250,4 @@ void PatientWindow::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/presenter/soundtrack.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// Why this computer cannot show the patient's screen, in words; empty: it can. Also chooses the
 /// smoothing of edges: none where a processor has to draw everything. Call before the first window.
@@ -68,4 +68,4 @@ class PatientWindow final : public QOpenGLWindow {
   double drawing_s_ = 0.0;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -16,7 +16,7 @@
 #include <Inventor/nodes/SoTransform.h>
 #include <Inventor/nodes/SoTranslation.h>
 
-namespace isograsp::scene_nodes {
+namespace isograsp::gui::scene_nodes {
 
 namespace {
 
@@ -232,4 +232,4 @@ SbMatrix flatten_to_wall() {
   return m;
 }
 
-}  // namespace isograsp::scene_nodes
+}  // namespace isograsp::gui::scene_nodes

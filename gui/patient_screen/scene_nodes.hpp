@@ -17,7 +17,7 @@ class SoSeparator;
 class SoSwitch;
 class SoTransform;
 
-namespace isograsp::scene_nodes {
+namespace isograsp::gui::scene_nodes {
 
 inline const SbColor kWallColour(0.91F, 0.93F, 0.95F);
 inline const SbColor kShadowColour(0.25F, 0.29F, 0.34F);
@@ -61,4 +61,4 @@ struct FingerNodes {
 [[nodiscard]] SbMatrix flatten_to_floor();
 [[nodiscard]] SbMatrix flatten_to_wall();
 
-}  // namespace isograsp::scene_nodes
+}  // namespace isograsp::gui::scene_nodes

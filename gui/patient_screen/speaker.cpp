@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <mutex>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -169,4 +169,4 @@ void Speaker::be_silent() {
   if (parts_->voice != nullptr) parts_->voice->stop();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 
 #include "gui/presenter/tones.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class Speaker {
  public:
@@ -33,4 +33,4 @@ class Speaker {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

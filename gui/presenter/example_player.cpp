@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/presenter/example_player.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
-void ExamplePlayer::show(const TaskSpec& spec, const ForceReferences& references, Hand hand,
-                         const std::string& library, std::function<void(Result<void>)> changed) {
+void ExamplePlayer::show(const tasks::TaskSpec& spec, const tasks::ForceReferences& references,
+                         Hand hand, const std::string& library,
+                         std::function<void(Result<void>)> changed) {
   stop();
   showing_ = true;
   hand_ = hand;
-  using Shown = Result<Demonstration>;
-  worker_.run([spec, references, hand,
-               library]() -> Shown { return demonstrate(spec, references, hand, library); },
-              [this, request = request_, changed = std::move(changed)](Shown shown) {
-                if (request != request_) return;  // stopped meanwhile
-                if (!shown) {
-                  stop();
-                  return changed(shown.error());
-                }
-                if (shown->frames.empty()) {
-                  stop();
-                } else {
-                  preview_ =
-                      std::make_shared<TargetPreview>(preview_target(*shown->task, shown->context));
-                  example_ = std::make_shared<Demonstration>(*std::move(shown));
-                  frame_ = 0;
-                  began_ = clock_.now();
-                }
-                changed({});
-              });
+  using Shown = Result<session::Demonstration>;
+  worker_.run(
+      [spec, references, hand, library]() -> Shown {
+        return session::demonstrate(spec, references, hand, library);
+      },
+      [this, request = request_, changed = std::move(changed)](Shown shown) {
+        if (request != request_) return;  // stopped meanwhile
+        if (!shown) {
+          stop();
+          return changed(shown.error());
+        }
+        if (shown->frames.empty()) {
+          stop();
+        } else {
+          preview_ = std::make_shared<TargetPreview>(preview_target(*shown->task, shown->context));
+          example_ = std::make_shared<session::Demonstration>(*std::move(shown));
+          frame_ = 0;
+          began_ = clock_.now();
+        }
+        changed({});
+      });
 }
 
 void ExamplePlayer::stop() {
@@ -57,4 +59,4 @@ PatientFacts ExamplePlayer::facts() const {
   return facts;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/presenter/patient_picture.hpp"
 #include "session/demonstration.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ExamplePlayer {
  public:
@@ -20,7 +20,7 @@ class ExamplePlayer {
   ExamplePlayer(Background& worker, const Clock& clock) : worker_(worker), clock_(clock) {}
 
   /// `changed` is called when it begins to play, or with the error why it cannot.
-  void show(const TaskSpec& spec, const ForceReferences& references, Hand hand,
+  void show(const tasks::TaskSpec& spec, const tasks::ForceReferences& references, Hand hand,
             const std::string& library, std::function<void(Result<void>)> changed);
   void stop();
   /// Being made, or played.
@@ -37,10 +37,10 @@ class ExamplePlayer {
   bool showing_ = false;
   int request_ = 0;  ///< the newest one: what older ones made is dropped
   Hand hand_ = Hand::right;
-  std::shared_ptr<const Demonstration> example_;
+  std::shared_ptr<const session::Demonstration> example_;
   std::shared_ptr<const TargetPreview> preview_;
   std::size_t frame_ = 0;
   Timestamp began_{0};
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -4,20 +4,20 @@
 #include "gui/presenter/flow_start.hpp"
 #include "session/acquisition/zeroing.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
 bool in_trial(const FlowFacts& facts) {
-  return facts.stage == Stage::trial || facts.stage == Stage::paused;
+  return facts.stage == session::Stage::trial || facts.stage == session::Stage::paused;
 }
 
-ZeroStanding zero_of(const FlowFacts& facts) {
-  return standing_of_zero(facts.recorded, facts.zeroed, facts.restarted.has_value());
+session::ZeroStanding zero_of(const FlowFacts& facts) {
+  return session::standing_of_zero(facts.recorded, facts.zeroed, facts.restarted.has_value());
 }
 
 bool has_zero(const FlowFacts& facts) {
-  return zero_of(facts) == ZeroStanding::good;
+  return zero_of(facts) == session::ZeroStanding::good;
 }
 
 DeviceCondition condition_of(const FlowFacts& facts) {
@@ -29,19 +29,20 @@ DeviceCondition condition_of(const FlowFacts& facts) {
     case Connection::closing: return Condition::saving;
     case Connection::open: break;
   }
-  if (facts.stage == Stage::finished)
+  if (facts.stage == session::Stage::finished)
     return facts.recorded ? Condition::recording_over : Condition::gone;
   if (facts.anything_arrived && facts.health.state == DeviceState::faulted)
     return Condition::faulted;
   if (facts.frozen) return Condition::frozen;
   if (!facts.anything_arrived) return Condition::waiting;
-  const bool zeroing = facts.stage == Stage::zeroing || facts.zero_asked;
-  if (zero_of(facts) == ZeroStanding::outdated && !zeroing) return Condition::outdated;
+  const bool zeroing = facts.stage == session::Stage::zeroing || facts.zero_asked;
+  if (zero_of(facts) == session::ZeroStanding::outdated && !zeroing) return Condition::outdated;
   // A restart is told for some seconds; a zero that was set meanwhile is the answer to it.
   const bool answered = facts.health.fault == DeviceFault::restarted &&
                         (zeroing || (has_zero(facts) && !facts.recorded));
   if (facts.health.fault != DeviceFault::none && !answered) return Condition::degraded;
-  if (facts.stage == Stage::paused && facts.pause_cause == PauseCause::missing_samples)
+  if (facts.stage == session::Stage::paused &&
+      facts.pause_cause == session::PauseCause::missing_samples)
     return Condition::gap;
   if (zeroing) return Condition::zeroing;
   return has_zero(facts) ? Condition::ready : Condition::no_zero;
@@ -120,8 +121,8 @@ Situation between_trials(const FlowFacts& facts) {
   if (!facts.recorded && !facts.zero_refusal.empty()) return Situation::zero_refused;
   if (!has_zero(facts)) {
     if (!facts.stop_reason.empty()) return Situation::stop_work;  // nobody comes back for it
-    return zero_of(facts) == ZeroStanding::outdated ? Situation::zero_outdated
-                                                    : Situation::zero_missing;
+    return zero_of(facts) == session::ZeroStanding::outdated ? Situation::zero_outdated
+                                                             : Situation::zero_missing;
   }
   // Also of a hand whose work is over.
   if (facts.straps_due && !facts.recorded) return Situation::straps_due;
@@ -135,14 +136,14 @@ Situation in_session(const FlowFacts& facts, DeviceCondition condition) {
   if (mood_of(condition) == Mood::fault) return Situation::device_fault;
   if (condition == DeviceCondition::waiting) return Situation::wait_for_forces;
   switch (facts.stage) {
-    case Stage::zeroing: return Situation::zeroing;
-    case Stage::trial: return Situation::in_trial;
-    case Stage::paused:
-      if (facts.pause_cause == PauseCause::therapist) return Situation::paused;
+    case session::Stage::zeroing: return Situation::zeroing;
+    case session::Stage::trial: return Situation::in_trial;
+    case session::Stage::paused:
+      if (facts.pause_cause == session::PauseCause::therapist) return Situation::paused;
       return facts.health.fault == DeviceFault::none && !facts.at_rest ? Situation::let_go
                                                                        : Situation::paused_by_fault;
-    case Stage::idle:
-    case Stage::finished: break;
+    case session::Stage::idle:
+    case session::Stage::finished: break;
   }
   return facts.zero_asked ? Situation::zeroing : between_trials(facts);
 }
@@ -358,7 +359,8 @@ bool ends_here(Situation situation) {
 
 void decide_acts_between(const FlowFacts& facts, bool sound, FlowView& view) {
   const bool open = facts.connection == Connection::open;
-  const bool quiet = open && facts.stage == Stage::idle && !facts.starting && !facts.zero_asked;
+  const bool quiet =
+      open && facts.stage == session::Stage::idle && !facts.starting && !facts.zero_asked;
   const bool ready = quiet && sound;
   const bool zero = has_zero(facts);
   view.may_zero = ready && !facts.recorded;
@@ -366,10 +368,10 @@ void decide_acts_between(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_check = view.may_zero;
   view.may_strap = view.may_zero && zero && (!facts.strapped || facts.straps_due);
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
-  view.may_show_how = view.may_choose_task && facts.task_chosen && !facts.recorded &&
-                      facts.connection != Connection::opening &&
-                      facts.connection != Connection::closing && facts.stage != Stage::zeroing &&
-                      facts.stage != Stage::finished;
+  view.may_show_how =
+      view.may_choose_task && facts.task_chosen && !facts.recorded &&
+      facts.connection != Connection::opening && facts.connection != Connection::closing &&
+      facts.stage != session::Stage::zeroing && facts.stage != session::Stage::finished;
   view.may_begin = ready && obstacle_of(facts) == Obstacle::none;
   view.may_start = view.may_begin || (ready && may_arm(facts));
   view.may_repeat = ready && zero && facts.last_kind &&
@@ -383,9 +385,9 @@ void decide_acts_between(const FlowFacts& facts, bool sound, FlowView& view) {
 
 Obstacle obstacle_of(const FlowFacts& facts) {
   if (facts.connection != Connection::open) return Obstacle::no_device;
-  if (facts.stage == Stage::finished) return Obstacle::recording_over;
+  if (facts.stage == session::Stage::finished) return Obstacle::recording_over;
   if (!has_zero(facts)) return Obstacle::no_zero;
-  if (facts.stage == Stage::zeroing || facts.zero_asked) return Obstacle::zeroing;
+  if (facts.stage == session::Stage::zeroing || facts.zero_asked) return Obstacle::zeroing;
   if (in_trial(facts)) return Obstacle::trial_runs;
   const auto& protocol = facts.protocol;
   if (protocol.active && protocol.act == ProtocolFacts::Act::none) return Obstacle::protocol_over;
@@ -427,18 +429,18 @@ FlowView judge(const FlowFacts& facts) {
   view.may_connect = facts.database_open && closed && before_session(facts) == Situation::connect;
   view.may_cancel_connecting = facts.connection == Connection::opening;
   view.may_disconnect =
-      open && !in_trial(facts) && facts.stage != Stage::zeroing && !facts.zero_asked;
+      open && !in_trial(facts) && facts.stage != session::Stage::zeroing && !facts.zero_asked;
   decide_acts_between(facts, sound, view);
   view.must_stand_by = view.device_mood == Mood::fault || facts.straps_due || !has_zero(facts) ||
                        !facts.zero_refusal.empty();
-  view.may_pause = open && facts.stage == Stage::trial;
+  view.may_pause = open && facts.stage == session::Stage::trial;
   // After a fault: from rest only, and with a zero that has not moved.
-  view.may_resume = open && facts.stage == Stage::paused && sound &&
-                    (facts.pause_cause == PauseCause::therapist || facts.at_rest);
+  view.may_resume = open && facts.stage == session::Stage::paused && sound &&
+                    (facts.pause_cause == session::PauseCause::therapist || facts.at_rest);
   view.may_stop = open && in_trial(facts);
   view.offers_end = view.may_disconnect && ends_here(view.situation);
   view.press = press_for(view.situation, facts, view);
   return view;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

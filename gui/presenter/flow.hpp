@@ -12,7 +12,7 @@
 #include "gui/library/task_groups.hpp"
 #include "session/acquisition/snapshot.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// The way from an empty chair to a result, in order.
 enum class Step : std::uint8_t { patient, hand, screening, device, zero, rest, work };
@@ -60,8 +60,8 @@ struct FlowFacts {
   bool recorded = false;         ///< a replayed recording: nobody takes a hand out
   bool frozen = false;           ///< no new frame for longer than kFrozenAfter_s
   bool anything_arrived = false;
-  Stage stage = Stage::idle;
-  PauseCause pause_cause = PauseCause::none;
+  session::Stage stage = session::Stage::idle;
+  session::PauseCause pause_cause = session::PauseCause::none;
   bool at_rest = false;  ///< while paused by a fault: the hand has let go, forces look as at rest
   DeviceHealth health;
   bool zeroed = false;
@@ -230,4 +230,4 @@ struct FlowView {
 /// With the words.
 [[nodiscard]] FlowView decide(const FlowFacts& facts);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -4,7 +4,7 @@
 
 #include "gui/presenter/flow.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 enum class Obstacle : std::uint8_t {
   none,
@@ -24,4 +24,4 @@ enum class Obstacle : std::uint8_t {
 };
 [[nodiscard]] Obstacle obstacle_of(const FlowFacts& facts);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -6,7 +6,7 @@
 #include "gui/presenter/flow_start.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -70,7 +70,7 @@ QString settle_words(const FlowFacts& facts) {
 
 QString fault_words(const FlowFacts& facts, const FlowView& view) {
   const auto words = QString::fromStdString(view.device_words);
-  return facts.stage == Stage::trial || facts.stage == Stage::paused
+  return facts.stage == session::Stage::trial || facts.stage == session::Stage::paused
              ? FlowTexts::tr("%1 The trial waits; nothing is lost.").arg(words)
              : words;
 }
@@ -168,7 +168,7 @@ QString words_in_session(Situation situation, const FlowFacts& facts, const Flow
     case Situation::zeroing: return FlowTexts::tr("Setting the zero. Nobody touches the device.");
     case Situation::in_trial: return FlowTexts::tr("Recording: %1.").arg(shown(facts.task_name));
     case Situation::paused: return FlowTexts::tr("Paused. Resume when the patient is ready.");
-    case Situation::paused_by_fault: return shown(describe(facts.pause_cause));
+    case Situation::paused_by_fault: return shown(session::describe(facts.pause_cause));
     case Situation::let_go:
       return FlowTexts::tr(
           "The device works again. The hand lets go; if Resume stays closed, stop, set the zero "
@@ -229,4 +229,4 @@ FlowView decide(const FlowFacts& facts) {
   return view;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 void GuidedCheck::begin(double frame_period_s, Hand hand, std::int64_t frames) {
   check_ = std::make_unique<DeviceCheck>(frame_period_s, hand, std::nullopt);
@@ -16,7 +16,7 @@ void GuidedCheck::stop() {
   if (state_ != State::over) state_ = State::idle;
 }
 
-bool GuidedCheck::look(const Snapshot& snapshot) {
+bool GuidedCheck::look(const session::Snapshot& snapshot) {
   if (state_ != State::empty && state_ != State::pressing) return false;
   const State before = state_;
   const std::size_t found = check_->results().size();
@@ -47,4 +47,4 @@ std::string GuidedCheck::outcome() const {
   return QT_TRANSLATE_NOOP("Texts", "Guided check passed.");
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 #include "device/sensors/device_check.hpp"
 #include "session/acquisition/snapshot.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class GuidedCheck {
  public:
@@ -26,7 +26,7 @@ class GuidedCheck {
   void stop();
   /// The newest snapshot. Snapshots may skip frames: each counts for the time since the one before.
   /// @return something changed that is shown.
-  bool look(const Snapshot& snapshot);
+  bool look(const session::Snapshot& snapshot);
 
   [[nodiscard]] State state() const noexcept { return state_; }
   /// What to do now, for the therapist. @pre state() is empty or pressing
@@ -44,4 +44,4 @@ class GuidedCheck {
   std::int64_t frames_ = 0;  ///< of the newest snapshot
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

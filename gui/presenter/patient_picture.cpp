@@ -9,7 +9,7 @@
 #include "gui/words/cue_words.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -46,7 +46,7 @@ Pose moved(const ObjectState& state, double ahead_s) {
 }
 
 FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) {
-  const Snapshot& now = facts.snapshot;
+  const session::Snapshot& now = facts.snapshot;
   const auto f = index_of(contact.finger);
   FingerPicture finger;
   finger.shown = true;
@@ -70,15 +70,15 @@ bool is_held(const PatientFacts& facts, const PatientPicture& picture) {
     return (picture.object.p_WO - picture.target.p_WO).norm() <= spec.position_tolerance_m &&
            angle_between(picture.object.q_WO, picture.target.q_WO) <= spec.angle_tolerance_rad;
   };
-  if (const auto* spec = std::get_if<PickPlaceSpec>(&facts.task->kind)) return near(*spec);
-  const auto* spec = std::get_if<PoseTargetsSpec>(&facts.task->kind);
+  if (const auto* spec = std::get_if<tasks::PickPlaceSpec>(&facts.task->kind)) return near(*spec);
+  const auto* spec = std::get_if<tasks::PoseTargetsSpec>(&facts.task->kind);
   const auto target = static_cast<std::size_t>(facts.snapshot.task.target_index);
   return spec != nullptr && target < spec->targets.size() && spec->targets[target].hold_s > 0.0 &&
          near(*spec);
 }
 
 void add_object(const PatientFacts& facts, PatientPicture& picture) {
-  const Snapshot& now = facts.snapshot;
+  const session::Snapshot& now = facts.snapshot;
   picture.page = Page::object;
   picture.scene = facts.scene;
   picture.object = moved(now.object, facts.ahead_s);
@@ -105,18 +105,18 @@ void say(PatientPicture& picture, Sign sign, CueWords words) {
 }
 
 void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
-  const TaskView& task = facts.snapshot.task;
-  if (std::holds_alternative<PoseTrackingSpec>(facts.task->kind))
+  const tasks::TaskView& task = facts.snapshot.task;
+  if (std::holds_alternative<tasks::PoseTrackingSpec>(facts.task->kind))
     return say(picture, Sign::wait, PictureTexts::tr("Stay on the outline"),
                PictureTexts::tr("It moves: go with it"));
   if (task.target_count == 0) return say(picture, Sign::wait, shown(facts.task->instruction));
   picture.progress = static_cast<double>(task.targets_reached) / task.target_count;
   if (task.cue == Cue::let_go)
     return say(picture, Sign::wait, PictureTexts::tr("Let go"), PictureTexts::tr("Leave it there"));
-  if (task.phase == Phase::hold && picture.hold_fraction > 0.0)
+  if (task.phase == tasks::Phase::hold && picture.hold_fraction > 0.0)
     return say(picture, Sign::wait, PictureTexts::tr("Hold it still"),
                PictureTexts::tr("Until the ring is full"));
-  if (std::holds_alternative<PickPlaceSpec>(facts.task->kind))
+  if (std::holds_alternative<tasks::PickPlaceSpec>(facts.task->kind))
     return say(picture, Sign::wait, PictureTexts::tr("Bring it to the outline"),
                PictureTexts::tr("Take it and carry it there"));
   say(picture, Sign::wait, words_for(Cue::move, task.channel, facts.hand));
@@ -145,7 +145,7 @@ void add_rest(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_directions(const PatientFacts& facts, PatientPicture& picture) {
-  const TaskView& task = facts.snapshot.task;
+  const tasks::TaskView& task = facts.snapshot.task;
   picture.page = Page::directions;
   picture.digits_N = facts.preview == nullptr ? 0.0 : facts.preview->digits_N;
   for (std::size_t f = 0; f < kFingerCount; ++f)
@@ -164,7 +164,7 @@ void add_directions(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_follow(const PatientFacts& facts, PatientPicture& picture) {
-  const TaskView& task = facts.snapshot.task;
+  const tasks::TaskView& task = facts.snapshot.task;
   picture.page = Page::tracking;
   say(picture, Sign::act, words_for(Cue::follow, task.channel, facts.hand));
   if (!task.force_shown) {
@@ -174,16 +174,17 @@ void add_follow(const PatientFacts& facts, PatientPicture& picture) {
   const auto segment = static_cast<std::size_t>(task.segment);
   const bool steady = facts.preview != nullptr && segment < facts.preview->parts.size() &&
                       facts.preview->parts[segment].steady;
-  if (task.phase == Phase::lead_in && std::holds_alternative<ForceTrackingSpec>(facts.task->kind))
+  if (task.phase == tasks::Phase::lead_in &&
+      std::holds_alternative<tasks::ForceTrackingSpec>(facts.task->kind))
     picture.detail = PictureTexts::tr("Get ready").toStdString();
-  else if (task.phase == Phase::hold)
+  else if (task.phase == tasks::Phase::hold)
     picture.detail = PictureTexts::tr("Hold it and wait for the word").toStdString();
   else if (steady)
     picture.detail = PictureTexts::tr("Hold it steady on the line").toStdString();
 }
 
 void add_force(const PatientFacts& facts, PatientPicture& picture) {
-  const TaskView& task = facts.snapshot.task;
+  const tasks::TaskView& task = facts.snapshot.task;
   const auto words = [&] { return words_for(task.cue, task.channel, facts.hand); };
   switch (task.cue) {
     case Cue::relax: return add_rest(facts, picture);
@@ -207,7 +208,7 @@ void add_force(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_trial(const PatientFacts& facts, PatientPicture& picture) {
-  const TaskView& task = facts.snapshot.task;
+  const tasks::TaskView& task = facts.snapshot.task;
   picture.hand = facts.hand;
   picture.channel = task.channel;
   picture.force_shown = task.force_shown;
@@ -215,7 +216,7 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   picture.line_shown = task.force_target_shown;
   if (task.force_target_shown) picture.target_N = task.target_force_N;
   picture.task_time_s = task.task_time_s + facts.ahead_s;
-  const auto* maximum = std::get_if<MaximumSpec>(&facts.task->kind);
+  const auto* maximum = std::get_if<tasks::MaximumSpec>(&facts.task->kind);
   const bool of_grip = maximum != nullptr && maximum->channel == ForceChannel{};
   picture.full_N = of_grip ? kFullGrip_N : kFullOther_N;
   if (facts.preview != nullptr && facts.preview->has_target())
@@ -243,11 +244,11 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_idle(const PatientFacts& facts, PatientPicture& picture) {
-  const Snapshot& now = facts.snapshot;
+  const session::Snapshot& now = facts.snapshot;
   if (!facts.session_open || now.frames == 0)
     return say(picture, Sign::wait, PictureTexts::tr("Welcome"),
                PictureTexts::tr("We will begin in a moment."));
-  if (now.stage == Stage::zeroing)
+  if (now.stage == session::Stage::zeroing)
     return say(picture, Sign::hand_out, PictureTexts::tr("Hands off, please"),
                PictureTexts::tr("The device measures itself."));
   if (facts.just_completed && facts.just_missed) {
@@ -266,9 +267,9 @@ void add_idle(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_notice(const PatientFacts& facts, PatientPicture& picture) {
-  const Snapshot& now = facts.snapshot;
-  const bool paused = now.stage == Stage::paused;
-  const bool by_fault = paused && now.pause_cause != PauseCause::therapist;
+  const session::Snapshot& now = facts.snapshot;
+  const bool paused = now.stage == session::Stage::paused;
+  const bool by_fault = paused && now.pause_cause != session::PauseCause::therapist;
   if (facts.device_fault || facts.broken_off || by_fault) {
     picture.notice = Notice::fault;
     picture.notice_words =
@@ -288,8 +289,9 @@ PatientPicture picture_for(const PatientFacts& facts) {
   picture.example = facts.example;
   picture.published = facts.snapshot.published;
   picture.calm = facts.calm;
-  const Stage stage = facts.snapshot.stage;
-  const bool in_trial = facts.session_open && (stage == Stage::trial || stage == Stage::paused) &&
+  const session::Stage stage = facts.snapshot.stage;
+  const bool in_trial = facts.session_open &&
+                        (stage == session::Stage::trial || stage == session::Stage::paused) &&
                         facts.task != nullptr;
   if (in_trial)
     add_trial(facts, picture);
@@ -300,4 +302,4 @@ PatientPicture picture_for(const PatientFacts& facts) {
   return picture;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/presenter/target_preview.hpp"
 #include "session/acquisition/snapshot.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What the picture depends on. Pointers may be null: nothing of that kind.
 struct PatientFacts {
@@ -21,9 +21,9 @@ struct PatientFacts {
   bool device_fault = false;  ///< also while no trial runs
   bool broken_off = false;    ///< the session could not go on and is closed
   Hand hand = Hand::right;    ///< in the device
-  Snapshot snapshot;
-  std::shared_ptr<const TaskSpec> task;  ///< the running one
-  std::shared_ptr<const Scene> scene;    ///< of that task, turned for the hand
+  session::Snapshot snapshot;
+  std::shared_ptr<const tasks::TaskSpec> task;  ///< the running one
+  std::shared_ptr<const Scene> scene;           ///< of that task, turned for the hand
   std::shared_ptr<const TargetPreview> preview;
   double maximum_force_N = 0.0;
   bool just_completed = false;  ///< the last trial ended well and nothing began since
@@ -107,4 +107,4 @@ inline constexpr double kHalfBandShare = 0.055;
 
 [[nodiscard]] PatientPicture picture_for(const PatientFacts& facts);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

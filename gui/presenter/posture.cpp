@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -86,15 +86,15 @@ QString words_for(PostureItem item, const std::string& value) {
   return words.isEmpty() ? as_stored : words;
 }
 
-std::vector<SessionAnswer> stored(const Posture& posture) {
-  std::vector<SessionAnswer> answers;
+std::vector<storage::SessionAnswer> stored(const Posture& posture) {
+  std::vector<storage::SessionAnswer> answers;
   for (const auto item : kPostureOrder)
     if (!posture.of(item).empty())
       answers.push_back({kPostureTopic, name_of(item), posture.of(item)});
   return answers;
 }
 
-Posture posture_in(const std::vector<SessionAnswer>& answers) {
+Posture posture_in(const std::vector<storage::SessionAnswer>& answers) {
   Posture posture;
   for (const auto& answer : answers)
     for (const auto item : kPostureOrder)
@@ -113,4 +113,4 @@ QString deviations(const Posture& now, const Posture& last) {
   return found.join(QStringLiteral("; "));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

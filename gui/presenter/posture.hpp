@@ -9,7 +9,7 @@
 
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 enum class PostureItem : std::uint8_t {
   seat,
@@ -45,9 +45,9 @@ struct Posture {
 };
 
 /// As stored with the session; what was not said is left out.
-[[nodiscard]] std::vector<SessionAnswer> stored(const Posture& posture);
-[[nodiscard]] Posture posture_in(const std::vector<SessionAnswer>& answers);
+[[nodiscard]] std::vector<storage::SessionAnswer> stored(const Posture& posture);
+[[nodiscard]] Posture posture_in(const std::vector<storage::SessionAnswer>& answers);
 /// "elbow 90° instead of 110°, wrist …"; empty: the same, or nothing to compare with.
 [[nodiscard]] QString deviations(const Posture& now, const Posture& last);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -43,14 +43,15 @@ const char* name_of(ScreenHalf half) noexcept {
   return "";
 }
 
-std::vector<SessionAnswer> stored(const Presentation& presentation) {
-  std::vector<SessionAnswer> answers{{kPresentationTopic, kHalf, name_of(presentation.half)}};
+std::vector<storage::SessionAnswer> stored(const Presentation& presentation) {
+  std::vector<storage::SessionAnswer> answers{
+      {kPresentationTopic, kHalf, name_of(presentation.half)}};
   for (const auto& [item, member] : kPresentationSwitches)
     answers.push_back({kPresentationTopic, item, presentation.*member ? "yes" : "no"});
   return answers;
 }
 
-Presentation presentation_in(const std::vector<SessionAnswer>& answers) {
+Presentation presentation_in(const std::vector<storage::SessionAnswer>& answers) {
   Presentation presentation;
   for (const auto& answer : answers) {
     if (answer.topic != kPresentationTopic) continue;
@@ -98,4 +99,4 @@ ForceAxis with_gain(const ForceAxis& axis, double gain_deg_per_N, const Viewing&
   return {axis.least_N * more, axis.most_N * more};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

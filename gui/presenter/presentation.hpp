@@ -11,7 +11,7 @@
 #include "gui/presenter/target_preview.hpp"
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct Presentation {
   /// Where everything stands, for somebody who does not see or mind the other side.
@@ -27,9 +27,9 @@ struct Presentation {
 
 [[nodiscard]] const char* name_of(Presentation::Half half) noexcept;
 /// As stored with the session.
-[[nodiscard]] std::vector<SessionAnswer> stored(const Presentation& presentation);
+[[nodiscard]] std::vector<storage::SessionAnswer> stored(const Presentation& presentation);
 /// From a session's answers; what is not among them is as usual.
-[[nodiscard]] Presentation presentation_in(const std::vector<SessionAnswer>& answers);
+[[nodiscard]] Presentation presentation_in(const std::vector<storage::SessionAnswer>& answers);
 /// "left half, calm, sounds"; empty: as usual.
 [[nodiscard]] QString summary(const Presentation& presentation);
 
@@ -57,4 +57,4 @@ inline constexpr double kFieldShare = 0.60;
 [[nodiscard]] ForceAxis with_gain(const ForceAxis& axis, double gain_deg_per_N,
                                   const Viewing& viewing) noexcept;
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -7,9 +7,9 @@
 #include "gui/words/texts.hpp"
 #include "tasks/agenda.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
-using Kind = ProtocolWalk::Act::Kind;
+using Kind = session::ProtocolWalk::Act::Kind;
 
 namespace {
 
@@ -18,7 +18,7 @@ struct GuideTexts {
 };
 
 /// "Maximum grip force and 4 more"
-std::string title_of(const std::vector<TaskSpec>& tasks) {
+std::string title_of(const std::vector<tasks::TaskSpec>& tasks) {
   const auto first = shown(tasks.front().name);
   if (tasks.size() == 1) return first.toStdString();
   return GuideTexts::tr("%1 and %n more", "", static_cast<int>(tasks.size()) - 1)
@@ -28,11 +28,11 @@ std::string title_of(const std::vector<TaskSpec>& tasks) {
 
 }  // namespace
 
-void ProtocolGuide::begin(const ReadyProtocol& protocol, const EarlierWork& earlier,
-                          std::uint64_t order_seed) {
+void ProtocolGuide::begin(const session::ReadyProtocol& protocol,
+                          const session::EarlierWork& earlier, std::uint64_t order_seed) {
   end();
-  protocol_ = std::make_unique<const ReadyProtocol>(protocol);
-  walk_ = std::make_unique<ProtocolWalk>(*protocol_, earlier, order_seed);
+  protocol_ = std::make_unique<const session::ReadyProtocol>(protocol);
+  walk_ = std::make_unique<session::ProtocolWalk>(*protocol_, earlier, order_seed);
   name_ = protocol_->spec.name;
   look(0.0);
 }
@@ -47,14 +47,15 @@ void ProtocolGuide::end() {
 }
 
 bool ProtocolGuide::rest_is_next() const {
-  return act_ && act_->kind == Kind::trial && std::holds_alternative<RestSpec>(act_->task->kind);
+  return act_ && act_->kind == Kind::trial &&
+         std::holds_alternative<tasks::RestSpec>(act_->task->kind);
 }
 
 bool ProtocolGuide::asks_rest() const {
   if (!act_) return false;
   for (std::size_t i = act_->step; i < protocol_->tasks.size(); ++i)
-    for (const TaskSpec& spec : protocol_->tasks[i])
-      if (std::holds_alternative<RestSpec>(spec.kind)) return true;
+    for (const tasks::TaskSpec& spec : protocol_->tasks[i])
+      if (std::holds_alternative<tasks::RestSpec>(spec.kind)) return true;
   return false;
 }
 
@@ -62,17 +63,17 @@ std::vector<ProtocolGuide::Row> ProtocolGuide::rows() const {
   std::vector<Row> rows;
   if (!active()) return rows;
   for (std::size_t i = 0; i < protocol_->spec.steps.size(); ++i) {
-    const ProtocolStep& step = protocol_->spec.steps[i];
+    const tasks::ProtocolStep& step = protocol_->spec.steps[i];
     Row row;
     switch (step.kind) {
-      case ProtocolStep::Kind::instrument_zero:
+      case tasks::ProtocolStep::Kind::instrument_zero:
         row.title = GuideTexts::tr("Zero, device empty").toStdString();
         break;
-      case ProtocolStep::Kind::pause:
+      case tasks::ProtocolStep::Kind::pause:
         row.title =
             GuideTexts::tr("Pause, %1 s").arg(static_cast<int>(step.duration_s)).toStdString();
         break;
-      case ProtocolStep::Kind::task:
+      case tasks::ProtocolStep::Kind::task:
         row.title = title_of(protocol_->tasks[i]);
         row.count = step.repetitions * static_cast<int>(protocol_->tasks[i].size());
         row.practice = step.practice;
@@ -99,7 +100,7 @@ double ProtocolGuide::start_in_s(double session_time_s) const {
   if (!act_ || act_->kind != Kind::trial) return in_s;
   const bool known =
       std::find(instructed_.begin(), instructed_.end(), act_->task->file) != instructed_.end();
-  if (!known) in_s = std::max(in_s, act_since_s_ + kInstruction_s - session_time_s);
+  if (!known) in_s = std::max(in_s, act_since_s_ + tasks::kInstruction_s - session_time_s);
   return in_s;
 }
 
@@ -117,10 +118,10 @@ void ProtocolGuide::zeroed(double session_time_s) {
   look(session_time_s);
 }
 
-void ProtocolGuide::trial_ended(const TrialOutcome& outcome, double session_time_s) {
+void ProtocolGuide::trial_ended(const session::TrialOutcome& outcome, double session_time_s) {
   if (!act_ || act_->kind != Kind::trial) return;
   if (outcome.trial.place != act_->place || outcome.trial.task_name != act_->task->name) return;
-  if (outcome.trial.status != TrialStatus::completed) {
+  if (outcome.trial.status != storage::TrialStatus::completed) {
     goes_on_ = false;
     return;
   }
@@ -146,4 +147,4 @@ void ProtocolGuide::tick(double session_time_s) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 #include "session/library.hpp"
 #include "session/protocol/protocol_walk.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ProtocolGuide {
  public:
@@ -26,12 +26,15 @@ class ProtocolGuide {
   };
 
   /// From the beginning, or from where `earlier` ended. Stands by until go_on(true).
-  void begin(const ReadyProtocol& protocol, const EarlierWork& earlier, std::uint64_t order_seed);
+  void begin(const session::ReadyProtocol& protocol, const session::EarlierWork& earlier,
+             std::uint64_t order_seed);
   void end();
 
   [[nodiscard]] bool active() const noexcept { return walk_ != nullptr; }
   /// Nothing: the protocol is over, or there is none.
-  [[nodiscard]] const std::optional<ProtocolWalk::Act>& act() const noexcept { return act_; }
+  [[nodiscard]] const std::optional<session::ProtocolWalk::Act>& act() const noexcept {
+    return act_;
+  }
   [[nodiscard]] bool over() const noexcept { return active() && !act_; }
   /// The next trial is the resting force.
   [[nodiscard]] bool rest_is_next() const;
@@ -54,7 +57,7 @@ class ProtocolGuide {
   void zeroed(double session_time_s);  ///< an accepted instrument zero
   /// Of the act; other trials (chosen by hand) do not count. One that was not completed is asked
   /// again, and nothing begins by itself until somebody says so.
-  void trial_ended(const TrialOutcome& outcome, double session_time_s);
+  void trial_ended(const session::TrialOutcome& outcome, double session_time_s);
   void skip(double session_time_s);  ///< the act, with all further attempts at its task
   void tick(double session_time_s);  ///< pauses end by time
 
@@ -65,9 +68,9 @@ class ProtocolGuide {
  private:
   void look(double session_time_s);
 
-  std::unique_ptr<const ReadyProtocol> protocol_;
-  std::unique_ptr<ProtocolWalk> walk_;
-  std::optional<ProtocolWalk::Act> act_;
+  std::unique_ptr<const session::ReadyProtocol> protocol_;
+  std::unique_ptr<session::ProtocolWalk> walk_;
+  std::optional<session::ProtocolWalk::Act> act_;
   std::string name_;
   std::vector<std::string> instructed_;  ///< tasks whose instruction was read
   double act_since_s_ = 0.0;
@@ -76,4 +79,4 @@ class ProtocolGuide {
   bool rating_due_ = false;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

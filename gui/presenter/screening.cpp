@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -56,20 +56,21 @@ QString details_of(Caution caution) {
   return {};
 }
 
-std::vector<SessionAnswer> stored(const Screening& screening) {
+std::vector<storage::SessionAnswer> stored(const Screening& screening) {
   constexpr const char* kTopic = "screening";
-  std::vector<SessionAnswer> answers;
+  std::vector<storage::SessionAnswer> answers;
   for (const Caution caution : kCautions)
     answers.push_back({kTopic, name_of(caution), applies(screening, caution) ? "yes" : "no"});
   answers.push_back({kTopic, "pain", std::to_string(*screening.pain)});
   return answers;
 }
 
-std::optional<Effort> suggested(const Screening& screening) {
+std::optional<tasks::Effort> suggested(const Screening& screening) {
   if (!screening.pain) return std::nullopt;
-  if (applies(screening, Caution::injury) || *screening.pain >= kTooMuchPain) return Effort::none;
-  if (applies(screening, Caution::no_clearance)) return Effort::comfortable;
-  return Effort::maximum;
+  if (applies(screening, Caution::injury) || *screening.pain >= kTooMuchPain)
+    return tasks::Effort::none;
+  if (applies(screening, Caution::no_clearance)) return tasks::Effort::comfortable;
+  return tasks::Effort::maximum;
 }
 
 QString advice(const Screening& screening) {
@@ -83,19 +84,19 @@ QString advice(const Screening& screening) {
   return sentences.join(QLatin1Char(' '));
 }
 
-QString words_for(Effort effort) {
+QString words_for(tasks::Effort effort) {
   switch (effort) {
-    case Effort::maximum: return ScreeningTexts::tr("Maximum allowed");
-    case Effort::comfortable: return ScreeningTexts::tr("Comfortable force only");
-    case Effort::none: return ScreeningTexts::tr("No force");
+    case tasks::Effort::maximum: return ScreeningTexts::tr("Maximum allowed");
+    case tasks::Effort::comfortable: return ScreeningTexts::tr("Comfortable force only");
+    case tasks::Effort::none: return ScreeningTexts::tr("No force");
   }
   return {};
 }
 
 QString summary(const Screening& screening) {
   if (!screening.complete()) return {};
-  const auto effort = *screening.allowed == Effort::maximum ? ScreeningTexts::tr("maximum")
-                      : *screening.allowed == Effort::comfortable
+  const auto effort = *screening.allowed == tasks::Effort::maximum ? ScreeningTexts::tr("maximum")
+                      : *screening.allowed == tasks::Effort::comfortable
                           ? ScreeningTexts::tr("comfortable")
                           : ScreeningTexts::tr("no force");
   const auto words = ScreeningTexts::tr("%1, pain %2").arg(effort).arg(*screening.pain);
@@ -103,4 +104,4 @@ QString summary(const Screening& screening) {
   return ScreeningTexts::tr("%1, ≤ %2 N").arg(words).arg(*screening.ceiling_N, 0, 'f', 0);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "storage/records/session_store.hpp"
 #include "tasks/references.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// Reasons to ask for less, in the order in which they are shown.
 enum class Caution : std::uint8_t {
@@ -33,9 +33,9 @@ inline constexpr std::array<Caution, kCautionCount> kCautions{
 
 struct Screening {
   std::array<bool, kCautionCount> applies{};
-  std::optional<int> pain;          ///< now, at rest, 0 to 10; nothing: not asked yet
-  std::optional<Effort> allowed;    ///< the therapist's decision; nothing: not made yet
-  std::optional<double> ceiling_N;  ///< no target may exceed it
+  std::optional<int> pain;               ///< now, at rest, 0 to 10; nothing: not asked yet
+  std::optional<tasks::Effort> allowed;  ///< the therapist's decision; nothing: not made yet
+  std::optional<double> ceiling_N;       ///< no target may exceed it
 
   [[nodiscard]] bool complete() const noexcept { return pain && allowed; }
   friend bool operator==(const Screening&, const Screening&) = default;
@@ -45,15 +45,15 @@ struct Screening {
 inline constexpr int kTooMuchPain = 4;
 
 /// As stored with the session. @pre screening.complete()
-[[nodiscard]] std::vector<SessionAnswer> stored(const Screening& screening);
+[[nodiscard]] std::vector<storage::SessionAnswer> stored(const Screening& screening);
 
 /// What the answers suggest; nothing while the pain is not known.
-[[nodiscard]] std::optional<Effort> suggested(const Screening& screening);
+[[nodiscard]] std::optional<tasks::Effort> suggested(const Screening& screening);
 /// What to mind in the session; empty: nothing.
 [[nodiscard]] QString advice(const Screening& screening);
 /// "Maximum allowed", "Comfortable force only", "No force".
-[[nodiscard]] QString words_for(Effort effort);
+[[nodiscard]] QString words_for(tasks::Effort effort);
 /// "maximum, pain 0, ≤ 40 N"
 [[nodiscard]] QString summary(const Screening& screening);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

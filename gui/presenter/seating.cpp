@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -12,7 +12,8 @@ struct LastTime {
   std::optional<Presentation> presentation;
 };
 
-LastTime read_last_time(SessionStore& store, const std::string& code, std::optional<Hand> hand) {
+LastTime read_last_time(storage::SessionStore& store, const std::string& code,
+                        std::optional<Hand> hand) {
   LastTime last;
   const auto patient = store.find_patient(code);
   if (!patient || !*patient) return last;
@@ -54,7 +55,8 @@ void Seating::look(const std::string& code, std::optional<Hand> hand) {
   Q_EMIT changed();
   if (code.empty()) return;
   (void)clinic_.read(
-      this, [code, hand](SessionStore& store) { return read_last_time(store, code, hand); },
+      this,
+      [code, hand](storage::SessionStore& store) { return read_last_time(store, code, hand); },
       [this, lookup](LastTime last) {
         if (lookup != lookups_) return;
         last_posture_ = last.posture.value_or(Posture{});
@@ -78,4 +80,4 @@ void Seating::say_presentation(const Presentation& presentation) {
   Q_EMIT changed();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/presenter/presentation.hpp"
 #include "hand/finger.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class Seating final : public QObject {
   Q_OBJECT
@@ -47,4 +47,4 @@ class Seating final : public QObject {
   bool presentation_said_ = false;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

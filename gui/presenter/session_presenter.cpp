@@ -10,7 +10,7 @@
 #include "gui/words/texts.hpp"
 #include "session/trial_setup.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -26,8 +26,9 @@ std::string sentence_of(const Error& error) {
 }
 
 /// The first force that the task is scaled to and that was not measured, in words; empty: none.
-std::string lack_of(const TaskSpec& spec, const ForceReferences& references) {
-  for (const Scale scale : {Scale::of_maximum, Scale::of_comfortable, Scale::of_baseline})
+std::string lack_of(const tasks::TaskSpec& spec, const tasks::ForceReferences& references) {
+  for (const tasks::Scale scale :
+       {tasks::Scale::of_maximum, tasks::Scale::of_comfortable, tasks::Scale::of_baseline})
     for (const ForceChannel channel : spec.channels_needed(scale)) {
       const auto unit = references.unit_N(scale, channel, spec.largest_level());
       if (!unit) return sentence_of(unit.error());
@@ -45,7 +46,8 @@ SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic,
       settings_(settings),
       seating_(clinic),
       device_uri_(config.device_uri) {
-  take_library(read_session_library(config_.library, own_library_folder(config_.database)));
+  take_library(
+      read_session_library(config_.library, session::own_library_folder(config_.database)));
   select_first(TaskKind::rest);
   connect(&clinic_, &Clinic::opened, this, &SessionPresenter::update);
   connect(&clinic_, &Clinic::open_failed, this, [this](const QString& why) {
@@ -63,8 +65,9 @@ SessionPresenter::~SessionPresenter() = default;
 
 void SessionPresenter::select_first(TaskKind kind) {
   const auto& tasks = library_.tasks;
-  const auto found = std::find_if(tasks.begin(), tasks.end(),
-                                  [&](const TaskSpec& spec) { return kind_of(spec) == kind; });
+  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const tasks::TaskSpec& spec) {
+    return kind_of(spec) == kind;
+  });
   if (found != tasks.end()) task_ = static_cast<int>(found - tasks.begin());
   look_at_task();
 }
@@ -73,7 +76,7 @@ void SessionPresenter::select_first(TaskKind kind) {
 void SessionPresenter::select_task_after_maximum() {
   const auto& references = session_->references();
   const auto& tasks = library_.tasks;
-  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const TaskSpec& spec) {
+  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const tasks::TaskSpec& spec) {
     return kind_of(spec) == TaskKind::force_tracking && lack_of(spec, references).empty();
   });
   if (found != tasks.end()) task_ = static_cast<int>(found - tasks.begin());
@@ -89,7 +92,7 @@ void SessionPresenter::look_at_task() {
   task_lacks_ = lack_of(*spec, session_->references());
 }
 
-const TaskSpec* SessionPresenter::next_task() const noexcept {
+const tasks::TaskSpec* SessionPresenter::next_task() const noexcept {
   if (follows()) return act_task_ ? &*act_task_ : nullptr;
   if (session_ == nullptr && has_protocol()) return nullptr;  // the protocol will say
   return task_ < 0 ? nullptr : &library_.tasks[static_cast<std::size_t>(task_)];
@@ -113,7 +116,7 @@ FlowFacts SessionPresenter::facts() const {
   if (session_ != nullptr) {
     facts.anything_arrived = snapshot_.frames > 0;
     const Timestamp now = clock_.now();
-    facts.frozen = snapshot_.stage != Stage::finished &&
+    facts.frozen = snapshot_.stage != session::Stage::finished &&
                    (facts.anything_arrived ? to_seconds(now - snapshot_.published) > kFrozenAfter_s
                                            : to_seconds(now - opened_) > kFirstFrameWithin_s);
     facts.stage = snapshot_.stage;
@@ -137,7 +140,7 @@ FlowFacts SessionPresenter::facts() const {
   facts.task_done = task_done_;
   facts.zero_asked = zero_asked_;
   // From the press of Start until the trial's outcome is stored, with the trial itself in between.
-  facts.starting = starting_ || (running_ != nullptr && facts.stage == Stage::idle);
+  facts.starting = starting_ || (running_ != nullptr && facts.stage == session::Stage::idle);
   facts.stop_reason = stop_reason_.empty() ? limits_.reason_to_stop().value_or("") : stop_reason_;
   if (follows()) facts.protocol = protocol_facts();
   if (last_task_) facts.last_kind = kind_of(*last_task_);
@@ -190,7 +193,8 @@ bool SessionPresenter::hand_to_confirm() const noexcept {
   const auto& file = clinic_.file();
   if (!hand_ || hand_confirmed_ || connection_ != Connection::none) return false;
   if (!file || clinic_.file_of() != patient_) return false;
-  return file->profile.affected == (*hand_ == Hand::right ? Side::left : Side::right);
+  return file->profile.affected ==
+         (*hand_ == Hand::right ? storage::Side::left : storage::Side::right);
 }
 
 /// Whoever goes on with the next session has read why the last one ended.
@@ -238,7 +242,7 @@ void SessionPresenter::set_practice(bool practice) {
 void SessionPresenter::connect_device() {
   if (!view_.may_connect) return;
   example_.stop();
-  SessionConfig config;
+  session::SessionConfig config;
   config.database = config_.database;
   config.patient_code = patient_;
   config.hand = *hand_;
@@ -266,11 +270,11 @@ void SessionPresenter::connect_device() {
   lost_.reset();
   forget_failure();
   opening_ = {};
-  using Opened = Result<std::unique_ptr<Session>>;
+  using Opened = Result<std::unique_ptr<session::Session>>;
   worker_.run(
       [config, stop = opening_.get_token()]() -> Opened {
         if (stop.stop_requested()) return cancelled();
-        auto opened = Session::open(config);
+        auto opened = session::Session::open(config);
         if (stop.stop_requested()) return cancelled();
         return opened;
       },
@@ -303,7 +307,7 @@ void SessionPresenter::cancel_connecting() {
   Q_EMIT settled();
 }
 
-void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
+void SessionPresenter::begin_session(std::unique_ptr<session::Session> session) {
   session_ = std::move(session);
   opened_ = clock_.now();
   connection_ = Connection::open;
@@ -339,7 +343,7 @@ void SessionPresenter::begin_session(std::unique_ptr<Session> session) {
 /// The hand has worked before the session was interrupted.
 void SessionPresenter::take_earlier_work() {
   for (const auto& [trial, measures, ended_s] : session_->earlier().trials) {
-    const auto spec = parse_task(trial.task_text, trial.task_name);
+    const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
     if (spec && kind_of(*spec) != TaskKind::rest)
       limits_.worked(static_cast<double>(trial.samples) / session_->record().rate_Hz);
     if (!trial.practice && !trial.helped) limits_.tried(measures);
@@ -356,9 +360,9 @@ void SessionPresenter::end_session() {
 }
 
 template <class Closed>
-void SessionPresenter::close_on_worker(std::unique_ptr<Session> session, Closed closed) {
+void SessionPresenter::close_on_worker(std::unique_ptr<session::Session> session, Closed closed) {
   worker_.run(
-      [leaving = std::make_shared<std::unique_ptr<Session>>(std::move(session))] {
+      [leaving = std::make_shared<std::unique_ptr<session::Session>>(std::move(session))] {
         (*leaving)->close();
         auto lost = (*leaving)->failure();
         leaving->reset();
@@ -398,10 +402,10 @@ void SessionPresenter::close_session(const std::string& why) {
 void SessionPresenter::keep_broken_trial(const std::string& why) {
   room_.begin();
   if (running_ == nullptr) return;
-  last_trial_ = TrialOutcome{};
+  last_trial_ = session::TrialOutcome{};
   last_trial_->trial.task_name = running_->name;
   last_trial_->trial.practice = last_practice_;
-  last_trial_->trial.status = TrialStatus::interrupted;
+  last_trial_->trial.status = storage::TrialStatus::interrupted;
   last_trial_->reason = why;
   last_trial_->measures = live_score_;
   Q_EMIT score_changed();
@@ -413,7 +417,7 @@ void SessionPresenter::set_zero(bool accept_changed) {
   zero_refusal_.clear();
   zero_remark_.clear();
   zero_only_changed_ = false;
-  ZeroRequest request;
+  session::ZeroRequest request;
   request.device_is_empty = true;
   request.accept_changed = accept_changed;
   if (auto started = session_->start_zero(request); started) {
@@ -426,7 +430,7 @@ void SessionPresenter::set_zero(bool accept_changed) {
 }
 
 std::string SessionPresenter::realtime() const {
-  return session_ == nullptr ? "" : describe(session_->realtime());
+  return session_ == nullptr ? "" : session::describe(session_->realtime());
 }
 
 void SessionPresenter::start() {
@@ -454,12 +458,12 @@ void SessionPresenter::begin_next() {
   }
 }
 
-Result<void> SessionPresenter::begin_trial(const TaskSpec& spec, bool practice,
-                                           std::optional<TrialPlace> place) {
+Result<void> SessionPresenter::begin_trial(const tasks::TaskSpec& spec, bool practice,
+                                           std::optional<storage::TrialPlace> place) {
   example_.stop();
   zero_refusal_.clear();
   zero_only_changed_ = false;
-  const TaskContext context = session_->next_context();
+  const tasks::TaskContext context = session_->next_context();
   if (auto started = session_->start_trial(spec, practice, place); !started) return started;
   starting_ = true;
   just_completed_ = false;
@@ -476,13 +480,14 @@ Result<void> SessionPresenter::begin_trial(const TaskSpec& spec, bool practice,
   return {};
 }
 
-void SessionPresenter::prepare_picture(const TaskSpec& spec, const TaskContext& context) {
-  running_ = std::make_shared<TaskSpec>(spec);
+void SessionPresenter::prepare_picture(const tasks::TaskSpec& spec,
+                                       const tasks::TaskContext& context) {
+  running_ = std::make_shared<tasks::TaskSpec>(spec);
   preview_ = std::make_shared<TargetPreview>(preview_target(spec, context));
   scene_.reset();
   // The session has just read the same file: a failure here would have been refused there.
-  auto read = read_trial_scene(spec, session_->record().hand, session_->contact_thresholds_N(),
-                               config_.library);
+  auto read = session::read_trial_scene(spec, session_->record().hand,
+                                        session_->contact_thresholds_N(), config_.library);
   if (!read) return refuse(read.error());
   if (read->scene) scene_ = std::make_shared<Scene>(*std::move(read->scene));
 }
@@ -494,7 +499,8 @@ void SessionPresenter::show_how() {
   }
   if (!view_.may_show_how) return;
   guide_.go_on(false);
-  example_.show(*next_task(), session_ == nullptr ? ForceReferences{} : session_->references(),
+  example_.show(*next_task(),
+                session_ == nullptr ? tasks::ForceReferences{} : session_->references(),
                 hand_.value_or(Hand::right), config_.library, [this](const Result<void>& shown) {
                   if (!shown) refuse(shown.error());
                   update();
@@ -539,12 +545,13 @@ void SessionPresenter::poll() {
     remember_fault(health);
     forces_.add(snapshot_);
     watch_compensation();
-    if (snapshot_.stage == Stage::paused)
+    if (snapshot_.stage == session::Stage::paused)
       rest_watch_.add(snapshot_);
     else
       rest_watch_.begin(session_->references().resting_C);
     worst_lateness_s_ = std::max(worst_lateness_s_, snapshot_.lateness_s);
-    const bool running = snapshot_.stage == Stage::trial || snapshot_.stage == Stage::paused;
+    const bool running =
+        snapshot_.stage == session::Stage::trial || snapshot_.stage == session::Stage::paused;
     if (running) starting_ = false;
     if (running) last_view_ = snapshot_.task;
     for (const auto& news : session_->take_news()) {
@@ -568,7 +575,7 @@ void SessionPresenter::poll() {
   Q_EMIT frame();
 }
 
-void SessionPresenter::take(const SessionNews& news) {
+void SessionPresenter::take(const session::SessionNews& news) {
   if (news.zero) {
     zero_asked_ = false;
     zero_refusal_ = news.zero->accepted ? "" : news.zero->reason;
@@ -586,12 +593,12 @@ void SessionPresenter::take(const SessionNews& news) {
   if (news.failure) close_session(shown(*news.failure).toStdString());
 }
 
-void SessionPresenter::take_trial(const TrialOutcome& outcome) {
+void SessionPresenter::take_trial(const session::TrialOutcome& outcome) {
   starting_ = false;
   last_trial_ = outcome;
   live_score_ = outcome.measures;
   if (outcome.rest) rest_words_ = outcome.rest->words;
-  just_completed_ = outcome.trial.status == TrialStatus::completed;
+  just_completed_ = outcome.trial.status == storage::TrialStatus::completed;
   just_missed_ = just_completed_ && last_view_.targets_reached < last_view_.target_count;
   if (just_completed_ && running_ != nullptr) {
     switch (kind_of(*running_)) {
@@ -617,11 +624,12 @@ void SessionPresenter::take_trial(const TrialOutcome& outcome) {
 }
 
 /// Work that should end does not go on by itself.
-void SessionPresenter::watch_limits(const TrialOutcome& outcome) {
+void SessionPresenter::watch_limits(const session::TrialOutcome& outcome) {
   const bool ended_before = limits_.reason_to_stop().has_value();
   if (kind_of(*running_) != TaskKind::rest) limits_.worked(last_view_.task_time_s);
   last_view_ = {};
-  const bool counts = outcome.trial.status == TrialStatus::completed && !outcome.trial.practice;
+  const bool counts =
+      outcome.trial.status == storage::TrialStatus::completed && !outcome.trial.practice;
   limits_.tried(counts ? outcome.measures : std::vector<Measure>{});
   limits_.helped(helped_);
   if (!ended_before && limits_.reason_to_stop()) guide_.go_on(false);
@@ -651,4 +659,4 @@ std::string SessionPresenter::device_description() const {
   return session_ == nullptr ? "" : session_->device().description;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -32,18 +32,18 @@
 #include "session/session.hpp"
 #include "session/work_limits.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct GuiConfig {
   std::string database;
   std::string device_uri;  ///< chosen at start; empty: the therapist chooses
   std::string library;     ///< shipped: folder with tasks/, protocols/ and scenes/
   std::string software_version;
-  std::string operator_name = {};        ///< stored with zero and resting force
-  Realtime realtime = Realtime::prefer;  ///< of the acquisition thread
-  std::string settings = {};             ///< file; empty: nothing is read or kept
-  bool look_only = false;                ///< another program works with the file
-  double settle_after_strapping_s = kSettleAfterStrapping_s;
+  std::string operator_name = {};                          ///< stored with zero and resting force
+  session::Realtime realtime = session::Realtime::prefer;  ///< of the acquisition thread
+  std::string settings = {};                               ///< file; empty: nothing is read or kept
+  bool look_only = false;                                  ///< another program works with the file
+  double settle_after_strapping_s = session::kSettleAfterStrapping_s;
 };
 
 class SessionPresenter final : public QObject {
@@ -115,7 +115,7 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] bool look_only() const noexcept { return config_.look_only; }
 
   [[nodiscard]] const FlowView& view() const noexcept { return view_; }
-  [[nodiscard]] const Snapshot& snapshot() const noexcept { return snapshot_; }
+  [[nodiscard]] const session::Snapshot& snapshot() const noexcept { return snapshot_; }
   [[nodiscard]] const ForceHistory& forces() const noexcept { return forces_; }
   [[nodiscard]] const std::string& patient() const noexcept { return patient_; }
   [[nodiscard]] std::optional<Hand> hand() const noexcept { return hand_; }
@@ -124,7 +124,7 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] const std::string& device_uri() const noexcept { return device_uri_; }
   [[nodiscard]] std::string device_description() const;
   /// What the session measures beside the hand.
-  [[nodiscard]] const Compensation& compensation() const noexcept { return compensation_; }
+  [[nodiscard]] const session::Compensation& compensation() const noexcept { return compensation_; }
   /// Today's maximum grip, if it is known and forces are to be shown as a share of it; else 0 [N].
   [[nodiscard]] double shown_maximum_N() const noexcept;
   /// Of the connected device; null: none.
@@ -135,7 +135,9 @@ class SessionPresenter final : public QObject {
   };
   /// Of the device in this session, oldest first.
   [[nodiscard]] const std::vector<Fault>& faults() const noexcept { return faults_; }
-  [[nodiscard]] const std::vector<TaskSpec>& tasks() const noexcept { return library_.tasks; }
+  [[nodiscard]] const std::vector<tasks::TaskSpec>& tasks() const noexcept {
+    return library_.tasks;
+  }
   /// Files that could not be read, in words.
   [[nodiscard]] const std::vector<std::string>& library_problems() const noexcept {
     return library_.problems;
@@ -143,11 +145,11 @@ class SessionPresenter final : public QObject {
   /// Chosen by hand; -1: the protocol says what comes.
   [[nodiscard]] int task() const noexcept { return follows() ? -1 : task_; }
   /// The task that Start begins, at its level; null: none.
-  [[nodiscard]] const TaskSpec* next_task() const noexcept;
+  [[nodiscard]] const tasks::TaskSpec* next_task() const noexcept;
   /// "Grip force, sine (1 of 2)" of the protocol, or the name of the chosen task.
   [[nodiscard]] std::string next_words() const;
   static constexpr int kByHand = -1;
-  [[nodiscard]] const std::vector<ReadyProtocol>& protocols() const noexcept {
+  [[nodiscard]] const std::vector<session::ReadyProtocol>& protocols() const noexcept {
     return library_.protocols;
   }
   [[nodiscard]] int protocol() const noexcept { return protocol_; }
@@ -181,7 +183,7 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] bool practice() const noexcept { return practice_; }
   /// The protocol asks for a zero of the empty device.
   [[nodiscard]] bool zero_is_next() const noexcept {
-    return guide_.act() && guide_.act()->kind == ProtocolWalk::Act::Kind::instrument_zero;
+    return guide_.act() && guide_.act()->kind == session::ProtocolWalk::Act::Kind::instrument_zero;
   }
   /// What the resting force suggests; empty: not measured yet.
   [[nodiscard]] const std::string& rest_words() const noexcept { return rest_words_; }
@@ -198,7 +200,7 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] bool busy() const noexcept { return connection_ != Connection::none; }
   [[nodiscard]] const std::vector<Measure>& live_score() const noexcept { return live_score_; }
   /// The last trial of this session; nothing: none yet.
-  [[nodiscard]] const std::optional<TrialOutcome>& last_trial() const noexcept {
+  [[nodiscard]] const std::optional<session::TrialOutcome>& last_trial() const noexcept {
     return last_trial_;
   }
   [[nodiscard]] double worst_lateness_s() const noexcept { return worst_lateness_s_; }
@@ -236,11 +238,12 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] ProtocolFacts protocol_facts() const;
   void follow_time();
   void begin_next();
-  [[nodiscard]] Result<TaskSpec> at_chosen_level(const TaskSpec& spec) const;
+  [[nodiscard]] Result<tasks::TaskSpec> at_chosen_level(const tasks::TaskSpec& spec) const;
   void say_smaller_gain(std::optional<double> shown);
   void begin_protocol();
   void look_at_act();
-  Result<void> begin_trial(const TaskSpec& spec, bool practice, std::optional<TrialPlace> place);
+  Result<void> begin_trial(const tasks::TaskSpec& spec, bool practice,
+                           std::optional<storage::TrialPlace> place);
   void leave_out(const Error& why);
   void store_rating();
   void ask_rating_anew();
@@ -248,21 +251,21 @@ class SessionPresenter final : public QObject {
   void select_first(TaskKind kind);
   void select_task_after_maximum();
   void look_at_task();
-  void take(const SessionNews& news);
-  void take_trial(const TrialOutcome& outcome);
-  void begin_session(std::unique_ptr<Session> session);
+  void take(const session::SessionNews& news);
+  void take_trial(const session::TrialOutcome& outcome);
+  void begin_session(std::unique_ptr<session::Session> session);
   void take_earlier_work();
   void close_session(const std::string& why);
   template <class Closed>
-  void close_on_worker(std::unique_ptr<Session> session, Closed closed);
-  void prepare_picture(const TaskSpec& spec, const TaskContext& context);
+  void close_on_worker(std::unique_ptr<session::Session> session, Closed closed);
+  void prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskContext& context);
   void refuse(const Error& error);
   void forget_failure();
   void keep_broken_trial(const std::string& why);
   void remember_fault(const DeviceHealth& before);
   void watch_compensation();
-  void watch_limits(const TrialOutcome& outcome);
-  void add_screen_answers(std::vector<SessionAnswer>& answers);
+  void watch_limits(const session::TrialOutcome& outcome);
+  void add_screen_answers(std::vector<storage::SessionAnswer>& answers);
   void store_presentation();
   [[nodiscard]] Viewing viewing(double picture_height_m) const;
 
@@ -289,9 +292,9 @@ class SessionPresenter final : public QObject {
   ProtocolGuide guide_;
   bool by_hand_ = false;  ///< beside the protocol
   bool by_itself_ = true;
-  std::optional<TaskSpec> act_task_;      ///< of the next act, at its level
-  std::map<std::string, double> levels_;  ///< that the therapist chose, by task file
-  std::optional<TaskSpec> last_task_;
+  std::optional<tasks::TaskSpec> act_task_;  ///< of the next act, at its level
+  std::map<std::string, double> levels_;     ///< that the therapist chose, by task file
+  std::optional<tasks::TaskSpec> last_task_;
   bool last_practice_ = false;
   bool helped_ = false;
   std::optional<int> effort_;
@@ -309,14 +312,14 @@ class SessionPresenter final : public QObject {
   bool clock_asked_ = false;  ///< whether the clock is right; connecting again says yes
   std::optional<Error> lost_;
   std::stop_source opening_;  ///< of the newest connect_device()
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<session::Session> session_;
   Timestamp opened_{0};
-  Snapshot snapshot_;
+  session::Snapshot snapshot_;
   ForceHistory forces_;
   std::vector<Fault> faults_;
-  Compensation compensation_;
-  RestWatch rest_watch_;  ///< while a trial is paused
-  WorkLimits limits_;
+  session::Compensation compensation_;
+  session::RestWatch rest_watch_;  ///< while a trial is paused
+  session::WorkLimits limits_;
   std::array<bool, kFingerCount> shift_noted_{};  ///< since the strapping
   double worst_lateness_s_ = 0.0;
   std::string zero_refusal_;
@@ -332,13 +335,13 @@ class SessionPresenter final : public QObject {
   bool starting_ = false;
   bool just_completed_ = false;
   bool just_missed_ = false;
-  TaskView last_view_;  ///< of the running trial, as it was seen last
-  std::shared_ptr<const TaskSpec> running_;
+  tasks::TaskView last_view_;  ///< of the running trial, as it was seen last
+  std::shared_ptr<const tasks::TaskSpec> running_;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const TargetPreview> preview_;
   std::vector<Measure> live_score_;
   Timestamp scored_{0};
-  std::optional<TrialOutcome> last_trial_;
+  std::optional<session::TrialOutcome> last_trial_;
   Histogram picture_age_;               ///< of the running trial's pictures
   std::optional<Timestamp> zeroed_at_;  ///< the last zero; the hand goes in after it
   Presentation stored_presentation_;
@@ -348,4 +351,4 @@ class SessionPresenter final : public QObject {
   ExamplePlayer example_{worker_, clock_};
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

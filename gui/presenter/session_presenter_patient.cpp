@@ -7,7 +7,7 @@
 
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -54,14 +54,14 @@ void SessionPresenter::watch_compensation() {
   for (const Finger finger : kFingers) {
     const auto shift_m = compensation_.pad_shift_m(finger);
     bool& noted = shift_noted_[index_of(finger)];
-    if (noted || !shift_m || *shift_m <= kRemarkablePadShift_m) continue;
+    if (noted || !shift_m || *shift_m <= session::kRemarkablePadShift_m) continue;
     noted = true;
     session_->note("Pad shift: " + std::string(name_of(finger)) + " moved " +
                    std::to_string(std::lround(*shift_m * 1000.0)) + " mm on its support");
   }
 }
 
-void SessionPresenter::add_screen_answers(std::vector<SessionAnswer>& answers) {
+void SessionPresenter::add_screen_answers(std::vector<storage::SessionAnswer>& answers) {
   stored_presentation_ = seating_.presentation();
   for (auto& answer : stored(stored_presentation_)) answers.push_back(std::move(answer));
   const auto delay_s = settings_.now().display_delay_s;
@@ -95,7 +95,8 @@ PatientPicture SessionPresenter::picture(double picture_height_m) const {
     facts.session_open = session_ != nullptr;
     facts.simulated = simulated();
     facts.device_fault = session_ != nullptr && snapshot_.frames > 0 &&
-                         snapshot_.stage != Stage::finished && view_.device_mood == Mood::fault;
+                         snapshot_.stage != session::Stage::finished &&
+                         view_.device_mood == Mood::fault;
     facts.broken_off = session_ == nullptr && broken_off_;
     facts.hand = session_ == nullptr ? Hand::right : session_->record().hand;
     facts.snapshot = snapshot_;
@@ -105,7 +106,7 @@ PatientPicture SessionPresenter::picture(double picture_height_m) const {
     facts.maximum_force_N = session_ == nullptr ? 0.0 : session_->maximum_force_N();
     facts.just_completed = just_completed_;
     facts.just_missed = just_missed_;
-    if (snapshot_.stage == Stage::trial)
+    if (snapshot_.stage == session::Stage::trial)
       facts.ahead_s =
           std::clamp(to_seconds(clock_.now() - snapshot_.published), 0.0, kLongestAhead_s);
   }
@@ -115,10 +116,10 @@ PatientPicture SessionPresenter::picture(double picture_height_m) const {
 }
 
 void SessionPresenter::picture_shown(const PatientPicture& picture) {
-  if (session_ == nullptr || snapshot_.stage != Stage::trial || example_.playing()) return;
+  if (session_ == nullptr || snapshot_.stage != session::Stage::trial || example_.playing()) return;
   picture_age_.add(to_seconds(clock_.now() - picture.published));
   if (picture_age_.count() % kRenewEvery != 0) return;
-  ScreenShown screen;
+  session::ScreenShown screen;
   screen.age_s = picture_age_.quantile_s(0.5);
   screen.gain_deg_per_N = picture.gain_deg_per_N;
   if (picture.gain_deg_per_N) screen.distance_m = settings_.now().viewing_distance_m;
@@ -138,4 +139,4 @@ void SessionPresenter::say_smaller_gain(std::optional<double> shown) {
                          QLocale().toString(*shown, 'g', 3)));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

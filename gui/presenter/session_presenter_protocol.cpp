@@ -7,13 +7,13 @@
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-using Act = ProtocolWalk::Act;
+using Act = session::ProtocolWalk::Act;
 
 /// The protocol that is proposed; any other is one choice away.
 constexpr const char* kUsualProtocol = "battery";
@@ -35,9 +35,10 @@ std::string words_of(const Act& act) {
 }
 
 /// As far as the work of an earlier session is looked for by it.
-SessionRecord session_to_come(RowId patient, Hand hand, const std::string& device_uri,
-                              const ProtocolSpec& protocol) {
-  SessionRecord session;
+storage::SessionRecord session_to_come(storage::RowId patient, Hand hand,
+                                       const std::string& device_uri,
+                                       const tasks::ProtocolSpec& protocol) {
+  storage::SessionRecord session;
   session.patient_id = patient;
   session.hand = hand;
   session.simulated = starts_with(device_uri, "sim://");
@@ -51,7 +52,7 @@ SessionRecord session_to_come(RowId patient, Hand hand, const std::string& devic
 
 void SessionPresenter::reload_library() {
   worker_.run(
-      [shipped = config_.library, own = own_library_folder(config_.database)] {
+      [shipped = config_.library, own = session::own_library_folder(config_.database)] {
         return read_session_library(shipped, own);
       },
       [this](SessionLibrary library) { newer_library_ = std::move(library); });
@@ -61,7 +62,7 @@ void SessionPresenter::take_library(SessionLibrary library) {
   const bool first = library_.tasks.empty() && library_.protocols.empty();
   const auto task =
       task_ < 0 ? std::string() : library_.tasks[static_cast<std::size_t>(task_)].file;
-  std::optional<ReadyProtocol> chosen;
+  std::optional<session::ReadyProtocol> chosen;
   if (protocol_ != kByHand) chosen = library_.protocols[static_cast<std::size_t>(protocol_)];
   library_ = std::move(library);
   task_ = place_of_file(library_.tasks, task);
@@ -112,13 +113,13 @@ void SessionPresenter::look_for_earlier() {
       this,
       [code = patient_, hand = *hand_, uri = device_uri_,
        protocol = library_.protocols[static_cast<std::size_t>(protocol_)]](
-          SessionStore& store) -> std::optional<int> {
+          storage::SessionStore& store) -> std::optional<int> {
         const auto patient = store.find_patient(code);
         if (!patient || !*patient) return std::nullopt;
         const auto session = session_to_come((*patient)->id, hand, uri, protocol.spec);
-        const auto work = read_earlier_work(store, session);
+        const auto work = session::read_earlier_work(store, session);
         if (!work) return std::nullopt;  // nothing to resume
-        const ProtocolWalk walk(protocol, *work, order_seed(session, *work));
+        const session::ProtocolWalk walk(protocol, *work, session::order_seed(session, *work));
         return walk.acts_done() > 0 ? std::optional(walk.acts_done()) : std::nullopt;
       },
       [this, lookup](std::optional<int> acts) {
@@ -153,7 +154,7 @@ void SessionPresenter::begin_protocol() {
 void SessionPresenter::look_at_act() {
   act_task_.reset();
   if (const auto& act = guide_.act(); act && act->kind == Act::Kind::trial) {
-    auto spec = task_of(*act, session_->training());
+    auto spec = session::task_of(*act, session_->training());
     if (spec && act->adaptive) spec = at_chosen_level(*spec);
     if (spec)
       act_task_ = *std::move(spec);
@@ -273,10 +274,10 @@ std::optional<double> SessionPresenter::difficulty() const {
   return session_ == nullptr ? spec->difficulty->start : session_->training().level(*spec);
 }
 
-Result<TaskSpec> SessionPresenter::at_chosen_level(const TaskSpec& spec) const {
+Result<tasks::TaskSpec> SessionPresenter::at_chosen_level(const tasks::TaskSpec& spec) const {
   const auto chosen = levels_.find(spec.file);
   if (chosen == levels_.end() || !spec.difficulty) return spec;
-  return at_level(spec, chosen->second);
+  return tasks::at_level(spec, chosen->second);
 }
 
 void SessionPresenter::adjust_difficulty(int direction) {
@@ -340,4 +341,4 @@ void SessionPresenter::show_rated() {
   update();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

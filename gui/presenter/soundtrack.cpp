@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -51,4 +51,4 @@ Sounds Soundtrack::next(const PatientPicture& picture, const Presentation& prese
   return sounds;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

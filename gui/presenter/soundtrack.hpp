@@ -10,7 +10,7 @@
 #include "gui/presenter/presentation.hpp"
 #include "gui/presenter/tones.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct Sounds {
   std::optional<Tone> tone;
@@ -32,4 +32,4 @@ class Soundtrack {
   std::string spoken_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

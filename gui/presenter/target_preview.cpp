@@ -6,7 +6,7 @@
 
 #include "tasks/timeline.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -15,19 +15,19 @@ constexpr double kEnd = 0.22;
 /// The same below zero where no target is: pulling hardly matters there.
 constexpr double kLowEnd = 0.08;
 
-bool has_unforeseen_waits(const TaskSpec& spec) {
-  return std::holds_alternative<StepResponseSpec>(spec.kind) ||
-         std::holds_alternative<GripReleaseSpec>(spec.kind);
+bool has_unforeseen_waits(const tasks::TaskSpec& spec) {
+  return std::holds_alternative<tasks::StepResponseSpec>(spec.kind) ||
+         std::holds_alternative<tasks::GripReleaseSpec>(spec.kind);
 }
 
-bool shows_target(const Segment& segment) {
+bool shows_target(const tasks::Segment& segment) {
   return segment.target_shown && !segment.target_N.empty();
 }
 
-void append_targets(const Segment& segment, std::vector<double>& target_N) {
+void append_targets(const tasks::Segment& segment, std::vector<double>& target_N) {
   const auto frames = static_cast<std::size_t>(segment.frames);
   if (!shows_target(segment))
-    target_N.insert(target_N.end(), frames, kNotMeasured);
+    target_N.insert(target_N.end(), frames, tasks::kNotMeasured);
   else if (segment.target_N.size() == 1)
     target_N.insert(target_N.end(), frames, segment.target_N.front());
   else
@@ -73,19 +73,19 @@ const TargetPreview::Part* TargetPreview::next_effort(int segment) const noexcep
   return nullptr;
 }
 
-TargetPreview preview_target(const TaskSpec& spec, const TaskContext& context) {
+TargetPreview preview_target(const tasks::TaskSpec& spec, const tasks::TaskContext& context) {
   TargetPreview preview;
   preview.period_s = context.period_s;
   if (!spec.scene().empty()) return preview;
-  const auto timeline = timeline_of(spec, context);
+  const auto timeline = tasks::timeline_of(spec, context);
   if (!timeline) return preview;
-  const Aim* aim = spec.aim();
+  const tasks::Aim* aim = spec.aim();
   if (aim != nullptr && !has_unforeseen_waits(spec)) preview.ahead_s = aim->preview_s;
   if (aim != nullptr && aim->gain_deg)
     if (const auto unit = context.references.unit_N(aim->scale, aim->channel, spec.largest_level()))
       preview.gain_deg_per_N = *aim->gain_deg / *unit;
   preview.axis = {0.0, 0.0};
-  for (const Segment& segment : timeline->segments) {
+  for (const tasks::Segment& segment : timeline->segments) {
     preview.parts.push_back({segment.cue, segment.channel, segment.target_N.size() == 1});
     for (const double value : segment.target_N) {
       preview.axis.least_N = std::min(preview.axis.least_N, value);
@@ -99,4 +99,4 @@ TargetPreview preview_target(const TaskSpec& spec, const TaskContext& context) {
   return preview;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// The force axis of a picture: the targets of the whole trial and zero lie in its linear middle;
 /// beyond it more force still moves the mark, ever less, and never off the screen. It stays as it
@@ -51,6 +51,7 @@ struct TargetPreview {
 
 /// Without parts for tasks with an object. Tasks whose waits cannot be foreseen have no future to
 /// be seen whatever their file says: the wait would show where it ends.
-[[nodiscard]] TargetPreview preview_target(const TaskSpec& spec, const TaskContext& context);
+[[nodiscard]] TargetPreview preview_target(const tasks::TaskSpec& spec,
+                                           const tasks::TaskContext& context);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

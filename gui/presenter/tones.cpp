@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -64,4 +64,4 @@ void ForceTone::play(const HeardForce& force, std::size_t count, std::vector<flo
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

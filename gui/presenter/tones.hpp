@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 inline constexpr int kSoundRate_Hz = 44100;
 
@@ -49,4 +49,4 @@ class ForceTone {
   double loudness_ = 0.0;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 #include "gui/words/words.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -20,7 +20,7 @@ QString day_of(const std::string& utc) {
   return shown_date(utc.substr(0, kDate));
 }
 
-QString words_of(const PrimaryMeasure& primary) {
+QString words_of(const storage::PrimaryMeasure& primary) {
   Measure measure;
   measure.name = primary.measure;
   measure.channel = primary.channel;
@@ -28,7 +28,7 @@ QString words_of(const PrimaryMeasure& primary) {
       .arg(measure_title(measure), shown(primary.task_name), hand_words(primary.hand));
 }
 
-bool same(const PrimaryMeasure& a, const PrimaryMeasure& b) {
+bool same(const storage::PrimaryMeasure& a, const storage::PrimaryMeasure& b) {
   return a.task_name == b.task_name && a.hand == b.hand && a.measure == b.measure &&
          a.channel == b.channel;
 }
@@ -55,11 +55,11 @@ QString last_removed(const std::vector<Entry>& gone, Words words) {
   return gone.empty() ? QString() : words(gone.back());
 }
 
-QString primary_removed(const PrimaryMeasure& primary) {
+QString primary_removed(const storage::PrimaryMeasure& primary) {
   return QObject::tr("Removed: %1.").arg(words_of(primary));
 }
 
-QString period_removed(const StablePeriod& period) {
+QString period_removed(const storage::StablePeriod& period) {
   return removed_words(period.from_date, QObject::tr("until %1").arg(day_of(period.until_date)));
 }
 
@@ -105,7 +105,7 @@ PrimaryCard::PrimaryCard(QWidget* parent) : Card({}, parent) {
     Q_EMIT removed(gone_.back().id);
   });
   connect(list_, &DatedList::undo_pressed, this, [this] {
-    const PrimaryMeasure back = gone_.back();
+    const storage::PrimaryMeasure back = gone_.back();
     gone_.pop_back();
     list_->offer_undo(last_removed(gone_, primary_removed));
     Q_EMIT added(back);  // with the day on which it was chosen
@@ -113,7 +113,7 @@ PrimaryCard::PrimaryCard(QWidget* parent) : Card({}, parent) {
   show_state();
 }
 
-void PrimaryCard::show_primaries(const std::vector<PrimaryMeasure>& primaries) {
+void PrimaryCard::show_primaries(const std::vector<storage::PrimaryMeasure>& primaries) {
   primaries_ = primaries;
   std::vector<QStringList> rows;
   for (const auto& primary : primaries_)
@@ -123,7 +123,7 @@ void PrimaryCard::show_primaries(const std::vector<PrimaryMeasure>& primaries) {
   show_state();
 }
 
-void PrimaryCard::offer(const std::vector<PrimaryMeasure>& choices) {
+void PrimaryCard::offer(const std::vector<storage::PrimaryMeasure>& choices) {
   if (choices == choices_) return;  // what is being chosen stays
   choices_ = choices;
   measure_->clear();
@@ -142,7 +142,7 @@ void PrimaryCard::clear() {
 }
 
 void PrimaryCard::show_state() {
-  const bool full = primaries_.size() >= kMostPrimaryMeasures;
+  const bool full = primaries_.size() >= storage::kMostPrimaryMeasures;
   measure_->setEnabled(!full && !choices_.empty());
   add_->setEnabled(!full && !choices_.empty());
   if (full)
@@ -155,7 +155,7 @@ void PrimaryCard::show_state() {
 
 void PrimaryCard::add() {
   if (!add_->isEnabled()) return;
-  PrimaryMeasure chosen = choices_.at(static_cast<std::size_t>(measure_->currentIndex()));
+  storage::PrimaryMeasure chosen = choices_.at(static_cast<std::size_t>(measure_->currentIndex()));
   chosen.chosen_by = by_->text().trimmed().toStdString();
   const bool there = std::any_of(primaries_.begin(), primaries_.end(),
                                  [&](const auto& one) { return same(one, chosen); });
@@ -213,14 +213,14 @@ StableCard::StableCard(QWidget* parent) : Card({}, parent) {
     Q_EMIT removed(gone_.back().id);
   });
   connect(list_, &DatedList::undo_pressed, this, [this] {
-    const StablePeriod back = gone_.back();
+    const storage::StablePeriod back = gone_.back();
     gone_.pop_back();
     list_->offer_undo(last_removed(gone_, period_removed));
     Q_EMIT added(back);
   });
 }
 
-void StableCard::show_periods(const std::vector<StablePeriod>& periods) {
+void StableCard::show_periods(const std::vector<storage::StablePeriod>& periods) {
   periods_ = periods;
   std::vector<QStringList> rows;
   for (const auto& period : periods_)
@@ -250,7 +250,7 @@ void StableCard::add() {
   if (!until.value) return refuse(until_, until.problem);
   from_->show_date(from.value);
   until_->show_date(until.value);
-  StablePeriod period;
+  storage::StablePeriod period;
   period.from_date = iso_text(*from.value);
   period.until_date = iso_text(*until.value);
   period.judged_by = by_->text().trimmed().toStdString();
@@ -267,4 +267,4 @@ void StableCard::add() {
   text_->clear();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 #include "gui/look/card.hpp"
 #include "gui/look/form_fields.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// Primary measures: at most four.
 class PrimaryCard final : public Card {
@@ -17,14 +17,14 @@ class PrimaryCard final : public Card {
 
  public:
   explicit PrimaryCard(QWidget* parent = nullptr);
-  void show_primaries(const std::vector<PrimaryMeasure>& primaries);
+  void show_primaries(const std::vector<storage::PrimaryMeasure>& primaries);
   /// What can be chosen, chosen ones included.
-  void offer(const std::vector<PrimaryMeasure>& choices);
+  void offer(const std::vector<storage::PrimaryMeasure>& choices);
   void clear();  ///< another person; who chooses stays
 
  Q_SIGNALS:
-  void added(const PrimaryMeasure& primary);
-  void removed(RowId id);
+  void added(const storage::PrimaryMeasure& primary);
+  void removed(storage::RowId id);
 
  private:
   void add();
@@ -35,9 +35,9 @@ class PrimaryCard final : public Card {
   QPushButton* add_;
   Remark* remark_;
   DatedList* list_;
-  std::vector<PrimaryMeasure> choices_;  ///< as in the box
-  std::vector<PrimaryMeasure> primaries_;
-  std::vector<PrimaryMeasure> gone_;  ///< removed while this person is shown
+  std::vector<storage::PrimaryMeasure> choices_;  ///< as in the box
+  std::vector<storage::PrimaryMeasure> primaries_;
+  std::vector<storage::PrimaryMeasure> gone_;  ///< removed while this person is shown
 };
 
 /// Times over which the person is judged stable.
@@ -46,12 +46,12 @@ class StableCard final : public Card {
 
  public:
   explicit StableCard(QWidget* parent = nullptr);
-  void show_periods(const std::vector<StablePeriod>& periods);
+  void show_periods(const std::vector<storage::StablePeriod>& periods);
   void clear();
 
  Q_SIGNALS:
-  void added(const StablePeriod& period);
-  void removed(RowId id);
+  void added(const storage::StablePeriod& period);
+  void removed(storage::RowId id);
 
  private:
   void add();
@@ -62,8 +62,8 @@ class StableCard final : public Card {
   QLineEdit* text_;
   Remark* remark_;
   DatedList* list_;
-  std::vector<StablePeriod> periods_;
-  std::vector<StablePeriod> gone_;
+  std::vector<storage::StablePeriod> periods_;
+  std::vector<storage::StablePeriod> gone_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

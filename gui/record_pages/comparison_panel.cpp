@@ -11,7 +11,7 @@
 #include "gui/words/words.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -26,9 +26,9 @@ QString words_for_session(const CourseSession& session) {
 }
 
 QString with_unit(double value, const std::string& unit, bool signed_value) {
-  const auto number =
-      shown_digits(signed_value ? format_change(value, unit) : format_value(value, unit));
-  const auto printed = shown(printed_unit(unit).text);
+  const auto number = shown_digits(signed_value ? tasks::format_change(value, unit)
+                                                : tasks::format_value(value, unit));
+  const auto printed = shown(tasks::printed_unit(unit).text);
   return printed.isEmpty() ? number : QObject::tr("%1 %2").arg(number, printed);
 }
 
@@ -176,4 +176,4 @@ void ComparisonPanel::fill(const SessionComparison& comparison) {
   remark_->setText(remarks.join(QStringLiteral(" ")));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

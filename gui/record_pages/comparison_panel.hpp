@@ -10,7 +10,7 @@
 #include "gui/look/card.hpp"
 #include "gui/record_pages/session_comparison.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ComparisonPanel final : public Card {
   Q_OBJECT
@@ -34,4 +34,4 @@ class ComparisonPanel final : public Card {
   QLabel* remark_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

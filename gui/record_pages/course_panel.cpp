@@ -10,7 +10,7 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -18,9 +18,10 @@ TwoLines lines_of(const CourseSession& session) {
   TwoLines lines;
   lines.title = local_time(session.record.started_utc);
   lines.mark = source_mark(session.record);
-  const auto unfinished = std::count_if(
-      session.trials.begin(), session.trials.end(),
-      [](const CourseTrial& trial) { return trial.record.status != TrialStatus::completed; });
+  const auto unfinished =
+      std::count_if(session.trials.begin(), session.trials.end(), [](const CourseTrial& trial) {
+        return trial.record.status != storage::TrialStatus::completed;
+      });
   const auto what = session.record.protocol_name.empty() ? QObject::tr("single tasks")
                                                          : shown(session.record.protocol_name);
   QStringList words{QObject::tr("No. %1").arg(session.number), hand_words(session.record.hand),
@@ -40,7 +41,8 @@ TwoLines lines_of(const CourseTrial& trial) {
   if (const Measure* key = key_measure(trial))
     words.insert(0, QObject::tr("%1 %2").arg(measure_title(*key), measure_value(*key)));
   if (trial.record.zero_drifted) words << QObject::tr("zero drifted");
-  lines.doubtful = trial.record.status != TrialStatus::completed || trial.record.zero_drifted;
+  lines.doubtful =
+      trial.record.status != storage::TrialStatus::completed || trial.record.zero_drifted;
   lines.below = words.join(QStringLiteral(" · "));
   return lines;
 }
@@ -86,7 +88,7 @@ int CoursePanel::session_of_row(int row) const {
 }
 
 void CoursePanel::show_course(std::shared_ptr<const PatientCourse> course) {
-  RowId chosen = 0;
+  storage::RowId chosen = 0;
   if (const int row = sessions_->currentRow(); row >= 0)
     chosen = course_->sessions[static_cast<std::size_t>(session_of_row(row))].record.id;
   course_ = std::move(course);
@@ -127,4 +129,4 @@ void CoursePanel::open_row(int row) {
   if (row >= 0 && session >= 0) Q_EMIT trial_opened(session, row);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

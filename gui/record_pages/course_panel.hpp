@@ -8,7 +8,7 @@
 #include "gui/clinic/patient_course.hpp"
 #include "gui/look/card.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class CoursePanel final : public Card {
   Q_OBJECT
@@ -37,4 +37,4 @@ class CoursePanel final : public Card {
   QListWidget* trials_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 #include "gui/words/words.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
     : Card({}, parent), clinic_(clinic), presenter_(presenter) {
@@ -71,7 +71,7 @@ void HistoryPanel::fill() {
     choice_->clear();
     for (const auto& one : series_) choice_->addItem(one.title);
     // A new trial shows its own result; otherwise the therapist's choice stays.
-    const RowId newest = series_.empty() ? 0 : series_.front().points.back().trial_id;
+    const storage::RowId newest = series_.empty() ? 0 : series_.front().points.back().trial_id;
     const int again = newest == newest_trial_ ? choice_->findText(shown) : 0;
     newest_trial_ = newest;
     choice_->setCurrentIndex(series_.empty() ? -1 : std::max(0, again));
@@ -104,7 +104,8 @@ void HistoryPanel::show_series(int index) {
         table_->setItem(row, column, item);
       }
       if (measure.value)
-        trend.push_back({*measure.value * printed_unit(measure.unit).factor, point.practice});
+        trend.push_back(
+            {*measure.value * tasks::printed_unit(measure.unit).factor, point.practice});
     }
   }
   trend_->show_trend(trend, axis);
@@ -122,4 +123,4 @@ void HistoryPanel::refresh() {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 #include "gui/look/plot_view.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class HistoryPanel final : public Card {
   Q_OBJECT
@@ -27,11 +27,11 @@ class HistoryPanel final : public Card {
   Clinic& clinic_;
   SessionPresenter& presenter_;
   std::vector<HistorySeries> series_;
-  RowId newest_trial_ = 0;
+  storage::RowId newest_trial_ = 0;
   QComboBox* choice_;
   QTableWidget* table_;
   TrendPlot* trend_;
   QLabel* nothing_;  ///< why there is nothing to see
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

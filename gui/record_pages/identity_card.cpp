@@ -7,7 +7,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 IdentityCard::IdentityCard(Staff& staff, QWidget* parent)
     : Card(tr("Identity"), parent), staff_(staff) {
@@ -62,11 +62,11 @@ void IdentityCard::close() {
 
 void IdentityCard::read() {
   staff_.read_identity(
-      this, code_, [this, code = code_](const Result<std::optional<Identity>>& read) {
+      this, code_, [this, code = code_](const Result<std::optional<storage::Identity>>& read) {
         if (code != code_ || staff_.closed()) return;
         if (!read) return remark_->warn(shown(read.error()));
         open_ = true;
-        const Identity identity = read->value_or(Identity{});
+        const storage::Identity identity = read->value_or(storage::Identity{});
         name_->setText(QString::fromStdString(identity.name));
         birth_->show_date(date_from_iso(identity.birth_date));
         contact_->setText(QString::fromStdString(identity.contact));  // its lines stay in it
@@ -79,7 +79,7 @@ void IdentityCard::read() {
 void IdentityCard::store() {
   const auto birth = birth_->typed();
   if (!birth.problem.isEmpty()) return remark_->warn(birth.problem);
-  Identity identity;
+  storage::Identity identity;
   identity.name = name_->text().trimmed().toStdString();
   if (birth.value) identity.birth_date = iso_text(*birth.value);
   identity.contact = contact_->text().trimmed().toStdString();
@@ -93,11 +93,11 @@ void IdentityCard::store() {
 }
 
 void IdentityCard::refresh() {
-  setVisible(!code_.empty() && staff_.is_protected() && staff_.allows(Right::identities));
+  setVisible(!code_.empty() && staff_.is_protected() && staff_.allows(storage::Right::identities));
   show_->setVisible(!open_);
   for (QWidget* widget : {static_cast<QWidget*>(name_), static_cast<QWidget*>(birth_),
                           static_cast<QWidget*>(contact_), static_cast<QWidget*>(store_)})
     widget->setVisible(open_);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

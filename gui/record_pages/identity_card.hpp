@@ -11,7 +11,7 @@
 #include "gui/look/card.hpp"
 #include "gui/look/form_fields.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class IdentityCard final : public Card {
   Q_OBJECT
@@ -39,4 +39,4 @@ class IdentityCard final : public Card {
   Remark* remark_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

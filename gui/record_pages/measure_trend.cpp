@@ -12,18 +12,19 @@
 #include "reports/findings/report_text.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
-MeasureTrend::Kind kind_of(const MeasurePoint& point) {
+MeasureTrend::Kind kind_of(const storage::MeasurePoint& point) {
   if (point.helped) return MeasureTrend::Kind::helped;
   return point.practice ? MeasureTrend::Kind::practised : MeasureTrend::Kind::assessed;
 }
 
 /// Did the trials of the series ask for different things under one name?
-bool is_mixed(const HistorySeries& series, const std::map<RowId, const TrialRecord*>& trials) {
-  const TrialRecord* first = nullptr;
+bool is_mixed(const HistorySeries& series,
+              const std::map<storage::RowId, const storage::TrialRecord*>& trials) {
+  const storage::TrialRecord* first = nullptr;
   for (const auto& point : series.points) {
     const auto trial = trials.find(point.trial_id);
     if (trial == trials.end()) continue;
@@ -35,7 +36,7 @@ bool is_mixed(const HistorySeries& series, const std::map<RowId, const TrialReco
   return false;
 }
 
-QString task_words(const MeasurePoint& point, bool several_versions, bool mixed) {
+QString task_words(const storage::MeasurePoint& point, bool several_versions, bool mixed) {
   QStringList words;  // what must not be cut off comes first
   if (point.simulated) words << QObject::tr("SIMULATED");
   if (mixed) words << QObject::tr("levels differ");
@@ -45,7 +46,7 @@ QString task_words(const MeasurePoint& point, bool several_versions, bool mixed)
   return words.join(QStringLiteral(" · "));
 }
 
-MeasureTrend draw(const HistorySeries& series, const std::map<RowId, int>& numbers) {
+MeasureTrend draw(const HistorySeries& series, const std::map<storage::RowId, int>& numbers) {
   MeasureTrend trend;
   trend.title = measure_title(series.points.front().measure);
   trend.unit = series.unit;
@@ -54,7 +55,7 @@ MeasureTrend draw(const HistorySeries& series, const std::map<RowId, int>& numbe
   trend.source = {0, front.task_name, front.hand, front.measure.name, front.measure.channel, "",
                   ""};
   trend.task_version = front.task_version;
-  const double factor = printed_unit(series.points.front().measure.unit).factor;
+  const double factor = tasks::printed_unit(series.points.front().measure.unit).factor;
   for (const auto& point : series.points) {
     if (!point.measure.value) {
       ++trend.without;
@@ -79,8 +80,8 @@ MeasureTrend draw(const HistorySeries& series, const std::map<RowId, int>& numbe
 }  // namespace
 
 std::vector<MeasureTrend> choose_trends(const PatientCourse& course) {
-  std::map<RowId, int> numbers;
-  std::map<RowId, const TrialRecord*> trials;
+  std::map<storage::RowId, int> numbers;
+  std::map<storage::RowId, const storage::TrialRecord*> trials;
   std::map<std::string, std::vector<int>> versions;  // of each task
   for (const auto& session : course.sessions) {
     numbers[session.record.id] = session.number;
@@ -92,25 +93,26 @@ std::vector<MeasureTrend> choose_trends(const PatientCourse& course) {
     }
   }
   struct Placed {
-    Place place;
-    RowId newest = 0;
+    tasks::Place place;
+    storage::RowId newest = 0;
     MeasureTrend trend;
   };
   std::vector<Placed> chosen;
-  std::map<RowId, std::optional<TaskSpec>> specs;  // of the newest trial of a series
+  std::map<storage::RowId, std::optional<tasks::TaskSpec>>
+      specs;  // of the newest trial of a series
   for (const auto& series : sort_history(course.points)) {
     const auto& newest = series.points.back();
     const auto trial = trials.find(newest.trial_id);
     if (trial == trials.end()) continue;
     auto [spec, unread] = specs.try_emplace(newest.trial_id);
     if (unread)
-      if (auto parsed = parse_task(trial->second->task_text, newest.task_name))
+      if (auto parsed = tasks::parse_task(trial->second->task_text, newest.task_name))
         spec->second = *std::move(parsed);
-    const auto place = place_of(spec->second, newest.measure.name, newest.measure.channel);
-    if (place.prominence == Prominence::none) continue;
+    const auto place = tasks::place_of(spec->second, newest.measure.name, newest.measure.channel);
+    if (place.prominence == tasks::Prominence::none) continue;
     auto trend = draw(series, numbers);
     if (trend.points.empty()) continue;
-    trend.key = place.prominence == Prominence::key;
+    trend.key = place.prominence == tasks::Prominence::key;
     trend.mixed = is_mixed(series, trials);
     trend.task = task_words(newest, versions[newest.task_name].size() > 1, trend.mixed);
     chosen.push_back({place, newest.trial_id, std::move(trend)});
@@ -126,41 +128,42 @@ std::vector<MeasureTrend> choose_trends(const PatientCourse& course) {
   return trends;
 }
 
-QString verdict_line(const PatientVerdict& verdict) {
+QString verdict_line(const reports::PatientVerdict& verdict) {
   if (!verdict.verdict) return QObject::tr("Cannot be judged yet: no assessment yet");
   const auto& change = verdict.verdict->change;
-  const QString basis = change.verdict == Verdict::cannot_be_judged
+  const QString basis = change.verdict == reports::Verdict::cannot_be_judged
                             ? shown(verdict.verdict->reason)
-                            : shown_digits(mdc_words(change, verdict.unit));
+                            : shown_digits(reports::mdc_words(change, verdict.unit));
   switch (change.verdict) {
-    case Verdict::improved:
+    case reports::Verdict::improved:
       return (change.confirmed ? QObject::tr("Improved (confirmed) · %1")
                                : QObject::tr("Improved (possible) · %1"))
           .arg(basis);
-    case Verdict::worsened:
+    case reports::Verdict::worsened:
       return (change.confirmed ? QObject::tr("Worsened (confirmed) · %1")
                                : QObject::tr("Worsened (possible) · %1"))
           .arg(basis);
-    case Verdict::within_error:
+    case reports::Verdict::within_error:
       return QObject::tr("Not larger than measurement error · %1").arg(basis);
-    case Verdict::cannot_be_judged: break;
+    case reports::Verdict::cannot_be_judged: break;
   }
   return QObject::tr("Cannot be judged yet: %1").arg(basis);
 }
 
-void add_verdicts(std::vector<MeasureTrend>& trends, const std::vector<PatientVerdict>& verdicts) {
+void add_verdicts(std::vector<MeasureTrend>& trends,
+                  const std::vector<reports::PatientVerdict>& verdicts) {
   for (const auto& verdict : verdicts) {
-    PrimaryMeasure about = verdict.primary;
+    storage::PrimaryMeasure about = verdict.primary;
     about.id = 0;
     about.chosen_utc.clear();
     about.chosen_by.clear();
     for (auto& trend : trends)
       if (trend.source == about && trend.task_version == verdict.task_version &&
-          trend.simulated == (verdict.source == Source::simulated))
+          trend.simulated == (verdict.source == reports::Source::simulated))
         trend.remark = verdict_line(verdict);
   }
   std::stable_partition(trends.begin(), trends.end(),
                         [](const MeasureTrend& trend) { return !trend.remark.isEmpty(); });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

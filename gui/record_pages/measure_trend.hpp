@@ -9,7 +9,7 @@
 #include "gui/clinic/patient_course.hpp"
 #include "reports/findings/patient_verdicts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct MeasureTrend {
   enum class Kind : std::uint8_t { assessed, practised, helped };
@@ -30,7 +30,7 @@ struct MeasureTrend {
   QString last;    ///< newest value with its unit; a dash if there is none
   QString remark;  ///< verdict of change of a primary measure; empty: it is none
   /// Task, hand and measure, as a primary measure would name them.
-  PrimaryMeasure source;
+  storage::PrimaryMeasure source;
   int task_version = 1;
   bool key = false;
   bool simulated = false;
@@ -48,8 +48,9 @@ struct MeasureTrend {
 [[nodiscard]] std::vector<MeasureTrend> choose_trends(const PatientCourse& course);
 
 /// "Improved (confirmed) · MDC95 2.1 N", "Cannot be judged yet: the baseline needs …".
-[[nodiscard]] QString verdict_line(const PatientVerdict& verdict);
+[[nodiscard]] QString verdict_line(const reports::PatientVerdict& verdict);
 /// Gives each verdict to the trend that it is about, and puts these trends first.
-void add_verdicts(std::vector<MeasureTrend>& trends, const std::vector<PatientVerdict>& verdicts);
+void add_verdicts(std::vector<MeasureTrend>& trends,
+                  const std::vector<reports::PatientVerdict>& verdicts);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

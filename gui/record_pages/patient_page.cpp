@@ -12,7 +12,7 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -149,13 +149,13 @@ void PatientPage::load() {
   if (!code_.empty())
     loading_course_ = clinic_.read(
         this,
-        [code = code_, mine, wanted = wanted_course_](SessionStore& store) -> Loaded {
+        [code = code_, mine, wanted = wanted_course_](storage::SessionStore& store) -> Loaded {
           if (*wanted != mine) return std::nullopt;
           auto course = read_course(store, code);
           if (!course) return course.error();
           LoadedCourse loaded;
           loaded.trends = choose_trends(*course);
-          const auto verdicts = gather_verdicts(store, code);
+          const auto verdicts = reports::gather_verdicts(store, code);
           if (!verdicts) return verdicts.error();
           add_verdicts(loaded.trends, *verdicts);
           loaded.course = std::make_shared<const PatientCourse>(*std::move(course));
@@ -190,7 +190,7 @@ void PatientPage::open_trial(int session_index, int trial_index) {
   loading_trial_ = clinic_.read(
       this,
       [mine, wanted = wanted_trial_, course = course_, &chosen,
-       &record](SessionStore& store) -> Loaded {
+       &record](storage::SessionStore& store) -> Loaded {
         if (*wanted != mine) return std::nullopt;
         return load_trial(store, chosen.record, record);
       },
@@ -231,4 +231,4 @@ void PatientPage::tell() {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

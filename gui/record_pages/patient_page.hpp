@@ -17,7 +17,7 @@
 #include "gui/record_pages/trend_grid.hpp"
 #include "gui/trial_pages/trial_view.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class PatientPage final : public QWidget {
   Q_OBJECT
@@ -66,4 +66,4 @@ class PatientPage final : public QWidget {
   TrialView* trial_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,13 +9,15 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
-constexpr std::array<Side, 4> kSides{Side::left, Side::right, Side::both, Side::none};
+constexpr std::array<storage::Side, 4> kSides{storage::Side::left, storage::Side::right,
+                                              storage::Side::both, storage::Side::none};
 constexpr std::array<Hand, 2> kHands{Hand::left, Hand::right};
-constexpr std::array<Sex, 3> kSexes{Sex::female, Sex::male, Sex::other};
+constexpr std::array<storage::Sex, 3> kSexes{storage::Sex::female, storage::Sex::male,
+                                             storage::Sex::other};
 constexpr int kText_px = 76;  // four lines
 
 template <class Values, class Value>
@@ -31,12 +33,12 @@ auto value_at(const Values& values, std::optional<int> index) {
   return index ? std::optional<Value>(values[static_cast<std::size_t>(*index)]) : std::nullopt;
 }
 
-QString mark_removed(const std::vector<TreatmentMark>& gone) {
+QString mark_removed(const std::vector<storage::TreatmentMark>& gone) {
   return gone.empty() ? QString()
                       : removed_words(gone.back().on_date, treatment_words(gone.back().kind));
 }
 
-QString score_removed(const std::vector<ClinicalScore>& gone) {
+QString score_removed(const std::vector<storage::ClinicalScore>& gone) {
   return gone.empty()
              ? QString()
              : removed_words(gone.back().on_date, QString::fromStdString(gone.back().scale));
@@ -154,10 +156,11 @@ void PersonCard::finish_year() {
   born_remark_->say({});
   if (text.isEmpty())
     birth_year_.reset();
-  else if (number && year >= kFirstYear && year <= now)
+  else if (number && year >= storage::kFirstYear && year <= now)
     birth_year_ = year;
   else
-    born_remark_->warn(tr("Not stored. Give a year from %1 to %2.").arg(kFirstYear).arg(now));
+    born_remark_->warn(
+        tr("Not stored. Give a year from %1 to %2.").arg(storage::kFirstYear).arg(now));
 }
 
 QPlainTextEdit* PersonCard::text_field(const QString& name, const QString& title,
@@ -177,7 +180,7 @@ bool PersonCard::eventFilter(QObject* watched, QEvent* event) {
   return Card::eventFilter(watched, event);
 }
 
-void PersonCard::show_profile(const PatientProfile& profile) {
+void PersonCard::show_profile(const storage::PatientProfile& profile) {
   affected_->choose(index_in(kSides, profile.affected));
   dominant_->choose(index_in(kHands, profile.dominant));
   sex_->choose(index_in(kSexes, profile.sex));
@@ -200,7 +203,7 @@ void PersonCard::show_profile(const PatientProfile& profile) {
   }
 }
 
-PatientProfile PersonCard::profile() const {
+storage::PatientProfile PersonCard::profile() const {
   return {value_at(kSides, affected_->chosen()),
           value_at(kHands, dominant_->chosen()),
           onset_iso_,
@@ -234,7 +237,7 @@ TreatmentCard::TreatmentCard(QWidget* parent) : Card({}, parent) {
                      this);
   kind_ = new ChoiceBox;
   kind_->setObjectName("treatment_kind");
-  for (const auto kind : kTreatmentKinds) {
+  for (const auto kind : storage::kTreatmentKinds) {
     const std::string name(kind);
     kind_->addItem(treatment_words(name), QString::fromStdString(name));
   }
@@ -272,14 +275,14 @@ TreatmentCard::TreatmentCard(QWidget* parent) : Card({}, parent) {
     Q_EMIT removed(gone_.back().id);
   });
   connect(list_, &DatedList::undo_pressed, this, [this] {
-    const TreatmentMark back = gone_.back();
+    const storage::TreatmentMark back = gone_.back();
     gone_.pop_back();
     list_->offer_undo(mark_removed(gone_));
     Q_EMIT added(back);
   });
 }
 
-void TreatmentCard::show_marks(const std::vector<TreatmentMark>& marks) {
+void TreatmentCard::show_marks(const std::vector<storage::TreatmentMark>& marks) {
   marks_ = marks;
   std::vector<QStringList> rows;
   for (const auto& mark : marks_)
@@ -317,7 +320,7 @@ ScoreCard::ScoreCard(QWidget* parent) : Card({}, parent) {
   date_ = entry_date("score_date", tr("Day of the score"), "Ctrl+Shift+S", Ahead::refused, this);
   scale_ = new ChoiceBox;
   scale_->setObjectName("score_scale");
-  for (const auto& scale : kClinicalScales) {
+  for (const auto& scale : storage::kClinicalScales) {
     const std::string name(scale.name);
     scale_->addItem(name == "sensation" ? tr("Sensation") : QString::fromStdString(name));
     scale_->setItemData(scale_->count() - 1, scale_words(scale.name), Qt::ToolTipRole);
@@ -363,7 +366,7 @@ ScoreCard::ScoreCard(QWidget* parent) : Card({}, parent) {
     Q_EMIT removed(gone_.back().id);
   });
   connect(list_, &DatedList::undo_pressed, this, [this] {
-    const ClinicalScore back = gone_.back();
+    const storage::ClinicalScore back = gone_.back();
     gone_.pop_back();
     list_->offer_undo(score_removed(gone_));
     Q_EMIT added(back);
@@ -371,8 +374,8 @@ ScoreCard::ScoreCard(QWidget* parent) : Card({}, parent) {
   read_value(false);
 }
 
-const ClinicalScale& ScoreCard::scale() const {
-  return kClinicalScales.at(static_cast<std::size_t>(scale_->currentIndex()));
+const storage::ClinicalScale& ScoreCard::scale() const {
+  return storage::kClinicalScales.at(static_cast<std::size_t>(scale_->currentIndex()));
 }
 
 /// The range stands there from the start; once a score is complete, also why it cannot be.
@@ -384,7 +387,7 @@ void ScoreCard::read_value(bool complete) {
     remark_->say(range_words(scale()));
 }
 
-void ScoreCard::show_scores(const std::vector<ClinicalScore>& scores) {
+void ScoreCard::show_scores(const std::vector<storage::ClinicalScore>& scores) {
   scores_ = scores;
   std::vector<QStringList> rows;
   for (const auto& score : scores_)
@@ -423,4 +426,4 @@ void ScoreCard::add() {
   value_->setFocus();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

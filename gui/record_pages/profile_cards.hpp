@@ -11,7 +11,7 @@
 #include "gui/look/card.hpp"
 #include "gui/look/form_fields.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// Affected side, dominant hand, sex, year of birth, onset; goals and notes.
 class PersonCard final : public Card {
@@ -20,11 +20,11 @@ class PersonCard final : public Card {
  public:
   explicit PersonCard(QWidget* parent = nullptr);
   /// A new person: nothing that was typed before can come back by Ctrl+Z.
-  void show_profile(const PatientProfile& profile);
+  void show_profile(const storage::PatientProfile& profile);
   /// Takes onset and year of birth as they stand there, or says why they make no sense.
   void finish();
   /// As the fields say; a day or year that is being typed or makes no sense is left as it was.
-  [[nodiscard]] PatientProfile profile() const;
+  [[nodiscard]] storage::PatientProfile profile() const;
   /// What is not stored because it makes no sense, as a sentence; empty: nothing.
   [[nodiscard]] QString refused() const;
 
@@ -60,12 +60,12 @@ class TreatmentCard final : public Card {
 
  public:
   explicit TreatmentCard(QWidget* parent = nullptr);
-  void show_marks(const std::vector<TreatmentMark>& marks);
+  void show_marks(const std::vector<storage::TreatmentMark>& marks);
   void clear();  ///< another person: nothing half-typed, nothing to bring back
 
  Q_SIGNALS:
-  void added(const TreatmentMark& mark);
-  void removed(RowId id);
+  void added(const storage::TreatmentMark& mark);
+  void removed(storage::RowId id);
 
  private:
   void add();
@@ -75,8 +75,8 @@ class TreatmentCard final : public Card {
   QLineEdit* text_;
   Remark* remark_;
   DatedList* list_;
-  std::vector<TreatmentMark> marks_;
-  std::vector<TreatmentMark> gone_;  ///< removed while this person is shown
+  std::vector<storage::TreatmentMark> marks_;
+  std::vector<storage::TreatmentMark> gone_;  ///< removed while this person is shown
 };
 
 /// Scores of the scales that the clinic uses anyway.
@@ -85,17 +85,17 @@ class ScoreCard final : public Card {
 
  public:
   explicit ScoreCard(QWidget* parent = nullptr);
-  void show_scores(const std::vector<ClinicalScore>& scores);
+  void show_scores(const std::vector<storage::ClinicalScore>& scores);
   void clear();
 
  Q_SIGNALS:
-  void added(const ClinicalScore& score);
-  void removed(RowId id);
+  void added(const storage::ClinicalScore& score);
+  void removed(storage::RowId id);
 
  private:
   void add();
   void read_value(bool complete);
-  [[nodiscard]] const ClinicalScale& scale() const;
+  [[nodiscard]] const storage::ClinicalScale& scale() const;
 
   DateField* date_;
   QComboBox* scale_;
@@ -103,8 +103,8 @@ class ScoreCard final : public Card {
   QLineEdit* text_;
   Remark* remark_;
   DatedList* list_;
-  std::vector<ClinicalScore> scores_;
-  std::vector<ClinicalScore> gone_;
+  std::vector<storage::ClinicalScore> scores_;
+  std::vector<storage::ClinicalScore> gone_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 #include "gui/look/look.hpp"
 #include "reports/findings/patient_verdicts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -97,13 +97,14 @@ ProfilePanel::ProfilePanel(Clinic& clinic, QWidget* parent) : QWidget(parent), c
 template <class Card, class Entry>
 void ProfilePanel::connect_card(Card* card,
                                 void (Clinic::*add)(const std::string&, const Entry&, Stored),
-                                void (Clinic::*remove)(const std::string&, RowId, Stored)) {
+                                void (Clinic::*remove)(const std::string&, storage::RowId,
+                                                       Stored)) {
   connect(card, &Card::added, this, [this, add](const Entry& entry) {
     change([code = code_, entry, add](Clinic& to, Stored then) {
       (to.*add)(code, entry, std::move(then));
     });
   });
-  connect(card, &Card::removed, this, [this, remove](RowId id) {
+  connect(card, &Card::removed, this, [this, remove](storage::RowId id) {
     change([code = code_, id, remove](Clinic& to, Stored then) {
       (to.*remove)(code, id, std::move(then));
     });
@@ -147,8 +148,11 @@ void ProfilePanel::load() {
 void ProfilePanel::load_choices() {
   if (code_.empty() || !isVisible()) return;
   clinic_.read(
-      this, [code = code_](SessionStore& store) { return primary_choices(store, code); },
-      [this, code = code_](const Result<std::vector<PrimaryMeasure>>& choices) {
+      this,
+      [code = code_](storage::SessionStore& store) {
+        return reports::primary_choices(store, code);
+      },
+      [this, code = code_](const Result<std::vector<storage::PrimaryMeasure>>& choices) {
         if (choices && code == code_) primary_->offer(*choices);
       });
 }
@@ -161,7 +165,7 @@ void ProfilePanel::store_now() {
 void ProfilePanel::store() {
   delay_.stop();
   if (!filled_) return;
-  const PatientProfile now = person_->profile();
+  const storage::PatientProfile now = person_->profile();
   if (now != sent_) {
     sent_ = now;
     changed_ = true;
@@ -259,4 +263,4 @@ void ProfilePanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

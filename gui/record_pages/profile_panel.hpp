@@ -16,7 +16,7 @@
 #include "gui/record_pages/change_cards.hpp"
 #include "gui/record_pages/profile_cards.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ProfilePanel final : public QWidget {
   Q_OBJECT
@@ -46,7 +46,7 @@ class ProfilePanel final : public QWidget {
   /// Connects a card of entries that are added and removed.
   template <class Card, class Entry>
   void connect_card(Card* card, void (Clinic::*add)(const std::string&, const Entry&, Stored),
-                    void (Clinic::*remove)(const std::string&, RowId, Stored));
+                    void (Clinic::*remove)(const std::string&, storage::RowId, Stored));
   /// Only for eyes: nothing waits behind it while the form is hidden.
   void load_choices();
   void try_again();
@@ -56,11 +56,11 @@ class ProfilePanel final : public QWidget {
 
   Clinic& clinic_;
   std::string code_;
-  bool filled_ = false;   ///< the fields show what is stored of code_
-  bool changed_ = false;  ///< since the person is shown
-  int under_way_ = 0;     ///< changes without an answer
-  PatientProfile sent_;   ///< what the database was told last
-  PatientProfile stored_;
+  bool filled_ = false;           ///< the fields show what is stored of code_
+  bool changed_ = false;          ///< since the person is shown
+  int under_way_ = 0;             ///< changes without an answer
+  storage::PatientProfile sent_;  ///< what the database was told last
+  storage::PatientProfile stored_;
   std::vector<Change> refused_;  ///< not stored, oldest first
   QString problem_;              ///< why something could not be read or stored
   QTimer delay_;
@@ -76,4 +76,4 @@ class ProfilePanel final : public QWidget {
   StableCard* stable_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,13 +11,13 @@
 #include "gui/words/words.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
 /// What makes two trials the same task; the name alone does not.
 using TaskKey = std::tuple<std::string, int, std::string, std::string>;
-TaskKey task_of(const TrialRecord& trial) {
+TaskKey task_of(const storage::TrialRecord& trial) {
   return {trial.task_name, trial.task_version, trial.task_text, trial.scene_text};
 }
 
@@ -33,7 +33,7 @@ struct Collected {
 };
 
 struct TaskOfSession {
-  const TrialRecord* trial = nullptr;
+  const storage::TrialRecord* trial = nullptr;
   std::vector<MeasureKey> order;
   std::map<MeasureKey, Collected> measures;
 };
@@ -69,7 +69,8 @@ Work collect(const CourseSession& session) {
   for (auto& [key, task] : work.tasks)
     for (auto& [name, collected] : task.measures) {
       SessionMean& mean = collected.mean;
-      const bool censored = words_for(collected.first->name, collected.first->channel).censored;
+      const bool censored =
+          tasks::words_for(collected.first->name, collected.first->channel).censored;
       if (mean.trials > 0 && !(censored && mean.without > 0)) {
         mean.value = collected.sum / mean.trials;
         mean.reason.clear();
@@ -79,7 +80,7 @@ Work collect(const CourseSession& session) {
 }
 
 /// Why two sessions have nothing to compare; empty: they may have.
-QString difference(const SessionRecord& a, const SessionRecord& b) {
+QString difference(const storage::SessionRecord& a, const storage::SessionRecord& b) {
   if (a.id == b.id) return QObject::tr("This is one session twice: choose another one.");
   if (a.hand != b.hand) return QObject::tr("The two sessions are of different hands.");
   if (a.simulated != b.simulated || a.recorded != b.recorded)
@@ -99,10 +100,10 @@ QString task_difference(const TaskKey& a, const TaskKey& b) {
 }
 
 void add_rows(const TaskOfSession& in_a, const TaskOfSession& in_b, SessionComparison& comparison) {
-  const auto spec = parse_task(in_b.trial->task_text, in_b.trial->task_name);
+  const auto spec = tasks::parse_task(in_b.trial->task_text, in_b.trial->task_name);
   const auto task_spec = spec ? std::optional(*spec) : std::nullopt;
   const auto name = shown(in_b.trial->task_name);
-  std::vector<std::pair<Place, ComparedMeasure>> rows;
+  std::vector<std::pair<tasks::Place, ComparedMeasure>> rows;
   std::set<QString> other_version;
   for (const auto& key : in_b.order) {
     const auto& b = in_b.measures.at(key);
@@ -114,12 +115,12 @@ void add_rows(const TaskOfSession& in_a, const TaskOfSession& in_b, SessionCompa
       if (there) other_version.insert(measure_title(*b.first));
       continue;
     }
-    const auto place = place_of(task_spec, b.first->name, b.first->channel);
+    const auto place = tasks::place_of(task_spec, b.first->name, b.first->channel);
     ComparedMeasure row{name,
                         measure_title(*b.first),
                         b.first->unit,
-                        place.prominence == Prominence::key,
-                        place.prominence != Prominence::none,
+                        place.prominence == tasks::Prominence::key,
+                        place.prominence != tasks::Prominence::none,
                         a->second.mean,
                         b.mean,
                         std::nullopt};
@@ -165,4 +166,4 @@ SessionComparison compare_sessions(const CourseSession& a, const CourseSession& 
   return comparison;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

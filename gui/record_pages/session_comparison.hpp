@@ -8,7 +8,7 @@
 
 #include "gui/clinic/patient_course.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// A measure in one session: the mean over its assessments.
 struct SessionMean {
@@ -40,4 +40,4 @@ struct SessionComparison {
 /// something took has no mean if a trial waited in vain: failures must not drop out of it.
 [[nodiscard]] SessionComparison compare_sessions(const CourseSession& a, const CourseSession& b);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

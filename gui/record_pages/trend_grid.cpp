@@ -9,7 +9,7 @@
 #include "gui/look/card.hpp"
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kGap_px = 10;
@@ -176,4 +176,4 @@ bool TrendGrid::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

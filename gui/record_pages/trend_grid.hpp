@@ -11,7 +11,7 @@
 #include "gui/record_pages/measure_trend.hpp"
 #include "gui/record_pages/trend_tile.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class TrendGrid final : public QStackedWidget {
   Q_OBJECT
@@ -51,4 +51,4 @@ class TrendGrid final : public QStackedWidget {
   SessionTrendPlot* large_plot_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

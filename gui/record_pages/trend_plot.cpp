@@ -9,7 +9,7 @@
 #include "gui/look/plot_style.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 /// Trials of one session stand side by side, together at most this wide [sessions].
@@ -126,4 +126,4 @@ void SessionTrendPlot::show_trend(const MeasureTrend& trend) {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 class QCustomPlot;
 class QCPGraph;
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// A disc is an assessment, a ring practice, a triangle a helped trial.
 class SessionTrendPlot final : public QWidget {
@@ -29,4 +29,4 @@ class SessionTrendPlot final : public QWidget {
   QCPGraph* helped_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kTileEdge_px = 10;
@@ -110,4 +110,4 @@ void TrendTile::focusOutEvent(QFocusEvent* event) {
   update();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 #include "gui/record_pages/measure_trend.hpp"
 #include "gui/record_pages/trend_plot.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class TrendTile final : public QWidget {
   Q_OBJECT
@@ -36,4 +36,4 @@ class TrendTile final : public QWidget {
   QString remark_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

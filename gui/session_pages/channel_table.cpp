@@ -7,7 +7,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -48,7 +48,7 @@ ChannelTable::ChannelTable(QWidget* parent)
     }
 }
 
-void ChannelTable::show_channels(const Snapshot& snapshot) {
+void ChannelTable::show_channels(const session::Snapshot& snapshot) {
   const QLocale locale;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const Wrench& wrench = snapshot.forces.wrench_C[f];
@@ -70,4 +70,4 @@ void ChannelTable::show_channels(const Snapshot& snapshot) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -6,7 +6,7 @@
 
 #include "session/acquisition/snapshot.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ChannelTable final : public QTableWidget {
   Q_OBJECT
@@ -14,7 +14,7 @@ class ChannelTable final : public QTableWidget {
  public:
   explicit ChannelTable(QWidget* parent = nullptr);
   /// Numbers that change faster than twice a second cannot be read.
-  void show_channels(const Snapshot& snapshot);
+  void show_channels(const session::Snapshot& snapshot);
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

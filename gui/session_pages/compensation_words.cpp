@@ -7,7 +7,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -19,17 +19,17 @@ constexpr double kMm = 1000.0;  // in a metre
 
 }  // namespace
 
-QString compensation_words(const Compensation& compensation) {
+QString compensation_words(const session::Compensation& compensation) {
   QStringList sentences;
   const auto push = compensation.push_percent();
-  if (push && *push >= kRemarkablePush_percent)
+  if (push && *push >= session::kRemarkablePush_percent)
     sentences += CompensationTexts::tr(
                      "This measures the shoulder, too: the arm pushes the platform with %1 % "
                      "of the grip. Let it rest on the support.")
                      .arg(QLocale().toString(*push, 'f', 0));
   for (const Finger finger : kFingers) {
     const auto shift_m = compensation.pad_shift_m(finger);
-    if (shift_m && *shift_m > kRemarkablePadShift_m)
+    if (shift_m && *shift_m > session::kRemarkablePadShift_m)
       sentences += CompensationTexts::tr("%1 moved %2 mm on its support: seat it anew.")
                        .arg(finger_title(finger), QLocale().toString(*shift_m * kMm, 'f', 0));
     if (compensation.slips(finger))
@@ -39,4 +39,4 @@ QString compensation_words(const Compensation& compensation) {
   return sentences.join(QLatin1Char(' '));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

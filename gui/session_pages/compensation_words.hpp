@@ -5,9 +5,9 @@
 
 #include "session/compensation.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What spoils the trial, with what to do, in plain sentences; empty: nothing.
-[[nodiscard]] QString compensation_words(const Compensation& compensation);
+[[nodiscard]] QString compensation_words(const session::Compensation& compensation);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

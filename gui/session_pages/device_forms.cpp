@@ -10,7 +10,7 @@
 #include "gui/look/look.hpp"
 #include "gui/session_pages/device_list.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -190,8 +190,8 @@ void ZeroForm::refresh() {
 
 void ZeroForm::refresh_progress() {
   const auto& now = presenter_.snapshot();
-  progress_->setVisible(now.stage == Stage::zeroing);
+  progress_->setVisible(now.stage == session::Stage::zeroing);
   progress_->setValue(static_cast<int>(100.0 * now.zero_progress));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What is present now, simulated patients, recordings.
 class ConnectForm final : public QWidget {
@@ -52,4 +52,4 @@ class ZeroForm final : public QWidget {
   QProgressBar* progress_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

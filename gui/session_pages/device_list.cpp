@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace fs = std::filesystem;
 
@@ -76,4 +76,4 @@ std::string recording_uri(const std::string& path) {
   return uri;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

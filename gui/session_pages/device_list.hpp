@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct DeviceChoice {
   std::string words;  ///< "Simulated patient, healthy"
@@ -20,4 +20,4 @@ struct DeviceChoice {
 /// replay://… of a file, with the characters escaped that a URI keeps for itself.
 [[nodiscard]] std::string recording_uri(const std::string& path);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

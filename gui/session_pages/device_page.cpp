@@ -10,7 +10,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -22,17 +22,17 @@ struct Counter {
   std::uint64_t SensorCounters::*count;
 };
 constexpr std::array<Counter, 9> kCounters{
-    {{QT_TRANSLATE_NOOP("isograsp::DevicePage", "Good samples"), &SensorCounters::good},
-     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Lost"), &SensorCounters::lost},
-     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Half samples"), &SensorCounters::torn},
-     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Meaningless"), &SensorCounters::invalid},
-     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Standing still"), &SensorCounters::stale},
-     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "At the end of the range"),
+    {{QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Good samples"), &SensorCounters::good},
+     {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Lost"), &SensorCounters::lost},
+     {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Half samples"), &SensorCounters::torn},
+     {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Meaningless"), &SensorCounters::invalid},
+     {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Standing still"), &SensorCounters::stale},
+     {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "At the end of the range"),
       &SensorCounters::saturated},
-     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Overloaded"), &SensorCounters::overload},
-     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Called wrong by the sensor"),
+     {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Overloaded"), &SensorCounters::overload},
+     {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Called wrong by the sensor"),
       &SensorCounters::status_errors},
-     {QT_TRANSLATE_NOOP("isograsp::DevicePage", "Set up again"), &SensorCounters::restarts}}};
+     {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Set up again"), &SensorCounters::restarts}}};
 
 QString title_of(const Counter& counter) {
   return DevicePage::tr(counter.title);
@@ -250,4 +250,4 @@ void DevicePage::refresh_sensors() {
     }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -14,7 +14,7 @@
 #include "gui/session_pages/state_light.hpp"
 #include "gui/session_pages/support_picture.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class DevicePage final : public QWidget {
   Q_OBJECT
@@ -48,4 +48,4 @@ class DevicePage final : public QWidget {
   QLabel* no_faults_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

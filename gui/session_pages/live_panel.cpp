@@ -10,7 +10,7 @@
 #include "gui/session_pages/compensation_words.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 FingerBar::FingerBar(Finger finger, QWidget* parent) : QWidget(parent), finger_(finger) {
   setMinimumSize(scaled(110), scaled(46));
@@ -81,7 +81,7 @@ void FingerBar::paintEvent(QPaintEvent*) {
 namespace {
 
 /// `maximum_N`: 0: not known, or not asked for.
-QString grip_words(const Snapshot& snapshot, double maximum_N) {
+QString grip_words(const session::Snapshot& snapshot, double maximum_N) {
   constexpr double kPercent = 100.0;
   if (snapshot.frames == 0) return QObject::tr("Grip  –");
   const auto newtons = short_number(snapshot.grip_N);
@@ -92,7 +92,7 @@ QString grip_words(const Snapshot& snapshot, double maximum_N) {
           : QObject::tr("Grip  <b>%1 N</b>").arg(newtons);
   const auto push = push_words(snapshot.push);
   if (push.isEmpty()) return grip + QStringLiteral("<br>&nbsp;");
-  const bool much = *snapshot.push.share_of_grip_percent >= kRemarkablePush_percent;
+  const bool much = *snapshot.push.share_of_grip_percent >= session::kRemarkablePush_percent;
   return grip + QStringLiteral("<br>") + (much ? QStringLiteral("<b>! %1</b>").arg(push) : push);
 }
 
@@ -180,4 +180,4 @@ void LivePanel::refresh() {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

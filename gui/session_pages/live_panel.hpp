@@ -10,7 +10,7 @@
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/session_pages/channel_table.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// One finger: swatch, name, value and a bar; signed, pulling goes left of the mark.
 class FingerBar final : public QWidget {
@@ -51,4 +51,4 @@ class LivePanel final : public Card {
   int polls_ = 0;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -7,7 +7,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -87,4 +87,4 @@ void PatientForm::refresh() {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 #include "gui/look/choice_box.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class PatientForm final : public QWidget {
   Q_OBJECT
@@ -31,4 +31,4 @@ class PatientForm final : public QWidget {
   std::array<QCheckBox*, 4> switches_{};
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/session_pages/strap_form.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -136,4 +136,4 @@ void PreparePanel::refresh() {
   mark_next(*confirm_hand_, view.press == NextPress::confirm_hand);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/session_pages/step_section.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class PreparePanel final : public QWidget {
   Q_OBJECT
@@ -33,4 +33,4 @@ class PreparePanel final : public QWidget {
   std::array<StepSection*, kStepCount> sections_{};
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

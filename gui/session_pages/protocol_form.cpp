@@ -10,7 +10,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -36,7 +36,7 @@ QString words_of(const ProtocolGuide::Row& row) {
 
 }  // namespace
 
-QString duration_words(const Duration& duration) {
+QString duration_words(const tasks::Duration& duration) {
   const auto minutes = [](double duration_s) {
     return static_cast<int>(std::ceil(duration_s / 60.0));
   };
@@ -174,4 +174,4 @@ void ProtocolForm::fill_steps() {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

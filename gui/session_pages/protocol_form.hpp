@@ -11,7 +11,7 @@
 
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// Chosen before connecting, with the steps that it will have.
 class ProtocolForm final : public QWidget {
@@ -40,6 +40,6 @@ class ProtocolForm final : public QWidget {
 };
 
 /// "about 11 min, at most 16 min"
-[[nodiscard]] QString duration_words(const Duration& duration);
+[[nodiscard]] QString duration_words(const tasks::Duration& duration);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -11,7 +11,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
     : Card({}, parent), presenter_(presenter) {
@@ -375,4 +375,4 @@ void RatingPanel::refresh() {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -14,7 +14,7 @@
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/session_pages/score_row.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class RunPanel final : public Card {
   Q_OBJECT
@@ -75,4 +75,4 @@ class RatingPanel final : public Card {
   QPushButton* correct_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

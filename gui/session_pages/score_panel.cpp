@@ -7,7 +7,7 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 ScorePanel::ScorePanel(SessionPresenter& presenter, QWidget* parent)
     : Card(tr("Result"), parent), presenter_(presenter) {
@@ -47,7 +47,8 @@ void ScorePanel::refresh() {
     remark_->setText(tr("So far, renewed every second"));
   } else if (last) {
     const auto name = shown(last->trial.task_name);
-    const bool whole = last->trial.status == TrialStatus::completed && last->trial.dropped == 0;
+    const bool whole =
+        last->trial.status == storage::TrialStatus::completed && last->trial.dropped == 0;
     remark_->setText(
         tr("%1: %2").arg(name, status_words(last->trial.status)) +
         (last->trial.practice ? tr(", practice") : QString()) +
@@ -70,4 +71,4 @@ void ScorePanel::refresh() {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 #include "gui/look/card.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ScorePanel final : public Card {
   Q_OBJECT
@@ -24,4 +24,4 @@ class ScorePanel final : public Card {
   QTableWidget* table_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -7,7 +7,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kMost = 10;
@@ -43,4 +43,4 @@ void ScoreRow::show_value(std::optional<int> value) {
   numbers_->setExclusive(true);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

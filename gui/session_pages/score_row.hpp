@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <optional>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ScoreRow final : public QWidget {
   Q_OBJECT
@@ -24,4 +24,4 @@ class ScoreRow final : public QWidget {
   QButtonGroup* numbers_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

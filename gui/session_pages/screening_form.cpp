@@ -7,13 +7,14 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kUsualCeiling_N = 20;
 constexpr int kLeastCeiling_N = 1;
 constexpr int kMostCeiling_N = 500;
-constexpr std::array<Effort, 3> kEfforts{Effort::maximum, Effort::comfortable, Effort::none};
+constexpr std::array<tasks::Effort, 3> kEfforts{tasks::Effort::maximum, tasks::Effort::comfortable,
+                                                tasks::Effort::none};
 }  // namespace
 
 ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
@@ -50,10 +51,10 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
   });
   auto* decision = new QLabel(tr("You decide for this hand"));
   column->addWidget(decision);
-  for (const Effort effort : kEfforts) {
+  for (const tasks::Effort effort : kEfforts) {
     auto* button = new QPushButton(words_for(effort));
     button->setObjectName(QStringLiteral("screening_allow_%1")
-                              .arg(QString::fromStdString(std::string(name_of(effort)))));
+                              .arg(QString::fromStdString(std::string(tasks::name_of(effort)))));
     button->setCheckable(true);
     describe(*button, words_for(effort),
              tr("%1 of this hand today (Tab, then space)").arg(words_for(effort)));
@@ -97,7 +98,7 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
   connect(nothing_, &QPushButton::clicked, this, [this] {
     Screening answers;
     answers.pain = 0;
-    answers.allowed = Effort::maximum;
+    answers.allowed = tasks::Effort::maximum;
     answers.ceiling_N = presenter_.screening().ceiling_N;
     answer(answers);
   });
@@ -123,7 +124,7 @@ void ScreeningForm::refresh() {
   }
   pain_->show_value(answers.pain);
   const auto proposal = suggested(answers);
-  for (const Effort effort : kEfforts) {
+  for (const tasks::Effort effort : kEfforts) {
     auto* button = efforts_[static_cast<std::size_t>(effort)];
     button->setEnabled(answers.pain.has_value());
     button->setChecked(answers.allowed == effort);
@@ -142,4 +143,4 @@ void ScreeningForm::refresh() {
   advice_->setVisible(!advice_->text().isEmpty());
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

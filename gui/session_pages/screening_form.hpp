@@ -13,7 +13,7 @@
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/session_pages/score_row.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ScreeningForm final : public QWidget {
   Q_OBJECT
@@ -35,4 +35,4 @@ class ScreeningForm final : public QWidget {
   QLabel* advice_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 #include "gui/session_pages/run_panel.hpp"
 #include "gui/session_pages/score_panel.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 SessionPage::SessionPage(SessionPresenter& presenter, QWidget* parent) : QWidget(parent) {
   // With large letters what is watched stands below the two columns of what is done.
@@ -55,4 +55,4 @@ SessionPage::SessionPage(SessionPresenter& presenter, QWidget* parent) : QWidget
   grid->setColumnStretch(0, 2);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -7,7 +7,7 @@
 #include "gui/clinic/clinic.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class SessionPage final : public QWidget {
   Q_OBJECT
@@ -20,4 +20,4 @@ class SessionPage final : public QWidget {
   void report_wanted();
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -14,7 +14,7 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -176,7 +176,7 @@ void StartPage::fill() {
   const auto chosen = QString::fromStdString(presenter_.patient());
   // Who was here last, or was added last, is the likeliest one to be sought.
   auto patients = clinic_.patients();
-  const auto newest = [this](const PatientRecord& patient) {
+  const auto newest = [this](const storage::PatientRecord& patient) {
     const auto session = newest_.find(patient.id);
     return session == newest_.end() ? patient.created_utc
                                     : std::max(session->second.started_utc, patient.created_utc);
@@ -216,8 +216,8 @@ void StartPage::load_recent() {
   if (!clinic_.is_open()) return;
   constexpr int kMost = 1000;  // for the last session of each patient; read in milliseconds
   clinic_.read(
-      this, [](SessionStore& store) { return store.recent_sessions(kMost); },
-      [this](const Result<std::vector<SessionRecord>>& sessions) {
+      this, [](storage::SessionStore& store) { return store.recent_sessions(kMost); },
+      [this](const Result<std::vector<storage::SessionRecord>>& sessions) {
         if (!sessions) return;
         newest_.clear();
         for (const auto& session : *sessions) newest_.emplace(session.patient_id, session);
@@ -226,7 +226,7 @@ void StartPage::load_recent() {
       });
 }
 
-void StartPage::fill_recent(const std::vector<SessionRecord>& sessions) {
+void StartPage::fill_recent(const std::vector<storage::SessionRecord>& sessions) {
   constexpr std::size_t kMostShown = 40;
   const QSignalBlocker quiet(recent_);
   recent_->setRowCount(0);
@@ -238,7 +238,7 @@ void StartPage::fill_recent(const std::vector<SessionRecord>& sessions) {
     for (const auto& patient : clinic_.patients())
       if (patient.id == session.patient_id) code = QString::fromStdString(patient.code);
     const auto hand = session.hand == Hand::left ? tr("left") : tr("right");
-    auto what = isograsp::shown(session.protocol_name);
+    auto what = gui::shown(session.protocol_name);
     if (what.isEmpty()) what = tr("Tasks one by one");
     if (session.simulated) what = tr("%1, simulated").arg(what);
     const std::array<QString, 4> texts{local_time(session.started_utc), code, hand, what};
@@ -252,7 +252,7 @@ void StartPage::fill_recent(const std::vector<SessionRecord>& sessions) {
 void StartPage::refresh() {
   const auto& view = presenter_.view();
   const bool chosen = !presenter_.patient().empty();
-  names_->setVisible(staff_.is_protected() && staff_.allows(Right::identities) &&
+  names_->setVisible(staff_.is_protected() && staff_.allows(storage::Right::identities) &&
                      staff_.names().empty());
   list_->setEnabled(view.may_change_patient);
   recent_->setEnabled(view.may_change_patient);
@@ -272,4 +272,4 @@ void StartPage::refresh() {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -15,7 +15,7 @@
 #include "gui/clinic/staff.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class StartPage final : public QWidget {
   Q_OBJECT
@@ -38,7 +38,7 @@ class StartPage final : public QWidget {
   [[nodiscard]] QWidget* make_first_start();
   void fill();
   void load_recent();
-  void fill_recent(const std::vector<SessionRecord>& sessions);
+  void fill_recent(const std::vector<storage::SessionRecord>& sessions);
   void refresh();
 
   Clinic& clinic_;
@@ -56,7 +56,7 @@ class StartPage final : public QWidget {
   QWidget* first_start_;
   QPushButton* demonstration_;
   bool making_ = false;
-  std::map<RowId, SessionRecord> newest_;  ///< session, by patient
+  std::map<storage::RowId, storage::SessionRecord> newest_;  ///< session, by patient
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -6,7 +6,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 StateLight::StateLight(int size_px, QWidget* parent) : QWidget(parent) {
   setFixedSize(scaled(size_px), scaled(size_px));
@@ -72,4 +72,4 @@ void StateLight::paintEvent(QPaintEvent*) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -6,7 +6,7 @@
 
 #include "gui/presenter/flow.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class StateLight final : public QWidget {
   Q_OBJECT
@@ -23,4 +23,4 @@ class StateLight final : public QWidget {
   Mood mood_ = Mood::off;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What came of a step: its beginning is shown, the tooltip of the step has all of it.
 class StepSummary final : public QLabel {
@@ -96,4 +96,4 @@ void StepSection::open(bool open) {
   Q_EMIT opened();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

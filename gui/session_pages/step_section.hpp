@@ -9,7 +9,7 @@
 
 #include "gui/presenter/flow.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class StepSummary;
 
@@ -39,4 +39,4 @@ class StepSection final : public QFrame {
   QWidget* body_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -150,4 +150,4 @@ void StrapForm::refresh() {
                                : shown(rest));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/look/choice_box.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class StrapForm final : public QWidget {
   Q_OBJECT
@@ -36,4 +36,4 @@ class StrapForm final : public QWidget {
   QLabel* words_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -7,7 +7,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -97,4 +97,4 @@ void SupportPicture::paintEvent(QPaintEvent*) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 
 #include "device/sensors/device_check.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class SupportPicture final : public QWidget {
   Q_OBJECT
@@ -26,4 +26,4 @@ class SupportPicture final : public QWidget {
   Hand hand_ = Hand::right;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8124,14 +8124,14 @@
     </message>
 </context>
 <context>
-    <name>isograsp::BackupWork</name>
+    <name>isograsp::gui::BackupWork</name>
     <message>
         <source>No backup could be made: %1</source>
         <translation>Es konnte keine Sicherung gemacht werden: %1</translation>
     </message>
 </context>
 <context>
-    <name>isograsp::ChannelTable</name>
+    <name>isograsp::gui::ChannelTable</name>
     <message>
         <source>All channels</source>
         <translation>Alle Kanäle</translation>
@@ -8182,7 +8182,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ComparisonPanel</name>
+    <name>isograsp::gui::ComparisonPanel</name>
     <message>
         <source>Compare two sessions</source>
         <translation>Zwei Sitzungen vergleichen</translation>
@@ -8261,7 +8261,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ConnectForm</name>
+    <name>isograsp::gui::ConnectForm</name>
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
@@ -8320,7 +8320,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::CoursePanel</name>
+    <name>isograsp::gui::CoursePanel</name>
     <message>
         <source>Sessions</source>
         <translation>Sitzungen</translation>
@@ -8347,7 +8347,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::DatedList</name>
+    <name>isograsp::gui::DatedList</name>
     <message>
         <source>%1, by date; the arrow keys choose one, Ctrl+Delete removes it</source>
         <translation>%1, nach Datum; die Pfeiltasten wählen, Strg+Entf entfernt</translation>
@@ -8378,7 +8378,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::DevicePage</name>
+    <name>isograsp::gui::DevicePage</name>
     <message>
         <source>not told</source>
         <translation>nicht angegeben</translation>
@@ -8505,7 +8505,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ExportPanel</name>
+    <name>isograsp::gui::ExportPanel</name>
     <message>
         <source>Exporting …</source>
         <translation>Export läuft …</translation>
@@ -8665,7 +8665,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::FileInUse</name>
+    <name>isograsp::gui::FileInUse</name>
     <message>
         <source>IsoGrasp</source>
         <translation>IsoGrasp</translation>
@@ -8716,7 +8716,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::FingerBar</name>
+    <name>isograsp::gui::FingerBar</name>
     <message>
         <source>%1: normal force, pressing is positive</source>
         <translation>%1: Normalkraft, Drücken ist positiv</translation>
@@ -8747,7 +8747,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::HistoryPanel</name>
+    <name>isograsp::gui::HistoryPanel</name>
     <message>
         <source>&amp;History</source>
         <translation>&amp;Verlauf</translation>
@@ -8806,7 +8806,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::IdentityCard</name>
+    <name>isograsp::gui::IdentityCard</name>
     <message>
         <source>Identity</source>
         <translation>Identität</translation>
@@ -8865,7 +8865,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::LibraryPage</name>
+    <name>isograsp::gui::LibraryPage</name>
     <message>
         <source>Library</source>
         <translation>Vorlagen</translation>
@@ -9096,7 +9096,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::LibraryView</name>
+    <name>isograsp::gui::LibraryView</name>
     <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
@@ -9135,7 +9135,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::LivePanel</name>
+    <name>isograsp::gui::LivePanel</name>
     <message>
         <source>Live forces</source>
         <translation>Kräfte jetzt</translation>
@@ -9176,7 +9176,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::LivePlot</name>
+    <name>isograsp::gui::LivePlot</name>
     <message>
         <source>Time before now (s)</source>
         <translation>Zeit vor jetzt (s)</translation>
@@ -9187,7 +9187,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::LoginPage</name>
+    <name>isograsp::gui::LoginPage</name>
     <message>
         <source>Who are you?</source>
         <translation>Wer sind Sie?</translation>
@@ -9274,7 +9274,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ObjectSketch</name>
+    <name>isograsp::gui::ObjectSketch</name>
     <message numerus="yes">
         <source>The object in the plane of x and y, with %n target(s)</source>
         <translation>
@@ -9292,7 +9292,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ObjectPathView</name>
+    <name>isograsp::gui::ObjectPathView</name>
     <message>
         <source>From the front</source>
         <translation>Von vorn</translation>
@@ -9303,7 +9303,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::PatientForm</name>
+    <name>isograsp::gui::PatientForm</name>
     <message>
         <source>Choose or add a p&amp;atient</source>
         <translation>&amp;Patient wählen oder anlegen</translation>
@@ -9378,7 +9378,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::PatientPage</name>
+    <name>isograsp::gui::PatientPage</name>
     <message>
         <source>Progress</source>
         <translation>Verlauf</translation>
@@ -9445,14 +9445,14 @@
     </message>
 </context>
 <context>
-    <name>isograsp::PatientWindow</name>
+    <name>isograsp::gui::PatientWindow</name>
     <message>
         <source>IsoGrasp: patient screen</source>
         <translation>IsoGrasp: Patientenbildschirm</translation>
     </message>
 </context>
 <context>
-    <name>isograsp::PersonCard</name>
+    <name>isograsp::gui::PersonCard</name>
     <message>
         <source>Person</source>
         <translation>Person</translation>
@@ -9591,7 +9591,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::PreparePanel</name>
+    <name>isograsp::gui::PreparePanel</name>
     <message>
         <source>Patient</source>
         <translation>Patient</translation>
@@ -9698,7 +9698,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::PrimaryCard</name>
+    <name>isograsp::gui::PrimaryCard</name>
     <message>
         <source>Primary measures</source>
         <translation>Hauptmessgrößen</translation>
@@ -9761,7 +9761,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ProfilePanel</name>
+    <name>isograsp::gui::ProfilePanel</name>
     <message>
         <source>Try again</source>
         <translation>Noch einmal</translation>
@@ -9804,7 +9804,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ProtocolForm</name>
+    <name>isograsp::gui::ProtocolForm</name>
     <message>
         <source>%1, practice (%2)</source>
         <translation>%1, Übung (%2)</translation>
@@ -9878,7 +9878,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::RatingPanel</name>
+    <name>isograsp::gui::RatingPanel</name>
     <message>
         <source>Kept: effort %1, pain %2. Another number corrects it.</source>
         <translation>Behalten: Anstrengung %1, Schmerz %2. Eine andere Zahl berichtigt.</translation>
@@ -9923,14 +9923,14 @@
     </message>
 </context>
 <context>
-    <name>isograsp::Remark</name>
+    <name>isograsp::gui::Remark</name>
     <message>
         <source>⚠ %1</source>
         <translation>⚠ %1</translation>
     </message>
 </context>
 <context>
-    <name>isograsp::ReportPanel</name>
+    <name>isograsp::gui::ReportPanel</name>
     <message>
         <source>Progress report</source>
         <translation>Verlaufsbericht</translation>
@@ -10121,7 +10121,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ReportWork</name>
+    <name>isograsp::gui::ReportWork</name>
     <message>
         <source>reading</source>
         <translation>Lesen</translation>
@@ -10132,7 +10132,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ReportsPage</name>
+    <name>isograsp::gui::ReportsPage</name>
     <message>
         <source>Report</source>
         <translation>Bericht</translation>
@@ -10155,7 +10155,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::RunPanel</name>
+    <name>isograsp::gui::RunPanel</name>
     <message>
         <source>Now</source>
         <translation>Jetzt</translation>
@@ -10390,7 +10390,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ScoreCard</name>
+    <name>isograsp::gui::ScoreCard</name>
     <message>
         <source>Clinical scores</source>
         <translation>Klinische Werte</translation>
@@ -10453,7 +10453,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ScorePanel</name>
+    <name>isograsp::gui::ScorePanel</name>
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
@@ -10496,7 +10496,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ScoreRow</name>
+    <name>isograsp::gui::ScoreRow</name>
     <message>
         <source>%1: %2 of 10</source>
         <translation>%1: %2 von 10</translation>
@@ -10507,7 +10507,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ScreeningForm</name>
+    <name>isograsp::gui::ScreeningForm</name>
     <message>
         <source>Nothing applies, no &amp;pain</source>
         <translation>Nichts trifft &amp;zu, kein Schmerz</translation>
@@ -10566,14 +10566,14 @@
     </message>
 </context>
 <context>
-    <name>isograsp::SegmentedChoice</name>
+    <name>isograsp::gui::SegmentedChoice</name>
     <message>
         <source>%1; pressed again: not told (%2)</source>
         <translation>%1; noch einmal gedrückt: nicht angegeben (%2)</translation>
     </message>
 </context>
 <context>
-    <name>isograsp::SessionPresenter</name>
+    <name>isograsp::gui::SessionPresenter</name>
     <message>
         <source>%1, practice</source>
         <translation>%1, Übung</translation>
@@ -10592,7 +10592,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::SessionSpan</name>
+    <name>isograsp::gui::SessionSpan</name>
     <message>
         <source>%1 (Alt+%2, then arrow keys)</source>
         <translation>%1 (Alt+%2, dann Pfeiltasten)</translation>
@@ -10603,7 +10603,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::SessionTrendPlot</name>
+    <name>isograsp::gui::SessionTrendPlot</name>
     <message>
         <source>assessment</source>
         <translation>Assessment</translation>
@@ -10632,7 +10632,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::SettingsFile</name>
+    <name>isograsp::gui::SettingsFile</name>
     <message>
         <source>%1: %2 = &quot;%3&quot; is not a number from %4 to %5; it counts as not set. Correct it in the settings.</source>
         <translation>%1: %2 = &quot;%3&quot; ist keine Zahl von %4 bis %5; es gilt als nicht gesetzt. Berichtigen Sie es in den Einstellungen.</translation>
@@ -10647,7 +10647,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::SettingsPage</name>
+    <name>isograsp::gui::SettingsPage</name>
     <message>
         <source>This window</source>
         <translation>Dieses Fenster</translation>
@@ -10850,7 +10850,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::StableCard</name>
+    <name>isograsp::gui::StableCard</name>
     <message>
         <source>Judged stable</source>
         <translation>Als stabil beurteilt</translation>
@@ -10925,7 +10925,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::StartPage</name>
+    <name>isograsp::gui::StartPage</name>
     <message>
         <source>Patients</source>
         <translation>Patienten</translation>
@@ -11096,14 +11096,14 @@
     </message>
 </context>
 <context>
-    <name>isograsp::StateLight</name>
+    <name>isograsp::gui::StateLight</name>
     <message>
         <source>State: %1</source>
         <translation>Zustand: %1</translation>
     </message>
 </context>
 <context>
-    <name>isograsp::StepSection</name>
+    <name>isograsp::gui::StepSection</name>
     <message>
         <source>done</source>
         <translation>erledigt</translation>
@@ -11126,7 +11126,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::StrapForm</name>
+    <name>isograsp::gui::StrapForm</name>
     <message>
         <source>Hand is &amp;in and strapped</source>
         <translation>Hand im Gerät, angegur&amp;tet</translation>
@@ -11181,14 +11181,14 @@
     </message>
 </context>
 <context>
-    <name>isograsp::SupportPicture</name>
+    <name>isograsp::gui::SupportPicture</name>
     <message>
         <source>The three supports, none to be pressed</source>
         <translation>Die drei Auflagen, keine ist zu drücken</translation>
     </message>
 </context>
 <context>
-    <name>isograsp::TargetCurve</name>
+    <name>isograsp::gui::TargetCurve</name>
     <message>
         <source>%1 over time</source>
         <translation>%1 über der Zeit</translation>
@@ -11203,7 +11203,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::TherapistWindow</name>
+    <name>isograsp::gui::TherapistWindow</name>
     <message>
         <source>IsoGrasp</source>
         <translation>IsoGrasp</translation>
@@ -11302,7 +11302,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::TreatmentCard</name>
+    <name>isograsp::gui::TreatmentCard</name>
     <message>
         <source>Treatment</source>
         <translation>Behandlung</translation>
@@ -11361,7 +11361,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::TrendGrid</name>
+    <name>isograsp::gui::TrendGrid</name>
     <message>
         <source>No measure of this patient has been stored yet.</source>
         <translation>Für diesen Patienten ist noch keine Messgröße gespeichert.</translation>
@@ -11400,14 +11400,14 @@ Die Versuche unterscheiden sich in Parametern, Stufe oder Objekt: Von einem zum 
     </message>
 </context>
 <context>
-    <name>isograsp::TrendPlot</name>
+    <name>isograsp::gui::TrendPlot</name>
     <message>
         <source>Trial</source>
         <translation>Versuch</translation>
     </message>
 </context>
 <context>
-    <name>isograsp::TrendTile</name>
+    <name>isograsp::gui::TrendTile</name>
     <message>
         <source>%1, %2: %3</source>
         <translation>%1, %2: %3</translation>
@@ -11428,7 +11428,7 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     </message>
 </context>
 <context>
-    <name>isograsp::TrialAbout</name>
+    <name>isograsp::gui::TrialAbout</name>
     <message>
         <source>About this trial</source>
         <translation>Über diesen Versuch</translation>
@@ -11471,7 +11471,7 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     </message>
 </context>
 <context>
-    <name>isograsp::TrialPlot</name>
+    <name>isograsp::gui::TrialPlot</name>
     <message>
         <source>Time (s)</source>
         <translation>Zeit (s)</translation>
@@ -11482,7 +11482,7 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     </message>
 </context>
 <context>
-    <name>isograsp::TrialView</name>
+    <name>isograsp::gui::TrialView</name>
     <message>
         <source>Trial</source>
         <translation>Versuch</translation>
@@ -11609,14 +11609,14 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     </message>
 </context>
 <context>
-    <name>isograsp::WorkProgress</name>
+    <name>isograsp::gui::WorkProgress</name>
     <message>
         <source>How much of it is written</source>
         <translation>Wie viel davon geschrieben ist</translation>
     </message>
 </context>
 <context>
-    <name>isograsp::ZeroForm</name>
+    <name>isograsp::gui::ZeroForm</name>
     <message>
         <source>Device is empty: set &amp;zero</source>
         <translation>Gerät ist leer: &amp;Nullabgleich</translation>

@@ -22,7 +22,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ExportPanel</name>
+    <name>isograsp::gui::ExportPanel</name>
     <message numerus="yes">
         <source>%n trial(s) written to &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;</source>
         <translation>
@@ -46,7 +46,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ObjectSketch</name>
+    <name>isograsp::gui::ObjectSketch</name>
     <message numerus="yes">
         <source>The object in the plane of x and y, with %n target(s)</source>
         <translation>
@@ -56,7 +56,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::ProtocolForm</name>
+    <name>isograsp::gui::ProtocolForm</name>
     <message numerus="yes">
         <source>Interrupted today after %n step(s). Go on where it stopped?</source>
         <translation>

@@ -5,15 +5,15 @@
 
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 /// Steps of the drawn path: about a pixel in the pictures of a workspace of some 200 mm.
 constexpr double kPathStep_m = 0.0005;
 }  // namespace
 
-Result<LoadedTrial> load_trial(SessionStore& store, const SessionRecord& session,
-                               const TrialRecord& trial) {
+Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::SessionRecord& session,
+                               const storage::TrialRecord& trial) {
   auto opened = open_trial(store, session, trial);
   if (!opened) return opened.error();
   LoadedTrial loaded;
@@ -26,8 +26,8 @@ Result<LoadedTrial> load_trial(SessionStore& store, const SessionRecord& session
         QObject::tr("There is nothing to replay: %1.").arg(shown(replay.error().what));
   }
   loaded.opened.signals = {};
-  if (auto task = parse_task(trial.task_text, trial.task_name))
-    loaded.task = std::make_shared<const TaskSpec>(*std::move(task));
+  if (auto task = tasks::parse_task(trial.task_text, trial.task_name))
+    loaded.task = std::make_shared<const tasks::TaskSpec>(*std::move(task));
   if (!trial.scene_text.empty())
     if (auto scene = parse_scene(trial.scene_text, trial.task_name))
       loaded.scene = std::make_shared<const Scene>(for_hand(*std::move(scene), session.hand));
@@ -42,8 +42,8 @@ PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
   facts.task = trial.task;
   facts.scene = trial.scene;
   facts.maximum_force_N = trial.opened.trial.maximum_force_N;
-  Snapshot& now = facts.snapshot;
-  now.stage = Stage::trial;
+  session::Snapshot& now = facts.snapshot;
+  now.stage = session::Stage::trial;
   now.frames = 1;
   now.has_object = true;
   now.task.phase = state.phase;
@@ -62,4 +62,4 @@ PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
   return picture;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

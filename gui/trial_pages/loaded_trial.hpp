@@ -11,23 +11,24 @@
 #include "gui/trial_pages/opened_trial.hpp"
 #include "gui/trial_pages/trial_replay.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct LoadedTrial {
   OpenedTrial opened;   ///< without its signals: these are in the replay
   QString why_nothing;  ///< why the replay is empty; empty: it is not
   TrialReplay replay;
   std::vector<TrialFact> facts;
-  std::shared_ptr<const TaskSpec> task;  ///< null: its text cannot be read
-  std::shared_ptr<const Scene> scene;    ///< turned for the hand; null: no object
-  std::vector<Vec3> path;                ///< of the object's centre, in the world; NaN: interrupted
+  std::shared_ptr<const tasks::TaskSpec> task;  ///< null: its text cannot be read
+  std::shared_ptr<const Scene> scene;           ///< turned for the hand; null: no object
+  std::vector<Vec3> path;  ///< of the object's centre, in the world; NaN: interrupted
 };
 
-[[nodiscard]] Result<LoadedTrial> load_trial(SessionStore& store, const SessionRecord& session,
-                                             const TrialRecord& trial);
+[[nodiscard]] Result<LoadedTrial> load_trial(storage::SessionStore& store,
+                                             const storage::SessionRecord& session,
+                                             const storage::TrialRecord& trial);
 
 /// What ObjectScene draws of this state. A finger without a value is not there.
 /// @pre trial.scene, trial.task
 [[nodiscard]] PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

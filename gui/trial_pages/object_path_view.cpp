@@ -7,7 +7,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr double kEdge_px = 10.0;
@@ -172,4 +172,4 @@ void ObjectPathView::paintEvent(QPaintEvent*) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

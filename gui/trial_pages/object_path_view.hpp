@@ -10,7 +10,7 @@
 
 #include "gui/trial_pages/loaded_trial.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ObjectPathView final : public QWidget {
   Q_OBJECT
@@ -43,4 +43,4 @@ class ObjectPathView final : public QWidget {
   Vec3 most_m_ = Vec3::Zero();
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

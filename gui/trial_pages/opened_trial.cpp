@@ -13,18 +13,20 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
 /// The first `count` groups, if all of them can be read.
-Result<Signals> first_groups(SessionStore& store, TrialRecord trial, std::size_t count) {
+Result<Signals> first_groups(storage::SessionStore& store, storage::TrialRecord trial,
+                             std::size_t count) {
   trial.groups.resize(count);
   return store.signals(trial);
 }
 
 /// The longest beginning of the trial that can be read, in whole blocks of one second.
-Signals readable_beginning(SessionStore& store, TrialRecord trial, double rate_Hz) {
+Signals readable_beginning(storage::SessionStore& store, storage::TrialRecord trial,
+                           double rate_Hz) {
   const auto block = std::max<std::int64_t>(1, std::llround(rate_Hz));
   std::int64_t readable = 0;  // blocks
   std::int64_t broken = trial.samples / block + 1;
@@ -44,13 +46,15 @@ Signals readable_beginning(SessionStore& store, TrialRecord trial, double rate_H
 
 /// What can still be read of damaged signals: as many groups as possible over the whole trial, or
 /// if the first of them is damaged, all of them up to there.
-Signals readable_part(SessionStore& store, const TrialRecord& trial, double rate_Hz) {
+Signals readable_part(storage::SessionStore& store, const storage::TrialRecord& trial,
+                      double rate_Hz) {
   for (std::size_t count = trial.groups.size() - 1; count > 0; --count)
     if (auto signals = first_groups(store, trial, count)) return *std::move(signals);
   return readable_beginning(store, trial, rate_Hz);
 }
 
-std::string words_for_damage(const Error& error, const Signals& left, const TrialRecord& trial) {
+std::string words_for_damage(const Error& error, const Signals& left,
+                             const storage::TrialRecord& trial) {
   const auto whole = static_cast<std::int64_t>(left.rows()) == trial.samples;
   std::size_t columns = 0;
   for (const auto& group : trial.groups) columns += group.columns.size();
@@ -65,8 +69,8 @@ std::string words_for_damage(const Error& error, const Signals& left, const Tria
 }
 
 /// The events of the trial, and those of the session that fall into it, e.g. notes.
-std::vector<TrialMark> marks_of(const std::vector<EventRecord>& events, const TrialRecord& trial,
-                                double length_s) {
+std::vector<TrialMark> marks_of(const std::vector<storage::EventRecord>& events,
+                                const storage::TrialRecord& trial, double length_s) {
   std::vector<TrialMark> marks;
   for (const auto& event : events) {
     const double t_s = event.session_time_s - trial.session_time_s;
@@ -144,8 +148,8 @@ void add_health_facts(const std::string& health_json, std::vector<TrialFact>& fa
 
 }  // namespace
 
-Result<OpenedTrial> open_trial(SessionStore& store, const SessionRecord& session,
-                               const TrialRecord& trial) {
+Result<OpenedTrial> open_trial(storage::SessionStore& store, const storage::SessionRecord& session,
+                               const storage::TrialRecord& trial) {
   OpenedTrial opened{session, trial, {}, {}, {}, {}};
   auto measures = store.measures(trial.id);
   if (!measures) return measures.error();
@@ -164,7 +168,7 @@ Result<OpenedTrial> open_trial(SessionStore& store, const SessionRecord& session
 }
 
 std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
-  const TrialRecord& trial = opened.trial;
+  const storage::TrialRecord& trial = opened.trial;
   std::vector<TrialFact> facts;
   const auto add = [&](const QString& what, const QString& value, bool doubtful = false) {
     facts.push_back({what, value, doubtful});
@@ -173,7 +177,8 @@ std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
   add(QObject::tr("Hand"), hand_words(opened.session.hand));
   const auto mark = source_mark(opened.session);
   if (!mark.isEmpty()) add(QObject::tr("Source"), mark);
-  add(QObject::tr("Ended"), status_words(trial.status), trial.status != TrialStatus::completed);
+  add(QObject::tr("Ended"), status_words(trial.status),
+      trial.status != storage::TrialStatus::completed);
   add(QObject::tr("Counts as"), trial.helped           ? QObject::tr("helped: no assessment")
                                 : trial.practice       ? QObject::tr("practice: no assessment")
                                 : is_assessment(trial) ? QObject::tr("assessment")
@@ -202,4 +207,4 @@ std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
   return facts;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 #include "core/signals.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// Something that happened, on the time axis of the trial.
 struct TrialMark {
@@ -19,8 +19,8 @@ struct TrialMark {
 };
 
 struct OpenedTrial {
-  SessionRecord session;
-  TrialRecord trial;
+  storage::SessionRecord session;
+  storage::TrialRecord trial;
   std::vector<Measure> measures;
   std::vector<TrialMark> marks;
   Signals signals;
@@ -30,8 +30,9 @@ struct OpenedTrial {
 
 /// Damaged signals are no error: what can be read before or beside the damage is there, and
 /// `damage` says what is not.
-[[nodiscard]] Result<OpenedTrial> open_trial(SessionStore& store, const SessionRecord& session,
-                                             const TrialRecord& trial);
+[[nodiscard]] Result<OpenedTrial> open_trial(storage::SessionStore& store,
+                                             const storage::SessionRecord& session,
+                                             const storage::TrialRecord& trial);
 
 /// "Task version" and "2": one line of what is known about a trial besides its measures.
 struct TrialFact {
@@ -41,4 +42,4 @@ struct TrialFact {
 };
 [[nodiscard]] std::vector<TrialFact> facts_of(const OpenedTrial& trial);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 ReplayWindow::~ReplayWindow() {
   makeCurrent();
@@ -76,4 +76,4 @@ void ReplayWindow::keyPressEvent(QKeyEvent* event) {
   Q_EMIT key_pressed(event->key());
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

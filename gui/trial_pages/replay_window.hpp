@@ -9,7 +9,7 @@
 #include "gui/patient_screen/object_scene.hpp"
 #include "gui/trial_pages/loaded_trial.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class ReplayWindow final : public QOpenGLWindow {
   Q_OBJECT
@@ -38,4 +38,4 @@ class ReplayWindow final : public QOpenGLWindow {
   QImage path_;  ///< the camera never moves: the path is projected once
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 #include "gui/words/words.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kFirstColumn_px = 170;
@@ -73,10 +73,10 @@ void TrialAbout::add_measures(const LoadedTrial& trial, const QString& title, bo
   const auto spec = trial.task ? std::optional(*trial.task) : std::nullopt;
   bool first = true;
   for (const auto& measure : trial.opened.measures) {
-    const auto prominence = place_of(spec, measure.name, measure.channel).prominence;
-    if ((prominence != Prominence::none) != drawn) continue;
+    const auto prominence = tasks::place_of(spec, measure.name, measure.channel).prominence;
+    if ((prominence != tasks::Prominence::none) != drawn) continue;
     if (std::exchange(first, false)) add_heading(title);
-    add(measure_title(measure), measure_value(measure), prominence == Prominence::key,
+    add(measure_title(measure), measure_value(measure), prominence == tasks::Prominence::key,
         measure_remark(measure));
   }
 }
@@ -106,4 +106,4 @@ void TrialAbout::show_trial(const LoadedTrial& trial) {
   add_measures(trial, tr("Other measures"), false);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -6,7 +6,7 @@
 
 #include "gui/trial_pages/loaded_trial.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// "12.34".
 [[nodiscard]] QString seconds_text(double t_s);
@@ -28,4 +28,4 @@ class TrialAbout final : public QTableWidget {
   void add_marks(const std::vector<TrialMark>& marks);
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -137,4 +137,4 @@ QString reading(const TrialReplay& replay, const TrialCurve& curve, double t_s) 
   return quality == SampleQuality::held ? QObject::tr("%1 held").arg(text) : text;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -10,7 +10,7 @@
 
 #include "gui/trial_pages/trial_replay.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What is seen first of a trial; `chosen`: any of the recorded channels.
 enum class CurveSet : std::uint8_t { forces, position, attitude, chosen };
@@ -38,4 +38,4 @@ struct TrialCurve {
 /// "3.21 N", "3.21 N held", "no sample": at the row that is in force at this time.
 [[nodiscard]] QString reading(const TrialReplay& replay, const TrialCurve& curve, double t_s);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/look/plot_style.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -130,8 +130,8 @@ void TrialPlot::add_stretches(const TrialReplay& replay) {
   const auto phases = replay.signals().column("phase");
   if (phases.empty()) return;
   const auto aside = [&](std::size_t row) {
-    return phases[row] == static_cast<double>(Phase::lead_in) ||
-           phases[row] == static_cast<double>(Phase::paused);
+    return phases[row] == static_cast<double>(tasks::Phase::lead_in) ||
+           phases[row] == static_cast<double>(tasks::Phase::paused);
   };
   int count = 0;
   for (const auto& [first, behind] : runs(replay.rows(), aside)) {
@@ -287,4 +287,4 @@ void TrialPlot::focusOutEvent(QFocusEvent* event) {
   update();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 class QCustomPlot;
 class QCPItemStraightLine;
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// "F" for a fault, "P" for a pause: the letter at the mark of an event.
 [[nodiscard]] QString mark_letter(const std::string& kind);
@@ -62,4 +62,4 @@ class TrialPlot final : public QWidget {
   double end_s_ = 1.0;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

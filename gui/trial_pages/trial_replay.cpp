@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -41,10 +41,11 @@ int whole(double value, int otherwise) {
   return std::isfinite(value) ? static_cast<int>(std::lround(value)) : otherwise;
 }
 
-Phase phase_of(double value) {
-  const int number = whole(value, static_cast<int>(Phase::active));
-  return number >= 0 && number <= static_cast<int>(Phase::done) ? static_cast<Phase>(number)
-                                                                : Phase::active;
+tasks::Phase phase_of(double value) {
+  const int number = whole(value, static_cast<int>(tasks::Phase::active));
+  return number >= 0 && number <= static_cast<int>(tasks::Phase::done)
+             ? static_cast<tasks::Phase>(number)
+             : tasks::Phase::active;
 }
 
 }  // namespace
@@ -263,4 +264,4 @@ void Playback::advance(double real_s) noexcept {
   if (t_s_ >= end_s_) playing_ = false;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -16,7 +16,7 @@
 #include "hand/finger.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 enum class SampleQuality : std::uint8_t {
   measured,
@@ -34,7 +34,7 @@ struct ReplayFinger {
 struct ReplayState {
   double t_s = 0.0;                                ///< on the trial's own clock
   SampleQuality quality = SampleQuality::missing;  ///< the worst of the fingers
-  Phase phase = Phase::lead_in;
+  tasks::Phase phase = tasks::Phase::lead_in;
   std::array<ReplayFinger, kFingerCount> fingers{};
   std::optional<double> actual_N;  ///< of the channel that the task is about
   std::optional<double> target_N;
@@ -127,4 +127,4 @@ class Playback {
   bool playing_ = false;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

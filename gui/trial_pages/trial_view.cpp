@@ -14,7 +14,7 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 constexpr int kFrame_ms = 33;       // of the replay on the screen
@@ -22,14 +22,14 @@ constexpr double kSlider_Hz = 1e3;  // steps of the slider
 constexpr int kAbout_px = 284;
 constexpr int kAboutBelow_px = 180;  // with large letters
 
-QString phase_words(Phase phase) {
+QString phase_words(tasks::Phase phase) {
   switch (phase) {
-    case Phase::lead_in: return QObject::tr("lead-in, not scored");
-    case Phase::active: return QObject::tr("scored");
-    case Phase::transport: return QObject::tr("transport");
-    case Phase::hold: return QObject::tr("holding");
-    case Phase::paused: return QObject::tr("paused");
-    case Phase::done: return QObject::tr("done");
+    case tasks::Phase::lead_in: return QObject::tr("lead-in, not scored");
+    case tasks::Phase::active: return QObject::tr("scored");
+    case tasks::Phase::transport: return QObject::tr("transport");
+    case tasks::Phase::hold: return QObject::tr("holding");
+    case tasks::Phase::paused: return QObject::tr("paused");
+    case tasks::Phase::done: return QObject::tr("done");
   }
   return {};
 }
@@ -361,4 +361,4 @@ void TrialView::hideEvent(QHideEvent* event) {
   if (trial_ != nullptr) show_time();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -19,7 +19,7 @@
 #include "gui/trial_pages/trial_about.hpp"
 #include "gui/trial_pages/trial_plot.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 class TrialView final : public Card {
   Q_OBJECT
@@ -78,4 +78,4 @@ class TrialView final : public Card {
   QComboBox* speed_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -138,4 +138,4 @@ CueWords words_for_digits(const std::array<bool, kFingerCount>& asked) {
   return plain_cue(CueTexts::tr("Fill every ring"), how);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

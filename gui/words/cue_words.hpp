@@ -7,7 +7,7 @@
 
 #include "hand/stimulus.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct CueWords {
   std::string headline;  ///< readable at 3 m: in English at most six words, kMostHeadline letters
@@ -32,4 +32,4 @@ inline constexpr std::size_t kMostDetail = 42;
   return (finger == Finger::thumb) == (hand == Hand::right);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

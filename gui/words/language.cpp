@@ -13,7 +13,7 @@ static void take_in_translations() {
   Q_INIT_RESOURCE(translations);
 }
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::string spoken() {
   return now;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 
 #include "gui/words/text_patterns.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 struct Language {
   const char* code;  ///< ISO 639-1
@@ -36,4 +36,4 @@ void speak(const std::string& code);
 /// The code that speak() settled on; "en" before.
 [[nodiscard]] std::string spoken();
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

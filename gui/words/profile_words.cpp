@@ -9,7 +9,7 @@
 #include "core/csv.hpp"
 #include "gui/words/texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -63,18 +63,18 @@ Typed<Date> typed_date(const QString& text, Date today, Ahead ahead) {
         {},
         ProfileTexts::tr("“%1” is no day of the calendar. Give year, month and day, such as %2.")
             .arg(typed, example)};
-  if (!check_date(iso, {}))
+  if (!storage::check_date(iso, {}))
     return {{},
             ProfileTexts::tr("The year of “%1” cannot be right: it is not between %2 and %3.")
                 .arg(typed)
-                .arg(kFirstYear)
-                .arg(kLastYear)};
+                .arg(storage::kFirstYear)
+                .arg(storage::kLastYear)};
   if (ahead == Ahead::refused && *date > today)
     return {{}, ProfileTexts::tr("%1 has not come yet.").arg(shown_date(iso))};
   return {date, {}};
 }
 
-Typed<double> typed_score(const QString& text, const ClinicalScale& scale) {
+Typed<double> typed_score(const QString& text, const storage::ClinicalScale& scale) {
   QString typed = text.simplified();
   if (typed.isEmpty()) return {{}, ProfileTexts::tr("Give the score.")};
   if (scale.name == "MAS" && typed == "1+") return {kOnePlus, {}};
@@ -82,8 +82,8 @@ Typed<double> typed_score(const QString& text, const ClinicalScale& scale) {
   const double value = QString(typed).replace(',', '.').toDouble(&is_number);
   if (!is_number || !std::isfinite(value))
     return {{}, ProfileTexts::tr("“%1” is no number.").arg(typed)};
-  const ClinicalScore score{0, "2026-01-01", std::string(scale.name), value, ""};
-  if (!check_clinical_score(score))
+  const storage::ClinicalScore score{0, "2026-01-01", std::string(scale.name), value, ""};
+  if (!storage::check_clinical_score(score))
     return {{}, ProfileTexts::tr("%1 is not possible. %2.").arg(typed, range_words(scale))};
   return {value, {}};
 }
@@ -115,7 +115,7 @@ QString scale_words(std::string_view scale) {
   return QString::fromUtf8(scale.data(), static_cast<int>(scale.size()));
 }
 
-QString range_words(const ClinicalScale& scale) {
+QString range_words(const storage::ClinicalScale& scale) {
   const QString name = scale_words(scale.name);
   const QString least = number_words(scale.least);
   if (std::isinf(scale.least)) return ProfileTexts::tr("%1: any number").arg(name);
@@ -124,13 +124,13 @@ QString range_words(const ClinicalScale& scale) {
   return ProfileTexts::tr("%1: %2 to %3").arg(name, least, number_words(scale.most));
 }
 
-QString score_words(const ClinicalScore& score) {
+QString score_words(const storage::ClinicalScore& score) {
   if (score.scale == "MAS" && score.value == kOnePlus) return QStringLiteral("1+");
-  const ClinicalScale* const scale = clinical_scale(score.scale);
+  const storage::ClinicalScale* const scale = storage::clinical_scale(score.scale);
   const QString number = number_words(score.value);
   if (scale != nullptr && scale->unit == "s") return ProfileTexts::tr("%1 s").arg(number);
   if (scale != nullptr && scale->unit == "blocks") return ProfileTexts::tr("%1 blocks").arg(number);
   return number;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -9,7 +9,7 @@
 #include "core/date.hpp"
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What was typed: a value, or in words why it is none. Never both.
 template <class T>
@@ -25,7 +25,7 @@ enum class Ahead : bool { refused, allowed };  ///< days that have not come yet
 /// and month are refused: nobody could tell them apart.
 [[nodiscard]] Typed<Date> typed_date(const QString& text, Date today, Ahead ahead);
 /// With comma or point; 1+ is 1.5 on the Modified Ashworth Scale.
-[[nodiscard]] Typed<double> typed_score(const QString& text, const ClinicalScale& scale);
+[[nodiscard]] Typed<double> typed_score(const QString& text, const storage::ClinicalScale& scale);
 
 /// "12 days since the onset."
 [[nodiscard]] QString onset_words(Date onset, Date today);
@@ -34,8 +34,8 @@ enum class Ahead : bool { refused, allowed };  ///< days that have not come yet
 /// "Action Research Arm Test" of "ARAT"; an unknown one as it is.
 [[nodiscard]] QString scale_words(std::string_view scale);
 /// "Action Research Arm Test: 0 to 57"
-[[nodiscard]] QString range_words(const ClinicalScale& scale);
+[[nodiscard]] QString range_words(const storage::ClinicalScale& scale);
 /// "42", "31.5 s", "1+"
-[[nodiscard]] QString score_words(const ClinicalScore& score);
+[[nodiscard]] QString score_words(const storage::ClinicalScore& score);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -3,7 +3,7 @@
 
 #include <QRegularExpression>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -86,4 +86,4 @@ QString filled(const QString& words, const QStringList& values) {
   return text;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

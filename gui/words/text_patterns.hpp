@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// The text with %1, %2 … for its numbers, which go behind those in `numbers`.
 [[nodiscard]] QString without_numbers(const QString& text, QStringList& numbers);
@@ -38,4 +38,4 @@ class TextPattern {
 /// The words with `values` at their places %1, %2 …
 [[nodiscard]] QString filled(const QString& words, const QStringList& values);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -12,7 +12,7 @@
 #include "gui/words/language.hpp"
 #include "gui/words/text_patterns.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -152,4 +152,4 @@ QString shown_date(std::string_view iso) {
   return day.isValid() ? QLocale().toString(day, date_form()) : qt(iso);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

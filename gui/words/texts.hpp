@@ -9,7 +9,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// A text of the layers below in the language of the screen. Its numbers are put in by place: the
 /// translations know "Drifted by 0.2 N." as "Drifted by %1 N.". So is what a message names, such as
@@ -34,4 +34,4 @@ namespace isograsp {
 /// "2026-03-05" as "05.03.2026"; what is no day stays as it is.
 [[nodiscard]] QString shown_date(std::string_view iso);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

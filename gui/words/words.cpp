@@ -11,7 +11,7 @@
 #include "gui/words/texts.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 QString short_number(double value) {
   const double size = std::abs(value);
@@ -26,8 +26,8 @@ QString measure_title(const Measure& measure) {
     std::replace(axis.begin(), axis.end(), '_', ' ');
     return QObject::tr("Resting force, %1").arg(shown(axis));
   }
-  const auto whole = words_for(measure.name, measure.channel).title;
-  auto title = words_for(measure.name, measure.channel == "grip" ? "grip" : "").title;
+  const auto whole = tasks::words_for(measure.name, measure.channel).title;
+  auto title = tasks::words_for(measure.name, measure.channel == "grip" ? "grip" : "").title;
   const auto channel = whole.substr(std::min(title.size(), whole.size()));
   if (!title.empty())
     title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
@@ -36,10 +36,10 @@ QString measure_title(const Measure& measure) {
 
 QString measure_value(const Measure& measure) {
   if (!measure.value) return QStringLiteral("–");
-  const auto unit = shown(printed_unit(measure.unit).text);  // also "of 5"
+  const auto unit = shown(tasks::printed_unit(measure.unit).text);  // also "of 5"
   const bool count = measure.name == "targets_reached";
   const auto number = count ? QString::number(std::lround(*measure.value))
-                            : shown_digits(format_value(*measure.value, measure.unit));
+                            : shown_digits(tasks::format_value(*measure.value, measure.unit));
   return unit.isEmpty() ? number : QStringLiteral("%1 %2").arg(number, unit);
 }
 
@@ -66,7 +66,7 @@ QString local_date(const std::string& utc) {
   return in_form(utc, date_form());
 }
 
-QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
+QString health_line(const session::Snapshot& snapshot, double worst_lateness_s) {
   if (snapshot.frames == 0) return QObject::tr("No forces yet");
   std::uint64_t lost = snapshot.health.bus.kernel_drops;
   std::uint64_t damaged = 0;
@@ -87,8 +87,8 @@ QString health_line(const Snapshot& snapshot, double worst_lateness_s) {
   return line;
 }
 
-QString timing_details(const TimingSummary& timing, const std::string& realtime) {
-  const auto line = [](const QString& what, const Quantiles& q) {
+QString timing_details(const session::TimingSummary& timing, const std::string& realtime) {
+  const auto line = [](const QString& what, const session::Quantiles& q) {
     const auto ms = [](double duration_s) { return shown_number(duration_s * 1e3, 2); };
     return QObject::tr("%1: half within %2 ms, 99 % within %3, 99.9 % within %4, longest %5\n")
         .arg(what, ms(q.median_s), ms(q.most_of_100_s), ms(q.most_of_1000_s), ms(q.largest_s));
@@ -100,19 +100,19 @@ QString timing_details(const TimingSummary& timing, const std::string& realtime)
                            : QObject::tr("Acquisition with %1").arg(shown(realtime)));
 }
 
-QString push_words(const NetPush& push) {
+QString push_words(const session::NetPush& push) {
   if (!push.share_of_grip_percent) return {};
   return QObject::tr("Push %1 %").arg(*push.share_of_grip_percent, 0, 'f', 0);
 }
 
-QString status_words(TrialStatus status) {
+QString status_words(storage::TrialStatus status) {
   switch (status) {
-    case TrialStatus::running: return QObject::tr("running");
-    case TrialStatus::completed: return QObject::tr("completed");
-    case TrialStatus::aborted: return QObject::tr("stopped early, kept");
-    case TrialStatus::interrupted: return QObject::tr("interrupted, kept");
+    case storage::TrialStatus::running: return QObject::tr("running");
+    case storage::TrialStatus::completed: return QObject::tr("completed");
+    case storage::TrialStatus::aborted: return QObject::tr("stopped early, kept");
+    case storage::TrialStatus::interrupted: return QObject::tr("interrupted, kept");
   }
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 #include "session/acquisition/snapshot.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// "Tracking error (RMSE), force"; a measure that is not known here keeps its own name.
 [[nodiscard]] QString measure_title(const Measure& measure);
@@ -23,12 +23,13 @@ namespace isograsp {
 /// The day of it.
 [[nodiscard]] QString local_date(const std::string& utc);
 /// One line: rate is kept, gaps, losses, lateness.
-[[nodiscard]] QString health_line(const Snapshot& snapshot, double worst_lateness_s);
+[[nodiscard]] QString health_line(const session::Snapshot& snapshot, double worst_lateness_s);
 /// Several lines: period, lateness and work of the frames so far, and what real time was given.
-[[nodiscard]] QString timing_details(const TimingSummary& timing, const std::string& realtime);
+[[nodiscard]] QString timing_details(const session::TimingSummary& timing,
+                                     const std::string& realtime);
 /// "Push 12 %" of the grip; empty where it cannot be told.
-[[nodiscard]] QString push_words(const NetPush& push);
+[[nodiscard]] QString push_words(const session::NetPush& push);
 /// How a trial ended.
-[[nodiscard]] QString status_words(TrialStatus status);
+[[nodiscard]] QString status_words(storage::TrialStatus status);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

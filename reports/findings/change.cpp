@@ -15,7 +15,7 @@
 #include "core/ties.hpp"
 #include "statistics/robust_variance.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -66,8 +66,8 @@ People people_of(std::span<const StableDays> stable) {
 
 /// Errors on one scale, x = value or x = log(value).
 struct Errors {
-  RobustSd day_mean;         ///< of a day's mean about the person's own level
-  RobustSd trial;            ///< of a trial about the mean of its day; 0: no day has two
+  statistics::RobustSd day_mean;  ///< of a day's mean about the person's own level
+  statistics::RobustSd trial;     ///< of a trial about the mean of its day; 0: no day has two
   double trial_share = 0.0;  ///< of the variance of trials in that of day_mean: mean of 1 / trials
 };
 
@@ -81,7 +81,8 @@ double difference_of_pair(const Pair& pair, ErrorScale scale) {
 
 /// All pairs of the trials of a day. Weights such that the mean of their halved squares over all
 /// days is the pooled variance about the means of the days.
-void add_trial_pairs(const AssessmentDay& day, ErrorScale scale, std::vector<PairDifference>& all) {
+void add_trial_pairs(const AssessmentDay& day, ErrorScale scale,
+                     std::vector<statistics::PairDifference>& all) {
   const double weight = 2.0 / static_cast<double>(day.trials.size());
   for (std::size_t i = 0; i < day.trials.size(); ++i)
     for (std::size_t j = i + 1; j < day.trials.size(); ++j)
@@ -101,8 +102,8 @@ double no_difference(const People& people, ErrorScale scale) {
 
 /// Every person weighs 1 in the days, every degree of freedom in the trials.
 Errors errors_of(const People& people, ErrorScale scale) {
-  std::vector<PairDifference> days;
-  std::vector<PairDifference> trials;
+  std::vector<statistics::PairDifference> days;
+  std::vector<statistics::PairDifference> trials;
   Errors errors;
   for (const auto& [person, pairs] : people) {
     const double weight = 1.0 / static_cast<double>(pairs.size());
@@ -116,8 +117,8 @@ Errors errors_of(const People& people, ErrorScale scale) {
   }
   errors.trial_share /= static_cast<double>(people.size());
   const double tied = no_difference(people, scale);
-  errors.day_mean = robust_sd(days, kUnequalVariances, tied);
-  if (!trials.empty()) errors.trial = robust_sd(trials, kOneVariance, tied);
+  errors.day_mean = statistics::robust_sd(days, statistics::kUnequalVariances, tied);
+  if (!trials.empty()) errors.trial = statistics::robust_sd(trials, statistics::kOneVariance, tied);
   return errors;
 }
 
@@ -142,7 +143,8 @@ ErrorScale scale_of(const People& people, ErrorScale usual) {
       without_logarithm += is_positive(pair) ? 0.0 : 1.0;
     }
   if (without_logarithm > kMostWithoutLogarithm * all) return ErrorScale::linear;
-  const double limit = kKeptSds * std::numbers::sqrt2 * errors_of(people, usual).day_mean.sd;
+  const double limit =
+      statistics::kKeptSds * std::numbers::sqrt2 * errors_of(people, usual).day_mean.sd;
   std::vector<std::pair<const Pair*, double>> heard;  // with its weight
   double weights = 0.0;
   double logarithms = 0.0;
@@ -266,9 +268,9 @@ double mdc95(const MeasurementError& error, Averaged before, Averaged after) {
 }
 
 ChangeJudgement judge_change(std::span<const AssessmentDay> days, const StablePool& pool,
-                             Better better) {
+                             tasks::Better better) {
   ChangeJudgement judgement;
-  if (better == Better::unknown) return not_judged(judgement, WhyNotJudged::no_direction);
+  if (better == tasks::Better::unknown) return not_judged(judgement, WhyNotJudged::no_direction);
   const Baseline base = baseline_of(days);
   if (base.days.size() < kBaselineDays)
     return not_judged(judgement, base.days.size() < days.size() ? WhyNotJudged::baseline_failed
@@ -280,7 +282,7 @@ ChangeJudgement judge_change(std::span<const AssessmentDay> days, const StablePo
   if (!judgement.last) return not_judged(judgement, WhyNotJudged::last_failed);
 
   const auto on_axis = [better](double value) {
-    return better == Better::near_zero ? std::abs(value) : value;
+    return better == tasks::Better::near_zero ? std::abs(value) : value;
   };
   const double baseline = on_axis(*judgement.baseline);
   judgement.change = difference_of(on_axis(*judgement.last), baseline);
@@ -308,9 +310,9 @@ ChangeJudgement judge_change(std::span<const AssessmentDay> days, const StablePo
   judgement.verdict = Verdict::within_error;
   if (*last == 0) return judgement;
   judgement.verdict =
-      (*last > 0) == (better == Better::higher) ? Verdict::improved : Verdict::worsened;
+      (*last > 0) == (better == tasks::Better::higher) ? Verdict::improved : Verdict::worsened;
   judgement.confirmed = after.size() > 1 && exceeds(after[after.size() - 2]) == last;
   return judgement;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

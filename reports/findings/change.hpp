@@ -10,7 +10,7 @@
 
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// One assessment: the trials of one day that count, in one series. Unit of the measure.
 struct AssessmentDay {
@@ -114,6 +114,6 @@ struct ChangeJudgement {
 };
 /// @param days  one series, oldest first, one element per day
 [[nodiscard]] ChangeJudgement judge_change(std::span<const AssessmentDay> days,
-                                           const StablePool& pool, Better better);
+                                           const StablePool& pool, tasks::Better better);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

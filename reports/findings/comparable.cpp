@@ -7,9 +7,9 @@
 #include "core/ties.hpp"
 #include "core/time.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
-Source source_of(const SessionRecord& session) {
+Source source_of(const storage::SessionRecord& session) {
   if (session.simulated) return Source::simulated;
   return session.recorded ? Source::recorded : Source::device;
 }
@@ -25,14 +25,14 @@ bool same_gain(const VisualGain& a, const VisualGain& b) {
 }
 
 Conditions conditions_of(const StoredTrial& trial) {
-  const SessionRecord& session = *trial.session_record;
+  const storage::SessionRecord& session = *trial.session_record;
   return {session.rate_Hz,
           session.device_delay_s,
           session.display_delay_s,
           {trial.trial.visual_gain_deg_per_N, trial.trial.maximum_force_N}};
 }
 
-Conditions conditions_of(const PooledValue& value) {
+Conditions conditions_of(const storage::PooledValue& value) {
   return {value.rate_Hz,
           value.device_delay_s,
           value.display_delay_s,
@@ -57,7 +57,7 @@ std::string difference(const StoredTrial& a, const StoredTrial& b) {
   return difference(conditions_of(a), conditions_of(b));
 }
 
-PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure) {
+storage::PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure) {
   return {like.trial.task_name,
           like.trial.task_version,
           like.trial.task_text,
@@ -79,8 +79,8 @@ double DayCounter::day_of(const std::string& started_utc) {
   return std::difftime(day_, *first_) / (24.0 * kSecondsPerHour);
 }
 
-bool counts(const TrialRecord& trial) {
-  return trial.status == TrialStatus::completed && !trial.practice && !trial.helped;
+bool counts(const storage::TrialRecord& trial) {
+  return trial.status == storage::TrialStatus::completed && !trial.practice && !trial.helped;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -8,9 +8,9 @@
 
 #include "reports/findings/measure_series.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
-[[nodiscard]] Source source_of(const SessionRecord& session);
+[[nodiscard]] Source source_of(const storage::SessionRecord& session);
 
 /// How large a force is drawn. Targets in newtons keep the degrees per newton, targets relative to
 /// the maximum those per share of it: one of the two is equal. A gain that is not known equals none
@@ -29,7 +29,7 @@ struct Conditions {
   VisualGain gain;
 };
 [[nodiscard]] Conditions conditions_of(const StoredTrial& trial);
-[[nodiscard]] Conditions conditions_of(const PooledValue& value);
+[[nodiscard]] Conditions conditions_of(const storage::PooledValue& value);
 /// Why values measured so must not be compared; empty: they may.
 [[nodiscard]] std::string difference(const Conditions& a, const Conditions& b);
 
@@ -37,7 +37,7 @@ struct Conditions {
 [[nodiscard]] std::string difference(const StoredTrial& a, const StoredTrial& b);
 
 /// What values of other people must equal to be pooled with `measure` of a trial.
-[[nodiscard]] PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure);
+[[nodiscard]] storage::PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure);
 
 /// Days are told apart by the time between sessions, not by dates: a working day of the clinic can
 /// have two dates in UTC, and where the clinic is, is not stored. A session that begins less than
@@ -56,6 +56,6 @@ class DayCounter {
 };
 
 /// The trial is an assessment: completed, neither practice nor helped.
-[[nodiscard]] bool counts(const TrialRecord& trial);
+[[nodiscard]] bool counts(const storage::TrialRecord& trial);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

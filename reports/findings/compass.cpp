@@ -8,7 +8,7 @@
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/patient_records.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -19,8 +19,8 @@ std::optional<Finger> finger_of(std::string_view name) {
 }
 
 template <class Kind>
-bool is_a(const TrialRecord& trial) {
-  const auto spec = parse_task(trial.task_text, trial.task_name);
+bool is_a(const storage::TrialRecord& trial) {
+  const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
   return spec && std::holds_alternative<Kind>(spec->kind);
 }
 
@@ -70,7 +70,7 @@ std::vector<Compass> compasses_of(const PatientRecords& records) {
     const auto newest =
         std::find_if(records.trials.rbegin(), records.trials.rend(), [&](const StoredTrial& one) {
           return one.session_record->hand == hand && counts(one.trial) &&
-                 is_a<DirectionalMaximaSpec>(one.trial);
+                 is_a<tasks::DirectionalMaximaSpec>(one.trial);
         });
     if (newest == records.trials.rend()) continue;
     Compass& compass = all.emplace_back();
@@ -95,4 +95,4 @@ double compass_range(const std::vector<Compass>& compasses) {
   return 10.0 * decade;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -12,7 +12,7 @@
 #include "hand/finger.hpp"
 #include "hand/force_channel.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 struct PatientRecords;
 
@@ -39,4 +39,4 @@ struct Compass {
 /// A round number above all forces [N].
 [[nodiscard]] double compass_range(const std::vector<Compass>& compasses);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

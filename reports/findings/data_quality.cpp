@@ -9,7 +9,7 @@
 
 #include "tasks/score.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -46,14 +46,14 @@ bool agree(const Measure& stored, const Measure& again) {
          kLibmSlack * std::max(std::abs(*stored.value), std::abs(*again.value));
 }
 
-Result<void> compare_measures(SessionStore& store, const TrialRecord& trial, const Signals& signals,
-                              SignalFacts& facts) {
-  const auto spec = parse_task(trial.task_text, trial.task_name);
+Result<void> compare_measures(storage::SessionStore& store, const storage::TrialRecord& trial,
+                              const Signals& signals, SignalFacts& facts) {
+  const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
   if (!spec) return {};
   const auto stored = store.measures(trial.id);
   if (!stored) return stored.error();
   if (stored->empty()) return {};
-  const auto again = score(*spec, signals);
+  const auto again = tasks::score(*spec, signals);
   for (const auto& measure : *stored) {
     const auto same = std::find_if(again.begin(), again.end(), [&](const Measure& candidate) {
       return candidate.name == measure.name && candidate.channel == measure.channel &&
@@ -67,7 +67,8 @@ Result<void> compare_measures(SessionStore& store, const TrialRecord& trial, con
   return {};
 }
 
-Result<SignalFacts> read_signals(SessionStore& store, const std::vector<TrialRecord>& trials,
+Result<SignalFacts> read_signals(storage::SessionStore& store,
+                                 const std::vector<storage::TrialRecord>& trials,
                                  const Progress& progress) {
   SignalFacts facts;
   double passed = 0.0;
@@ -102,7 +103,7 @@ std::int64_t count_at(const nlohmann::json& json, std::string_view key) {
 }
 
 /// Frames lost between sensor and computer: counters at the end of the session's last trial.
-std::int64_t lost_on_the_wire(const std::vector<TrialRecord>& trials) {
+std::int64_t lost_on_the_wire(const std::vector<storage::TrialRecord>& trials) {
   if (trials.empty()) return 0;
   const auto health = nlohmann::json::parse(trials.back().health_json, nullptr, false);
   if (!health.is_object()) return 0;
@@ -113,8 +114,8 @@ std::int64_t lost_on_the_wire(const std::vector<TrialRecord>& trials) {
   return lost;
 }
 
-QualityLine zero_line(const SessionRecord& session,
-                      const std::vector<InstrumentZeroRecord>& zeros) {
+QualityLine zero_line(const storage::SessionRecord& session,
+                      const std::vector<storage::InstrumentZeroRecord>& zeros) {
   if (session.recorded && zeros.empty())
     return {"Instrument zero", "as in the recording; it cannot be repeated", true};
   if (zeros.empty())
@@ -139,7 +140,7 @@ QualityLine sample_line(const SignalFacts& facts, std::int64_t recorder_drops, s
           gaps > kNoticeable * static_cast<double>(facts.rows) || recorder_drops > 0};
 }
 
-QualityLine trial_line(const std::vector<TrialRecord>& trials) {
+QualityLine trial_line(const std::vector<storage::TrialRecord>& trials) {
   int completed = 0;
   int practice = 0;
   int helped = 0;
@@ -147,11 +148,11 @@ QualityLine trial_line(const std::vector<TrialRecord>& trials) {
   for (const auto& trial : trials) {
     practice += trial.practice ? 1 : 0;
     helped += trial.helped ? 1 : 0;
-    if (trial.status == TrialStatus::completed)
+    if (trial.status == storage::TrialStatus::completed)
       ++completed;
     else
       unfinished += "; trial " + std::to_string(trial.number) + " (" + trial.task_name + ") " +
-                    std::string(name_of(trial.status));
+                    std::string(storage::name_of(trial.status));
   }
   std::string text =
       std::to_string(completed) + " of " + std::to_string(trials.size()) + " completed";
@@ -160,10 +161,10 @@ QualityLine trial_line(const std::vector<TrialRecord>& trials) {
   return {"Trials", text + unfinished, !unfinished.empty()};
 }
 
-QualityLine fault_line(const std::vector<EventRecord>& events) {
+QualityLine fault_line(const std::vector<storage::EventRecord>& events) {
   const auto of_kind = [&](const char* kind) {
     return std::count_if(events.begin(), events.end(),
-                         [&](const EventRecord& event) { return event.kind == kind; });
+                         [&](const storage::EventRecord& event) { return event.kind == kind; });
   };
   const auto faults = of_kind("fault");
   const auto pauses = of_kind("pause");
@@ -177,7 +178,7 @@ QualityLine fault_line(const std::vector<EventRecord>& events) {
   return {"Faults", text, faults > 0};
 }
 
-QualityLine time_line(const std::vector<TrialRecord>& trials, double rate_Hz) {
+QualityLine time_line(const std::vector<storage::TrialRecord>& trials, double rate_Hz) {
   double lateness_s = 0.0;
   for (const auto& trial : trials) lateness_s = std::max(lateness_s, trial.worst_lateness_s);
   return {"Timing",
@@ -186,7 +187,7 @@ QualityLine time_line(const std::vector<TrialRecord>& trials, double rate_Hz) {
           lateness_s * rate_Hz > 1.0};
 }
 
-QualityLine delay_line(const SessionRecord& session) {
+QualityLine delay_line(const storage::SessionRecord& session) {
   const std::string filter =
       session.device_delay_s > 0.0
           ? printed("filter delay of %.1f ms is", 1000.0 * session.device_delay_s)
@@ -199,8 +200,9 @@ QualityLine delay_line(const SessionRecord& session) {
 
 }  // namespace
 
-Result<std::vector<QualityLine>> assess_quality(SessionStore& store, const SessionRecord& session,
-                                                const std::vector<TrialRecord>& trials,
+Result<std::vector<QualityLine>> assess_quality(storage::SessionStore& store,
+                                                const storage::SessionRecord& session,
+                                                const std::vector<storage::TrialRecord>& trials,
                                                 const Progress& progress) {
   const auto zeros = store.zeros(session.id);
   if (!zeros) return zeros.error();
@@ -244,4 +246,4 @@ Result<std::vector<QualityLine>> assess_quality(SessionStore& store, const Sessi
   return lines;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

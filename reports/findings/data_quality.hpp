@@ -9,12 +9,12 @@
 #include "reports/findings/report_content.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// The data-quality box of one session. A trial whose signals cannot be read is named in it. The
 /// watcher is asked before each trial.
 [[nodiscard]] Result<std::vector<QualityLine>> assess_quality(
-    SessionStore& store, const SessionRecord& session, const std::vector<TrialRecord>& trials,
-    const Progress& progress = {});
+    storage::SessionStore& store, const storage::SessionRecord& session,
+    const std::vector<storage::TrialRecord>& trials, const Progress& progress = {});
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -13,7 +13,7 @@
 #include "reports/findings/report_text.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -36,33 +36,33 @@ struct Candidate {
   std::string_view measure;
   std::string_view channel;  ///< its end ("_opening" fits every digit); empty: all
   Comparison comparison;
-  bool (*fits)(const TaskSpec& spec);
+  bool (*fits)(const tasks::TaskSpec& spec);
   double least = 0.0;  ///< smaller days count as this in a share
 };
 template <class Kind>
-bool is_a(const TaskSpec& spec) {
+bool is_a(const tasks::TaskSpec& spec) {
   return std::holds_alternative<Kind>(spec.kind);
 }
 /// The first one that was measured counts.
 constexpr std::array kCandidates{
-    Candidate{Component::strength, "maximum_force", "grip", Comparison::larger, is_a<MaximumSpec>,
-              kLeastForce_N},
-    Candidate{Component::strength, "maximum_force", "pinch", Comparison::larger, is_a<MaximumSpec>,
-              kLeastForce_N},
-    Candidate{Component::opening, "maximum_force", "opening", Comparison::larger, is_a<MaximumSpec>,
-              kLeastForce_N},
+    Candidate{Component::strength, "maximum_force", "grip", Comparison::larger,
+              is_a<tasks::MaximumSpec>, kLeastForce_N},
+    Candidate{Component::strength, "maximum_force", "pinch", Comparison::larger,
+              is_a<tasks::MaximumSpec>, kLeastForce_N},
+    Candidate{Component::opening, "maximum_force", "opening", Comparison::larger,
+              is_a<tasks::MaximumSpec>, kLeastForce_N},
     Candidate{Component::opening, "maximum_force", "_opening", Comparison::larger,
-              is_a<DirectionalMaximaSpec>, kLeastForce_N},
+              is_a<tasks::DirectionalMaximaSpec>, kLeastForce_N},
     Candidate{Component::release, "release_time_restricted", "", Comparison::smaller,
-              is_a<GripReleaseSpec>, kLeastTime_s},
+              is_a<tasks::GripReleaseSpec>, kLeastTime_s},
     Candidate{Component::control, "relative_rmse", "force", Comparison::smaller,
-              is_a<ForceTrackingSpec>, kLeastError_percent},
+              is_a<tasks::ForceTrackingSpec>, kLeastError_percent},
     Candidate{Component::individuation, "individuation_index", "", Comparison::logarithm,
-              is_a<IndividuationSpec>},
+              is_a<tasks::IndividuationSpec>},
     Candidate{Component::direction, "direction_error", "", Comparison::smaller,
-              is_a<ForceDirectionSpec>, kLeastAngle_rad},
+              is_a<tasks::ForceDirectionSpec>, kLeastAngle_rad},
     Candidate{Component::direction, "direction_error", "", Comparison::smaller,
-              is_a<DirectionalMaximaSpec>, kLeastAngle_rad}};
+              is_a<tasks::DirectionalMaximaSpec>, kLeastAngle_rad}};
 
 /// What of `trial` the candidate is the mean of.
 std::vector<const Measure*> meant(const StoredTrial& trial, const Candidate& candidate) {
@@ -165,7 +165,7 @@ std::optional<Measured> measured(const TrialsOfTasks& tasks, Component component
       for (const auto& [task, trials] : tasks) {
         if (task.first != hand || !counts(trials.back()->trial)) continue;
         const StoredTrial& like = *trials.back();
-        const auto spec = parse_task(like.trial.task_text, like.trial.task_name);
+        const auto spec = tasks::parse_task(like.trial.task_text, like.trial.task_name);
         if (!spec || spec->difficulty || !candidate.fits(*spec)) continue;
         Measured one{&candidate, &like, days_of(trials, like, candidate, sessions), {}};
         if (const auto both = tasks.find({other, task.second}); both != tasks.end())
@@ -204,14 +204,14 @@ Logarithms logarithms(std::span<const ComponentDay> days, Comparison comparison)
   return {mean, used * used / n};
 }
 
-std::string treatment_words(const TreatmentMark& mark) {
+std::string treatment_words(const storage::TreatmentMark& mark) {
   std::string kind = mark.kind;
   std::replace(kind.begin(), kind.end(), '_', ' ');
   return format_date(mark.on_date) + ", " + kind;
 }
 
 /// The newest mark that lies between two assessments, with the newest days on either side of it.
-std::string since_treatment(std::span<const TreatmentMark> marks,
+std::string since_treatment(std::span<const storage::TreatmentMark> marks,
                             const std::vector<ComponentDay>& days, const std::string& unit) {
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     const auto after = std::find_if(days.begin(), days.end(), [&](const ComponentDay& day) {
@@ -219,7 +219,7 @@ std::string since_treatment(std::span<const TreatmentMark> marks,
     });
     if (after == days.begin() || after == days.end()) continue;
     const auto value = [&](auto from, auto to) {
-      return format_value(mean_value(newest(std::span(from, to))), unit);
+      return tasks::format_value(mean_value(newest(std::span(from, to))), unit);
     };
     return treatment_words(*mark) + ": " + value(days.begin(), after) + " before, " +
            value(after, days.end()) + " now";
@@ -238,9 +238,10 @@ ComponentResult judged(const Measured& one, Hand other, bool compare_hands) {
   result.task = one.like->trial.task_name;
   const Measure& measure = *meant(*one.like, candidate).front();
   result.unit = measure.unit;
-  result.measure = words_for(measure.name, candidate.channel.starts_with("_") ? std::string_view{}
-                                                                              : candidate.channel)
-                       .title;
+  result.measure =
+      tasks::words_for(measure.name,
+                       candidate.channel.starts_with("_") ? std::string_view{} : candidate.channel)
+          .title;
   const auto now = newest(one.hand);
   result.value = mean_value(now);
   std::span<const ComponentDay> reference;
@@ -294,13 +295,14 @@ Share share_of(std::span<const ComponentDay> hand, std::span<const ComponentDay>
   return {std::exp(log_share), std::exp(log_share - half), std::exp(log_share + half)};
 }
 
-LimitsOfHand limits_of(const PatientRecords& records, std::span<const TreatmentMark> marks) {
+LimitsOfHand limits_of(const PatientRecords& records,
+                       std::span<const storage::TreatmentMark> marks) {
   LimitsOfHand limits;
   if (records.sessions.empty()) return limits;
   const auto& affected = records.profile.affected;
-  limits.other_hand = affected == Side::right || affected == Side::left;
+  limits.other_hand = affected == storage::Side::right || affected == storage::Side::left;
   limits.hand = records.sessions.back().hand;
-  if (limits.other_hand) limits.hand = affected == Side::right ? Hand::right : Hand::left;
+  if (limits.other_hand) limits.hand = affected == storage::Side::right ? Hand::right : Hand::left;
   const Hand other = limits.hand == Hand::right ? Hand::left : Hand::right;
   const auto tasks = sort_by_task(records);
   for (std::size_t i = 0; i < kComponentCount; ++i) {
@@ -336,4 +338,4 @@ std::vector<const ComponentResult*> beside(const LimitsOfHand& limits,
   return others;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -12,7 +12,7 @@
 #include "hand/finger.hpp"
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 struct PatientRecords;
 
@@ -78,7 +78,7 @@ struct LimitsOfHand {
 };
 /// Of the affected hand; of the hand of the newest session where none or both are affected.
 [[nodiscard]] LimitsOfHand limits_of(const PatientRecords& records,
-                                     std::span<const TreatmentMark> marks);
+                                     std::span<const storage::TreatmentMark> marks);
 
 /// The component with the smallest share among those clearly below; none: no component is.
 [[nodiscard]] const ComponentResult* main_limit(const LimitsOfHand& limits);
@@ -86,4 +86,4 @@ struct LimitsOfHand {
 [[nodiscard]] std::vector<const ComponentResult*> beside(const LimitsOfHand& limits,
                                                          const ComponentResult& main);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

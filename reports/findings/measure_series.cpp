@@ -8,7 +8,7 @@
 #include "core/mean.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -45,7 +45,7 @@ void summarise(MeasureSeries& series, const std::vector<ReportSession>& sessions
 
 std::vector<AssessmentDay> assessment_days(const MeasureSeries& series,
                                            const std::vector<ReportSession>& sessions) {
-  const bool censored = words_for(series.name, series.channel).censored;
+  const bool censored = tasks::words_for(series.name, series.channel).censored;
   std::vector<AssessmentDay> days;
   for (const auto& value : series.values) {
     const double day = sessions[value.session].day;
@@ -82,7 +82,7 @@ MeasureSeries make_series(const Measure& like, const std::vector<const StoredTri
   series.channel = like.channel;
   series.unit = like.unit;
   series.version = like.version;
-  const bool censored = words_for(like.name, like.channel).censored;
+  const bool censored = tasks::words_for(like.name, like.channel).censored;
   std::set<std::size_t> other_version;
   for (const StoredTrial* entry : entries)
     for (const auto& measure : entry->measures) {
@@ -107,10 +107,10 @@ MeasureSeries make_series(const Measure& like, const std::vector<const StoredTri
   }
   summarise(series, sessions);
   if (!other_version.empty())
-    section.notes.push_back(words_for(like.name, like.channel).title + ": " +
+    section.notes.push_back(tasks::words_for(like.name, like.channel).title + ": " +
                             list_sessions(other_version, sessions) +
                             " not compared, another version of the measure");
   return series;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

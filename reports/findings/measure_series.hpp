@@ -10,13 +10,13 @@
 #include "reports/findings/report_content.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// One trial with all that decides whether it may be compared with another.
 struct StoredTrial {
   std::size_t session = 0;
-  const SessionRecord* session_record = nullptr;
-  TrialRecord trial;
+  const storage::SessionRecord* session_record = nullptr;
+  storage::TrialRecord trial;
   std::vector<Measure> measures;
 };
 
@@ -37,4 +37,4 @@ struct StoredTrial {
                                         const std::vector<ReportSession>& sessions,
                                         TaskSection& section);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

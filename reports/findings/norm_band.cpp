@@ -9,7 +9,7 @@
 #include "reports/findings/comparable.hpp"
 #include "statistics/percentile.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -17,11 +17,11 @@ constexpr int kDecade = 10;
 constexpr double kLowPercent = 5.0;
 constexpr double kHighPercent = 95.0;
 
-std::string words_of(Sex sex) {
+std::string words_of(storage::Sex sex) {
   switch (sex) {
-    case Sex::female: return "women";
-    case Sex::male: return "men";
-    case Sex::other: break;
+    case storage::Sex::female: return "women";
+    case storage::Sex::male: return "men";
+    case storage::Sex::other: break;
   }
   return "people of another sex";
 }
@@ -48,15 +48,16 @@ std::optional<int> age_decade(std::optional<int> birth_year, const std::string& 
   return (static_cast<int>(day->year()) - *birth_year) / kDecade * kDecade;
 }
 
-std::optional<NormBand> norm_band(const std::vector<PooledValue>& healthy, const StoredTrial& like,
-                                  const PatientProfile& profile, bool censored) {
-  const SessionRecord& session = *like.session_record;
+std::optional<NormBand> norm_band(const std::vector<storage::PooledValue>& healthy,
+                                  const StoredTrial& like, const storage::PatientProfile& profile,
+                                  bool censored) {
+  const storage::SessionRecord& session = *like.session_record;
   const auto decade = age_decade(profile.birth_year, session.started_utc);
   if (!profile.sex || !profile.dominant || !decade) return std::nullopt;
   const bool dominant = session.hand == *profile.dominant;
   const Conditions conditions = conditions_of(like);
-  std::map<RowId, Person> people;
-  for (const PooledValue& value : healthy) {
+  std::map<storage::RowId, Person> people;
+  for (const storage::PooledValue& value : healthy) {
     if (value.patient_id == session.patient_id || value.sex != profile.sex || !value.dominant ||
         (value.hand == *value.dominant) != dominant ||
         age_decade(value.birth_year, value.started_utc) != decade ||
@@ -77,10 +78,10 @@ std::optional<NormBand> norm_band(const std::vector<PooledValue>& healthy, const
                 std::to_string(*decade + kDecade - 1) + ", " +
                 (dominant ? "dominant hand" : "other than the dominant hand");
   if (band.values.size() >= kLeastNormPeople) {
-    band.low = percentile(band.values, kLowPercent).value;
-    band.high = percentile(band.values, kHighPercent).value;
+    band.low = statistics::percentile(band.values, kLowPercent).value;
+    band.high = statistics::percentile(band.values, kHighPercent).value;
   }
   return band;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -9,10 +9,13 @@
 
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
+struct PooledValue;
+}
+
+namespace isograsp::reports {
 
 struct StoredTrial;
-struct PooledValue;
 
 /// Fewer healthy people of the same kind make no band.
 inline constexpr std::size_t kLeastNormPeople = 20;
@@ -28,11 +31,12 @@ struct NormBand {
 /// hand, under the conditions of `like`. A person's value is the mean over days of the means of
 /// their trials. `censored`: who has a trial without value is left out. Nothing: sex, year of birth
 /// or dominant hand of the person is not told, or nobody is like them.
-[[nodiscard]] std::optional<NormBand> norm_band(const std::vector<PooledValue>& healthy,
+[[nodiscard]] std::optional<NormBand> norm_band(const std::vector<storage::PooledValue>& healthy,
                                                 const StoredTrial& like,
-                                                const PatientProfile& profile, bool censored);
+                                                const storage::PatientProfile& profile,
+                                                bool censored);
 
 /// "60 to 69 years" as 60; nothing: the year of birth is not told or lies behind the date.
 [[nodiscard]] std::optional<int> age_decade(std::optional<int> birth_year, const std::string& date);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -6,14 +6,14 @@
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/renewed.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
 constexpr std::size_t kDateLength = 10;  // of "2026-03-05"
 
 /// The patient, what is told of them, their sessions and measures.
-Result<PatientRecords> read_about(SessionStore& store, const std::string& code) {
+Result<PatientRecords> read_about(storage::SessionStore& store, const std::string& code) {
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!patient->has_value())
@@ -52,7 +52,7 @@ void keep(const ReportScope& scope, PatientRecords& records) {
 
 }  // namespace
 
-Result<PatientRecords> read_patient(SessionStore& store, const std::string& code,
+Result<PatientRecords> read_patient(storage::SessionStore& store, const std::string& code,
                                     const Progress& progress, const ReportScope& scope) {
   auto records = read_about(store, code);
   if (!records) return records;
@@ -62,12 +62,12 @@ Result<PatientRecords> read_patient(SessionStore& store, const std::string& code
   keep(scope, *records);
   auto points = store.progress(records->patient.id);
   if (!points) return points.error();
-  std::map<RowId, std::vector<Measure>> measures_of;
+  std::map<storage::RowId, std::vector<Measure>> measures_of;
   for (auto& point : *points) measures_of[point.trial_id].push_back(std::move(point.measure));
   Renewal renewal(store);
   const std::size_t count = records->sessions.size();
   for (std::size_t index = 0; index < count; ++index) {
-    const SessionRecord& session = records->sessions[index];
+    const storage::SessionRecord& session = records->sessions[index];
     if (!tell(progress, static_cast<double>(index) / static_cast<double>(count),
               "session " + std::to_string(index + 1) + " of " + std::to_string(count)))
       return cancelled();
@@ -106,4 +106,4 @@ TrialsOfTasks sort_by_task(const PatientRecords& records) {
   return tasks;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -11,7 +11,7 @@
 #include "core/progress.hpp"
 #include "reports/findings/measure_series.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Which sessions of the patient a report is about, both counted from 1; last 0: up to the newest.
 struct ReportScope {
@@ -21,12 +21,12 @@ struct ReportScope {
 };
 
 struct PatientRecords {
-  PatientRecord patient;
-  PatientProfile profile;
-  std::vector<PrimaryMeasure> primaries;
-  std::vector<SessionRecord> sessions;  ///< oldest first
-  std::vector<ReportSession> shown;     ///< the same for the report
-  std::vector<StoredTrial> trials;      ///< point into `sessions`; oldest first
+  storage::PatientRecord patient;
+  storage::PatientProfile profile;
+  std::vector<storage::PrimaryMeasure> primaries;
+  std::vector<storage::SessionRecord> sessions;  ///< oldest first
+  std::vector<ReportSession> shown;              ///< the same for the report
+  std::vector<StoredTrial> trials;               ///< point into `sessions`; oldest first
   int first_number = 1;     ///< of the first of these sessions, among all that are stored
   int sessions_stored = 0;  ///< more, if only some were asked for
   /// Results that were computed again with a newer version, of so many trials, now or earlier
@@ -39,7 +39,8 @@ struct PatientRecords {
 };
 /// Errors: bad_input for an unknown patient; failed, if the watcher wants to stop (asked between
 /// sessions, with the share done); whatever the database reports. The thread of `store`.
-[[nodiscard]] Result<PatientRecords> read_patient(SessionStore& store, const std::string& code,
+[[nodiscard]] Result<PatientRecords> read_patient(storage::SessionStore& store,
+                                                  const std::string& code,
                                                   const Progress& progress = {},
                                                   const ReportScope& scope = {});
 
@@ -47,4 +48,4 @@ struct PatientRecords {
 using TrialsOfTasks = std::map<std::pair<Hand, std::string>, std::vector<const StoredTrial*>>;
 [[nodiscard]] TrialsOfTasks sort_by_task(const PatientRecords& records);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

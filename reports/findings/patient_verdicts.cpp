@@ -7,9 +7,10 @@
 #include "reports/findings/task_section.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
-Result<std::vector<PatientVerdict>> gather_verdicts(SessionStore& store, const std::string& code) {
+Result<std::vector<PatientVerdict>> gather_verdicts(storage::SessionStore& store,
+                                                    const std::string& code) {
   auto records = read_patient(store, code);
   if (!records) return records.error();
   const auto tasks = sort_by_task(*records);
@@ -34,24 +35,26 @@ Result<std::vector<PatientVerdict>> gather_verdicts(SessionStore& store, const s
   return all;
 }
 
-Result<std::vector<PrimaryMeasure>> primary_choices(SessionStore& store, const std::string& code) {
+Result<std::vector<storage::PrimaryMeasure>> primary_choices(storage::SessionStore& store,
+                                                             const std::string& code) {
   const auto records = read_patient(store, code);
   if (!records) return records.error();
   struct Choice {
-    Place place;
+    tasks::Place place;
     std::size_t kind;  ///< in the order of an assessment
-    PrimaryMeasure measure;
+    storage::PrimaryMeasure measure;
   };
   std::vector<Choice> choices;
   for (const auto& [task, trials] : sort_by_task(*records)) {
-    const TrialRecord& newest = trials.back()->trial;
-    std::optional<TaskSpec> spec;
-    if (auto parsed = parse_task(newest.task_text, newest.task_name)) spec = *std::move(parsed);
+    const storage::TrialRecord& newest = trials.back()->trial;
+    std::optional<tasks::TaskSpec> spec;
+    if (auto parsed = tasks::parse_task(newest.task_text, newest.task_name))
+      spec = *std::move(parsed);
     if (spec && spec->difficulty) continue;  // its level follows success
     for (const auto& measure : trials.back()->measures) {
-      const auto place = place_of(spec, measure.name, measure.channel);
-      if (place.prominence == Prominence::none ||
-          words_for(measure.name, measure.channel).better == Better::unknown)
+      const auto place = tasks::place_of(spec, measure.name, measure.channel);
+      if (place.prominence == tasks::Prominence::none ||
+          tasks::words_for(measure.name, measure.channel).better == tasks::Better::unknown)
         continue;
       choices.push_back({place,
                          spec ? spec->kind.index() : std::variant_npos,
@@ -62,9 +65,9 @@ Result<std::vector<PrimaryMeasure>> primary_choices(SessionStore& store, const s
     if (a.place.prominence != b.place.prominence) return a.place.prominence > b.place.prominence;
     return a.kind < b.kind;
   });
-  std::vector<PrimaryMeasure> measures;
+  std::vector<storage::PrimaryMeasure> measures;
   for (auto& choice : choices) measures.push_back(std::move(choice.measure));
   return measures;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -8,7 +8,7 @@
 #include "reports/findings/patient_records.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -17,56 +17,56 @@ int count_of(std::size_t n) {
 }
 
 // One for each kind: a new kind of task does not compile without its line here.
-int repetitions(const RestSpec&) {
+int repetitions(const tasks::RestSpec&) {
   return 0;
 }
-int repetitions(const MaximumSpec&) {
+int repetitions(const tasks::MaximumSpec&) {
   return 1;
 }
-int repetitions(const DirectionalMaximaSpec& spec) {
+int repetitions(const tasks::DirectionalMaximaSpec& spec) {
   return count_of(spec.digits.size() * spec.directions.size());
 }
-int repetitions(const ForceTrackingSpec& spec) {
-  using Shape = Waveform::Shape;
+int repetitions(const tasks::ForceTrackingSpec& spec) {
+  using Shape = tasks::Waveform::Shape;
   const Shape shape = spec.waveform.shape;
   const bool periodic =
       shape == Shape::sine || shape == Shape::triangle || shape == Shape::rectangle;
   return periodic ? std::max(1, static_cast<int>(spec.waveform.frequency_Hz * spec.duration_s)) : 1;
 }
-int repetitions(const SteadinessSpec& spec) {
+int repetitions(const tasks::SteadinessSpec& spec) {
   return count_of(spec.levels.size());
 }
-int repetitions(const StepResponseSpec& spec) {
+int repetitions(const tasks::StepResponseSpec& spec) {
   return spec.repetitions * count_of(spec.to.size());
 }
-int repetitions(const GripReleaseSpec& spec) {
+int repetitions(const tasks::GripReleaseSpec& spec) {
   return spec.repetitions;
 }
-int repetitions(const ForceSenseSpec& spec) {
+int repetitions(const tasks::ForceSenseSpec& spec) {
   return spec.repetitions;
 }
-int repetitions(const FatigueSpec&) {
+int repetitions(const tasks::FatigueSpec&) {
   return 1;
 }
-int repetitions(const IndividuationSpec& spec) {
+int repetitions(const tasks::IndividuationSpec& spec) {
   return spec.repetitions * count_of(spec.digits.size() * spec.levels.size());
 }
-int repetitions(const ForceDirectionSpec& spec) {
+int repetitions(const tasks::ForceDirectionSpec& spec) {
   return spec.repetitions * count_of(spec.targets.size());
 }
-int repetitions(const PoseTargetsSpec& spec) {
+int repetitions(const tasks::PoseTargetsSpec& spec) {
   return count_of(spec.targets.size());
 }
-int repetitions(const PoseTrackingSpec&) {
+int repetitions(const tasks::PoseTrackingSpec&) {
   return 1;
 }
-int repetitions(const PickPlaceSpec& spec) {
+int repetitions(const tasks::PickPlaceSpec& spec) {
   return count_of(spec.items.size());
 }
-int repetitions(const ObserveSpec&) {
+int repetitions(const tasks::ObserveSpec&) {
   return 1;
 }
-int repetitions(const RecordedSpec&) {
+int repetitions(const tasks::RecordedSpec&) {
   return 1;
 }
 
@@ -76,11 +76,11 @@ void raise(std::optional<int>& most, int value) {
 
 }  // namespace
 
-int repetitions_of(const TaskSpec& spec) {
+int repetitions_of(const tasks::TaskSpec& spec) {
   return std::visit([](const auto& kind) { return repetitions(kind); }, spec.kind);
 }
 
-Result<PracticeDose> dose_of(SessionStore& store, const PatientRecords& records) {
+Result<PracticeDose> dose_of(storage::SessionStore& store, const PatientRecords& records) {
   PracticeDose dose;
   constexpr double kWeek_days = 7.0;
   std::optional<double> day;
@@ -107,10 +107,10 @@ Result<PracticeDose> dose_of(SessionStore& store, const PatientRecords& records)
   for (const auto& trial : records.trials) {
     DoseWeek& week = dose.weeks[week_of[trial.session]];
     week.active_s += static_cast<double>(trial.trial.samples) / trial.session_record->rate_Hz;
-    if (trial.trial.status != TrialStatus::completed) continue;
+    if (trial.trial.status != storage::TrialStatus::completed) continue;
     const auto [found, is_new] = known.try_emplace(trial.trial.task_text, 0);
     if (is_new)
-      if (const auto spec = parse_task(trial.trial.task_text, trial.trial.task_name))
+      if (const auto spec = tasks::parse_task(trial.trial.task_text, trial.trial.task_name))
         found->second = repetitions_of(*spec);
     week.repetitions += found->second;
   }
@@ -121,4 +121,4 @@ Result<PracticeDose> dose_of(SessionStore& store, const PatientRecords& records)
   return dose;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

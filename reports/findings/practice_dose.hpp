@@ -9,14 +9,17 @@
 #include "core/result.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
-
+namespace isograsp::storage {
 class SessionStore;
+}
+
+namespace isograsp::reports {
+
 struct PatientRecords;
 
 /// Efforts that a task asks for: presses, cues, holds, targets, cycles of a periodic target; 1 for
 /// all that goes on without a break.
-[[nodiscard]] int repetitions_of(const TaskSpec& spec);
+[[nodiscard]] int repetitions_of(const tasks::TaskSpec& spec);
 
 struct DoseWeek {
   int week = 1;  ///< 1 begins with the patient's first session
@@ -33,6 +36,7 @@ struct PracticeDose {
   int repetitions = 0;
 };
 /// Errors: whatever the database reports.
-[[nodiscard]] Result<PracticeDose> dose_of(SessionStore& store, const PatientRecords& records);
+[[nodiscard]] Result<PracticeDose> dose_of(storage::SessionStore& store,
+                                           const PatientRecords& records);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

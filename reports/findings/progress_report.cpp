@@ -14,7 +14,7 @@
 #include "reports/findings/task_section.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -31,9 +31,11 @@ bool is_early(const std::string& onset_date, const std::string& session_date) {
 
 /// A trial with the signals that are drawn; of tasks with targets for an object the finger forces,
 /// too.
-DrawnTrial drawn(SessionStore& store, const StoredTrial& trial, const TaskSection& section) {
+DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
+                 const TaskSection& section) {
   DrawnTrial drawn{trial.session, trial.trial.number, {}, trial.measures, ""};
-  const bool fingers = section.spec && std::holds_alternative<PoseTargetsSpec>(section.spec->kind);
+  const bool fingers =
+      section.spec && std::holds_alternative<tasks::PoseTargetsSpec>(section.spec->kind);
   const auto is_finger_force = [](const std::string& name) {
     return name.ends_with("_fx_N") || name.ends_with("_fy_N") || name.ends_with("_fz_N");
   };
@@ -55,7 +57,7 @@ DrawnTrial drawn(SessionStore& store, const StoredTrial& trial, const TaskSectio
   return drawn;
 }
 
-void add_drawn_trials(SessionStore& store, const std::vector<const StoredTrial*>& all,
+void add_drawn_trials(storage::SessionStore& store, const std::vector<const StoredTrial*>& all,
                       TaskSection& section) {
   if (counts(all.back()->trial)) section.last = drawn(store, *all.back(), section);
   const auto [best, worst] = extremes_of(section, all);
@@ -65,9 +67,9 @@ void add_drawn_trials(SessionStore& store, const std::vector<const StoredTrial*>
 }
 
 /// What is known of the person and the course beside the tasks.
-Result<void> add_course(SessionStore& store, const PatientRecords& records,
+Result<void> add_course(storage::SessionStore& store, const PatientRecords& records,
                         ReportContent& content) {
-  const RowId id = records.patient.id;
+  const storage::RowId id = records.patient.id;
   content.goals = records.profile.goals;
   auto scores = store.clinical_scores(id);
   if (!scores) return scores.error();
@@ -85,7 +87,7 @@ Result<void> add_course(SessionStore& store, const PatientRecords& records,
 
 /// Primary measures that no section shows, with the reason. In a part of the sessions nothing is
 /// known of the others.
-std::vector<std::string> waiting_for(const std::vector<PrimaryMeasure>& primaries,
+std::vector<std::string> waiting_for(const std::vector<storage::PrimaryMeasure>& primaries,
                                      const std::vector<TaskSection>& sections, bool part) {
   std::vector<std::string> waiting;
   for (const auto& primary : primaries) {
@@ -96,7 +98,7 @@ std::vector<std::string> waiting_for(const std::vector<PrimaryMeasure>& primarie
              });
     };
     if (std::none_of(sections.begin(), sections.end(), shows))
-      waiting.push_back(words_for(primary.measure, primary.channel).title + " (" +
+      waiting.push_back(tasks::words_for(primary.measure, primary.channel).title + " (" +
                         primary.task_name + ", " + std::string(name_of(primary.hand)) + " hand), " +
                         (part ? "no assessment in these sessions" : "no assessment yet"));
   }
@@ -144,7 +146,7 @@ std::string_view name_of(Source source) noexcept {
   return "device";
 }
 
-Result<ReportContent> gather_progress(SessionStore& store, const std::string& code,
+Result<ReportContent> gather_progress(storage::SessionStore& store, const std::string& code,
                                       const Progress& progress, const ReportScope& scope) {
   // Shares of the time of sessions, last trials and quality, roughly.
   constexpr double kSessionsEnd = 0.3;
@@ -191,8 +193,8 @@ Result<ReportContent> gather_progress(SessionStore& store, const std::string& co
   put_in_order(content.sections, content.sessions);
   content.waiting = waiting_for(context.primaries, content.sections, context.part);
   if (records->sessions.empty()) return content;
-  const SessionRecord& last = records->sessions.back();
-  std::vector<TrialRecord> last_trials;
+  const storage::SessionRecord& last = records->sessions.back();
+  std::vector<storage::TrialRecord> last_trials;
   for (const auto& one : records->trials)
     if (one.session_record == &last) last_trials.push_back(one.trial);
   auto quality = assess_quality(store, last, last_trials, between(kTrialsEnd, 1.0));
@@ -201,4 +203,4 @@ Result<ReportContent> gather_progress(SessionStore& store, const std::string& co
   return content;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

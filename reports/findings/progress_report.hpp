@@ -10,7 +10,7 @@
 #include "reports/findings/report_content.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Everything stored about this patient, in the words of a report. The same database gives the same
 /// content. Rules of comparison:
@@ -24,8 +24,9 @@ namespace isograsp {
 /// - sessions outside the scope are as if they were not there, and the content says so.
 /// Errors: bad_input for an unknown patient; failed, if the watcher wants to stop (asked between
 /// sessions and trials); whatever the database reports. Reads only; the thread of `store`.
-[[nodiscard]] Result<ReportContent> gather_progress(SessionStore& store, const std::string& code,
+[[nodiscard]] Result<ReportContent> gather_progress(storage::SessionStore& store,
+                                                    const std::string& code,
                                                     const Progress& progress = {},
                                                     const ReportScope& scope = {});
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

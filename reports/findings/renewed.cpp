@@ -8,7 +8,7 @@
 #include "tasks/measure_version.hpp"
 #include "tasks/score.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -42,35 +42,36 @@ KnownScores& known_scores() {
 }  // namespace
 
 /// Nothing: the signals or the task cannot be read.
-std::optional<std::vector<Measure>> Renewal::scored(const TrialRecord& trial) {
+std::optional<std::vector<Measure>> Renewal::scored(const storage::TrialRecord& trial) {
   // Signals that are still in blocks of a second have no hash to be known by.
   const std::string key = trial.signals_hash.empty() ? "" : trial.signals_hash + trial.task_text;
   if (!key.empty())
     if (auto known = known_scores().find(key)) return known;
-  const auto spec = parse_task(trial.task_text, trial.task_name);
+  const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
   if (!spec) return std::nullopt;
   const auto signals = store_.signals(trial);
   if (!signals) return std::nullopt;
-  auto measures = score(*spec, *signals);
+  auto measures = tasks::score(*spec, *signals);
   ++scored_;
   if (!key.empty()) known_scores().keep(key, measures);
   return measures;
 }
 
-bool Renewal::renew(RowId patient, const TrialRecord& trial, std::vector<Measure>& measures) {
-  if (!any_is_older(measures)) return true;
+bool Renewal::renew(storage::RowId patient, const storage::TrialRecord& trial,
+                    std::vector<Measure>& measures) {
+  if (!tasks::any_is_older(measures)) return true;
   auto again = scored(trial);
   if (!again) {
     ++refused_;
     return false;
   }
   constexpr std::size_t kTrialsAtOnce = 50;  // some thousand rows: a recorder waits no longer
-  if (isograsp::renew(measures, *again) > 0 && can_keep_ && seen_.insert(trial.id).second) {
+  if (isograsp::tasks::renew(measures, *again) > 0 && can_keep_ && seen_.insert(trial.id).second) {
     if (patient != patient_ || to_keep_.size() >= kTrialsAtOnce) keep();
     patient_ = patient;
     to_keep_.push_back({trial.id, *std::move(again)});
   }
-  return !any_is_older(measures);
+  return !tasks::any_is_older(measures);
 }
 
 void Renewal::keep() {
@@ -81,7 +82,7 @@ void Renewal::keep() {
   to_keep_.clear();
 }
 
-Result<void> Renewal::renew(PooledValue& value, const PoolQuery& query) {
+Result<void> Renewal::renew(storage::PooledValue& value, const storage::PoolQuery& query) {
   if (value.measure_version == query.measure_version) return {};
   auto [known, fresh] = trials_of_.try_emplace(value.session_id);
   if (fresh) {
@@ -89,7 +90,7 @@ Result<void> Renewal::renew(PooledValue& value, const PoolQuery& query) {
     if (!trials) return trials.error();
     known->second = *std::move(trials);
   }
-  for (const TrialRecord& trial : known->second) {
+  for (const storage::TrialRecord& trial : known->second) {
     if (trial.id != value.trial_id) continue;
     Measure one;
     one.name = query.measure;
@@ -113,14 +114,15 @@ std::string renewal_words(int results, int trials) {
          "ones stay unchanged";
 }
 
-Result<std::vector<MeasurePoint>> renewed_progress(SessionStore& store, RowId patient) {
+Result<std::vector<storage::MeasurePoint>> renewed_progress(storage::SessionStore& store,
+                                                            storage::RowId patient) {
   auto points = store.progress(patient);
   if (!points) return points;
   Renewal renewal(store);
-  RowId session = 0;
-  std::vector<TrialRecord> trials;
+  storage::RowId session = 0;
+  std::vector<storage::TrialRecord> trials;
   for (std::size_t first = 0; first < points->size();) {
-    const MeasurePoint& point = (*points)[first];
+    const storage::MeasurePoint& point = (*points)[first];
     std::size_t end = first;
     std::vector<Measure> measures;
     for (; end < points->size() && (*points)[end].trial_id == point.trial_id; ++end)
@@ -131,9 +133,9 @@ Result<std::vector<MeasurePoint>> renewed_progress(SessionStore& store, RowId pa
       if (!of_session) return of_session.error();
       trials = *std::move(of_session);
     }
-    const auto trial = std::find_if(trials.begin(), trials.end(), [&](const TrialRecord& one) {
-      return one.id == point.trial_id;
-    });
+    const auto trial =
+        std::find_if(trials.begin(), trials.end(),
+                     [&](const storage::TrialRecord& one) { return one.id == point.trial_id; });
     if (trial != trials.end()) renewal.renew(patient, *trial, measures);
     for (std::size_t i = first; i < end; ++i) (*points)[i].measure = std::move(measures[i - first]);
     first = end;
@@ -141,4 +143,4 @@ Result<std::vector<MeasurePoint>> renewed_progress(SessionStore& store, RowId pa
   return points;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

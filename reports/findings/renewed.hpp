@@ -14,7 +14,7 @@
 #include "core/measure.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Renews measures of the trials of one store. Trials whose newest results are all of this
 /// program's versions cost nothing; of the others the signals are read and scored, and the results
@@ -22,16 +22,17 @@ namespace isograsp {
 /// of `store`.
 class Renewal {
  public:
-  explicit Renewal(SessionStore& store) : store_(store) {}
+  explicit Renewal(storage::SessionStore& store) : store_(store) {}
   Renewal(const Renewal&) = delete;
   Renewal& operator=(const Renewal&) = delete;
   ~Renewal() { keep(); }
 
   /// The measures of `trial` of `patient` in the versions of this program, as far as its signals
   /// can be read. False: something is of an older version still.
-  bool renew(RowId patient, const TrialRecord& trial, std::vector<Measure>& measures);
+  bool renew(storage::RowId patient, const storage::TrialRecord& trial,
+             std::vector<Measure>& measures);
   /// The same for a row of a pool; reads its trial. Errors: whatever the database reports.
-  [[nodiscard]] Result<void> renew(PooledValue& value, const PoolQuery& query);
+  [[nodiscard]] Result<void> renew(storage::PooledValue& value, const storage::PoolQuery& query);
   /// Puts what was computed into the database, if that can be written now.
   void keep();
 
@@ -39,12 +40,12 @@ class Renewal {
   [[nodiscard]] int refused() const noexcept { return refused_; }  ///< trials that cannot be read
 
  private:
-  [[nodiscard]] std::optional<std::vector<Measure>> scored(const TrialRecord& trial);
-  SessionStore& store_;
-  std::map<RowId, std::vector<TrialRecord>> trials_of_;  ///< by session, of pools
-  std::vector<ScoredTrial> to_keep_;                     ///< of `patient_`
-  std::set<RowId> seen_;                                 ///< trials that are or were in there
-  RowId patient_ = 0;
+  [[nodiscard]] std::optional<std::vector<Measure>> scored(const storage::TrialRecord& trial);
+  storage::SessionStore& store_;
+  std::map<storage::RowId, std::vector<storage::TrialRecord>> trials_of_;  ///< by session, of pools
+  std::vector<storage::ScoredTrial> to_keep_;                              ///< of `patient_`
+  std::set<storage::RowId> seen_;  ///< trials that are or were in there
+  storage::RowId patient_ = 0;
   bool can_keep_ = true;
   int scored_ = 0;
   int refused_ = 0;
@@ -55,7 +56,7 @@ class Renewal {
 [[nodiscard]] std::string renewal_words(int results, int trials);
 
 /// Every measure of the patient's completed trials, renewed, oldest first.
-[[nodiscard]] Result<std::vector<MeasurePoint>> renewed_progress(SessionStore& store,
-                                                                 RowId patient);
+[[nodiscard]] Result<std::vector<storage::MeasurePoint>> renewed_progress(
+    storage::SessionStore& store, storage::RowId patient);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -18,7 +18,7 @@
 #include "reports/findings/practice_dose.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Where forces came from. Results of different sources are never compared.
 enum class Source : std::uint8_t { device, simulated, recorded };
@@ -102,7 +102,7 @@ struct TaskSection {
   int version = 1;
   Hand hand = Hand::right;
   Source source = Source::device;
-  std::optional<TaskSpec> spec;  ///< none: the stored task file cannot be read
+  std::optional<tasks::TaskSpec> spec;  ///< none: the stored task file cannot be read
   std::vector<MeasureSeries> series;
   std::optional<DrawnTrial> last;  ///< the newest
   std::optional<DrawnTrial> best;  ///< of a force task, by its first key measure
@@ -129,12 +129,12 @@ struct ReportContent {
   int primary_measures = 0;          ///< that have been chosen
   std::vector<std::string> waiting;  ///< primary measures without any assessment, and why, in words
   std::string goals;                 ///< in the patient's or therapist's words
-  std::vector<ClinicalScore> scores;      ///< by date
-  std::vector<TreatmentMark> treatments;  ///< by date
+  std::vector<storage::ClinicalScore> scores;      ///< by date
+  std::vector<storage::TreatmentMark> treatments;  ///< by date
   LimitsOfHand limits;
   std::vector<Compass> compasses;
   PracticeDose dose;
   bool early = false;  ///< the last session is less than six months after the onset
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -7,7 +7,7 @@
 
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -19,20 +19,20 @@ std::string with_capital(std::string text) {
 }
 
 std::string with_unit(const std::string& number, const std::string& unit) {
-  const auto printed = printed_unit(unit).text;
+  const auto printed = tasks::printed_unit(unit).text;
   if (printed.empty()) return number;
   return number + (printed == "°" ? "" : "\u00a0") + printed;
 }
 
 /// Levels that follow the maximum and levels that stay are never one series.
 std::string load_words(const TaskSection& section) {
-  const Aim* aim = section.spec ? section.spec->aim() : nullptr;
+  const tasks::Aim* aim = section.spec ? section.spec->aim() : nullptr;
   if (aim == nullptr) return "";
   switch (aim->scale) {
-    case Scale::of_maximum: return " \u00b7 relative load (% of the day's maximum)";
-    case Scale::of_comfortable: return " \u00b7 relative load (% of the comfortable force)";
-    case Scale::of_baseline: return " \u00b7 fixed load (of the first maximum)";
-    case Scale::newton: return " \u00b7 fixed load";
+    case tasks::Scale::of_maximum: return " \u00b7 relative load (% of the day's maximum)";
+    case tasks::Scale::of_comfortable: return " \u00b7 relative load (% of the comfortable force)";
+    case tasks::Scale::of_baseline: return " \u00b7 fixed load (of the first maximum)";
+    case tasks::Scale::newton: return " \u00b7 fixed load";
   }
   return "";
 }
@@ -111,9 +111,9 @@ std::string mdc_words(const ChangeJudgement& change, const std::string& unit) {
   if (!change.mdc_down || !change.mdc_up) return "";
   const std::string printed = unit.starts_with("of ") ? "" : unit;
   const bool even = -*change.mdc_down == *change.mdc_up;
-  return "MDC95 " + (even ? with_unit(format_value(*change.mdc_up, unit), printed)
-                          : format_change(*change.mdc_down, unit) + "\u00a0/ " +
-                                with_unit(format_change(*change.mdc_up, unit), printed));
+  return "MDC95 " + (even ? with_unit(tasks::format_value(*change.mdc_up, unit), printed)
+                          : tasks::format_change(*change.mdc_down, unit) + "\u00a0/ " +
+                                with_unit(tasks::format_change(*change.mdc_up, unit), printed));
 }
 
 /// The same measure of the other hand, in the same task.
@@ -127,7 +127,7 @@ std::string other_hand_words(const ReportContent& content, const TaskSection& se
       if (same.name == series.name && same.channel == series.channel && same.last &&
           same.unit == series.unit && same.version == series.version)
         return std::string(name_of(other.hand)) + " hand " +
-               with_unit(format_value(*same.last, same.unit), same.unit);
+               with_unit(tasks::format_value(*same.last, same.unit), same.unit);
   }
   return "";
 }
@@ -136,8 +136,9 @@ std::string healthy_words(const MeasureSeries& series) {
   if (!series.norm) return "";
   const std::string count = "n\u00a0" + std::to_string(series.norm->values.size());
   if (!series.norm->low) return "healthy: " + count + ", no band";
-  return "healthy " + format_value(*series.norm->low, series.unit) + " to " +
-         with_unit(format_value(*series.norm->high, series.unit), series.unit) + " (" + count + ")";
+  return "healthy " + tasks::format_value(*series.norm->low, series.unit) + " to " +
+         with_unit(tasks::format_value(*series.norm->high, series.unit), series.unit) + " (" +
+         count + ")";
 }
 
 std::vector<GlanceRow> glance_rows(const ReportContent& content) {
@@ -146,10 +147,10 @@ std::vector<GlanceRow> glance_rows(const ReportContent& content) {
     for (const auto& series : section.series) {
       if (!series.key) continue;
       const auto shown = [&](const std::optional<double>& value) {
-        return value ? with_unit(format_value(*value, series.unit), series.unit)
+        return value ? with_unit(tasks::format_value(*value, series.unit), series.unit)
                      : std::string(kNone);
       };
-      const auto words = words_for(series.name, series.channel);
+      const auto words = tasks::words_for(series.name, series.channel);
       std::string last = shown(series.last);
       if (!series.last && !series.values.empty() && series.values.back().without_value > 0)
         last = "no value";
@@ -166,10 +167,10 @@ std::vector<GlanceRow> glance_rows(const ReportContent& content) {
         row.beside += (row.beside.empty() ? "" : "; ") + healthy;
       auto change = series.change;
       if (series.verdict && series.verdict->change.change) change = series.verdict->change.change;
-      row.change = change ? with_unit(format_change(*change, series.unit),
+      row.change = change ? with_unit(tasks::format_change(*change, series.unit),
                                       series.unit.starts_with("of ") ? "" : series.unit)
                           : std::string(kNone);
-      row.direction = describe(words.better);
+      row.direction = tasks::describe(words.better);
       row.verdict = kNone;
       if (series.verdict) {
         row.primary = true;
@@ -201,8 +202,9 @@ std::vector<std::string> verdict_notes(const ReportContent& content) {
     for (const auto& series : section.series)
       if (series.verdict)
         chosen += (chosen.empty() ? "Chosen: " : "; ") +
-                  words_for(series.name, series.channel).title + " (" + section.task + ") by " +
-                  series.verdict->chosen_by + ", " + format_date(series.verdict->chosen_on);
+                  tasks::words_for(series.name, series.channel).title + " (" + section.task +
+                  ") by " + series.verdict->chosen_by + ", " +
+                  format_date(series.verdict->chosen_on);
   if (!chosen.empty()) notes.push_back(chosen + ".");
   for (const auto& waiting : content.waiting)
     notes.push_back("Cannot be judged yet: " + waiting + ".");
@@ -219,12 +221,13 @@ std::string section_subtitle(const TaskSection& section) {
 }
 
 std::string series_title(const MeasureSeries& series) {
-  return words_for(series.name, series.channel).title;
+  return tasks::words_for(series.name, series.channel).title;
 }
 
 std::string series_subtitle(const MeasureSeries& series) {
-  const auto unit = printed_unit(series.unit).text;
-  const std::string direction(describe(words_for(series.name, series.channel).better));
+  const auto unit = tasks::printed_unit(series.unit).text;
+  const std::string direction(
+      tasks::describe(tasks::words_for(series.name, series.channel).better));
   if (unit.empty()) return direction;
   return direction.empty() ? unit : unit + " \u00b7 " + direction;
 }
@@ -246,7 +249,8 @@ std::string extreme_title(const TaskSection& section, const DrawnTrial& trial, b
   for (const auto& measure : trial.measures)
     if (key != section.series.end() && measure.name == key->name &&
         measure.channel == key->channel && measure.value)
-      text += " \u00b7 " + with_unit(format_value(*measure.value, measure.unit), measure.unit);
+      text +=
+          " \u00b7 " + with_unit(tasks::format_value(*measure.value, measure.unit), measure.unit);
   return text;
 }
 
@@ -263,12 +267,13 @@ std::string last_trial_results(const TaskSection& section) {
         std::any_of(section.series.begin(), section.series.end(), [&](const auto& series) {
           return series.name == measure.name && series.channel == measure.channel;
         });
-    const auto words = words_for(measure.name, measure.channel);
+    const auto words = tasks::words_for(measure.name, measure.channel);
     if (in_trend || !words.clinical) continue;
     if (!text.empty()) text += " \u00b7 ";
     text += words.title + ": ";
-    text += measure.value ? with_unit(format_value(*measure.value, measure.unit), measure.unit)
-                          : measure.reason;
+    text += measure.value
+                ? with_unit(tasks::format_value(*measure.value, measure.unit), measure.unit)
+                : measure.reason;
   }
   return text;
 }
@@ -280,13 +285,13 @@ std::vector<std::array<std::string, 4>> series_table(const MeasureSeries& series
     const auto& session = content.sessions[value.session];
     std::string trials;
     for (const double trial : value.trials)
-      trials += (trials.empty() ? "" : "; ") + format_value(trial, series.unit);
+      trials += (trials.empty() ? "" : "; ") + tasks::format_value(trial, series.unit);
     if (value.without_value > 0)
       trials +=
           (trials.empty() ? "" : "; ") + std::to_string(value.without_value) + " without value";
     rows.push_back({std::to_string(session.number) + (value.first_day ? " (first day)" : ""),
                     format_date(session.date),
-                    value.mean ? format_value(*value.mean, series.unit) : kNone, trials});
+                    value.mean ? tasks::format_value(*value.mean, series.unit) : kNone, trials});
   }
   return rows;
 }
@@ -332,4 +337,4 @@ std::string nothing_yet() {
          "again.";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -8,7 +8,7 @@
 
 #include "reports/findings/report_content.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 [[nodiscard]] std::string format_date(const std::string& iso);  ///< "2026-03-12" -> "12 Mar 2026"
 
@@ -70,4 +70,4 @@ struct GlanceRow {
 [[nodiscard]] std::string footer(const ReportContent& content);
 [[nodiscard]] std::string nothing_yet();  ///< a patient without completed trials
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

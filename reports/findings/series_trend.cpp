@@ -8,7 +8,7 @@
 #include "statistics/robust_trend.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -22,8 +22,8 @@ std::string rank(double value) {
 }
 
 /// Each day with its trials in the order of length, misses last.
-std::vector<CensoredDay> censored_days(const MeasureSeries& series,
-                                       const std::vector<ReportSession>& sessions) {
+std::vector<statistics::CensoredDay> censored_days(const MeasureSeries& series,
+                                                   const std::vector<ReportSession>& sessions) {
   struct Day {
     double x;
     std::vector<double> times;
@@ -36,13 +36,13 @@ std::vector<CensoredDay> censored_days(const MeasureSeries& series,
     days.back().times.insert(days.back().times.end(), value.trials.begin(), value.trials.end());
     days.back().missed += value.without_value;
   }
-  std::vector<CensoredDay> all;
+  std::vector<statistics::CensoredDay> all;
   for (auto& day : days) {
     std::sort(day.times.begin(), day.times.end());
     const int reached = static_cast<int>(day.times.size());
     const int tried = reached + day.missed;
     if (tried == 0) continue;
-    CensoredDay one{day.x, std::nullopt, reached, tried};
+    statistics::CensoredDay one{day.x, std::nullopt, reached, tried};
     // The upper median: of an even number the worse one, so that half missed counts as missed.
     const auto middle = static_cast<std::size_t>(tried / 2);
     if (middle < day.times.size()) one.value = day.times[middle];
@@ -54,8 +54,8 @@ std::vector<CensoredDay> censored_days(const MeasureSeries& series,
 }  // namespace
 
 std::string trend_words(const MeasureSeries& series, const std::vector<ReportSession>& sessions) {
-  if (words_for(series.name, series.channel).censored) {
-    const auto trend = rank_trend(censored_days(series, sessions));
+  if (tasks::words_for(series.name, series.channel).censored) {
+    const auto trend = statistics::rank_trend(censored_days(series, sessions));
     if (!trend) return "";
     return "reached in " + std::to_string(trend->reached) + " of " + std::to_string(trend->tried) +
            " trials, ranks " + rank(trend->tau.value) + " (" + rank(trend->tau.low) + " to " +
@@ -68,12 +68,12 @@ std::string trend_words(const MeasureSeries& series, const std::vector<ReportSes
       weeks.push_back(day.day / kWeek_days);
       means.push_back(*mean);
     }
-  const auto slope = theil_sen(weeks, means);
+  const auto slope = statistics::theil_sen(weeks, means);
   if (!slope) return "";
-  const auto unit = printed_unit(series.unit.starts_with("of ") ? "" : series.unit).text;
-  return format_change(slope->value, series.unit) + (unit.empty() ? "" : "\u00a0" + unit) +
-         " per week (" + format_value(slope->low, series.unit) + " to " +
-         format_value(slope->high, series.unit) + ")";
+  const auto unit = tasks::printed_unit(series.unit.starts_with("of ") ? "" : series.unit).text;
+  return tasks::format_change(slope->value, series.unit) + (unit.empty() ? "" : "\u00a0" + unit) +
+         " per week (" + tasks::format_value(slope->low, series.unit) + " to " +
+         tasks::format_value(slope->high, series.unit) + ")";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -12,7 +12,7 @@
 #include "reports/findings/series_trend.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -44,7 +44,7 @@ void add_practice(const std::vector<const StoredTrial*>& practised, MeasureSerie
 /// To the key measures what healthy people do.
 Result<void> add_norms(const VerdictContext& context, const StoredTrial& like,
                        TaskSection& section) {
-  const PatientProfile& person = context.profile;
+  const storage::PatientProfile& person = context.profile;
   if (!person.sex || !person.birth_year || !person.dominant) return {};
   if (section.spec && section.spec->difficulty) return {};  // levels follow success: no assessment
   for (auto& series : section.series) {
@@ -54,8 +54,8 @@ Result<void> add_norms(const VerdictContext& context, const StoredTrial& like,
     const auto healthy =
         renewed_values(context.renewal, query, context.store.healthy_values(query));
     if (!healthy) return healthy.error();
-    series.norm =
-        norm_band(*healthy, like, context.profile, words_for(series.name, series.channel).censored);
+    series.norm = norm_band(*healthy, like, context.profile,
+                            tasks::words_for(series.name, series.channel).censored);
   }
   return {};
 }
@@ -71,7 +71,7 @@ Result<TaskSection> make_section(const VerdictContext& context,
   section.version = newest.trial.task_version;
   section.hand = newest.session_record->hand;
   section.source = source_of(*newest.session_record);
-  if (auto spec = parse_task(newest.trial.task_text, newest.trial.task_name))
+  if (auto spec = tasks::parse_task(newest.trial.task_text, newest.trial.task_name))
     section.spec = std::move(*spec);
 
   std::vector<const StoredTrial*> compared;
@@ -85,11 +85,11 @@ Result<TaskSection> make_section(const VerdictContext& context,
       left_out[why].insert(entry->session);
     else if (entry->trial.practice) {
       ++practice;
-      if (entry->trial.status == TrialStatus::completed && !entry->trial.helped)
+      if (entry->trial.status == storage::TrialStatus::completed && !entry->trial.helped)
         practised.push_back(entry);
     } else if (entry->trial.helped)
       ++helped;
-    else if (entry->trial.status != TrialStatus::completed)
+    else if (entry->trial.status != storage::TrialStatus::completed)
       ++unfinished;
     else
       compared.push_back(entry);
@@ -110,7 +110,8 @@ Result<TaskSection> make_section(const VerdictContext& context,
   if (compared.empty()) return section;
 
   for (const Measure& measure : compared.back()->measures) {
-    if (place_of(section.spec, measure.name, measure.channel).prominence == Prominence::none &&
+    if (tasks::place_of(section.spec, measure.name, measure.channel).prominence ==
+            tasks::Prominence::none &&
         primary_of(context, section, measure.name, measure.channel) == nullptr)
       continue;
     section.series.push_back(make_series(measure, compared, sessions, section));
@@ -118,11 +119,12 @@ Result<TaskSection> make_section(const VerdictContext& context,
     section.series.back().trend = trend_words(section.series.back(), sessions);
   }
   const auto place = [&](const MeasureSeries& series) {
-    return place_of(section.spec, series.name, series.channel);
+    return tasks::place_of(section.spec, series.name, series.channel);
   };
   std::stable_sort(section.series.begin(), section.series.end(),
                    [&](const auto& a, const auto& b) { return place(a).rank < place(b).rank; });
-  for (auto& series : section.series) series.key = place(series).prominence == Prominence::key;
+  for (auto& series : section.series)
+    series.key = place(series).prominence == tasks::Prominence::key;
   if (auto compared_with = add_norms(context, *compared.back(), section); !compared_with)
     return compared_with.error();
   if (auto judged = judge_section(context, *compared.back(), sessions, section); !judged)
@@ -132,15 +134,17 @@ Result<TaskSection> make_section(const VerdictContext& context,
 
 Extremes extremes_of(const TaskSection& section, const std::vector<const StoredTrial*>& all) {
   Extremes extremes;
-  if (!section.spec || !std::holds_alternative<ForceTrackingSpec>(section.spec->kind))
+  if (!section.spec || !std::holds_alternative<tasks::ForceTrackingSpec>(section.spec->kind))
     return extremes;
   const auto key = std::find_if(section.series.begin(), section.series.end(),
                                 [](const MeasureSeries& series) { return series.key; });
   if (key == section.series.end()) return extremes;
-  const Better better = words_for(key->name, key->channel).better;
-  if (better == Better::unknown) return extremes;
+  const tasks::Better better = tasks::words_for(key->name, key->channel).better;
+  if (better == tasks::Better::unknown) return extremes;
   const auto badness = [better](double value) {
-    return better == Better::higher ? -value : better == Better::lower ? value : std::abs(value);
+    return better == tasks::Better::higher  ? -value
+           : better == tasks::Better::lower ? value
+                                            : std::abs(value);
   };
   std::vector<const StoredTrial*> compared;
   std::vector<double> bad;
@@ -178,4 +182,4 @@ void put_in_order(std::vector<TaskSection>& sections, const std::vector<ReportSe
   });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -6,7 +6,7 @@
 
 #include "reports/findings/verdicts.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// @param all  trials of one task and hand, oldest first, not empty; the last one decides with what
 ///             the others are compared
@@ -26,4 +26,4 @@ struct Extremes {
 /// Tasks in the order of an assessment; the hand with more trials first.
 void put_in_order(std::vector<TaskSection>& sections, const std::vector<ReportSession>& sessions);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -9,7 +9,7 @@
 #include "reports/findings/report_text.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -47,7 +47,7 @@ std::string second_assessment_utc(const std::vector<AssessmentDay>& days,
 }
 
 /// Why this patient's data cannot be judged, whatever the pool says; empty: they can.
-std::string obstacle(const VerdictContext& context, const PrimaryMeasure& primary,
+std::string obstacle(const VerdictContext& context, const storage::PrimaryMeasure& primary,
                      const TaskSection& section, const std::vector<AssessmentDay>& days,
                      const std::vector<ReportSession>& sessions) {
   if (context.part) return "only a part of the sessions is looked at";
@@ -60,7 +60,7 @@ std::string obstacle(const VerdictContext& context, const PrimaryMeasure& primar
   return "";
 }
 
-Result<ChangeVerdict> judge(const VerdictContext& context, const PrimaryMeasure& primary,
+Result<ChangeVerdict> judge(const VerdictContext& context, const storage::PrimaryMeasure& primary,
                             const StoredTrial& like, const MeasureSeries& series,
                             const TaskSection& section,
                             const std::vector<ReportSession>& sessions) {
@@ -70,12 +70,12 @@ Result<ChangeVerdict> judge(const VerdictContext& context, const PrimaryMeasure&
   const auto days = assessment_days(series, sessions);
   verdict.reason = obstacle(context, primary, section, days, sessions);
   if (!verdict.reason.empty()) return verdict;
-  const auto words = words_for(series.name, series.channel);
+  const auto words = tasks::words_for(series.name, series.channel);
   const auto query = pool_query(like, series);
   auto values = renewed_values(context.renewal, query, context.store.stable_values(query));
   if (!values) return values.error();
   // Nobody is judged by their own variation.
-  std::erase_if(*values, [&](const PooledValue& value) {
+  std::erase_if(*values, [&](const storage::PooledValue& value) {
     return value.patient_id == like.session_record->patient_id;
   });
   const auto stable =
@@ -92,24 +92,25 @@ Result<ChangeVerdict> judge(const VerdictContext& context, const PrimaryMeasure&
 
 }  // namespace
 
-std::optional<HandStatus> hand_status(std::optional<Side> affected, Hand hand) {
+std::optional<HandStatus> hand_status(std::optional<storage::Side> affected, Hand hand) {
   if (!affected) return std::nullopt;
   switch (*affected) {
-    case Side::none: return HandStatus::healthy;
-    case Side::both: return HandStatus::affected;
-    case Side::right: return hand == Hand::right ? HandStatus::affected : HandStatus::other;
-    case Side::left: return hand == Hand::left ? HandStatus::affected : HandStatus::other;
+    case storage::Side::none: return HandStatus::healthy;
+    case storage::Side::both: return HandStatus::affected;
+    case storage::Side::right:
+      return hand == Hand::right ? HandStatus::affected : HandStatus::other;
+    case storage::Side::left: return hand == Hand::left ? HandStatus::affected : HandStatus::other;
   }
   return std::nullopt;
 }
 
-std::vector<StableDays> stable_days(std::span<const PooledValue> values, HandStatus status,
+std::vector<StableDays> stable_days(std::span<const storage::PooledValue> values, HandStatus status,
                                     bool censored) {
   std::vector<StableDays> all;
-  using Key = std::tuple<RowId, RowId, Hand>;
+  using Key = std::tuple<storage::RowId, storage::RowId, Hand>;
   struct Newest {
     std::size_t place = 0;  ///< in `all`
-    const PooledValue* value = nullptr;
+    const storage::PooledValue* value = nullptr;
     DayCounter counter;
   };
   std::map<Key, Newest> newest;
@@ -135,19 +136,20 @@ std::vector<StableDays> stable_days(std::span<const PooledValue> values, HandSta
   return all;
 }
 
-Result<std::vector<PooledValue>> renewed_values(Renewal& renewal, const PoolQuery& query,
-                                                Result<std::vector<PooledValue>> values) {
+Result<std::vector<storage::PooledValue>> renewed_values(
+    Renewal& renewal, const storage::PoolQuery& query,
+    Result<std::vector<storage::PooledValue>> values) {
   if (!values) return values;
   for (auto& value : *values)
     if (auto done = renewal.renew(value, query); !done) return done.error();
-  std::erase_if(*values, [&](const PooledValue& value) {
+  std::erase_if(*values, [&](const storage::PooledValue& value) {
     return value.measure_version != query.measure_version;
   });
   return values;
 }
 
-const PrimaryMeasure* primary_of(const VerdictContext& context, const TaskSection& section,
-                                 const std::string& name, const std::string& channel) {
+const storage::PrimaryMeasure* primary_of(const VerdictContext& context, const TaskSection& section,
+                                          const std::string& name, const std::string& channel) {
   for (const auto& primary : context.primaries)
     if (primary.task_name == section.task && primary.hand == section.hand &&
         primary.measure == name && primary.channel == channel)
@@ -168,4 +170,4 @@ Result<void> judge_section(const VerdictContext& context, const StoredTrial& lik
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -11,39 +11,42 @@
 #include "reports/findings/measure_series.hpp"
 #include "reports/findings/renewed.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Hands are pooled with hands that stand to their person in the same way.
 enum class HandStatus : std::uint8_t { affected, other, healthy };
 /// Nothing: the affected side is not told.
-[[nodiscard]] std::optional<HandStatus> hand_status(std::optional<Side> affected, Hand hand);
+[[nodiscard]] std::optional<HandStatus> hand_status(std::optional<storage::Side> affected,
+                                                    Hand hand);
 
 /// The days of the hands of that status. Days of different hands, stable times, frame rates, delays
 /// of the device or visual gains make no pair. `censored`: a trial without value fails its day.
-[[nodiscard]] std::vector<StableDays> stable_days(std::span<const PooledValue> values,
+[[nodiscard]] std::vector<StableDays> stable_days(std::span<const storage::PooledValue> values,
                                                   HandStatus status, bool censored);
 
 /// What verdicts of one patient are made from.
 struct VerdictContext {
-  SessionStore& store;
-  std::vector<PrimaryMeasure> primaries;
-  PatientProfile profile;
+  storage::SessionStore& store;
+  std::vector<storage::PrimaryMeasure> primaries;
+  storage::PatientProfile profile;
   Renewal& renewal;   ///< of older values in pools
   bool part = false;  ///< only some of the patient's sessions are there: nothing is judged
 };
 
 /// Values of other people in the version of `query`; what cannot be brought to it is left out.
-[[nodiscard]] Result<std::vector<PooledValue>> renewed_values(
-    Renewal& renewal, const PoolQuery& query, Result<std::vector<PooledValue>> values);
+[[nodiscard]] Result<std::vector<storage::PooledValue>> renewed_values(
+    Renewal& renewal, const storage::PoolQuery& query,
+    Result<std::vector<storage::PooledValue>> values);
 
 /// Null: the measure is no primary one of this task and hand.
-[[nodiscard]] const PrimaryMeasure* primary_of(const VerdictContext& context,
-                                               const TaskSection& section, const std::string& name,
-                                               const std::string& channel);
+[[nodiscard]] const storage::PrimaryMeasure* primary_of(const VerdictContext& context,
+                                                        const TaskSection& section,
+                                                        const std::string& name,
+                                                        const std::string& channel);
 
 /// Judges the primary measures among the series of `section`. `like`: a trial of them.
 [[nodiscard]] Result<void> judge_section(const VerdictContext& context, const StoredTrial& like,
                                          const std::vector<ReportSession>& sessions,
                                          TaskSection& section);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -9,7 +9,7 @@
 #include "reports/paper/plotting.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -145,10 +145,10 @@ PlotView compass_plot(const std::vector<Compass>& compasses, Finger finger, doub
     ring_y -= 0.14;
     if (const auto& share = compass.digits[index_of(finger)].coflexion_percent)
       coflexion += (coflexion.isEmpty() ? QString("co-flexion: ") : QString(", ")) + hand + " " +
-                   QString::fromStdString(format_value(*share, "%")) + " %";
+                   QString::fromStdString(tasks::format_value(*share, "%")) + " %";
   }
   drawing.word(0.0, -1.23, coflexion, Qt::AlignHCenter | Qt::AlignTop, Palette::quiet());
   return view;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

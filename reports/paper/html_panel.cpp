@@ -3,7 +3,7 @@
 
 #include "reports/paper/html_parts.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -47,4 +47,4 @@ QString html_section(const Panel& panel) {
   return out + "</section>\n";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -6,8 +6,8 @@
 
 #include "reports/paper/panel.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 [[nodiscard]] QString html_section(const Panel& panel);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

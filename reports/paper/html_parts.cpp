@@ -7,7 +7,7 @@
 
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -160,4 +160,4 @@ QString html_table(const QString& caption, const std::vector<QString>& heads,
   return out + "</tbody></table>\n";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

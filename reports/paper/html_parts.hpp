@@ -9,7 +9,7 @@
 #include "reports/paper/page_furniture.hpp"
 #include "reports/paper/plots.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 inline constexpr double kHtmlUnit = 4.0 / 3.0;  ///< CSS pixels per point
 
@@ -26,4 +26,4 @@ inline constexpr double kHtmlUnit = 4.0 / 3.0;  ///< CSS pixels per point
 [[nodiscard]] QString svg_of(PlotView view, const std::string& title,
                              const std::string& description);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -11,7 +11,7 @@
 #include "reports/paper/plots.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 struct HtmlReport::Parts {
   explicit Parts(ReportContent content) : content_(std::move(content)) {}
@@ -91,7 +91,7 @@ struct HtmlReport::Parts {
       rows.emplace_back();
       for (const auto& cell : row) rows.back().push_back(escaped(cell));
     }
-    const auto unit = escaped(printed_unit(series.unit).text);
+    const auto unit = escaped(tasks::printed_unit(series.unit).text);
     table(escaped(title) + (unit.isEmpty() ? "" : " [" + unit + "]"),
           {"Session", "Date", "Mean", "Trials"}, rows);
     out_ += "</figure>\n";
@@ -159,8 +159,8 @@ struct HtmlReport::Parts {
         const auto cut = name.rfind('_');
         const auto unit = name.substr(cut + 1);
         heads.push_back(QString(side == std::string("target_") ? "Target " : "Patient ") +
-                        escaped(name.substr(0, cut)) + " [" + escaped(printed_unit(unit).text) +
-                        "]");
+                        escaped(name.substr(0, cut)) + " [" +
+                        escaped(tasks::printed_unit(unit).text) + "]");
       }
     std::vector<std::vector<QString>> rows;
     const auto t_s = curves.column("t_s");
@@ -173,9 +173,9 @@ struct HtmlReport::Parts {
       rows.push_back({QString::number(std::lround(elapsed_s))});
       for (const auto& name : columns) {
         const double value = curves.column(name)[row];
-        rows.back().push_back(std::isfinite(value)
-                                  ? escaped(format_value(value, name.substr(name.rfind('_') + 1)))
-                                  : QString("–"));
+        rows.back().push_back(std::isfinite(value) ? escaped(tasks::format_value(
+                                                         value, name.substr(name.rfind('_') + 1)))
+                                                   : QString("–"));
       }
     }
     out_ += "<details><summary>The last trial as a table, second by second</summary>\n";
@@ -237,4 +237,4 @@ Result<void> write_html(const ReportContent& content, const std::string& path,
   return write_all(report, path, progress);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

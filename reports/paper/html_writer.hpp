@@ -8,7 +8,7 @@
 
 #include "reports/paper/report_writer.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// One step for the tables at the beginning and one for each task.
 class HtmlReport final : public ReportWriter {
@@ -32,4 +32,4 @@ class HtmlReport final : public ReportWriter {
 [[nodiscard]] Result<void> write_html(const ReportContent& content, const std::string& path,
                                       const Progress& progress = {});
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -11,7 +11,7 @@
 #include "reports/paper/plots.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -23,7 +23,7 @@ void add_band(QCPAxisRect& rect, const Values& x, const Values& low, const Value
 }
 
 /// Marks the stretches of `phase` as not scored.
-void shade_phase(PlotView& view, QCPAxisRect& rect, const Signals& curves, Phase phase,
+void shade_phase(PlotView& view, QCPAxisRect& rect, const Signals& curves, tasks::Phase phase,
                  const QString& word) {
   const auto phases = curves.column("phase");
   const auto t_s = curves.column("t_s");
@@ -65,8 +65,8 @@ constexpr Channel kPose[] = {
 double tolerance(const TaskSection& section, const Channel& channel, double target) {
   if (!section.spec) return 0.0;
   constexpr double kBand = 0.05;  // of the target: measure time_in_range
-  if (std::holds_alternative<ForceTrackingSpec>(section.spec->kind)) return kBand * target;
-  const auto* poses = std::get_if<PoseTargetsSpec>(&section.spec->kind);
+  if (std::holds_alternative<tasks::ForceTrackingSpec>(section.spec->kind)) return kBand * target;
+  const auto* poses = std::get_if<tasks::PoseTargetsSpec>(&section.spec->kind);
   if (poses == nullptr) return 0.0;
   return channel.factor * (std::string_view(channel.name) == "angle_rad"
                                ? poses->angle_tolerance_rad
@@ -145,8 +145,8 @@ PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial, QSize
                dashed(Palette::quiet(), view.px(0.8), {1.5, 2.0}));
       view.explain(PlotView::Mark::dotted, Palette::quiet(), "best mean");
     }
-    shade_phase(view, rect, curves, Phase::lead_in, "not scored");
-    shade_phase(view, rect, curves, Phase::paused, "paused");
+    shade_phase(view, rect, curves, tasks::Phase::lead_in, "not scored");
+    shade_phase(view, rect, curves, tasks::Phase::paused, "paused");
     return view;
   }
   constexpr double kGap = 7.0;
@@ -160,7 +160,7 @@ PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial, QSize
     rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
     rect.axis(QCPAxis::atBottom)->setTickLabels(last);
     if (last) rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
-    if (first) shade_phase(view, rect, curves, Phase::paused, "paused");
+    if (first) shade_phase(view, rect, curves, tasks::Phase::paused, "paused");
     top += each + kGap;
   }
   return view;
@@ -216,7 +216,7 @@ PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit) {
       view.explain(finger == Finger::middle ? PlotView::Mark::dashed : PlotView::Mark::line,
                    pens[index_of(finger)].color(), QString::fromUtf8(name_of(finger).data()));
     }
-    if (first) shade_phase(view, rect, curves, Phase::paused, "paused");
+    if (first) shade_phase(view, rect, curves, tasks::Phase::paused, "paused");
     top += each + kGap;
   }
   return view;
@@ -232,4 +232,4 @@ std::string describe_overlay(const TaskSection& section) {
          "is one.";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -7,7 +7,7 @@
 
 #include "reports/findings/report_text.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 struct PageFurniture {
   std::string kind;         ///< "Progress report"
@@ -20,4 +20,4 @@ struct PageFurniture {
 inline constexpr std::size_t kLongTitle = 24;
 [[nodiscard]] PageFurniture furniture_of(const ReportContent& content);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

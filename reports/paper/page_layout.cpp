@@ -9,7 +9,7 @@
 
 #include "reports/paper/plots.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::vector<PageRange> break_into_pages(const std::vector<Block>& blocks, double
   return pages;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

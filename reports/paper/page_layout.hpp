@@ -11,7 +11,7 @@
 class QPainter;
 class QCPPainter;
 
-namespace isograsp {
+namespace isograsp::reports {
 
 struct TextStyle {
   double size = 8.0;
@@ -58,4 +58,4 @@ struct PageRange {
 [[nodiscard]] std::vector<PageRange> break_into_pages(const std::vector<Block>& blocks,
                                                       double first_height, double page_height);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -12,7 +12,7 @@
 
 #include "reports/findings/report_content.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 class PlotView;
 
@@ -53,4 +53,4 @@ struct Panel {
 /// Minutes of each week as bars. Needs a QApplication.
 [[nodiscard]] PlotView dose_plot(const PracticeDose& dose, bool large, QSizeF size, double unit);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

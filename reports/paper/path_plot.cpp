@@ -11,7 +11,7 @@
 #include "reports/paper/plots.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 bool has_path(const TaskSection& section) {
   if (!section.last) return false;
@@ -38,7 +38,7 @@ PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
   std::vector<Spot> spots;
   double radius_mm = 0.0;
   if (section.spec)
-    if (const auto* poses = std::get_if<PoseTargetsSpec>(&section.spec->kind)) {
+    if (const auto* poses = std::get_if<tasks::PoseTargetsSpec>(&section.spec->kind)) {
       radius_mm = kMillimetres * poses->position_tolerance_m;
       int number = 0;
       for (const auto& target : poses->targets) {
@@ -129,4 +129,4 @@ PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
   return view;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -9,7 +9,7 @@
 #include "reports/paper/plots.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -141,4 +141,4 @@ PlotView dose_plot(const PracticeDose& dose, bool large, QSizeF size, double uni
   return view;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

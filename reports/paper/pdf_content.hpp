@@ -7,7 +7,7 @@
 #include "reports/paper/panel.hpp"
 #include "reports/paper/pdf_page.hpp"
 
-namespace isograsp::pdf {
+namespace isograsp::reports::pdf {
 
 inline constexpr double kSectionGap = 20.0;
 
@@ -23,4 +23,4 @@ void add_panels(std::vector<Block>& blocks, const std::vector<Panel>& panels);
 /// The tasks with their plots. `content` must outlive the blocks.
 void add_sections(std::vector<Block>& blocks, const ReportContent& content);
 
-}  // namespace isograsp::pdf
+}  // namespace isograsp::reports::pdf

@@ -6,7 +6,7 @@
 
 #include "reports/findings/report_text.hpp"
 
-namespace isograsp::pdf {
+namespace isograsp::reports::pdf {
 
 namespace {
 
@@ -90,4 +90,4 @@ void draw_foot(QPainter& painter, const PageFurniture& furniture, int page, int 
   draw_watermark(painter, furniture);
 }
 
-}  // namespace isograsp::pdf
+}  // namespace isograsp::reports::pdf

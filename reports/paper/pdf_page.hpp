@@ -7,7 +7,7 @@
 #include "reports/paper/page_layout.hpp"
 #include "reports/paper/plots.hpp"
 
-namespace isograsp::pdf {
+namespace isograsp::reports::pdf {
 
 inline constexpr int kResolution = 1200;  // per inch: text is laid out on this grid
 inline constexpr double kUnit = kResolution / 72.0;
@@ -37,4 +37,4 @@ void rule(QPainter& painter, double y, double width, const QColor& color);
 void draw_head(QPainter& painter, const PageFurniture& furniture, int page);
 void draw_foot(QPainter& painter, const PageFurniture& furniture, int page, int pages);
 
-}  // namespace isograsp::pdf
+}  // namespace isograsp::reports::pdf

@@ -8,7 +8,7 @@
 #include "reports/paper/pdf_content.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp::pdf {
+namespace isograsp::reports::pdf {
 
 namespace {
 
@@ -182,4 +182,4 @@ void add_panels(std::vector<Block>& blocks, const std::vector<Panel>& panels) {
   for (const auto& panel : panels) add_panel(blocks, panel);
 }
 
-}  // namespace isograsp::pdf
+}  // namespace isograsp::reports::pdf

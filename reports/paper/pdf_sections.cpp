@@ -8,7 +8,7 @@
 #include "reports/paper/pdf_content.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp::pdf {
+namespace isograsp::reports::pdf {
 
 namespace {
 
@@ -31,7 +31,7 @@ double span(int columns) {
 }
 
 bool is_rest(const TaskSection& section) {
-  return section.spec && std::holds_alternative<RestSpec>(section.spec->kind);
+  return section.spec && std::holds_alternative<tasks::RestSpec>(section.spec->kind);
 }
 
 /// Columns of the page that a section wants: a lone trend is narrow, a maximum has its curve
@@ -236,4 +236,4 @@ void add_sections(std::vector<Block>& blocks, const ReportContent& content) {
   if (!row.empty()) blocks.push_back(section_row(content, row));
 }
 
-}  // namespace isograsp::pdf
+}  // namespace isograsp::reports::pdf

@@ -7,7 +7,7 @@
 #include "reports/paper/pdf_content.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp::pdf {
+namespace isograsp::reports::pdf {
 
 namespace {
 
@@ -158,4 +158,4 @@ void add_quality(std::vector<Block>& blocks, const ReportContent& content) {
   }));
 }
 
-}  // namespace isograsp::pdf
+}  // namespace isograsp::reports::pdf

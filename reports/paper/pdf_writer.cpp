@@ -10,7 +10,7 @@
 #include "reports/paper/pdf_page.hpp"
 #include "reports/paper/report_pages.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 using namespace pdf;
 
@@ -71,4 +71,4 @@ Result<void> write_pdf(const ReportContent& content, const std::string& path,
   return write_all(report, path, progress);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

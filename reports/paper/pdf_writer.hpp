@@ -9,7 +9,7 @@
 #include "reports/paper/page_layout.hpp"
 #include "reports/paper/report_writer.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Laid out once, then painted text by text, row by row, plot by plot.
 class PdfReport final : public ReportWriter {
@@ -37,4 +37,4 @@ class PdfReport final : public ReportWriter {
 [[nodiscard]] Result<void> write_pdf(const ReportContent& content, const std::string& path,
                                      const Progress& progress = {});
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace isograsp {
+namespace isograsp::reports {
 
 QCPRange range_of(std::initializer_list<const Values*> lists) {
   double low = std::numeric_limits<double>::infinity();
@@ -93,4 +93,4 @@ Values picked(const Values& values, const QVector<int>& rows) {
   return result;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -7,7 +7,7 @@
 
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 // Distances from the edges of a plot to its axes [points]; equal everywhere, so that axes align.
 inline constexpr double kLeft = 34.0;
@@ -36,4 +36,4 @@ QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QP
 /// The values at `rows`.
 [[nodiscard]] Values picked(const Values& values, const QVector<int>& rows);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

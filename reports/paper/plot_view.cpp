@@ -5,7 +5,7 @@
 #include "reports/paper/plots.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 constexpr double kFont = 6.8;  // points
@@ -113,4 +113,4 @@ void PlotView::paint(QCPPainter& painter) {
   painter.restore();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -18,7 +18,7 @@ class QCustomPlot;
 class QCPPainter;
 class QCPAxisRect;
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Okabe-Ito: told apart also by people who see fewer colours. Never the only sign.
 struct Palette {
@@ -108,4 +108,4 @@ struct ErrorBand {
 /// What each plot shows, in one sentence, for people who do not see it.
 [[nodiscard]] std::string describe_overlay(const TaskSection& section);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-namespace isograsp {
+namespace isograsp::reports {
 
 void ensure_qt_application() {
   if (QCoreApplication::instance() != nullptr) return;
@@ -28,4 +28,4 @@ void ensure_qt_application() {
   (void)kApplication;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -9,7 +9,7 @@
 #include "reports/paper/pdf_content.hpp"
 #include "reports/paper/plotting.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 using namespace pdf;
 
@@ -137,4 +137,4 @@ void PagePicture::paint_next() {
   if (complete()) painter_->end();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -12,7 +12,7 @@
 class QCPPainter;
 class QPagedPaintDevice;
 
-namespace isograsp {
+namespace isograsp::reports {
 
 class ReportPages {
  public:
@@ -82,4 +82,4 @@ class PagePicture {
   std::unique_ptr<QCPPainter> painter_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

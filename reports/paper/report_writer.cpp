@@ -5,7 +5,7 @@
 #include "reports/paper/html_writer.hpp"
 #include "reports/paper/pdf_writer.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 std::unique_ptr<ReportWriter> make_report_writer(ReportContent content, const std::string& path) {
   if (path.ends_with(".html")) return std::make_unique<HtmlReport>(std::move(content));
@@ -21,4 +21,4 @@ Result<void> write_all(ReportWriter& writer, const std::string& path, const Prog
   return write_text(path, writer.take());
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -10,7 +10,7 @@
 #include "core/result.hpp"
 #include "reports/findings/report_content.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Needs a QApplication (ensure_qt_application()). GUI thread.
 class ReportWriter {
@@ -42,4 +42,4 @@ class ReportWriter {
 [[nodiscard]] Result<void> write_all(ReportWriter& writer, const std::string& path,
                                      const Progress& progress = {});
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

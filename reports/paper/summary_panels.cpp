@@ -9,7 +9,7 @@
 #include "reports/paper/plots.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -29,20 +29,21 @@ std::string interval(const Share& share) {
 }
 
 /// "ARAT 31, 40", oldest first: the first and the newest of each scale.
-std::vector<std::vector<std::string>> score_rows(const std::vector<ClinicalScore>& scores) {
+std::vector<std::vector<std::string>> score_rows(
+    const std::vector<storage::ClinicalScore>& scores) {
   std::vector<std::vector<std::string>> rows;
-  for (const auto& scale : kClinicalScales) {
-    const ClinicalScore* first = nullptr;
-    const ClinicalScore* last = nullptr;
+  for (const auto& scale : storage::kClinicalScales) {
+    const storage::ClinicalScore* first = nullptr;
+    const storage::ClinicalScore* last = nullptr;
     for (const auto& score : scores) {
       if (score.scale != scale.name) continue;
       if (first == nullptr) first = &score;
       last = &score;
     }
     if (first == nullptr) continue;
-    const auto shown = [&](const ClinicalScore& score) {
+    const auto shown = [&](const storage::ClinicalScore& score) {
       const std::string unit = scale.unit.empty() ? "" : "\u00a0" + std::string(scale.unit);
-      return format_value(score.value, "") + unit + ", " + format_date(score.on_date);
+      return tasks::format_value(score.value, "") + unit + ", " + format_date(score.on_date);
     };
     rows.push_back(
         {std::string(scale.name), first == last ? kNothingKnown : shown(*first), shown(*last)});
@@ -107,8 +108,9 @@ std::optional<Panel> limits_panel(const ReportContent& content) {
                    {}};
   for (const auto& one : limits.components) {
     const auto shown = [&](double value) {
-      const auto unit = printed_unit(one.unit).text;
-      return format_value(value, one.unit) + (unit.empty() || unit == "°" ? unit : "\u00a0" + unit);
+      const auto unit = tasks::printed_unit(one.unit).text;
+      return tasks::format_value(value, one.unit) +
+             (unit.empty() || unit == "°" ? unit : "\u00a0" + unit);
     };
     table.rows.push_back(
         {capital(std::string(name_of(one.component))),
@@ -162,7 +164,7 @@ std::optional<Panel> compass_panel(const ReportContent& content) {
     for (const auto& compass : content.compasses) {
       const CompassDigit& digit = compass.digits[index_of(finger)];
       const auto shown = [](const std::optional<double>& value, const char* unit) {
-        return value ? format_value(*value, unit) : std::string(kNothingKnown);
+        return value ? tasks::format_value(*value, unit) : std::string(kNothingKnown);
       };
       std::vector<std::string> row{capital(std::string(name_of(finger))),
                                    std::string(name_of(compass.hand))};
@@ -253,4 +255,4 @@ std::vector<Panel> panels_below(const ReportContent& content) {
   return {signature, patient_page(content)};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -9,7 +9,7 @@
 #include "reports/paper/plots.hpp"
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -26,7 +26,7 @@ std::vector<ErrorBand> error_bands(const MeasureSeries& series) {
   const double down = *change.mdc_down;
   const double up = *change.mdc_up;
   const double baseline = *change.baseline;
-  if (words_for(series.name, series.channel).better != Better::near_zero)
+  if (tasks::words_for(series.name, series.channel).better != tasks::Better::near_zero)
     return {{baseline + down, baseline + up}};
   // Judged by their distance from zero: so far away on either side.
   const double near = std::abs(baseline) + down;
@@ -154,7 +154,7 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   PlotView view(size, unit);
   const int count = static_cast<int>(content.sessions.size());
   const bool dated = count <= kMostDatedTicks;
-  const auto printed = printed_unit(series.unit);
+  const auto printed = tasks::printed_unit(series.unit);
   Values x, mean, x_trials, trials, x_first, first, x_later, later, x_without;
   for (const auto& value : series.values) {
     const double session = content.sessions[value.session].number;
@@ -275,4 +275,4 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   return view;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

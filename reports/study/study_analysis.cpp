@@ -6,14 +6,14 @@
 
 #include "core/mean.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
 using Eigen::Index;
 
 /// In units of the largest value, whose square is a number whatever its size. @pre two values
-Computed sd_about(double mean, const Eigen::VectorXd& values) {
+statistics::Computed sd_about(double mean, const Eigen::VectorXd& values) {
   const double unit = values.cwiseAbs().maxCoeff();
   if (unit == 0.0) return 0.0;
   const Eigen::ArrayXd about = values.array() / unit - mean / unit;
@@ -24,7 +24,7 @@ Computed sd_about(double mean, const Eigen::VectorXd& values) {
 
 ConditionSummary summary_of(const Eigen::VectorXd& values) {
   ConditionSummary summary;
-  summary.box = box_plot({values.data(), static_cast<std::size_t>(values.size())});
+  summary.box = statistics::box_plot({values.data(), static_cast<std::size_t>(values.size())});
   if (values.size() == 0) {
     summary.mean = summary.sd = "nobody has all values";
     return summary;
@@ -37,20 +37,21 @@ ConditionSummary summary_of(const Eigen::VectorXd& values) {
 }
 
 void add_anova(const Study& study, GroupAnalysis& result) {
-  const SubjectTable& values = result.complete.values;
+  const statistics::SubjectTable& values = result.complete.values;
   if (study.factors.size() == 1) {
-    result.one_way = one_way_anova(values);
-    result.pairs = bonferroni_pairs(values, study.confidence);
+    result.one_way = statistics::one_way_anova(values);
+    result.pairs = statistics::bonferroni_pairs(values, study.confidence);
     return;
   }
   const auto levels_a = static_cast<Index>(study.factors[0].levels.size());
   const auto levels_b = static_cast<Index>(study.factors[1].levels.size());
-  result.two_way = two_way_anova(values, levels_a, levels_b);
+  result.two_way = statistics::two_way_anova(values, levels_a, levels_b);
   for (Index b = 0; b < levels_b; ++b) {
-    SubjectTable at(values.rows(), levels_a);
+    statistics::SubjectTable at(values.rows(), levels_a);
     for (Index a = 0; a < levels_a; ++a) at.col(a) = values.col(a * levels_b + b);
     result.simple_effects.push_back({study.factors[1].levels[static_cast<std::size_t>(b)].name,
-                                     one_way_anova(at), bonferroni_pairs(at, study.confidence)});
+                                     statistics::one_way_anova(at),
+                                     statistics::bonferroni_pairs(at, study.confidence)});
   }
 }
 
@@ -58,21 +59,21 @@ void add_anova(const Study& study, GroupAnalysis& result) {
 
 GroupAnalysis analyse(const Study& study, const StudyGroupData& group) {
   GroupAnalysis result;
-  result.complete = complete_subjects(group.table());
-  const SubjectTable& values = result.complete.values;
+  result.complete = statistics::complete_subjects(group.table());
+  const statistics::SubjectTable& values = result.complete.values;
   for (Index column = 0; column < values.cols(); ++column)
     result.conditions.push_back(summary_of(values.col(column)));
   for (const auto analysis : study.analyses) switch (analysis) {
       case StudyAnalysis::anova: add_anova(study, result); break;
       case StudyAnalysis::ranks:
-        if (values.cols() > 2) result.friedman = friedman(values);
-        result.signed_ranks = signed_rank_pairs(values, study.confidence);
+        if (values.cols() > 2) result.friedman = statistics::friedman(values);
+        result.signed_ranks = statistics::signed_rank_pairs(values, study.confidence);
         break;
       case StudyAnalysis::reliability:
-        result.reliability = reliability(values, study.confidence);
+        result.reliability = statistics::reliability(values, study.confidence);
         break;
     }
   return result;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -12,33 +12,33 @@
 #include "statistics/rank_tests.hpp"
 #include "statistics/reliability.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// One condition, over the people with all values.
 struct ConditionSummary {
-  Computed mean = kNotComputed;
-  Computed sd = kNotComputed;  ///< n - 1
-  std::optional<BoxPlot> box;
+  statistics::Computed mean = statistics::kNotComputed;
+  statistics::Computed sd = statistics::kNotComputed;  ///< n - 1
+  std::optional<statistics::BoxPlot> box;
 };
 
 /// The first factor at one level of the second.
 struct SimpleEffect {
   std::string at;  ///< the level
-  OneWayAnova anova;
-  std::vector<PairedT> pairs;  ///< of the first factor's levels
+  statistics::OneWayAnova anova;
+  std::vector<statistics::PairedT> pairs;  ///< of the first factor's levels
 };
 
 struct GroupAnalysis {
-  CompleteSubjects complete;
+  statistics::CompleteSubjects complete;
   std::vector<ConditionSummary> conditions;
-  std::optional<OneWayAnova> one_way;
-  std::optional<TwoWayAnova> two_way;
-  std::vector<SimpleEffect> simple_effects;  ///< of a two-way analysis
-  std::vector<PairedT> pairs;                ///< of a one-way analysis
-  std::optional<Friedman> friedman;          ///< of three conditions or more
-  std::vector<SignedRank> signed_ranks;
-  std::optional<Reliability> reliability;
+  std::optional<statistics::OneWayAnova> one_way;
+  std::optional<statistics::TwoWayAnova> two_way;
+  std::vector<SimpleEffect> simple_effects;      ///< of a two-way analysis
+  std::vector<statistics::PairedT> pairs;        ///< of a one-way analysis
+  std::optional<statistics::Friedman> friedman;  ///< of three conditions or more
+  std::vector<statistics::SignedRank> signed_ranks;
+  std::optional<statistics::Reliability> reliability;
 };
 [[nodiscard]] GroupAnalysis analyse(const Study& study, const StudyGroupData& group);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

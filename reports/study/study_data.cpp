@@ -14,7 +14,7 @@
 #include "reports/findings/patient_records.hpp"
 #include "reports/findings/renewed.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -30,20 +30,21 @@ struct Subject {
   std::vector<std::vector<const StoredTrial*>> chosen;  ///< for each condition
 };
 
-bool is_hand(StudyHand wanted, Hand hand, const PatientProfile& profile) {
+bool is_hand(StudyHand wanted, Hand hand, const storage::PatientProfile& profile) {
   switch (wanted) {
     case StudyHand::right: return hand == Hand::right;
     case StudyHand::left: return hand == Hand::left;
     case StudyHand::affected:
     case StudyHand::other: break;
   }
-  if (profile.affected != Side::right && profile.affected != Side::left) return false;
-  const Hand affected = profile.affected == Side::right ? Hand::right : Hand::left;
+  if (profile.affected != storage::Side::right && profile.affected != storage::Side::left)
+    return false;
+  const Hand affected = profile.affected == storage::Side::right ? Hand::right : Hand::left;
   return (hand == affected) == (wanted == StudyHand::affected);
 }
 
 bool selects_session(const TrialSelection& selection, const ReportSession& session,
-                     const PatientProfile& profile) {
+                     const storage::PatientProfile& profile) {
   if (!selection.sessions.empty() && std::find(selection.sessions.begin(), selection.sessions.end(),
                                                session.number) == selection.sessions.end())
     return false;
@@ -53,7 +54,7 @@ bool selects_session(const TrialSelection& selection, const ReportSession& sessi
 }
 
 bool follows_success(const std::string& task_text) {
-  const auto spec = parse_task(task_text, "stored task");
+  const auto spec = tasks::parse_task(task_text, "stored task");
   return spec && spec->difficulty && spec->difficulty->chosen;
 }
 
@@ -83,7 +84,8 @@ void choose(const Study& study, const std::vector<StudyCondition>& conditions, S
     std::string why = "no such session";
     const bool side_is_asked =
         *selection.hand == StudyHand::affected || *selection.hand == StudyHand::other;
-    if (side_is_asked && profile.affected != Side::right && profile.affected != Side::left)
+    if (side_is_asked && profile.affected != storage::Side::right &&
+        profile.affected != storage::Side::left)
       why = "no single affected side is told";
     for (const auto& trial : subject.records.trials) {
       const auto& session = subject.records.shown[trial.session];
@@ -169,7 +171,7 @@ class CellMaker {
   [[nodiscard]] StudyCell make(const TrialSelection& selection,
                                const std::vector<const StoredTrial*>& trials) {
     const std::string channel = selection.channel.value_or("");
-    const bool censored = words_for(study_.measure, channel).censored;
+    const bool censored = tasks::words_for(study_.measure, channel).censored;
     StudyCell cell;
     std::map<std::size_t, std::vector<double>> values;  // by session
     for (const StoredTrial* trial : trials) {
@@ -241,9 +243,10 @@ Result<void> check_once(const std::vector<StudyCondition>& conditions, const Sub
 
 }  // namespace
 
-SubjectTable StudyGroupData::table() const {
+statistics::SubjectTable StudyGroupData::table() const {
   const auto columns = cells.empty() ? 0 : cells.front().size();
-  SubjectTable values(static_cast<Eigen::Index>(cells.size()), static_cast<Eigen::Index>(columns));
+  statistics::SubjectTable values(static_cast<Eigen::Index>(cells.size()),
+                                  static_cast<Eigen::Index>(columns));
   for (std::size_t row = 0; row < cells.size(); ++row)
     for (std::size_t column = 0; column < columns; ++column)
       values(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
@@ -251,8 +254,8 @@ SubjectTable StudyGroupData::table() const {
   return values;
 }
 
-Result<StudyData> gather_study(SessionStore& store, const Study& study, const std::string& file,
-                               const Progress& progress) {
+Result<StudyData> gather_study(storage::SessionStore& store, const Study& study,
+                               const std::string& file, const Progress& progress) {
   const auto conditions = conditions_of(study);
   std::vector<std::string> codes;
   StudyData data;
@@ -277,7 +280,7 @@ Result<StudyData> gather_study(SessionStore& store, const Study& study, const st
       if (!records) return records.error();
       const auto released = store.may_be_used_for_research(records->patient.id);
       if (!released) return released.error();
-      if (!*released) return not_released(codes[number], file, "patients");
+      if (!*released) return exports::not_released(codes[number], file, "patients");
       Subject& subject = subjects[number];
       subject.records = *std::move(records);
       choose(study, conditions, subject, group.cells[row], left_out);
@@ -317,4 +320,4 @@ Result<StudyData> gather_study(SessionStore& store, const Study& study, const st
   return data;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

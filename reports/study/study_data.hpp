@@ -10,9 +10,11 @@
 #include "reports/study/study_file.hpp"
 #include "statistics/subject_table.hpp"
 
-namespace isograsp {
-
+namespace isograsp::storage {
 class SessionStore;
+}
+
+namespace isograsp::reports {
 
 /// What a value is the mean of; without trials: why there is no value.
 struct StudyCell {
@@ -27,7 +29,7 @@ struct StudyGroupData {
   std::vector<std::string> subjects;          ///< "S01", counted through all groups
   std::vector<std::vector<StudyCell>> cells;  ///< [subject][condition]
   /// The values; NaN: none.
-  [[nodiscard]] SubjectTable table() const;
+  [[nodiscard]] statistics::SubjectTable table() const;
 };
 
 struct StudyData {
@@ -44,8 +46,8 @@ struct StudyData {
 /// people. Errors: bad_input for an unknown patient, for a trial that stands in two conditions, if
 /// nobody has a value, if conditions have different units; failed if the watcher wants to stop;
 /// whatever the database reports. `file`: of the study, for errors.
-[[nodiscard]] Result<StudyData> gather_study(SessionStore& store, const Study& study,
+[[nodiscard]] Result<StudyData> gather_study(storage::SessionStore& store, const Study& study,
                                              const std::string& file,
                                              const Progress& progress = {});
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

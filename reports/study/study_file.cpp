@@ -8,7 +8,7 @@
 
 #include "core/toml_reader.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -200,4 +200,4 @@ std::vector<StudyCondition> conditions_of(const Study& study) {
   return conditions;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -11,7 +11,7 @@
 #include "core/result.hpp"
 #include "reports/findings/report_content.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 enum class StudyHand : std::uint8_t { right, left, affected, other };
 
@@ -65,4 +65,4 @@ struct StudyCondition {
 };
 [[nodiscard]] std::vector<StudyCondition> conditions_of(const Study& study);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

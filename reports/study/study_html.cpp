@@ -4,7 +4,7 @@
 #include "reports/study/study_plot.hpp"
 #include "reports/study/study_writer.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::string study_html(const StudyReport& report) {
   return (out + html_end(report.furniture)).toStdString();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

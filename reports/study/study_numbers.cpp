@@ -7,7 +7,7 @@
 #include "core/csv.hpp"
 #include "reports/study/study_report.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -16,18 +16,18 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kTooLarge = "too large for a number of the computer";
 
 /// A number, or {"undefined": why}. JSON knows no infinity.
-Json as_json(const Computed& figure) {
+Json as_json(const statistics::Computed& figure) {
   if (!figure.value) return {{"undefined", figure.reason}};
   if (!std::isfinite(*figure.value)) return {{"undefined", kTooLarge}};
   return *figure.value;
 }
 
 /// `number`, unless nothing was computed: then what is undefined in `because`.
-Json as_json(double number, const Computed& because, bool computed) {
-  return as_json(computed ? Computed(number) : because);
+Json as_json(double number, const statistics::Computed& because, bool computed) {
+  return as_json(computed ? statistics::Computed(number) : because);
 }
 
-Json as_json(const WithinEffect& effect) {
+Json as_json(const statistics::WithinEffect& effect) {
   const auto& s = effect.sphericity;
   const auto sum = [&](double number) { return as_json(number, effect.f, effect.df > 0.0); };
   return {{"sum_of_squares", sum(effect.sum_of_squares)},
@@ -49,7 +49,7 @@ Json as_json(const WithinEffect& effect) {
           {"generalised_eta2", as_json(effect.generalised_eta2)}};
 }
 
-Json as_json(const std::vector<PairedT>& pairs) {
+Json as_json(const std::vector<statistics::PairedT>& pairs) {
   Json all = Json::array();
   for (const auto& pair : pairs)
     all.push_back({{"first", pair.first},
@@ -66,7 +66,7 @@ Json as_json(const std::vector<PairedT>& pairs) {
   return all;
 }
 
-Json as_json(const std::vector<SignedRank>& tests) {
+Json as_json(const std::vector<statistics::SignedRank>& tests) {
   Json all = Json::array();
   for (const auto& test : tests)
     all.push_back({{"first", test.first},
@@ -206,4 +206,4 @@ std::string study_csv(const Study& study, const StudyData& data) {
   return text;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

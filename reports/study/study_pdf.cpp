@@ -10,7 +10,7 @@
 #include "reports/study/study_plot.hpp"
 #include "reports/study/study_writer.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 using namespace pdf;
 
@@ -128,4 +128,4 @@ std::string study_pdf(const StudyReport& report) {
   return pdf.take();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

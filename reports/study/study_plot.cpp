@@ -6,7 +6,7 @@
 #include "reports/paper/plot_tools.hpp"
 #include "statistics/box_plot.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -78,7 +78,7 @@ PlotView study_plot(const StudyPlot& plot, QSizeF size, double unit) {
                           Palette::of(Hand::right), view.px(3.0)});
   }
   for (int c = 0; c < count; ++c) {
-    const auto box = box_plot(plot.values[static_cast<std::size_t>(c)]);
+    const auto box = statistics::box_plot(plot.values[static_cast<std::size_t>(c)]);
     if (!box) continue;
     auto* item = new QCPStatisticalBox(across, up);  // the plot owns it
     item->setWidth(kBoxWidth);
@@ -94,4 +94,4 @@ PlotView study_plot(const StudyPlot& plot, QSizeF size, double unit) {
   return view;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

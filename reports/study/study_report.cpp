@@ -10,7 +10,7 @@
 
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 namespace {
 
@@ -68,11 +68,11 @@ class Composer {
 
   void design() {
     heading("Design", true);
-    const auto words = words_for(study_.measure, common_channel());
+    const auto words = tasks::words_for(study_.measure, common_channel());
     std::string text = words.title + unit_words() + " (" + study_.measure + ", version " +
                        std::to_string(data_.measure_version);
-    if (words.better != Better::unknown)
-      text += std::string(", ") + std::string(describe(words.better));
+    if (words.better != tasks::Better::unknown)
+      text += std::string(", ") + std::string(tasks::describe(words.better));
     text +=
         "). Each value of a person is the mean over the chosen sessions of the means of their "
         "trials; practice, helped and incomplete trials do not count.";
@@ -119,7 +119,7 @@ class Composer {
 
   void reading() {
     heading("How to read this", true);
-    paragraph(kBoxRule, true);
+    paragraph(statistics::kBoxRule, true);
     paragraph(
         "p is how often differences at least this large would be seen if the conditions did not "
         "differ. A large p does not show that they are equal, a small one not that a difference "
@@ -141,29 +141,29 @@ class Composer {
 
   [[nodiscard]] std::string common_channel() const { return study_.common.channel.value_or(""); }
   [[nodiscard]] std::string unit_words() const {
-    const auto unit = printed_unit(data_.unit).text;
+    const auto unit = tasks::printed_unit(data_.unit).text;
     return unit.empty() ? "" : " [" + unit + "]";
   }
 
   /// A cell; an undefined figure is a dash, its reason goes below the table.
   template <class Words>
-  std::string cell(const Computed& figure, Words words) {
+  std::string cell(const statistics::Computed& figure, Words words) {
     if (figure.value) return words(*figure.value);
     reasons_.insert(figure.reason);
     return kNoValue;
   }
-  std::string value(const Computed& figure) {
-    return cell(figure, [this](double x) { return format_value(x, data_.unit); });
+  std::string value(const statistics::Computed& figure) {
+    return cell(figure, [this](double x) { return tasks::format_value(x, data_.unit); });
   }
-  std::string change(const Computed& figure) {
-    return cell(figure, [this](double x) { return format_change(x, data_.unit); });
+  std::string change(const statistics::Computed& figure) {
+    return cell(figure, [this](double x) { return tasks::format_change(x, data_.unit); });
   }
-  std::string p(const Computed& figure) { return cell(figure, p_words); }
-  std::string number(const Computed& figure, int decimals = 2) {
+  std::string p(const statistics::Computed& figure) { return cell(figure, p_words); }
+  std::string number(const statistics::Computed& figure, int decimals = 2) {
     return cell(figure, [decimals](double x) { return fixed(x, decimals); });
   }
-  std::string degrees(const Computed& figure) { return cell(figure, df_words); }
-  std::string interval(const Computed& low, const Computed& high) {
+  std::string degrees(const statistics::Computed& figure) { return cell(figure, df_words); }
+  std::string interval(const statistics::Computed& low, const statistics::Computed& high) {
     if (!low.value || !high.value) return number(low);
     return change(low) + " to " + change(high);
   }
@@ -198,9 +198,9 @@ class Composer {
 
   void plot(const GroupAnalysis& analysis) {
     StudyPlot plot;
-    plot.title = words_for(study_.measure, common_channel()).title + unit_words();
+    plot.title = tasks::words_for(study_.measure, common_channel()).title + unit_words();
     plot.description = "Box plots of the conditions; the table below holds their numbers.";
-    const auto unit = printed_unit(data_.unit);
+    const auto unit = tasks::printed_unit(data_.unit);
     plot.unit = unit.text;
     for (std::size_t c = 0; c < conditions_.size(); ++c) {
       plot.names.push_back(conditions_[c].name);
@@ -225,7 +225,8 @@ class Composer {
     add_with_reasons(std::move(table));
   }
 
-  std::vector<std::string> effect_row(const std::string& name, const WithinEffect& effect) {
+  std::vector<std::string> effect_row(const std::string& name,
+                                      const statistics::WithinEffect& effect) {
     const auto pair = [](const std::string& a, const std::string& b) {
       return a == kNoValue ? a : a + ", " + b;
     };
@@ -246,7 +247,8 @@ class Composer {
             {}};
   }
 
-  void sphericity(const std::vector<std::pair<std::string, const WithinEffect*>>& effects) {
+  void sphericity(
+      const std::vector<std::pair<std::string, const statistics::WithinEffect*>>& effects) {
     StudyTable table{"Sphericity",
                      {"Effect", "Mauchly W", "\u03c7\u00b2", "df", "p", "GG \u03b5", "HF \u03b5"},
                      {}};
@@ -266,7 +268,7 @@ class Composer {
         true);
   }
 
-  void pairs_table(const std::string& caption, const std::vector<PairedT>& pairs,
+  void pairs_table(const std::string& caption, const std::vector<statistics::PairedT>& pairs,
                    const std::vector<std::string>& names) {
     StudyTable table{
         caption,
@@ -298,7 +300,8 @@ class Composer {
     return names;
   }
 
-  void one_way(const OneWayAnova& anova, const std::vector<PairedT>& pairs) {
+  void one_way(const statistics::OneWayAnova& anova,
+               const std::vector<statistics::PairedT>& pairs) {
     const auto& factor = study_.factors.front().name;
     heading("Repeated-measures analysis of variance");
     auto table = effect_table("Effect of " + factor);
@@ -308,7 +311,7 @@ class Composer {
     pairs_table("Pairs of conditions", pairs, condition_names());
   }
 
-  void two_way(const TwoWayAnova& anova, const std::vector<SimpleEffect>& simple) {
+  void two_way(const statistics::TwoWayAnova& anova, const std::vector<SimpleEffect>& simple) {
     const auto& a = study_.factors[0].name;
     const auto& b = study_.factors[1].name;
     const auto both = a + " \u00d7 " + b;
@@ -374,7 +377,7 @@ class Composer {
               true);
   }
 
-  void agreement(const Reliability& r) {
+  void agreement(const statistics::Reliability& r) {
     heading("Agreement of the repeats");
     StudyTable table{"Two-way random effects, single measurement, absolute agreement",
                      {"ICC(2,1)", percent_words(study_.confidence) + " interval",
@@ -421,7 +424,7 @@ StudyReport study_report(const Study& study, const StudyData& data,
   report.furniture = {
       "Group report",
       study.title,
-      {{"Measure", words_for(study.measure, study.common.channel.value_or("")).title},
+      {{"Measure", tasks::words_for(study.measure, study.common.channel.value_or("")).title},
        {"Factors", factors},
        {"Subjects", std::to_string(kept) + " of " + std::to_string(listed)},
        {"Confidence", percent_words(study.confidence)},
@@ -435,4 +438,4 @@ StudyReport study_report(const Study& study, const StudyData& data,
   return report;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

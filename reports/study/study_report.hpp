@@ -10,7 +10,7 @@
 #include "reports/paper/page_furniture.hpp"
 #include "reports/study/study_analysis.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 struct StudyHeading {
   std::string text;
@@ -50,4 +50,4 @@ struct StudyReport {
 /// One row per subject and condition.
 [[nodiscard]] std::string study_csv(const Study& study, const StudyData& data);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

@@ -6,10 +6,10 @@
 
 #include "reports/study/study_report.hpp"
 
-namespace isograsp {
+namespace isograsp::reports {
 
 /// Both need a QApplication (ensure_qt_application()); main thread.
 [[nodiscard]] std::string study_html(const StudyReport& report);
 [[nodiscard]] std::string study_pdf(const StudyReport& report);
 
-}  // namespace isograsp
+}  // namespace isograsp::reports

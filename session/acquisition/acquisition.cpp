@@ -5,7 +5,7 @@
 #include <cmath>
 #include <variant>
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 /// Items that may wait for the recorder: every frame of `seconds`, and a few commands and events.
@@ -28,8 +28,9 @@ bool Acquisition::tick() noexcept {
   for (Command command; commands_.pop(command);) obey(command);
   if (!frames_.next(now_.forces)) {
     if (trial_ != nullptr) {
-      const bool whole = std::holds_alternative<ObserveSpec>(trial_->spec.kind);
-      end_trial(whole ? TrialStatus::completed : TrialStatus::aborted, "The recording ended.");
+      const bool whole = std::holds_alternative<tasks::ObserveSpec>(trial_->spec.kind);
+      end_trial(whole ? storage::TrialStatus::completed : storage::TrialStatus::aborted,
+                "The recording ended.");
     }
     now_.stage = Stage::finished;
     now_.health = device_.health();
@@ -63,7 +64,7 @@ void Acquisition::obey(const Command& command) noexcept {
       if (now_.stage == Stage::paused) resume();
       break;
     case Command::Kind::abort:
-      if (trial_ != nullptr) end_trial(TrialStatus::aborted, command.reason);
+      if (trial_ != nullptr) end_trial(storage::TrialStatus::aborted, command.reason);
       break;
   }
 }
@@ -173,7 +174,7 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
   sample.forces = frame;
   sample.push = now_.push;
   sample.task = now_.task;
-  if (!moving) sample.task.phase = Phase::paused;
+  if (!moving) sample.task.phase = tasks::Phase::paused;
   sample.object = now_.object;
   sample.grasp = now_.grasp;
   sample.constants = trial.constants;
@@ -185,7 +186,7 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
     now_.object = trial.plan->at_rest(now_.task.placed);
   else if (trial.plan)
     trial.plan->move(now_.grasp, now_.object);
-  if (now_.task.phase == Phase::done) end_trial(TrialStatus::completed, "");
+  if (now_.task.phase == tasks::Phase::done) end_trial(storage::TrialStatus::completed, "");
 }
 
 void Acquisition::begin_trial(TrialSetup& setup) noexcept {
@@ -208,7 +209,7 @@ void Acquisition::begin_trial(TrialSetup& setup) noexcept {
   push(RecordItem::Kind::begin);
 }
 
-void Acquisition::end_trial(TrialStatus status, const char* reason) noexcept {
+void Acquisition::end_trial(storage::TrialStatus status, const char* reason) noexcept {
   item_.setup = trial_;
   item_.status = status;
   item_.reason = reason;
@@ -308,4 +309,4 @@ void Acquisition::show_to_viewer() noexcept {
   options_.viewer->see(screen);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -19,14 +19,14 @@
 #include "session/acquisition/zeroing.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// All that one trial needs, made ready by the owner; lives until the session ends.
 struct TrialSetup {
-  TrialRecord record;
-  TaskSpec spec;
+  storage::TrialRecord record;
+  tasks::TaskSpec spec;
   TrialConstants constants;
-  std::unique_ptr<Task> task;
+  std::unique_ptr<tasks::Task> task;
   std::optional<Plan> plan;  ///< none: a force task
   std::optional<double> since_strapping_s;
   Timing timing;  ///< filled while the trial runs, read after its end
@@ -39,10 +39,10 @@ inline constexpr const char* kFaultEvent = "fault";
 struct RecordItem {
   enum class Kind : std::uint8_t { begin, sample, end, event, zero, finished };
   Kind kind = Kind::sample;
-  TrialSetup* setup = nullptr;                  ///< begin, end
-  TrialSample sample;                           ///< sample
-  TrialStatus status = TrialStatus::completed;  ///< end
-  const char* reason = "";                      ///< end, event: static text
+  TrialSetup* setup = nullptr;                                    ///< begin, end
+  TrialSample sample;                                             ///< sample
+  storage::TrialStatus status = storage::TrialStatus::completed;  ///< end
+  const char* reason = "";                                        ///< end, event: static text
   const char* event_kind = "";
   bool pauses = false;       ///< event: the trial stands still because of the device
   bool told_before = false;  ///< event: the fault has been recorded already
@@ -70,9 +70,10 @@ struct Command {
 class Acquisition {
  public:
   struct Options {
-    double ring_s = 10.0;                ///< how much the ring to the recorder holds at least
-    bool resume_by_itself = false;       ///< recorded data: nobody is at the other end to be asked
-    VirtualPatient* viewer = nullptr;    ///< a simulated person who watches the screen
+    double ring_s = 10.0;           ///< how much the ring to the recorder holds at least
+    bool resume_by_itself = false;  ///< recorded data: nobody is at the other end to be asked
+    virtual_patient::VirtualPatient* viewer =
+        nullptr;                         ///< a simulated person who watches the screen
     std::optional<SixAxes> last_zero{};  ///< of the same device in an earlier session
   };
   /// `device` is streaming on `clock` since `start`.
@@ -100,7 +101,7 @@ class Acquisition {
   void measure_timing() noexcept;
   void run_trial(const FingerFrame& frame) noexcept;
   void begin_trial(TrialSetup& setup) noexcept;
-  void end_trial(TrialStatus status, const char* reason) noexcept;
+  void end_trial(storage::TrialStatus status, const char* reason) noexcept;
   void pause(PauseCause cause) noexcept;
   void resume() noexcept;
   /// Sends item_ to the recorder; counts it if there is no room.
@@ -139,4 +140,4 @@ class Acquisition {
   RecordItem item_;  ///< reused: too large for comfort on the stack of every frame
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::session

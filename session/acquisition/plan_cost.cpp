@@ -5,7 +5,7 @@
 #include <chrono>
 #include <limits>
 
-namespace isograsp {
+namespace isograsp::session {
 
 double cost_ns_per_frame(const Plan& plan) {
   constexpr int kBatches = 500;
@@ -24,4 +24,4 @@ double cost_ns_per_frame(const Plan& plan) {
   return least_ns;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

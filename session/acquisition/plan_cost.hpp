@@ -4,10 +4,10 @@
 
 #include "grasp_model/plan.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// Least mean time of Plan::step() over batches of frames with all fingers pressing [ns]. Takes
 /// some milliseconds; any thread.
 [[nodiscard]] double cost_ns_per_frame(const Plan& plan);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

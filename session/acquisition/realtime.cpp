@@ -11,7 +11,7 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -96,4 +96,4 @@ Result<RealtimeGrant> enter_realtime(Realtime wish) {
   return grant;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -9,7 +9,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 enum class Realtime : std::uint8_t {
   off,     ///< asks for nothing
@@ -35,4 +35,4 @@ struct RealtimeGrant {
 /// where real time is required and refused; it names the limits to raise.
 [[nodiscard]] Result<RealtimeGrant> enter_realtime(Realtime wish);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

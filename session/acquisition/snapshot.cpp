@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/acquisition/snapshot.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 std::string_view name_of(Stage stage) noexcept {
   constexpr std::array<std::string_view, 5> kNames{"idle", "zeroing", "trial", "paused",
@@ -31,4 +31,4 @@ std::string_view describe(PauseCause cause) noexcept {
   return "";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -13,7 +13,7 @@
 #include "session/acquisition/timing.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 enum class Stage : std::uint8_t {
   idle,     ///< streaming, nothing asked of the patient
@@ -63,7 +63,7 @@ struct Snapshot {
   std::array<std::optional<Eigen::Vector2d>, kFingerCount> centre_of_pressure{};
 
   int trial_number = 0;  ///< of the running trial; 0: none
-  TaskView task;         ///< of the running trial
+  tasks::TaskView task;  ///< of the running trial
   bool has_object = false;
   ObjectState object;
   GraspWrench grasp;
@@ -75,4 +75,4 @@ struct Snapshot {
   std::uint64_t recorder_dropped = 0;  ///< samples that found the recorder's ring full
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -3,7 +3,7 @@
 
 #include "core/csv.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::string as_json(const Timing& timing) {
   return json + "}";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -7,7 +7,7 @@
 
 #include "core/histogram.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 struct Timing {
   Histogram period;    ///< from one published frame to the next
@@ -39,4 +39,4 @@ struct TimingSummary {
 /// …]}, "lateness": …, "compute": …, "latency": …}; bins without a count are left out.
 [[nodiscard]] std::string as_json(const Timing& timing);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

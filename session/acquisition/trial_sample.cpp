@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -199,8 +199,8 @@ const std::vector<Group>& table(bool has_object) {
 
 }  // namespace
 
-std::vector<SignalGroup> signal_groups(bool has_object) {
-  std::vector<SignalGroup> groups;
+std::vector<storage::SignalGroup> signal_groups(bool has_object) {
+  std::vector<storage::SignalGroup> groups;
   for (const auto& group : table(has_object)) {
     groups.push_back({group.name, {}});
     for (const auto& column : group.columns) groups.back().columns.push_back(column.name);
@@ -216,4 +216,4 @@ void append_rows(const TrialSample& sample, bool has_object,
     for (const auto& column : groups[g].columns) rows_of_group[g].push_back(column.value(sample));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

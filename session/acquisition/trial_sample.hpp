@@ -11,20 +11,20 @@
 #include "storage/records/session_store.hpp"
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// What does not change within a trial and is stored beside its signals; NaN: not known.
 struct TrialConstants {
-  double resolution_N = kNotMeasured;     ///< coarsest step of a force component
-  double device_delay_s = kNotMeasured;   ///< of the sensors and their filters
-  double display_delay_s = kNotMeasured;  ///< from the program to the light
+  double resolution_N = tasks::kNotMeasured;     ///< coarsest step of a force component
+  double device_delay_s = tasks::kNotMeasured;   ///< of the sensors and their filters
+  double display_delay_s = tasks::kNotMeasured;  ///< from the program to the light
 };
 
 struct TrialSample {
   double t_s = 0.0;    ///< since the trial began; runs on while paused
   FingerFrame forces;  ///< zeroed; held values stand in where flagged
   NetPush push;
-  TaskView task;
+  tasks::TaskView task;
   TrialConstants constants;
   ObjectState object;  ///< at t_s, before this frame's wrench acts
   GraspWrench grasp;
@@ -33,10 +33,10 @@ struct TrialSample {
 };
 
 /// The stored columns of a trial; the "object" group only if there is an object.
-[[nodiscard]] std::vector<SignalGroup> signal_groups(bool has_object);
+[[nodiscard]] std::vector<storage::SignalGroup> signal_groups(bool has_object);
 
 /// Appends one row per group, in the order of signal_groups(has_object).
 void append_rows(const TrialSample& sample, bool has_object,
                  std::vector<std::vector<double>>& rows_of_group);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 Vec6 six(const Wrench& wrench) {
@@ -125,4 +125,4 @@ std::string describe(const ZeroRefusal& refusal) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

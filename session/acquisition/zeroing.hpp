@@ -10,7 +10,7 @@
 #include "hand/finger.hpp"
 #include "hand/stale.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// Limits of an acceptable zero. A resting hand shows a slow drift and a tremor well above them.
 struct ZeroLimits {
@@ -100,4 +100,4 @@ enum class ZeroStanding : std::uint8_t {
   return restarted ? ZeroStanding::outdated : ZeroStanding::good;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -11,7 +11,7 @@
 #include "session/session.hpp"
 #include "tasks/score.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -31,7 +31,7 @@ std::vector<ImportedGroup> groups_of(ImportedGroup trials) {
   return groups;
 }
 
-Result<void> refuse_known(ImportedGroup trials, SessionStore& store) {
+Result<void> refuse_known(ImportedGroup trials, storage::SessionStore& store) {
   for (const RecordedTrial& trial : trials) {
     const auto known = store.find_patient(trial.patient_code);
     if (!known) return known.error();
@@ -59,8 +59,8 @@ std::string provenance_text(const RecordingSpec& spec, ImportedGroup trials) {
   return text;
 }
 
-Result<void> store_signals(const Signals& signals, double rate_Hz, RowId trial,
-                           SessionStore& store) {
+Result<void> store_signals(const Signals& signals, double rate_Hz, storage::RowId trial,
+                           storage::SessionStore& store) {
   const auto rows_per_block = static_cast<std::size_t>(std::lround(std::ceil(rate_Hz)));
   std::vector<std::vector<double>> block(1);
   int second = 0;
@@ -75,8 +75,8 @@ Result<void> store_signals(const Signals& signals, double rate_Hz, RowId trial,
 }
 
 Result<std::vector<Measure>> store_trial(const RecordedTrial& recorded, int number, double rate_Hz,
-                                         RowId session, SessionStore& store) {
-  TrialRecord trial;
+                                         storage::RowId session, storage::SessionStore& store) {
+  storage::TrialRecord trial;
   trial.session_id = session;
   trial.number = number;
   trial.task_name = recorded.task.name;
@@ -89,12 +89,12 @@ Result<std::vector<Measure>> store_trial(const RecordedTrial& recorded, int numb
   trial.id = *id;
   const auto stored = store_signals(recorded.signals, rate_Hz, *id, store);
   if (!stored) {
-    trial.status = TrialStatus::aborted;  // what is not whole counts for nothing
+    trial.status = storage::TrialStatus::aborted;  // what is not whole counts for nothing
     static_cast<void>(store.end_trial(trial, {}).ok());
     return stored.error();
   }
-  trial.status = TrialStatus::completed;
-  auto measures = score(recorded.task, recorded.signals);
+  trial.status = storage::TrialStatus::completed;
+  auto measures = tasks::score(recorded.task, recorded.signals);
   if (auto ended = store.end_trial(trial, measures); !ended) return ended.error();
   return measures;
 }
@@ -116,7 +116,7 @@ Error stopped_after(const Imported& imported, std::size_t trials, Error error) {
   return error;
 }
 
-Result<PatientRecord> patient_of(const std::string& code, SessionStore& store) {
+Result<storage::PatientRecord> patient_of(const std::string& code, storage::SessionStore& store) {
   const auto known = store.find_patient(code);
   if (!known) return known.error();
   if (*known) return **known;
@@ -126,14 +126,14 @@ Result<PatientRecord> patient_of(const std::string& code, SessionStore& store) {
 }  // namespace
 
 Result<Imported> store_recording(const RecordingSpec& spec, std::span<const RecordedTrial> trials,
-                                 SessionStore& store, const std::string& software_version,
+                                 storage::SessionStore& store, const std::string& software_version,
                                  const std::function<void(int)>& progress) {
   if (auto fresh = refuse_known(trials, store); !fresh) return fresh.error();
   const auto groups = groups_of(trials);
   // One second apart: only their order is known.
   std::time_t begun = std::time(nullptr) - static_cast<std::time_t>(groups.size());
   Imported imported;
-  SessionRecord session;
+  storage::SessionRecord session;
   std::string patient;
   session.hand = spec.hand.value_or(Hand::right);
   session.device_uri = "recording://" + std::filesystem::path(spec.path).stem().string();
@@ -173,11 +173,11 @@ Result<Imported> store_recording(const RecordingSpec& spec, std::span<const Reco
 }
 
 Result<std::vector<Measure>> store_signals_trial(const RecordedTrial& trial, Hand hand,
-                                                 SessionStore& store,
+                                                 storage::SessionStore& store,
                                                  const std::string& software_version) {
   const auto patient = patient_of(trial.patient_code, store);
   if (!patient) return patient.error();
-  SessionRecord session;
+  storage::SessionRecord session;
   session.patient_id = patient->id;
   session.hand = hand;
   session.device_uri = "recording://signals";
@@ -197,4 +197,4 @@ Result<std::vector<Measure>> store_signals_trial(const RecordedTrial& trial, Han
   return measures;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

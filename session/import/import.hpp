@@ -13,7 +13,7 @@
 #include "session/import/recording.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 struct Imported {
   int patients = 0;
@@ -27,7 +27,7 @@ struct Imported {
 /// trials are stored. @pre trials are in the order of read_recording()
 [[nodiscard]] Result<Imported> store_recording(const RecordingSpec& spec,
                                                std::span<const RecordedTrial> trials,
-                                               SessionStore& store,
+                                               storage::SessionStore& store,
                                                const std::string& software_version,
                                                const std::function<void(int)>& progress = {});
 
@@ -36,7 +36,8 @@ struct Imported {
 /// Returns the measures.
 /// @pre signals hold t_s and two rows, increasing, as read_signals() gives them
 [[nodiscard]] Result<std::vector<Measure>> store_signals_trial(const RecordedTrial& trial,
-                                                               Hand hand, SessionStore& store,
+                                                               Hand hand,
+                                                               storage::SessionStore& store,
                                                                const std::string& software_version);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

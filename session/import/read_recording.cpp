@@ -11,7 +11,7 @@
 #include "core/csv.hpp"
 #include "session/import/recording.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -263,7 +263,7 @@ class RecordingReader {
       found.place.session = static_cast<std::size_t>(at - spec_.sessions.begin());
       found.trial.session_name = name;
     }
-    auto task = parse_task(filled(spec_.task, values), spec_.path + ", task");
+    auto task = tasks::parse_task(filled(spec_.task, values), spec_.path + ", task");
     if (!task) return task.error();
     const std::string number = std::to_string(found.place.patient);
     found.trial.patient_code = spec_.patient_prefix + "-" + (number.size() < 2 ? "0" : "") + number;
@@ -334,4 +334,4 @@ Result<std::vector<RecordedTrial>> read_recording(const RecordingSpec& spec,
   return trials;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -11,7 +11,7 @@
 #include "storage/records/patient_code.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -90,7 +90,7 @@ RecordedColumn read_column(TomlReader& table, const RecordingSpec& spec) {
 void read_who(TomlReader& root, RecordingSpec& spec) {
   spec.patient_prefix = root.text("patient_prefix");
   if (root.has("patient_prefix"))
-    if (const auto good = check_patient_code(spec.patient_prefix + "-01"); !good)
+    if (const auto good = storage::check_patient_code(spec.patient_prefix + "-01"); !good)
       root.fail("patient_prefix", good.error().what, "write some letters, e.g. \"EDRAKI\"");
   spec.patient_key = root.text("patient", "");
   spec.session_key = root.text("session", "");
@@ -148,7 +148,7 @@ Result<RecordingSpec> parse_recording(std::string_view text, const std::string& 
   if (spec.columns.empty()) root->fail("column", "is missing", "add at least one [[column]]");
   spec.task = root->text("task");
   if (auto done = root->finish(); !done) return done.error();
-  if (const auto task = parse_task(spec.task, path + ", task"); !task) return task.error();
+  if (const auto task = tasks::parse_task(spec.task, path + ", task"); !task) return task.error();
   return spec;
 }
 
@@ -179,4 +179,4 @@ std::vector<std::string> provenance_of(const RecordingSpec& spec) {
   return lines;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -13,7 +13,7 @@
 #include "hand/finger.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 /// One stored column, from one or several of the file.
 struct RecordedColumn {
@@ -64,7 +64,7 @@ struct RecordedTrial {
   std::size_t session = 0;   ///< of the patient, in the order of time
   std::string session_name;  ///< value of session_key; may be empty
   std::string file;          ///< without folder
-  TaskSpec task;
+  tasks::TaskSpec task;
   Signals signals;         ///< t_s and the columns
   std::string scene_text;  ///< empty: no object
   bool simulated = false;  ///< the file says that no person pressed
@@ -78,4 +78,4 @@ struct RecordedTrial {
 /// One line each: everything the files themselves do not say.
 [[nodiscard]] std::vector<std::string> provenance_of(const RecordingSpec& spec);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -3,7 +3,7 @@
 
 #include "session/protocol/protocol_walk.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 namespace {
 
@@ -114,7 +114,7 @@ class Run {
       const auto outcome = wait_for_trial();
       if (!outcome) return outcome.error();
       result_.trials.push_back(*outcome);
-      if (outcome->trial.status == TrialStatus::completed) return true;
+      if (outcome->trial.status == storage::TrialStatus::completed) return true;
       reason = outcome->reason;
       if (session_.snapshot().stage == Stage::finished) break;
     }
@@ -130,7 +130,7 @@ class Run {
     return error;
   }
 
-  void leave_out(const TaskSpec& spec, const Error& why) {
+  void leave_out(const tasks::TaskSpec& spec, const Error& why) {
     result_.left_out.push_back(spec.name + ": " + why.what + "; " + why.remedy);
     session_.note("Left out: " + result_.left_out.back());
   }
@@ -164,4 +164,4 @@ Result<ProtocolResult> run_protocol(Session& session, const ReadyProtocol& proto
   return Run(session, progress, serviced).all(protocol);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

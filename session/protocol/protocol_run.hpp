@@ -7,7 +7,7 @@
 
 #include "session/session.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 struct ProtocolProgress {
   int step = 0;  ///< steps finished, repetitions counted singly
@@ -31,4 +31,4 @@ struct ProtocolResult {
     Session& session, const ReadyProtocol& protocol,
     const std::function<void(const ProtocolProgress&)>& progress, bool serviced = false);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace isograsp {
+namespace isograsp::session {
 
 std::string ProtocolWalk::Act::words() const {
   switch (kind) {
@@ -31,13 +31,13 @@ void ProtocolWalk::plan_set_up() {
   for (std::size_t i = 0; i < next->step; ++i) {
     Act act;
     act.step = i;
-    if (protocol_.spec.steps[i].kind == ProtocolStep::Kind::instrument_zero && !zeroed) {
+    if (protocol_.spec.steps[i].kind == tasks::ProtocolStep::Kind::instrument_zero && !zeroed) {
       zeroed = true;
       act.kind = Act::Kind::instrument_zero;
       set_up_.push_back(act);
     }
-    for (const TaskSpec& spec : protocol_.tasks[i]) {
-      if (!std::holds_alternative<RestSpec>(spec.kind)) continue;
+    for (const tasks::TaskSpec& spec : protocol_.tasks[i]) {
+      if (!std::holds_alternative<tasks::RestSpec>(spec.kind)) continue;
       act.kind = Act::Kind::trial;
       act.task = &spec;
       set_up_.push_back(act);
@@ -49,21 +49,21 @@ std::optional<ProtocolWalk::Act> ProtocolWalk::next() const {
   if (!set_up_.empty()) return set_up_.front();
   const auto item = agenda_.next();
   if (!item) return std::nullopt;
-  const ProtocolStep& step = protocol_.spec.steps[item->step];
+  const tasks::ProtocolStep& step = protocol_.spec.steps[item->step];
   Act act;
   act.step = item->step;
   act.not_before_s = item->not_before_s;
   switch (step.kind) {
-    case ProtocolStep::Kind::instrument_zero: act.kind = Act::Kind::instrument_zero; break;
-    case ProtocolStep::Kind::pause:
+    case tasks::ProtocolStep::Kind::instrument_zero: act.kind = Act::Kind::instrument_zero; break;
+    case tasks::ProtocolStep::Kind::pause:
       act.kind = Act::Kind::pause;
       act.duration_s = step.duration_s;
       break;
-    case ProtocolStep::Kind::task:
+    case tasks::ProtocolStep::Kind::task:
       act.task = &protocol_.tasks[item->step][item->task];
       act.practice = step.practice;
       act.adaptive = step.adaptive;
-      act.place = TrialPlace{static_cast<int>(item->step), static_cast<int>(item->task)};
+      act.place = storage::TrialPlace{static_cast<int>(item->step), static_cast<int>(item->task)};
       act.attempt = item->attempt;
       act.planned = std::max(step.repetitions, item->attempt);
       break;
@@ -71,7 +71,7 @@ std::optional<ProtocolWalk::Act> ProtocolWalk::next() const {
   return act;
 }
 
-void ProtocolWalk::record(const Agenda::Outcome& outcome) {
+void ProtocolWalk::record(const tasks::Agenda::Outcome& outcome) {
   if (!set_up_.empty())
     set_up_.pop_front();
   else
@@ -79,29 +79,29 @@ void ProtocolWalk::record(const Agenda::Outcome& outcome) {
 }
 
 void ProtocolWalk::done(double session_time_s) {
-  Agenda::Outcome outcome;
+  tasks::Agenda::Outcome outcome;
   outcome.ended_s = session_time_s;
   record(outcome);
 }
 
 void ProtocolWalk::made(const TrialOutcome& trial, double session_time_s) {
-  Agenda::Outcome outcome;
+  tasks::Agenda::Outcome outcome;
   outcome.ended_s = session_time_s;
   if (const auto act = next(); act && !trial.trial.helped)
-    outcome.agreeing = agreeing(protocol_.spec.steps[act->step], trial.measures);
+    outcome.agreeing = tasks::agreeing(protocol_.spec.steps[act->step], trial.measures);
   record(outcome);
 }
 
 void ProtocolWalk::left_out(double session_time_s) {
-  Agenda::Outcome outcome;
+  tasks::Agenda::Outcome outcome;
   outcome.completed = false;
   outcome.ended_s = session_time_s;
   record(outcome);
 }
 
-Result<TaskSpec> task_of(const ProtocolWalk::Act& act, const Training& training) {
+Result<tasks::TaskSpec> task_of(const ProtocolWalk::Act& act, const Training& training) {
   if (!act.adaptive) return *act.task;
-  return at_level(*act.task, training.level(*act.task));
+  return tasks::at_level(*act.task, training.level(*act.task));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::session

@@ -10,18 +10,18 @@
 #include "session/session.hpp"
 #include "tasks/agenda.hpp"
 
-namespace isograsp {
+namespace isograsp::session {
 
 class ProtocolWalk {
  public:
   struct Act {
     enum class Kind : std::uint8_t { instrument_zero, pause, trial };
     Kind kind = Kind::trial;
-    const TaskSpec* task = nullptr;   ///< of a trial, as its file says it
-    bool practice = false;            ///< recorded, but no assessment
-    bool adaptive = false;            ///< at the level that training has reached
-    std::optional<TrialPlace> place;  ///< nothing: set up again after a break
-    std::size_t step = 0;             ///< of the protocol
+    const tasks::TaskSpec* task = nullptr;     ///< of a trial, as its file says it
+    bool practice = false;                     ///< recorded, but no assessment
+    bool adaptive = false;                     ///< at the level that training has reached
+    std::optional<storage::TrialPlace> place;  ///< nothing: set up again after a break
+    std::size_t step = 0;                      ///< of the protocol
     int attempt = 1;
     int planned = 1;            ///< attempts, as far as it is known now
     double not_before_s = 0.0;  ///< session time: rests and recurrences end then
@@ -51,14 +51,15 @@ class ProtocolWalk {
 
  private:
   void plan_set_up();
-  void record(const Agenda::Outcome& outcome);
+  void record(const tasks::Agenda::Outcome& outcome);
 
   const ReadyProtocol& protocol_;
-  Agenda agenda_;
+  tasks::Agenda agenda_;
   std::deque<Act> set_up_;  ///< before the agenda goes on
 };
 
 /// The task of a trial at today's level, if it is adaptive.
-[[nodiscard]] Result<TaskSpec> task_of(const ProtocolWalk::Act& act, const Training& training);
+[[nodiscard]] Result<tasks::TaskSpec> task_of(const ProtocolWalk::Act& act,
+                                              const Training& training);
 
-}  // namespace isograsp
+}  // namespace isograsp::session

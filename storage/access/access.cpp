@@ -16,7 +16,7 @@
 #include "storage/access/user_rows.hpp"
 #include "storage/file/open_mode.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace fs = std::filesystem;
 
@@ -287,4 +287,4 @@ bool is_protected_database(const std::string& database) {
   return read && found;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -17,7 +17,7 @@
 #include "storage/crypto/secret.hpp"
 #include "storage/records/records.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct KeyCost;
 
@@ -126,4 +126,4 @@ class Access {
 /// True for a file that needs a login; false too where the file cannot be read.
 [[nodiscard]] bool is_protected_database(const std::string& database);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -9,7 +9,7 @@
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/user_rows.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -291,4 +291,4 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
       left > 0 ? "try again; " + std::to_string(left) + " left" : "log in with the password");
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -8,7 +8,7 @@
 #include "storage/access/access.hpp"
 #include "storage/crypto/seal.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 inline constexpr std::size_t kLeastPassword = 8;  ///< characters (NIST SP 800-63B, 5.1.1.1)
 inline constexpr std::size_t kLeastPin = 4;       ///< digits
@@ -35,4 +35,4 @@ inline constexpr std::size_t kMostPin = 12;
 /// 4 to 12 digits, neither all the same nor in a row (1234); empty: none any more.
 [[nodiscard]] Result<void> set_own_pin(Access& access, const Secret& pin);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

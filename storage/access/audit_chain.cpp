@@ -9,7 +9,7 @@
 #include "core/files.hpp"
 #include "storage/access/audit_head_file.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 const Secret* audit_key(const Login& login) {
   return login.keys ? &login.keys->audit : nullptr;
@@ -116,4 +116,4 @@ AuditEntry entry_of(std::string act, std::string object, std::string detail) {
   return entry;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -11,7 +11,7 @@
 #include "storage/access/audit_log.hpp"
 #include "storage/access/login.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// The act with which the chain goes on under a key.
 inline constexpr const char* kProtectAct = "protect";
@@ -67,4 +67,4 @@ auto audited(Database& database, const LoginState& state, AuditEntry& entry, Wor
 /// An entry that says "done" unless told otherwise.
 [[nodiscard]] AuditEntry entry_of(std::string act, std::string object, std::string detail = "");
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

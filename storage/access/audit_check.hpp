@@ -7,10 +7,10 @@
 
 #include "storage/access/login.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// While others add to the log, too: all is read as of one moment. @pre no transaction is open
 [[nodiscard]] Result<std::vector<std::string>> audit_problems(Database& database,
                                                               const LoginState& state);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -7,7 +7,7 @@
 #include "core/files.hpp"
 #include "storage/access/audit_chain.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -51,4 +51,4 @@ void write_head_file(const std::string& database, const Secret* key, const std::
   if (written) give_permissions_of(database, name);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -8,7 +8,7 @@
 #include "storage/access/audit_log.hpp"
 #include "storage/crypto/secret.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// On the disk when it returns. Problems are ignored: the log itself is stored.
 void write_head_file(const std::string& database, const Secret* key, const std::string& database_id,
@@ -27,4 +27,4 @@ struct HeadFile {
 /// FILE-audit
 [[nodiscard]] std::string head_file_of(const std::string& database);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

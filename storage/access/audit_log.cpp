@@ -11,7 +11,7 @@
 #include "storage/records/patient_code.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -171,4 +171,4 @@ Result<bool> audit_contains(Access& access, const AuditHead& head) {
   return same;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -10,7 +10,7 @@
 #include "core/result.hpp"
 #include "storage/access/access.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// No field ever holds an identity, a note, a password or the text of an error.
 struct AuditEntry {
@@ -56,4 +56,4 @@ struct AuditFilter {
 /// Is `head`, noted earlier, part of this chain?
 [[nodiscard]] Result<bool> audit_contains(Access& access, const AuditHead& head);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

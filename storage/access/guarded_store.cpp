@@ -12,7 +12,7 @@
 #include "storage/file/schema_access.hpp"
 #include "storage/records/patient_code.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 using namespace sealed_column;
 
@@ -335,4 +335,4 @@ Result<void> GuardedStore::backup(const std::string& to) {
   return copied ? written : copied;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

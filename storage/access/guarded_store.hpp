@@ -15,7 +15,7 @@
 #include "storage/records/forwarding_store.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 class GuardedStore final : public ForwardingStore<SqliteStore> {
  public:
@@ -91,4 +91,4 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
 /// has no right to write.
 [[nodiscard]] Result<std::shared_ptr<LoginState>> login_at(Database& database, bool writable);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

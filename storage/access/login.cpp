@@ -8,7 +8,7 @@
 
 #include "storage/file/schema_access.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -105,4 +105,4 @@ Error refusal_of(const LoginState& state, Right right, const std::string& path) 
   return refused("is not allowed", "log in as somebody else");
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -13,7 +13,7 @@
 #include "storage/access/vault.hpp"
 #include "storage/file/database.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// A picture of one moment. Keys are wiped when nobody uses them any more.
 struct Login {
@@ -64,4 +64,4 @@ struct Access::Parts {
   bool writable;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

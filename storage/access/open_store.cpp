@@ -5,7 +5,7 @@
 
 #include "storage/access/guarded_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 Result<std::unique_ptr<SessionStore>> open_store(const std::string& path, OpenMode how) {
   auto database = Database::open(path, how);
@@ -26,4 +26,4 @@ Result<std::unique_ptr<SessionStore>> open_store_to_read(const std::string& path
   return reader ? std::move(reader) : std::move(store);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -9,7 +9,7 @@
 #include "storage/file/open_mode.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// A file that is not ours, newer than this program (unless read_only) or not writable is refused
 /// with the reason. Trials left running by a program that ended are marked interrupted, unless
@@ -20,4 +20,4 @@ namespace isograsp {
 /// marked; else read_only. Files of older formats are read as they are.
 [[nodiscard]] Result<std::unique_ptr<SessionStore>> open_store_to_read(const std::string& path);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

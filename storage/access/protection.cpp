@@ -14,7 +14,7 @@
 #include "storage/file/remains.hpp"
 #include "storage/file/sweep.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -159,4 +159,4 @@ Result<Protection> protect_database(const std::string& database, const Secret& p
   return protection;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

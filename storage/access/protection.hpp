@@ -10,7 +10,7 @@
 #include "core/result.hpp"
 #include "storage/access/access.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct Protection {
   std::unique_ptr<Access> access;    ///< logged in as the clinic's passphrase
@@ -30,4 +30,4 @@ struct Protection {
                                                   const Secret& passphrase,
                                                   const KeyCost* cost = nullptr);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

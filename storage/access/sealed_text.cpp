@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/access/sealed_text.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 std::string place_of(const LoginState& state, const char* column, const std::string& code) {
   std::string place = state.database_id() + "\n" + column + "\n";
@@ -40,4 +40,4 @@ Result<void> open_text(const LoginState& state, std::string& text, const char* c
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

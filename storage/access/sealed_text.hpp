@@ -8,7 +8,7 @@
 
 #include "storage/access/login.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// What stands in place of free text for a role that may not read it.
 inline constexpr std::string_view kWithheld = "[withheld]";
@@ -40,4 +40,4 @@ inline constexpr std::string_view kSealedEvent = "note";
 [[nodiscard]] std::string place_of(const LoginState& state, const char* column,
                                    const std::string& code);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -12,7 +12,7 @@ namespace soci {
 class session;
 }
 
-namespace isograsp {
+namespace isograsp::storage {
 
 // In a guard of the caller; throw as SOCI does.
 /// Without those who were removed, by name.
@@ -22,4 +22,4 @@ namespace isograsp {
 /// `field` says which: "passphrase", "password".
 [[nodiscard]] Result<void> check_password(const Secret& password, const std::string& field);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

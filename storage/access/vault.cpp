@@ -8,7 +8,7 @@
 
 #include "storage/file/database.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -191,4 +191,4 @@ std::optional<Secret> read_recovery_key(const Secret& typed) {
   return digits.part(0, kRecoveryDigits);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

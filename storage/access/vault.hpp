@@ -15,7 +15,7 @@ namespace soci {
 class session;
 }
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// What somebody holds; absent: not theirs.
 struct Keys {
@@ -70,4 +70,4 @@ void write_slot(soci::session& sql, const SlotOwner& owner, const Secret& passwo
 /// Its 52 digits; nothing: mistyped.
 [[nodiscard]] std::optional<Secret> read_recovery_key(const Secret& typed);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -10,7 +10,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace fs = std::filesystem;
 
@@ -132,4 +132,4 @@ Result<std::optional<Backups::Made>> Backups::make_if_due(std::time_t now) const
   return std::optional(*std::move(made));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

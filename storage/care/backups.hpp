@@ -12,7 +12,7 @@
 #include "core/result.hpp"
 #include "storage/access/access.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// How many are kept: the newest of each of the last days, weeks (Monday to Sunday) and months
 /// that have one. UTC.
@@ -78,4 +78,4 @@ struct Restored {
     const std::string& backup, const std::string& database,
     const LogIn& log_in = [](const std::string& copy) { return Access::open(copy); });
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

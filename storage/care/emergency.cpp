@@ -14,7 +14,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace fs = std::filesystem;
 
@@ -249,4 +249,4 @@ Result<MergeReport> rescue(const std::string& database, const EmergencyFile& fil
   return report;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

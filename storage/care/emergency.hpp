@@ -10,7 +10,7 @@
 #include "core/result.hpp"
 #include "storage/care/merge.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// $XDG_STATE_HOME/isograsp/emergency, else ~/.local/state/isograsp/emergency.
 [[nodiscard]] std::string emergency_folder();
@@ -44,4 +44,4 @@ struct EmergencyFile {
 /// protected database must be logged in.
 [[nodiscard]] Result<MergeReport> rescue(const std::string& database, const EmergencyFile& file);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -15,7 +15,7 @@
 #include "storage/care/merge_tables.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -168,4 +168,4 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
   return report;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

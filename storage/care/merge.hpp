@@ -10,7 +10,7 @@
 #include "storage/file/open_mode.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct MergeReport {
   int patients_added = 0;
@@ -44,4 +44,4 @@ struct EmergencyMerge {
                                                   OpenMode into_how = OpenMode::existing,
                                                   const EmergencyMerge* emergency = nullptr);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -7,7 +7,7 @@
 #include "storage/care/merge_tables.hpp"
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -108,4 +108,4 @@ void find_collisions(soci::session& sql, MergeReport& report) {
       same_measure + ")))");
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

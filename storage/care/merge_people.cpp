@@ -11,7 +11,7 @@
 #include "storage/care/merge_tables.hpp"
 #include "storage/file/database.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -177,4 +177,4 @@ void merge_people(soci::session& sql, std::span<const std::string> same_patients
   People(sql, same_patients, report).merge();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -6,7 +6,7 @@
 
 #include "storage/care/merge_tables.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -101,4 +101,4 @@ void copy_signals(soci::session& sql) {
   }
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

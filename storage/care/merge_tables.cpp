@@ -3,7 +3,7 @@
 
 #include <soci/soci.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::string is_told(const MergeTable& table, const std::string& row) {
   return "coalesce(" + row + "." + std::string(table.late.front()) + ", '') <> ''";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

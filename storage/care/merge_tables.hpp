@@ -16,7 +16,7 @@ namespace soci {
 class session;
 }
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// A column that holds the number of a row of another table.
 struct MergeReference {
@@ -66,4 +66,4 @@ void take_late_columns(soci::session& sql, const MergeTable& table);
 /// Of the trials that are added.
 void copy_signals(soci::session& sql);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

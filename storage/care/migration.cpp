@@ -16,7 +16,7 @@
 #include "storage/file/schema.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -123,4 +123,4 @@ Result<Migration> migrate_database(const std::string& path) {
   return pack_all(std::move(*current), migration);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

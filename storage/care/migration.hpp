@@ -8,7 +8,7 @@
 #include "core/result.hpp"
 #include "storage/file/open_mode.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct Migration {
   int from = kDatabaseFormat;  ///< format that the file had
@@ -22,4 +22,4 @@ struct Migration {
 /// records into the file.
 [[nodiscard]] Result<Migration> migrate_database(const std::string& path);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

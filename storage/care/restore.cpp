@@ -15,7 +15,7 @@
 #include "storage/care/backups.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace fs = std::filesystem;
 
@@ -175,4 +175,4 @@ Result<Restored> restore_backup(const std::string& backup, const std::string& da
   return error;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -8,7 +8,7 @@
 
 #include "storage/crypto/sodium_start.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::string uuid_of(std::string_view name) {
   return uuid_text(bytes, 8);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

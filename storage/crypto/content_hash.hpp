@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 using ContentHash = std::array<std::uint8_t, 32>;
 
@@ -45,4 +45,4 @@ class ContentHasher {
 /// Version 8 (RFC 9562): always the same of the same name.
 [[nodiscard]] std::string uuid_of(std::string_view name);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

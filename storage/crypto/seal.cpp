@@ -8,7 +8,7 @@
 
 #include <sodium.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::string Digest::hex() {
   return hex_of(hash.data(), hash.size());
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

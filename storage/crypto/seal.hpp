@@ -12,7 +12,7 @@
 #include "storage/crypto/content_hash.hpp"
 #include "storage/crypto/secret.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 inline constexpr std::size_t kKeySize = 32;
 
@@ -57,4 +57,4 @@ class Digest {
   ContentHasher hasher_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -11,7 +11,7 @@
 #include "core/files.hpp"
 #include "storage/crypto/sodium_start.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 void Secret::Free::operator()(unsigned char* bytes) const noexcept {
   sodium_free(bytes);
@@ -76,4 +76,4 @@ Secret Secret::part(std::size_t begin_at, std::size_t count) const {
   return Secret(text().substr(begin_at, count));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -11,7 +11,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Bytes that nobody else should see. Never copied by accident; Secret::copy() says so.
 class Secret {
@@ -44,4 +44,4 @@ class Secret {
   std::size_t size_ = 0;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

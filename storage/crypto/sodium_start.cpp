@@ -5,10 +5,10 @@
 
 #include <sodium.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 void start_sodium() {
   if (sodium_init() < 0) throw std::runtime_error("libsodium does not start");
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

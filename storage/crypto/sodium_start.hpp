@@ -2,10 +2,10 @@
 // libsodium must be told to begin. Inside storage/ only.
 #pragma once
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Before anything of libsodium is used. Thread-safe, and quick after the first time. Throws on a
 /// system without random bytes.
 void start_sodium();
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

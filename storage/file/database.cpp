@@ -19,7 +19,7 @@
 #include "storage/file/open_mode.hpp"
 #include "storage/file/schema.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace fs = std::filesystem;
 
@@ -469,4 +469,4 @@ Result<void> Database::enclose(const char* begin, const char* doing,
   return lost(doing, *fault);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -15,7 +15,7 @@ namespace soci {
 class session;
 }
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Holds while this program records; other programs can tell that it lives (flock: the kernel
 /// releases it however the program ends).
@@ -116,4 +116,4 @@ struct Refusal {
   Error error;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

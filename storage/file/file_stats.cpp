@@ -8,7 +8,7 @@
 #include "storage/file/database.hpp"
 #include "storage/file/open_mode.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 Result<FileStats> file_stats(const std::string& path) {
   auto database = Database::open(path, OpenMode::read_only);
@@ -63,4 +63,4 @@ Result<FileStats> file_stats(const std::string& path) {
   return stats;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

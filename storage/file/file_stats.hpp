@@ -7,7 +7,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct FileStats {
   int format = 0;
@@ -36,4 +36,4 @@ struct FileStats {
 /// Reads the counts, not the signals.
 [[nodiscard]] Result<FileStats> file_stats(const std::string& path);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

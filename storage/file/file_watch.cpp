@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// A file as its name leads to it.
 struct NamedFile {
@@ -240,4 +240,4 @@ void FileWatch::leave() {
   sqlite_api::sqlite3_db_config(connection, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

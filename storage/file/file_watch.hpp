@@ -13,7 +13,7 @@ namespace soci {
 class session;
 }
 
-namespace isograsp {
+namespace isograsp::storage {
 
 class FileWatch {
  public:
@@ -48,4 +48,4 @@ class FileWatch {
   bool left_ = false;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -2,7 +2,7 @@
 // Which files this program writes, and how it may be asked to open one.
 #pragma once
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Format of the files that this program writes (PRAGMA user_version).
 inline constexpr int kDatabaseFormat = 7;
@@ -14,4 +14,4 @@ enum class OpenMode {
   read_only
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

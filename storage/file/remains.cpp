@@ -3,7 +3,7 @@
 
 #include <soci/soci.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 std::vector<std::string> remains_of(soci::session& sql, const std::string& code,
                                     const std::string& since_utc, const std::string& until_utc) {
@@ -32,4 +32,4 @@ std::vector<std::string> remains_of(soci::session& sql, const std::string& code,
   return remains;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

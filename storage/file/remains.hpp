@@ -10,7 +10,7 @@ namespace soci {
 class session;
 }
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Backups, copies, merged and replaced files from `since_utc` to `until_utc`; exports, studies and
 /// reports of `code` up to then. Empty: of everybody. In a guard of the caller.
@@ -18,4 +18,4 @@ namespace isograsp {
                                                   const std::string& since_utc,
                                                   const std::string& until_utc);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -10,7 +10,7 @@
 #include "storage/file/open_mode.hpp"
 #include "storage/file/schema_access.hpp"
 
-namespace isograsp::schema {
+namespace isograsp::storage::schema {
 
 namespace {
 
@@ -317,4 +317,4 @@ std::span<const char* const> statements_to(int format) {
   return kFormats.at(static_cast<std::size_t>(format - 1));
 }
 
-}  // namespace isograsp::schema
+}  // namespace isograsp::storage::schema

@@ -7,7 +7,7 @@
 
 #include "storage/file/open_mode.hpp"
 
-namespace isograsp::schema {
+namespace isograsp::storage::schema {
 
 /// "IsoG": tells our files from other SQLite files.
 inline constexpr std::int32_t kApplicationId = 0x49736F47;
@@ -17,4 +17,4 @@ inline constexpr std::int32_t kApplicationId = 0x49736F47;
 /// one that was brought up to date. @pre 1 <= format <= kDatabaseFormat
 [[nodiscard]] std::span<const char* const> statements_to(int format);
 
-}  // namespace isograsp::schema
+}  // namespace isograsp::storage::schema

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace isograsp::schema {
+namespace isograsp::storage::schema {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::span<const char* const> access_statements() {
   return kStatements;
 }
 
-}  // namespace isograsp::schema
+}  // namespace isograsp::storage::schema

@@ -5,11 +5,11 @@
 
 #include <span>
 
-namespace isograsp::schema {
+namespace isograsp::storage::schema {
 
 /// Statements that add them to a file that has none.
 [[nodiscard]] std::span<const char* const> access_statements();
 /// First format that has them.
 inline constexpr int kAccessFormat = 7;
 
-}  // namespace isograsp::schema
+}  // namespace isograsp::storage::schema

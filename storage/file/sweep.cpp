@@ -3,7 +3,7 @@
 
 #include <soci/soci.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 Result<void> overwrite_what_is_removed(Database& database) {
   return database.guard("erasing", [&] { database.sql() << "PRAGMA secure_delete=ON"; });
@@ -29,4 +29,4 @@ Result<void> sweep(Database& database) {
   });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -4,7 +4,7 @@
 
 #include "storage/file/database.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// What this connection removes from now on is overwritten with zeros.
 [[nodiscard]] Result<void> overwrite_what_is_removed(Database& database);
@@ -12,4 +12,4 @@ namespace isograsp {
 /// reads: nothing is lost by trying again.
 [[nodiscard]] Result<void> sweep(Database& database);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -11,7 +11,7 @@
 
 #include "storage/file/database.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::string this_program() {
          ", process " + std::to_string(getpid()) + ", since " + now.data();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

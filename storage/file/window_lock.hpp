@@ -9,7 +9,7 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 class RecordingLock;
 
@@ -35,4 +35,4 @@ class WindowLock {
 /// "ada on station-2, process 4711, since 2026-03-05 14:02": this program.
 [[nodiscard]] std::string this_program();
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -10,7 +10,7 @@
 #include "storage/person/person_rows.hpp"
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -100,4 +100,4 @@ Result<std::vector<Consent>> consents(Access& access, const std::string& code) {
   return all;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -11,7 +11,7 @@
 #include "core/result.hpp"
 #include "storage/access/access.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Lawful bases of the GDPR: Art. 6(1) a to f, Art. 9(2) h (care) and j (research).
 inline constexpr std::array<std::string_view, 8> kLawfulBases{"consent",
@@ -43,4 +43,4 @@ struct Consent {
 /// As they were recorded.
 [[nodiscard]] Result<std::vector<Consent>> consents(Access& access, const std::string& code);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

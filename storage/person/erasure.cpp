@@ -14,7 +14,7 @@
 #include "storage/file/sweep.hpp"
 #include "storage/person/person_rows.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -258,4 +258,4 @@ Result<std::vector<Tombstone>> tombstones(Access& access) {
   return all;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -11,7 +11,7 @@
 #include "core/result.hpp"
 #include "storage/access/access.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// What happens on request, today.
 struct ErasurePlan {
@@ -54,4 +54,4 @@ struct Tombstone {
 [[nodiscard]] Result<bool> is_restricted(Access& access, const std::string& code);
 [[nodiscard]] Result<std::vector<Tombstone>> tombstones(Access& access);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

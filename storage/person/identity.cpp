@@ -10,7 +10,7 @@
 #include "storage/person/person_rows.hpp"
 #include "storage/records/profile.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -176,4 +176,4 @@ Result<std::vector<std::pair<std::string, Identity>>> all_identities(Access& acc
   return all;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

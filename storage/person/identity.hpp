@@ -11,7 +11,7 @@
 #include "core/result.hpp"
 #include "storage/access/access.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct Identity {
   std::string name;        ///< required
@@ -36,4 +36,4 @@ inline constexpr std::size_t kMostIdentityText = 4096;  ///< bytes of a field
 /// Code and identity of everybody who is not restricted, to look for a name; one entry in the log.
 [[nodiscard]] Result<std::vector<std::pair<std::string, Identity>>> all_identities(Access& access);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -8,7 +8,7 @@
 #include "storage/access/login.hpp"
 #include "storage/records/patient_code.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 PersonRow required_person(soci::session& sql, const std::string& code) {
   PersonRow person;
@@ -51,4 +51,4 @@ Result<void> check_reason(const std::string& reason) {
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -10,7 +10,7 @@ namespace soci {
 class session;
 }
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct PersonRow {
   RowId id = 0;
@@ -28,4 +28,4 @@ struct PersonRow {
 /// A reason that is logged: one line, not empty, at most 200 bytes.
 [[nodiscard]] Result<void> check_reason(const std::string& reason);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -11,7 +11,7 @@
 
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 template <class Store>
 class ForwardingStore : public SessionStore {
@@ -190,4 +190,4 @@ class ForwardingStore : public SessionStore {
   std::unique_ptr<Store> store_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -90,4 +90,4 @@ Result<void> check_patient_code(const std::string& code) {
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -6,10 +6,10 @@
 
 #include "core/result.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Patients are codes: letters, digits and '-', 2 to 32 characters, with at least one digit (a code
 /// is generated; names, initials and dates are refused).
 [[nodiscard]] Result<void> check_patient_code(const std::string& code);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -7,7 +7,7 @@
 #include "core/csv.hpp"
 #include "core/date.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -139,4 +139,4 @@ Result<void> check_answer(const SessionAnswer& answer) {
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -14,7 +14,7 @@
 #include "hand/finger.hpp"
 #include "storage/records/records.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Affected side; none: a healthy person.
 enum class Side : std::uint8_t { right, left, both, none };
@@ -164,4 +164,4 @@ inline constexpr int kLastYear = 2099;
 [[nodiscard]] Result<void> check_stable_period(const StablePeriod& period);
 [[nodiscard]] Result<void> check_answer(const SessionAnswer& answer);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

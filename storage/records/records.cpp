@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/records/records.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 std::string_view name_of(TrialStatus status) noexcept {
   switch (status) {
@@ -13,4 +13,4 @@ std::string_view name_of(TrialStatus status) noexcept {
   return "";
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -13,7 +13,7 @@
 #include "core/measure.hpp"
 #include "hand/finger.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 using RowId = std::int64_t;
 
@@ -189,4 +189,4 @@ struct MeasurePoint {
   Measure measure;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -15,7 +15,7 @@
 #include "storage/records/profile.hpp"
 #include "storage/records/records.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 class SessionStore {
  public:
@@ -157,4 +157,4 @@ class SessionStore {
   [[nodiscard]] virtual Result<void> backup(const std::string& to) = 0;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

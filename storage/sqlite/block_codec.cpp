@@ -8,7 +8,7 @@
 
 #include <zstd.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -135,4 +135,4 @@ bool decode_block(std::string_view bytes, std::size_t row_count,
   return true;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Most values of one trial, of all its columns together: two hours of 150 columns at 100 Hz, 0.8
 /// GiB. A file that says more is damaged or made to fill all memory; nobody may store more.
@@ -55,4 +55,4 @@ void unshuffle(const Planes& planes, std::span<std::vector<double>> columns);
 [[nodiscard]] bool decode_block(std::string_view bytes, std::size_t row_count,
                                 std::span<std::vector<double>> columns);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

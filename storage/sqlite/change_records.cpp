@@ -8,7 +8,7 @@
 #include "core/time.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -223,4 +223,4 @@ Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& que
   return all;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

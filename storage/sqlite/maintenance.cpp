@@ -8,7 +8,7 @@
 #include "storage/file/open_mode.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace fs = std::filesystem;
 
@@ -106,4 +106,4 @@ Result<void> SqliteStore::backup(const std::string& to) {
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -9,7 +9,7 @@
 
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -97,4 +97,4 @@ Result<bool> SqliteStore::add_newer_measures(RowId patient, std::span<const Scor
   return insert_newer_measures(patient, trials, [](const Added&) {});
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

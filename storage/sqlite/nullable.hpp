@@ -8,7 +8,7 @@
 
 #include "storage/records/records.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// Nothing is NULL.
 struct NullableNumber {
@@ -23,4 +23,4 @@ inline soci::indicator null_if_zero(RowId id) {
   return id == 0 ? soci::i_null : soci::i_ok;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

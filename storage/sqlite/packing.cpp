@@ -6,7 +6,7 @@
 #include "storage/sqlite/block_codec.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -143,4 +143,4 @@ void SqliteStore::pack_or_say(RowId trial) {
   }));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -6,7 +6,7 @@
 #include "storage/file/schema_access.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -242,4 +242,4 @@ Result<void> check_told(SessionStore& store, std::vector<std::string>& problems)
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

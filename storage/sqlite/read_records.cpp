@@ -10,7 +10,7 @@
 
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -310,4 +310,4 @@ Result<std::vector<MeasurePoint>> SqliteStore::progress(RowId patient) {
   return points;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

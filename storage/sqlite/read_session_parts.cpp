@@ -7,7 +7,7 @@
 
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -195,4 +195,4 @@ Result<std::vector<RatingRecord>> SqliteStore::ratings(RowId session) {
   return all;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -8,7 +8,7 @@
 #include "storage/sqlite/block_codec.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -177,4 +177,4 @@ Result<Signals> SqliteStore::signals(const TrialRecord& trial) {
   return signals;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

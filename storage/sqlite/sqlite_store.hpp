@@ -17,7 +17,7 @@
 #include "storage/records/session_store.hpp"
 #include "storage/sqlite/block_codec.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 class SqliteStore final : public SessionStore {
  public:
@@ -205,4 +205,4 @@ void add_group(const SignalGroup& group, ContentHasher& whole);
 /// One a line: thumb, index, middle. Empty if no sensor told its own.
 [[nodiscard]] std::string serials_text(const std::array<std::string, kFingerCount>& serials);
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

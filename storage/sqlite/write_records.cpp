@@ -12,7 +12,7 @@
 #include "storage/sqlite/nullable.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 RowId last_id(soci::session& sql, const char* table) {
   long long id = 0;
@@ -280,4 +280,4 @@ Result<void> SqliteStore::mark_helped(RowId trial, bool helped) {
   });
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

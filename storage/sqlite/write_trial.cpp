@@ -11,7 +11,7 @@
 #include "storage/sqlite/nullable.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct SqliteStore::BlockInsert {
   explicit BlockInsert(soci::session& sql)
@@ -219,4 +219,4 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

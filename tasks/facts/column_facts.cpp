@@ -6,7 +6,7 @@
 
 #include "hand/finger.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -176,4 +176,4 @@ ColumnFacts describe_column(std::string_view name) {
   return {unit, "Column of a recording: " + words, "", "", ""};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

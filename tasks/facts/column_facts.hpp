@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 struct ColumnFacts {
   std::string unit;         ///< "N", "N m", "m", "counts" …; empty: a number without one
@@ -29,4 +29,4 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kC
      {"hand", "of the hand, left hands mirrored: flexion (closing), radial, distal"},
      {"sensor", "of each finger's sensor as its maker defines them"}}};
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -4,7 +4,7 @@
 
 #include "tasks/facts/measure_words.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -135,4 +135,4 @@ Place place_of(const std::optional<TaskSpec>& spec, std::string_view name,
   return {};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

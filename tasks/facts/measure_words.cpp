@@ -10,7 +10,7 @@
 
 #include "hand/force_channel.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -294,4 +294,4 @@ std::string format_change(double value, const std::string& unit) {
   return number(value * printed_unit(unit).factor, true);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -9,7 +9,7 @@
 
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 enum class Better : std::uint8_t { unknown, lower, higher, near_zero };
 
@@ -51,4 +51,4 @@ struct Place {
 [[nodiscard]] Place place_of(const std::optional<TaskSpec>& spec, std::string_view name,
                              std::string_view channel);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

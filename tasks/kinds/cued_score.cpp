@@ -10,7 +10,7 @@
 #include "tasks/measures/release.hpp"
 #include "tasks/measures/step.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -23,23 +23,23 @@ double known_or_zero(const Record& record, const Part& part, std::string_view co
 /// Times of an event that may be censored, and the same without the known delay: their
 /// median, as NAME_corrected.
 void add_delayed_times(const std::string& name, const std::string& channel, const Record& record,
-                       const Section& section, const std::vector<EventTime>& times, double limit_s,
-                       MeasureList& list) {
+                       const Section& section, const std::vector<statistics::EventTime>& times,
+                       double limit_s, MeasureList& list) {
   const auto delay_s = record.known_delay_s();
-  std::vector<EventTime> corrected = times;
-  for (EventTime& time : corrected)
+  std::vector<statistics::EventTime> corrected = times;
+  for (statistics::EventTime& time : corrected)
     if (time.time_s.value) time.time_s = without_delay(time.time_s, delay_s).corrected_s;
   list.add_times(name, channel, section, times, limit_s);
-  list.add(
-      name + "_corrected", channel, "s", section,
-      delay_s ? median_time(corrected, limit_s) : Computed("the delay of the device is not known"));
+  list.add(name + "_corrected", channel, "s", section,
+           delay_s ? median_time(corrected, limit_s)
+                   : statistics::Computed("the delay of the device is not known"));
 }
 
 /// Reaction times of several cues: anticipations are excluded and counted, misses are censored.
 void add_reactions(const std::string& name, const std::string& channel, const Record& record,
                    const Section& section, const std::vector<Reaction>& reactions, double limit_s,
                    MeasureList& list) {
-  std::vector<EventTime> times;
+  std::vector<statistics::EventTime> times;
   int anticipations = 0;
   for (const Reaction& reaction : reactions) {
     if (reaction.anticipated_s)
@@ -49,8 +49,8 @@ void add_reactions(const std::string& name, const std::string& channel, const Re
   }
   add_delayed_times(name, channel, record, section, times, limit_s, list);
   list.add("anticipations", channel, "", section,
-           reactions.empty() ? Computed("there was no cue")
-                             : Computed(static_cast<double>(anticipations)));
+           reactions.empty() ? statistics::Computed("there was no cue")
+                             : statistics::Computed(static_cast<double>(anticipations)));
 }
 
 }  // namespace
@@ -59,8 +59,8 @@ std::vector<Measure> measures_of(const StepResponseSpec& spec, const Record& rec
   MeasureList list;
   std::vector<Section> sections, with_target;
   std::vector<Reaction> reactions;
-  std::vector<EventTime> t63, settling;
-  std::vector<Computed> rise, overshoot, error;
+  std::vector<statistics::EventTime> t63, settling;
+  std::vector<statistics::Computed> rise, overshoot, error;
   const auto parts = parts_of(record);
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const Part& part = parts[i];
@@ -99,8 +99,8 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
   MeasureList list;
   std::vector<Section> sections;
   std::vector<Reaction> initiations;
-  std::vector<EventTime> releases;
-  std::vector<Computed> residual, fastest, opening;
+  std::vector<statistics::EventTime> releases;
+  std::vector<statistics::Computed> residual, fastest, opening;
   int missed = 0;
   const auto parts = parts_of(record);
   for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -123,8 +123,8 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
     initiations.push_back(let_go.initiation);
     const bool rested = !std::isnan(resting_N);
     const char* unknown = "the resting force was not measured";
-    releases.push_back(rested ? let_go.release : EventTime{unknown, std::nullopt});
-    residual.push_back(rested ? let_go.residual_N : Computed(unknown));
+    releases.push_back(rested ? let_go.release : statistics::EventTime{unknown, std::nullopt});
+    residual.push_back(rested ? let_go.residual_N : statistics::Computed(unknown));
     fastest.push_back(let_go.fastest_N_per_s);
     const Trace after = trace_of(record, part.first, part.last);
     sections.push_back(after.section);
@@ -137,9 +137,9 @@ std::vector<Measure> measures_of(const GripReleaseSpec& spec, const Record& reco
   const std::string channel = name_of(spec.aim.channel);
   add_reactions("release_initiation", channel, record, all, initiations, spec.after_s, list);
   add_delayed_times("release_time", channel, record, all, releases, spec.after_s, list);
-  list.add(
-      "grips_missed", channel, "", all,
-      initiations.empty() ? Computed("there was no cue") : Computed(static_cast<double>(missed)));
+  list.add("grips_missed", channel, "", all,
+           initiations.empty() ? statistics::Computed("there was no cue")
+                               : statistics::Computed(static_cast<double>(missed)));
   list.add_mean("residual_force", channel, "N", all, residual);
   list.add_mean("fastest_release", channel, "N/s", all, fastest);
   if (spec.open) list.add_mean("opening_force", "opening", "N", all, opening);
@@ -155,9 +155,10 @@ std::vector<Measure> measures_of(const ForceSenseSpec& spec, const Record& recor
     if (part.phase != Phase::active) continue;
     const Trace trace = trace_of(record, part.first, part.last, true);
     if (trace.empty()) continue;
-    const std::size_t first = first_row_from(trace.t_s, end_of(record, part) - spec.window_s);
-    const Computed mean = weighted_mean(std::span(trace.force_N).subspan(first),
-                                        std::span(trace.weight_s).subspan(first));
+    const std::size_t first =
+        statistics::first_row_from(trace.t_s, end_of(record, part) - spec.window_s);
+    const statistics::Computed mean = weighted_mean(std::span(trace.force_N).subspan(first),
+                                                    std::span(trace.weight_s).subspan(first));
     if (!mean.value) continue;
     target_N.push_back(trace.target_N.front());
     reproduced_N.push_back(*mean.value);
@@ -173,4 +174,4 @@ std::vector<Measure> measures_of(const ForceSenseSpec& spec, const Record& recor
   return list.take();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

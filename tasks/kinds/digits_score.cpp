@@ -8,7 +8,7 @@
 #include "tasks/measures/direction.hpp"
 #include "tasks/measures/error.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 std::vector<Measure> measures_of(const IndividuationSpec& spec, const Record& record) {
   MeasureList list;
@@ -31,7 +31,7 @@ std::vector<Measure> measures_of(const IndividuationSpec& spec, const Record& re
     sections.push_back(forces.section);
     if (forces.section.rows.empty() || !rested) continue;
     holds.push_back({*digit, start_N, forces.mean()});
-    const Computed off = uninstructed_deviation(forces.view(), *digit, start_N);
+    const statistics::Computed off = uninstructed_deviation(forces.view(), *digit, start_N);
     if (off.value)
       points.push_back(
           {holds.back().mean_N[index_of(*digit)] - start_N[index_of(*digit)], *off.value});
@@ -49,19 +49,19 @@ std::vector<Measure> measures_of(const IndividuationSpec& spec, const Record& re
       const double most_N = maximum_N[index_of(i)];
       list.add("enslaving_of_maximum", channel, "", all,
                most_N > 0.0 ? enslaving_of_maximum(holds, i, j, most_N)
-                            : Computed("the maximum of the " + std::string(name_of(i)) +
-                                       " was not measured"));
+                            : statistics::Computed("the maximum of the " + std::string(name_of(i)) +
+                                                   " was not measured"));
     }
   return list.take();
 }
 
 std::vector<Measure> measures_of(const ForceDirectionSpec&, const Record& record) {
   MeasureList list;
-  std::vector<Computed> deviations;
+  std::vector<statistics::Computed> deviations;
   std::vector<Section> paths;
   for (const Finger finger : kFingers) {
     const std::string name(name_of(finger));
-    std::vector<Computed> angle, projection, error;
+    std::vector<statistics::Computed> angle, projection, error;
     std::vector<Section> sections;
     for (const Part& part : parts_of(record)) {
       if (part.phase != Phase::active) continue;
@@ -104,4 +104,4 @@ std::vector<Measure> measures_of(const ForceDirectionSpec&, const Record& record
   return list.take();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -10,7 +10,7 @@
 
 #include "hand/force_channel.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// What the number 1 of a level stands for.
 enum class Scale : std::uint8_t {
@@ -177,4 +177,4 @@ struct ForceDirectionSpec {
   int repetitions = 1;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

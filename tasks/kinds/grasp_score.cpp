@@ -9,7 +9,7 @@
 #include "tasks/kinds/object_score.hpp"
 #include "tasks/measures/coupling.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -63,10 +63,10 @@ Grasp grasp_of(const Section& section, const std::array<Touch, kFingerCount>& fi
 }
 
 Coupling coupling_of(const Section& section, const Grasp& grasp) {
-  const auto runs = stretches(section.t_s, grasp.opposed, 0.0);
+  const auto runs = statistics::stretches(section.t_s, grasp.opposed, 0.0);
   auto longest = runs.begin();  // the first of those that are as long
   for (auto run = runs.begin(); run != runs.end(); ++run)
-    if (is_earlier(longest->length_s, run->length_s)) longest = run;
+    if (statistics::is_earlier(longest->length_s, run->length_s)) longest = run;
   const char* const none = "thumb and fingers did not hold the object together";
   if (longest == runs.end() || longest->end - longest->first < 2) return {none, none, none};
   const auto piece = [&](const std::vector<double>& x) {
@@ -74,12 +74,13 @@ Coupling coupling_of(const Section& section, const Grasp& grasp) {
   };
   const auto t_s = piece(section.t_s);
   return grip_load_coupling(
-      on_uniform_grid(t_s, opposing_mean(piece(grasp.thumb_N), piece(grasp.fingers_N))),
-      on_uniform_grid(t_s, piece(grasp.load_N)));
+      statistics::on_uniform_grid(t_s, opposing_mean(piece(grasp.thumb_N), piece(grasp.fingers_N))),
+      statistics::on_uniform_grid(t_s, piece(grasp.load_N)));
 }
 
 /// Size of a finger's tangential force, row by row, and the time in which both fingers touch.
-Computed lateral_correlation(const Section& section, const Touch& thumb, const Touch& other) {
+statistics::Computed lateral_correlation(const Section& section, const Touch& thumb,
+                                         const Touch& other) {
   std::vector<double> of_thumb_N, of_other_N, both_s;
   for (std::size_t k = 0; k < section.rows.size(); ++k) {
     const std::size_t row = section.rows[k];
@@ -122,14 +123,14 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
   const Grasp grasp = grasp_of(section, fingers);
   const Coupling coupling = coupling_of(section, grasp);
   const auto add = [&](const char* name, const char* channel, const char* unit,
-                       const Computed& computed) {
+                       const statistics::Computed& computed) {
     measures.push_back(make_measure(name, channel, unit, section, computed));
   };
   add("grip_load_correlation", "grip", "", coupling.correlation);
   add("grip_load_lag", "grip", "s", coupling.lag_s);
   add("grip_load_slope", "grip", "", coupling.slope);
   const std::vector<double> grip_N = opposing_mean(grasp.thumb_N, grasp.fingers_N);
-  const Computed none = "thumb and fingers did not hold the object together";
+  const statistics::Computed none = "thumb and fingers did not hold the object together";
   const bool held = std::any_of(grasp.opposed.begin(), grasp.opposed.end(), std::identity());
   add("grip_variation", "grip", "%", held ? variation(grip_N, grasp.opposed_s) : none);
   double impulse_Ns = 0.0;
@@ -145,11 +146,12 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
       std::any_of(grasp.used.begin(), grasp.used.end(), [](double share) { return share > 0.0; });
   const char* const smooth = "no finger touched with friction";
   add("safety_margin", "grip", "%",
-      rubs ? safety_margin(grip_N, grasp.needed_N, grasp.opposed_s) : Computed(smooth));
+      rubs ? safety_margin(grip_N, grasp.needed_N, grasp.opposed_s) : statistics::Computed(smooth));
   constexpr double kShare = 0.95;
-  Computed used = rubs ? quantile(grasp.used, grasp.touch_s, kShare) : Computed(smooth);
+  statistics::Computed used =
+      rubs ? statistics::quantile(grasp.used, grasp.touch_s, kShare) : statistics::Computed(smooth);
   if (used.value) used.value = 100.0 * *used.value;
   add("friction_utilisation", "contact", "%", used);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -10,7 +10,7 @@
 
 #include "tasks/task.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 [[nodiscard]] std::unique_ptr<Task> make_pose_targets(const PoseTargetsSpec& spec,
                                                       const TaskContext& context);
@@ -37,4 +37,4 @@ struct PoseTolerance {
   return static_cast<std::int64_t>(std::ceil(duration_s / period_s - kRoundingSlack));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

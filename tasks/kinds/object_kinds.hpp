@@ -10,7 +10,7 @@
 #include "core/spatial.hpp"
 #include "tasks/kinds/force_kinds.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// The object is brought to a series of poses, each held inside its tolerance.
 struct PoseTarget {
@@ -63,4 +63,4 @@ struct PickPlaceSpec {
   std::vector<Item> items;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -8,7 +8,7 @@
 #include "tasks/measures/motion.hpp"
 #include "tasks/measures/smoothness.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 void append(Section& sum, const Section& part) {
   if (sum.reason.empty()) sum.reason = part.reason;
@@ -125,7 +125,7 @@ void ObjectRecord::add_hold_errors(std::vector<Measure>& all, const Section& pos
                                mean_axis_angle(actual, target, Vec3::UnitZ(), attitude.weight_s)));
 }
 
-Computed ObjectRecord::tilt(const Section& section) const {
+statistics::Computed ObjectRecord::tilt(const Section& section) const {
   return rms_angle(target_attitudes(section), attitudes(section), section.weight_s);
 }
 
@@ -142,9 +142,9 @@ Measure ObjectRecord::slip(std::initializer_list<Phase> phases) const {
     contact_s += section.weight_s[i];
     if (slips(section.rows[i])) slip_s += section.weight_s[i];
   }
-  return make_measure(
-      "slip", "contact", "%", section,
-      contact_s > 0.0 ? Computed(100.0 * slip_s / contact_s) : Computed("there was no contact"));
+  return make_measure("slip", "contact", "%", section,
+                      contact_s > 0.0 ? statistics::Computed(100.0 * slip_s / contact_s)
+                                      : statistics::Computed("there was no contact"));
 }
 
 Measure ObjectRecord::mean_grip(std::initializer_list<Phase> phases) const {
@@ -155,15 +155,15 @@ Measure ObjectRecord::mean_grip(std::initializer_list<Phase> phases) const {
 Smoothness ObjectRecord::smoothness_of_motion(const Section& section) const {
   const char* const too_short = "fewer than two samples";
   if (section.rows.size() < 2) return {too_short, too_short};
-  const UniformSamples speed = speed_of(position_of(section));
+  const statistics::UniformSamples speed = speed_of(position_of(section));
   return {sparc(speed), ldlj(speed)};
 }
 
 Smoothness ObjectRecord::smoothness_of_grip(const Section& section) const {
   const char* const too_short = "fewer than two samples";
   if (section.rows.size() < 2) return {too_short, too_short};
-  const UniformSamples rate =
-      rate_of(on_uniform_grid(section.t_s, section.values("actual_force_N")));
+  const statistics::UniformSamples rate =
+      rate_of(statistics::on_uniform_grid(section.t_s, section.values("actual_force_N")));
   return {sparc(rate), ldlj(rate)};
 }
 
@@ -201,8 +201,8 @@ Attempts attempts_of(const Record& record, std::size_t count) {
   return attempts;
 }
 
-Completion completion_of(const Record& record, const Attempt& attempt, std::size_t end_row,
-                         double limit_s) {
+statistics::Completion completion_of(const Record& record, const Attempt& attempt,
+                                     std::size_t end_row, double limit_s) {
   const double start_s = record.task_time_s(attempt.first_row);
   if (attempt.reached) return {record.task_time_s(end_row) - start_s, true};
   const double tried_s =
@@ -215,12 +215,12 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
                      double limit_s, std::size_t Attempt::*end_row) {
   Section whole = record.select(kMoving, {});
   if (!attempts.absent.empty()) whole.reason = attempts.absent;
-  std::vector<Completion> completions;
+  std::vector<statistics::Completion> completions;
   std::vector<Measure> times;
   for (std::size_t i = 0; i < attempts.all.size(); ++i) {
     const Attempt& attempt = attempts.all[i];
     Section section;
-    Computed time_s = 0.0;
+    statistics::Computed time_s = 0.0;
     if (!attempts.absent.empty()) {
       section.reason = attempts.absent;
     } else if (!attempt.shown) {
@@ -228,7 +228,7 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
     } else {
       section = record.select(attempt.first_row, attempt.last_row + 1, kMoving, {});
       completions.push_back(completion_of(record, attempt, attempt.*end_row, limit_s));
-      const Completion& completion = completions.back();
+      const statistics::Completion& completion = completions.back();
       if (completion.reached)
         time_s = completion.time_s;
       else if (completion.time_s >= limit_s)
@@ -241,12 +241,12 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
   }
   measures.push_back(make_measure("targets_reached", "targets",
                                   "of " + std::to_string(attempts.all.size()), whole,
-                                  static_cast<double>(reached_of(completions).count)));
+                                  static_cast<double>(statistics::reached_of(completions).count)));
   for (Measure& time : times) measures.push_back(std::move(time));
   measures.push_back(make_measure("median_completion_time", "targets", "s", whole,
-                                  median_completion(completions)));
+                                  statistics::median_completion(completions)));
   measures.push_back(make_measure("restricted_mean_time", "targets", "s", whole,
-                                  restricted_mean_time(completions, limit_s)));
+                                  statistics::restricted_mean_time(completions, limit_s)));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

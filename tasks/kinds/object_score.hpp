@@ -11,15 +11,15 @@
 #include "statistics/survival.hpp"
 #include "tasks/record.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Appends the rows of `part` to `sum`.
 void append(Section& sum, const Section& part);
 
 /// Two measures of the same movement.
 struct Smoothness {
-  Computed sparc;
-  Computed ldlj;
+  statistics::Computed sparc;
+  statistics::Computed ldlj;
 };
 
 class ObjectRecord {
@@ -65,7 +65,7 @@ class ObjectRecord {
   void add_hold_errors(std::vector<Measure>& all, const Section& position,
                        const Section& attitude) const;
   /// Root mean square of the angle over a section of select_attitudes() [rad].
-  [[nodiscard]] Computed tilt(const Section& section) const;
+  [[nodiscard]] statistics::Computed tilt(const Section& section) const;
 
   /// Share of the time of contact in which a finger slips, in %; and the mean of the grip [N].
   [[nodiscard]] Measure slip(std::initializer_list<Phase> phases) const;
@@ -130,8 +130,8 @@ struct Attempts {
 
 /// From the appearance of the target to `end`, or how long it was tried in vain, up to the limit.
 /// Time is task time: a device fault costs the patient nothing. @pre attempt.shown
-[[nodiscard]] Completion completion_of(const Record& record, const Attempt& attempt,
-                                       std::size_t end_row, double limit_s);
+[[nodiscard]] statistics::Completion completion_of(const Record& record, const Attempt& attempt,
+                                                   std::size_t end_row, double limit_s);
 
 /// "k of n", the time of each up to the `end_row` of a reached attempt, and over all that were
 /// shown the Kaplan-Meier median and the restricted mean time: a time-out is a time longer than the
@@ -142,4 +142,4 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
 /// The phases in which an object is moved.
 inline constexpr std::initializer_list<Phase> kMoving = {Phase::transport, Phase::hold};
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -2,7 +2,7 @@
 // Free handling of an object: an instruction for a fixed time.
 #include "tasks/kinds/make_task.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -37,4 +37,4 @@ std::unique_ptr<Task> make_observe(const ObserveSpec& spec, const TaskContext& c
   return std::make_unique<Observe>(spec, context);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -9,7 +9,7 @@
 
 #include "tasks/kinds/make_task.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::unique_ptr<Task> make_pick_place(const PickPlaceSpec& spec, const TaskConte
   return std::make_unique<PickPlace>(spec, context);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

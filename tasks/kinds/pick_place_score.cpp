@@ -7,7 +7,7 @@
 #include "tasks/kinds/score_kinds.hpp"
 #include "tasks/measures/motion.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -66,8 +66,7 @@ class PickPlaceScore {
       ways_m.push_back(path_of(way));
     }
     if (ways.reason.empty() && ways.rows.empty()) ways.reason = kNothingPlaced;
-    return make_measure("path_efficiency", "position", "%", ways,
-                        isograsp::path_efficiency(ways_m));
+    return make_measure("path_efficiency", "position", "%", ways, tasks::path_efficiency(ways_m));
   }
 
   /// While the object that was placed then was held inside the tolerance, until it was let go.
@@ -99,4 +98,4 @@ std::vector<Measure> measures_of(const PickPlaceSpec& spec, const Record& record
   return PickPlaceScore(spec, record).measures();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

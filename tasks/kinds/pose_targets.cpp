@@ -6,7 +6,7 @@
 
 #include "tasks/kinds/make_task.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::unique_ptr<Task> make_pose_targets(const PoseTargetsSpec& spec, const TaskC
   return std::make_unique<PoseTargets>(spec, context);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -9,7 +9,7 @@
 #include "tasks/measures/fitts.hpp"
 #include "tasks/measures/motion.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -140,7 +140,7 @@ class PoseScore {
     Section motion;
     Section force;
     motion.reason = force.reason = attempts_.absent;
-    std::vector<Computed> motion_arcs, motion_jerks, force_arcs, force_jerks;
+    std::vector<statistics::Computed> motion_arcs, motion_jerks, force_arcs, force_jerks;
     for (std::size_t i = 0; i < attempts_.all.size(); ++i) {
       const Attempt& attempt = attempts_.all[i];
       if (!attempt.reached || (has_level && !spec_.targets[i].level)) continue;
@@ -161,7 +161,7 @@ class PoseScore {
     for (Section* section : {&motion, &force})
       if (section->reason.empty() && section->rows.empty()) section->reason = none;
     const auto add = [&](const char* name, const char* channel, const Section& section,
-                         const std::vector<Computed>& each) {
+                         const std::vector<statistics::Computed>& each) {
       all.push_back(make_measure(name, channel, "", section, mean_of_repetitions(each, none)));
     };
     add("sparc", "transport", motion, motion_arcs);
@@ -208,13 +208,15 @@ class PoseScore {
       section.reason = nothing_held("no held target appeared outside its tolerance");
     all.push_back(make_measure(
         "index_of_difficulty", "position", "bit", section,
-        trials.empty() ? Computed(section.reason)
-                       : Computed(difficulty_bit / static_cast<double>(trials.size()))));
+        trials.empty()
+            ? statistics::Computed(section.reason)
+            : statistics::Computed(difficulty_bit / static_cast<double>(trials.size()))));
     // Every start lies within the tolerance of the target before.
     const bool alike = most_m - least_m <= 2.0 * spec_.position_tolerance_m;
-    all.push_back(make_measure(
-        "throughput", "position", "bit/s", section,
-        alike ? throughput(trials) : Computed("the targets lie at different distances")));
+    all.push_back(
+        make_measure("throughput", "position", "bit/s", section,
+                     alike ? throughput(trials)
+                           : statistics::Computed("the targets lie at different distances")));
   }
 
   const PoseTargetsSpec& spec_;
@@ -229,4 +231,4 @@ std::vector<Measure> measures_of(const PoseTargetsSpec& spec, const Record& reco
   return PoseScore(spec, record).measures();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

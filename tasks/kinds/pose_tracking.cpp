@@ -5,7 +5,7 @@
 #include "tasks/kinds/make_task.hpp"
 #include "tasks/waveform.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::unique_ptr<Task> make_pose_tracking(const PoseTrackingSpec& spec, const Tas
   return std::make_unique<PoseTracking>(spec, context);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -13,7 +13,7 @@
 #include "tasks/measures/known_delay.hpp"
 #include "tasks/measures/sine.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -93,15 +93,16 @@ class TrackingScore {
     const char* const unit = axis.axis < 3 ? "m" : "rad";
     const auto& weight_s = section.weight_s;
     const auto add = [&, &rows = section](const char* name, const std::string& of, const char* in,
-                                          const Computed& computed) {
+                                          const statistics::Computed& computed) {
       all.push_back(make_measure(name, of, in, rows, computed));
     };
     add("rmse", channel, unit, rmse(target, actual, weight_s));
     add("mae", channel, unit, mae(target, actual, weight_s));
     add("constant_error", channel, unit, constant_error(target, actual, weight_s));
-    const Computed late = target.size() < 2 ? Computed("fewer than two samples")
-                                            : lag(on_uniform_grid(section.t_s, target),
-                                                  on_uniform_grid(section.t_s, actual));
+    const statistics::Computed late = target.size() < 2
+                                          ? statistics::Computed("fewer than two samples")
+                                          : lag(statistics::on_uniform_grid(section.t_s, target),
+                                                statistics::on_uniform_grid(section.t_s, actual));
     add("lag", channel, "s", late);
     add("lag_corrected", channel, "s", without_delay(late, record_.known_delay_s()).corrected_s);
     const bool sines = axis.waveform.shape == Waveform::Shape::sine ||
@@ -150,4 +151,4 @@ std::vector<Measure> measures_of(const PoseTrackingSpec& spec, const Record& rec
   return TrackingScore(spec, record).measures();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -6,7 +6,7 @@
 #include "tasks/kinds/read_kinds.hpp"
 #include "tasks/waveform.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 double read_within(TomlReader& reader, std::string_view key, double least, double most,
                    std::optional<double> fallback) {
@@ -347,4 +347,4 @@ ForceDirectionSpec read_force_direction(TomlReader& reader) {
   return spec;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

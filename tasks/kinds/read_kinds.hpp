@@ -6,7 +6,7 @@
 #include "core/toml_reader.hpp"
 #include "tasks/task_spec.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 inline constexpr double kLongestPart_s = 3600.0;  ///< nobody exercises for longer: a typing error
 
@@ -41,4 +41,4 @@ PickPlaceSpec read_pick_place(TomlReader& reader);
 
 RecordedSpec read_recorded(TomlReader& reader);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -3,7 +3,7 @@
 
 #include "tasks/kinds/read_kinds.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -116,4 +116,4 @@ PickPlaceSpec read_pick_place(TomlReader& reader) {
   return spec;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -10,7 +10,7 @@
 #include "tasks/measures/spectrum.hpp"
 #include "tasks/measures/synergy.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 RecordedSpec read_recorded(TomlReader& reader) {
   using Measures = RecordedSpec::Measures;
@@ -70,7 +70,7 @@ void add_maximum(const RecordedSpec& spec, const Record& record, MeasureList& li
   }
   const Section section =
       record.select(rows - spec.window.first, rows - spec.window.last, {}, {"actual_force_N"});
-  Computed mean = section.reason;
+  statistics::Computed mean = section.reason;
   if (section.reason.empty()) {
     auto size_N = section.values("actual_force_N");
     for (double& force_N : size_N) force_N = std::abs(force_N);
@@ -83,7 +83,7 @@ void add_tracking(const Record& record, MeasureList& list) {
   constexpr double kBand = 0.05;  // of the target, as in the tasks of this program
   const Trace trace = trace_of(record, 0, record.rows(), true);
   const auto& [section, t_s, force_N, target_N, weight_s] = trace;
-  const auto add = [&](const char* name, const char* unit, const Computed& computed) {
+  const auto add = [&](const char* name, const char* unit, const statistics::Computed& computed) {
     list.add(name, "force", unit, trace.section, computed);
   };
   add("rmse", "N", rmse(target_N, force_N, weight_s));
@@ -149,11 +149,11 @@ void add_finger_forces(const RecordedSpec& spec, const Record& record, MeasureLi
     for (std::size_t k = 0; k < sum_N.size(); ++k) sum_N[k] += finger_N[k];
   const bool enough = section.rows.size() >= 2;
   list.add("rhythm", "force", "Hz", section,
-           enough ? peak_frequency(welch(on_uniform_grid(section.t_s, sum_N)), kRhythms)
-                  : Computed("fewer than two samples"));
-  const Computed all = weighted_mean(sum_N, section.weight_s);
+           enough ? peak_frequency(welch(statistics::on_uniform_grid(section.t_s, sum_N)), kRhythms)
+                  : statistics::Computed("fewer than two samples"));
+  const statistics::Computed all = weighted_mean(sum_N, section.weight_s);
   for (std::size_t f = 0; f < spec.fingers.size(); ++f) {
-    Computed share = "the fingers did not press";
+    statistics::Computed share = "the fingers did not press";
     if (f < forces.force_N.size() && all.value && *all.value > 0.0)
       share = 100.0 * *weighted_mean(forces.force_N[f], section.weight_s).value / *all.value;
     list.add("sharing", spec.fingers[f], "%", section, share);
@@ -174,4 +174,4 @@ std::vector<Measure> measures_of(const RecordedSpec& spec, const Record& record)
   return list.take();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 struct RecordedSpec {
   enum class Measures : std::uint8_t {
@@ -29,4 +29,4 @@ struct RecordedSpec {
   int cycles_left_out = 0;           ///< finger_forces only: at the beginning, until in time
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

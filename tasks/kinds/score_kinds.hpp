@@ -6,7 +6,7 @@
 
 #include "tasks/record.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 [[nodiscard]] std::vector<Measure> measures_of(const RestSpec& spec, const Record& record);
 [[nodiscard]] std::vector<Measure> measures_of(const MaximumSpec& spec, const Record& record);
@@ -27,4 +27,4 @@ namespace isograsp {
 [[nodiscard]] std::vector<Measure> measures_of(const ObserveSpec& spec, const Record& record);
 [[nodiscard]] std::vector<Measure> measures_of(const RecordedSpec& spec, const Record& record);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

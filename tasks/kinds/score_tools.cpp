@@ -8,7 +8,7 @@
 #include "tasks/measures/direction.hpp"
 #include "tasks/measures/error.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -132,25 +132,26 @@ double known_in(const Record& record, const Part& part, std::string_view column)
 }
 
 void MeasureList::add(std::string name, std::string channel, std::string unit,
-                      const Section& section, Computed computed) {
+                      const Section& section, statistics::Computed computed) {
   measures_.push_back(make_measure(std::move(name), std::move(channel), std::move(unit), section,
                                    std::move(computed)));
 }
 
-Computed mean_of_repetitions(std::span<const Computed> each, const char* none) {
+statistics::Computed mean_of_repetitions(std::span<const statistics::Computed> each,
+                                         const char* none) {
   double sum = 0.0;
   int count = 0;
-  for (const Computed& one : each) {
+  for (const statistics::Computed& one : each) {
     if (!one.value) continue;
     sum += *one.value;
     ++count;
   }
   if (count > 0) return sum / count;
-  return each.empty() ? Computed(none) : each.front();
+  return each.empty() ? statistics::Computed(none) : each.front();
 }
 
 void MeasureList::add_mean(std::string name, const std::string& channel, std::string unit,
-                           const Section& section, std::span<const Computed> each) {
+                           const Section& section, std::span<const statistics::Computed> each) {
   add(std::move(name), channel, std::move(unit), section, mean_of_repetitions(each));
 }
 
@@ -158,12 +159,12 @@ namespace {
 
 /// Times that end at the event or at the limit; those that could not be looked for are left out.
 struct Completions {
-  std::vector<Completion> all;
+  std::vector<statistics::Completion> all;
   std::string reason = "there was no repetition";  ///< why there are none
 };
-Completions completions_of(std::span<const EventTime> each, double limit_s) {
+Completions completions_of(std::span<const statistics::EventTime> each, double limit_s) {
   Completions completions;
-  for (const EventTime& one : each) {
+  for (const statistics::EventTime& one : each) {
     if (one.time_s.value)
       completions.all.push_back({*one.time_s.value, true});
     else if (one.longer_than_s)
@@ -176,22 +177,24 @@ Completions completions_of(std::span<const EventTime> each, double limit_s) {
 
 }  // namespace
 
-Computed median_time(std::span<const EventTime> each, double limit_s) {
+statistics::Computed median_time(std::span<const statistics::EventTime> each, double limit_s) {
   const Completions found = completions_of(each, limit_s);
-  return found.all.empty() ? Computed(found.reason) : median_completion(found.all);
+  return found.all.empty() ? statistics::Computed(found.reason)
+                           : statistics::median_completion(found.all);
 }
 
 void MeasureList::add_times(const std::string& name, const std::string& channel,
-                            const Section& section, std::span<const EventTime> each,
+                            const Section& section, std::span<const statistics::EventTime> each,
                             double limit_s) {
   const auto [all, reason] = completions_of(each, limit_s);
-  const Reached reached = reached_of(all);
+  const statistics::Reached reached = statistics::reached_of(all);
   const bool none = all.empty();
   add(name, channel, "s", section, median_time(each, limit_s));
   add(name + "_restricted", channel, "s", section,
-      none ? Computed(reason) : restricted_mean_time(all, limit_s));
+      none ? statistics::Computed(reason) : statistics::restricted_mean_time(all, limit_s));
   add(name + "_share", channel, "%", section,
-      none ? Computed(reason) : Computed(100.0 * reached.count / reached.of));
+      none ? statistics::Computed(reason)
+           : statistics::Computed(100.0 * reached.count / reached.of));
 }
 
 void add_net_push(const Record& record, ForceChannel channel, MeasureList& list) {
@@ -260,4 +263,4 @@ void add_synergy(const CycleSynergy& found, const Section& section, MeasureList&
   list.add("variance_across", "force", "N^2", section, found.v_ort);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

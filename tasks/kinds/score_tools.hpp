@@ -14,7 +14,7 @@
 #include "tasks/measures/synergy.hpp"
 #include "tasks/record.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Rows [first, last) of one segment of the timeline, pauses within it included.
 struct Part {
@@ -67,24 +67,25 @@ struct Vectors {
 [[nodiscard]] double known_in(const Record& record, const Part& part, std::string_view column);
 
 /// Kaplan-Meier median of times of which some are longer than `limit_s`.
-[[nodiscard]] Computed median_time(std::span<const EventTime> each, double limit_s);
+[[nodiscard]] statistics::Computed median_time(std::span<const statistics::EventTime> each,
+                                               double limit_s);
 
 /// Mean over repetitions of those that have a value; the first reason, or `none`, if none has.
-[[nodiscard]] Computed mean_of_repetitions(std::span<const Computed> each,
-                                           const char* none = "there was no repetition");
+[[nodiscard]] statistics::Computed mean_of_repetitions(
+    std::span<const statistics::Computed> each, const char* none = "there was no repetition");
 
 /// Measures on their way to the record.
 class MeasureList {
  public:
   void add(std::string name, std::string channel, std::string unit, const Section& section,
-           Computed computed);
+           statistics::Computed computed);
   /// mean_of_repetitions().
   void add_mean(std::string name, const std::string& channel, std::string unit,
-                const Section& section, std::span<const Computed> each);
+                const Section& section, std::span<const statistics::Computed> each);
   /// Times that may be censored: NAME (median, Kaplan-Meier), NAME_restricted (mean up to
   /// limit_s), NAME_share (% of the repetitions in which the event came).
   void add_times(const std::string& name, const std::string& channel, const Section& section,
-                 std::span<const EventTime> each, double limit_s);
+                 std::span<const statistics::EventTime> each, double limit_s);
   [[nodiscard]] std::vector<Measure> take() { return std::move(measures_); }
 
  private:
@@ -106,4 +107,4 @@ void add_force_of_maximum(const Record& record, ForceChannel channel, MeasureLis
 /// synergy_index and the two variances behind it.
 void add_synergy(const CycleSynergy& found, const Section& section, MeasureList& list);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

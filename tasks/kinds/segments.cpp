@@ -4,7 +4,7 @@
 #include "tasks/kinds/make_task.hpp"
 #include "tasks/waveform.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 std::int64_t Pace::frames(double duration_s) const noexcept {
   return frames_in(duration_s, period_s_);
@@ -203,4 +203,4 @@ Segments segments_of(const ForceDirectionSpec& spec, const Unit& unit, Pace& pac
   return segments;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

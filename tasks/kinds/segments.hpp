@@ -8,7 +8,7 @@
 #include "core/random.hpp"
 #include "tasks/timeline.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// How waits that cannot be foreseen are chosen, and how long a frame is.
 class Pace {
@@ -47,4 +47,4 @@ using Segments = std::vector<Segment>;
 [[nodiscard]] Segments segments_of(const IndividuationSpec& spec, const Unit& unit, Pace& pace);
 [[nodiscard]] Segments segments_of(const ForceDirectionSpec& spec, const Unit& unit, Pace& pace);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -12,7 +12,7 @@
 #include "tasks/measures/onset.hpp"
 #include "tasks/measures/rate.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 std::vector<Measure> measures_of(const RestSpec&, const Record& record) {
   struct Axis {
@@ -39,9 +39,9 @@ namespace {
 
 /// Best window of one effort, above rest and in total, and the highest sample.
 struct EffortForces {
-  Computed above_rest = "no samples";
-  Computed total = "no samples";
-  Computed peak = "no samples";
+  statistics::Computed above_rest = "no samples";
+  statistics::Computed total = "no samples";
+  statistics::Computed peak = "no samples";
 };
 EffortForces effort_of(const Record& record, const Part& part, double window_s) {
   const auto force = record.signals().column("actual_force_N");
@@ -62,8 +62,9 @@ EffortForces effort_of(const Record& record, const Part& part, double window_s) 
   effort.above_rest = effort.total;
   const double resting_N = known_in(record, part, "resting_force_N");
   if (effort.total.value)
-    effort.above_rest = std::isnan(resting_N) ? Computed("the resting force was not measured")
-                                              : Computed(*effort.total.value - resting_N);
+    effort.above_rest = std::isnan(resting_N)
+                            ? statistics::Computed("the resting force was not measured")
+                            : statistics::Computed(*effort.total.value - resting_N);
   return effort;
 }
 
@@ -72,7 +73,7 @@ void add_rates(const Record& record, const Part& part, const std::string& channe
                MeasureList& list) {
   const Trace trace = trace_of(record, part.first, part.last);
   list.add("peak_rate", channel, "N/s", trace.section, peak_rate(trace.t_s, trace.force_N));
-  Computed early = "the force before the cue is not known";
+  statistics::Computed early = "the force before the cue is not known";
   const auto before = trace_of(record, 0, part.first);
   if (const auto rest = resting_level(before.force_N)) {
     const double resolution_N = known_in(record, part, "resolution_N");
@@ -80,7 +81,7 @@ void add_rates(const Record& record, const Part& part, const std::string& channe
     const auto begin =
         onset(trace.t_s, trace.force_N, rest->mean + rest->margin(lsb_N), Change::rise);
     early = begin ? early_rate(trace.t_s, trace.force_N, *begin)
-                  : Computed("the force never rose above rest");
+                  : statistics::Computed("the force never rose above rest");
   }
   list.add("early_rate", channel, "N/s", trace.section, early);
 }
@@ -93,7 +94,7 @@ void add_coflexion(const Record& record, const Part& part, const std::string& ch
   const NormalForces before = normal_forces(record, first, part.first);
   const Section opening =
       record.select(part.first, part.last, {}, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
-  Computed share = "the force before the cue is not known";
+  statistics::Computed share = "the force before the cue is not known";
   if (!before.section.rows.empty() && opening.reason.empty()) {
     // A window must be uninterrupted, so these lists keep the rows that do not count.
     const std::size_t rows = part.last - part.first;
@@ -164,7 +165,7 @@ std::vector<Measure> measures_of(const DirectionalMaximaSpec& spec, const Record
              *effort.total.value > 0.0
                  ? direction_error(force_N, axis_of(part.channel.direction), vectors.weight_s,
                                    kOfMaximum * *effort.total.value)
-                 : Computed("no force in this direction"));
+                 : statistics::Computed("no force in this direction"));
     if (part.channel.direction == Direction::minus_z)
       add_coflexion(record, part, channel, spec.window_s, list);
   }
@@ -176,11 +177,11 @@ std::vector<Measure> measures_of(const FatigueSpec& spec, const Record& record) 
   const std::string channel = name_of(spec.aim.channel);
   for (const Part& part : efforts_of(record)) {
     const Trace trace = trace_of(record, part.first, part.last, true);
-    const auto add = [&](const char* name, const char* unit, const Computed& computed) {
+    const auto add = [&](const char* name, const char* unit, const statistics::Computed& computed) {
       list.add(name, channel, unit, trace.section, computed);
     };
     add("fatigue_slope", "%/s", fatigue_slope(trace.t_s, trace.force_N));
-    const EventTime fading = time_to_fatigue(trace.t_s, trace.force_N);
+    const statistics::EventTime fading = time_to_fatigue(trace.t_s, trace.force_N);
     add("endurance", "s", fading.time_s);
     add("rmse", "N", rmse(trace.target_N, trace.force_N, trace.weight_s));
     add("mean_force", "N", weighted_mean(trace.force_N, trace.weight_s));
@@ -193,4 +194,4 @@ std::vector<Measure> measures_of(const FatigueSpec& spec, const Record& record) 
   return list.take();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

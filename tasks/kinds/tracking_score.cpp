@@ -18,7 +18,7 @@
 #include "tasks/measures/steadiness.hpp"
 #include "tasks/waveform.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -28,7 +28,7 @@ constexpr const char* kTrackingTooShort = "fewer than two samples";
 void add_errors(const Record& record, const Trace& trace, double band_fraction,
                 const std::string& channel, MeasureList& list) {
   const auto& [section, t_s, force_N, target_N, weight_s] = trace;
-  const auto add = [&](const char* name, const char* unit, const Computed& computed) {
+  const auto add = [&](const char* name, const char* unit, const statistics::Computed& computed) {
     list.add(name, channel, unit, trace.section, computed);
   };
   const double noise_N = record.constant("noise_sd_N").value_or(0.0);
@@ -42,9 +42,10 @@ void add_errors(const Record& record, const Trace& trace, double band_fraction,
 /// Lag with the raw value beside the one without the known delay.
 void add_lag(const Record& record, const Trace& trace, const std::string& channel,
              MeasureList& list) {
-  const Computed raw = trace.t_s.size() < 2 ? Computed(kTrackingTooShort)
-                                            : lag(on_uniform_grid(trace.t_s, trace.target_N),
-                                                  on_uniform_grid(trace.t_s, trace.force_N));
+  const statistics::Computed raw = trace.t_s.size() < 2
+                                       ? statistics::Computed(kTrackingTooShort)
+                                       : lag(statistics::on_uniform_grid(trace.t_s, trace.target_N),
+                                             statistics::on_uniform_grid(trace.t_s, trace.force_N));
   list.add("lag", channel, "s", trace.section, raw);
   list.add("lag_corrected", channel, "s", trace.section,
            without_delay(raw, record.known_delay_s()).corrected_s);
@@ -66,12 +67,12 @@ void add_sines(const ForceTrackingSpec& spec, const Trace& trace, MeasureList& l
 }
 
 void add_smoothness(const Trace& trace, MeasureList& list) {
-  Computed arc = kTrackingTooShort;
-  Computed jerk = kTrackingTooShort;
-  Computed entropy = kTrackingTooShort;
+  statistics::Computed arc = kTrackingTooShort;
+  statistics::Computed jerk = kTrackingTooShort;
+  statistics::Computed entropy = kTrackingTooShort;
   if (trace.t_s.size() >= 2) {
-    const UniformSamples force = on_uniform_grid(trace.t_s, trace.force_N);
-    const UniformSamples rate = rate_of(force);
+    const statistics::UniformSamples force = statistics::on_uniform_grid(trace.t_s, trace.force_N);
+    const statistics::UniformSamples rate = rate_of(force);
     arc = sparc(rate);
     jerk = ldlj(rate);
     entropy = sample_entropy(force.values);
@@ -82,8 +83,8 @@ void add_smoothness(const Trace& trace, MeasureList& list) {
 }
 
 /// Rows from the first active one to the last: those of the waveform, pauses included.
-RowRange waveform_rows(const Record& record) {
-  RowRange rows{0, record.rows()};
+statistics::RowRange waveform_rows(const Record& record) {
+  statistics::RowRange rows{0, record.rows()};
   while (rows.first < rows.end && record.phase(rows.first) != Phase::active) ++rows.first;
   while (rows.end > rows.first && record.phase(rows.end - 1) != Phase::active) --rows.end;
   return rows;
@@ -91,10 +92,11 @@ RowRange waveform_rows(const Record& record) {
 
 /// The piece of the waveform from one time after its beginning to another.
 Trace piece_of(const Record& record, double from_s, double to_s) {
-  const RowRange wave = waveform_rows(record);
+  const statistics::RowRange wave = waveform_rows(record);
   if (wave.count() == 0) return trace_of(record, 0, 0, true);
   const auto t_s = record.task_times_s().subspan(wave.first, wave.count());
-  const RowRange piece = rows_between(t_s, t_s.front() + from_s, t_s.front() + to_s);
+  const statistics::RowRange piece =
+      statistics::rows_between(t_s, t_s.front() + from_s, t_s.front() + to_s);
   return trace_of(record, wave.first + piece.first, wave.first + piece.end, true);
 }
 
@@ -271,10 +273,10 @@ std::vector<Measure> measures_of(const SteadinessSpec& spec, const Record& recor
              time_in_band(hold.target_N, hold.force_N, hold.weight_s, spec.aim.band_fraction,
                           std::isnan(noise_N) ? 0.0 : noise_N));
     const bool enough = hold.t_s.size() >= 2;
-    const UniformSamples force =
-        enough ? on_uniform_grid(hold.t_s, hold.force_N) : UniformSamples{};
+    const statistics::UniformSamples force =
+        enough ? statistics::on_uniform_grid(hold.t_s, hold.force_N) : statistics::UniformSamples{};
     list.add("sample_entropy", channel, "", hold.section,
-             enough ? sample_entropy(force.values) : Computed(kTrackingTooShort));
+             enough ? sample_entropy(force.values) : statistics::Computed(kTrackingTooShort));
     const PowerSpectrum spectrum =
         enough ? welch(force) : PowerSpectrum{0.0, {}, kTrackingTooShort};
     for (const auto& [name, band] :
@@ -288,4 +290,4 @@ std::vector<Measure> measures_of(const SteadinessSpec& spec, const Record& recor
   return list.take();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

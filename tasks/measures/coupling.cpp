@@ -9,7 +9,7 @@
 
 #include "statistics/weighted.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -69,7 +69,8 @@ std::vector<double> opposing_mean(std::span<const double> thumb_N,
   return grip_N;
 }
 
-Coupling grip_load_coupling(const UniformSamples& grip, const UniformSamples& load) {
+Coupling grip_load_coupling(const statistics::UniformSamples& grip,
+                            const statistics::UniformSamples& load) {
   assert(grip.values.size() == load.values.size());
   constexpr double kMost_s = 0.5;
   constexpr double kRoundingSlack = 1e-9;
@@ -107,8 +108,8 @@ Coupling grip_load_coupling(const UniformSamples& grip, const UniformSamples& lo
   return coupling;
 }
 
-Computed safety_margin(std::span<const double> grip_N, std::span<const double> needed_N,
-                       std::span<const double> weight) {
+statistics::Computed safety_margin(std::span<const double> grip_N, std::span<const double> needed_N,
+                                   std::span<const double> weight) {
   assert(grip_N.size() == needed_N.size() && grip_N.size() == weight.size());
   double sum = 0.0;
   double total = 0.0;
@@ -131,31 +132,32 @@ struct Moments {
   [[nodiscard]] bool vary() const { return variance > 1e-24 * mean * mean && variance > 0.0; }
 };
 std::optional<Moments> moments_of(std::span<const double> x, std::span<const double> weight) {
-  const Computed mean = weighted_mean_of(weight, [&](std::size_t k) { return x[k]; });
+  const statistics::Computed mean =
+      statistics::weighted_mean_of(weight, [&](std::size_t k) { return x[k]; });
   if (!mean.value) return std::nullopt;
-  const Computed variance =
-      weighted_mean_of(weight, [&](std::size_t k) { return std::pow(x[k] - *mean.value, 2); });
+  const statistics::Computed variance = statistics::weighted_mean_of(
+      weight, [&](std::size_t k) { return std::pow(x[k] - *mean.value, 2); });
   return Moments{*mean.value, *variance.value};
 }
 
 }  // namespace
 
-Computed correlation(std::span<const double> x, std::span<const double> y,
-                     std::span<const double> weight) {
+statistics::Computed correlation(std::span<const double> x, std::span<const double> y,
+                                 std::span<const double> weight) {
   const auto a = moments_of(x, weight);
   const auto b = moments_of(y, weight);
   if (!a || !b) return "no samples";
   if (!a->vary() || !b->vary()) return "a signal does not vary";
-  const Computed together =
-      weighted_mean_of(weight, [&](std::size_t k) { return (x[k] - a->mean) * (y[k] - b->mean); });
+  const statistics::Computed together = statistics::weighted_mean_of(
+      weight, [&](std::size_t k) { return (x[k] - a->mean) * (y[k] - b->mean); });
   return std::clamp(*together.value / std::sqrt(a->variance * b->variance), -1.0, 1.0);
 }
 
-Computed variation(std::span<const double> x, std::span<const double> weight) {
+statistics::Computed variation(std::span<const double> x, std::span<const double> weight) {
   const auto of = moments_of(x, weight);
   if (!of) return "no samples";
   if (!(of->mean > 0.0)) return "the mean is not positive";
   return 100.0 * std::sqrt(of->variance) / of->mean;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -163,7 +163,8 @@ bool varies(std::span<const double> x) {
 
 }  // namespace
 
-Computed lag(const UniformSamples& target, const UniformSamples& actual) {
+statistics::Computed lag(const statistics::UniformSamples& target,
+                         const statistics::UniformSamples& actual) {
   assert(target.values.size() == actual.values.size());
   constexpr double kMost_s = 1.5;
   constexpr double kLeastCorrelation = 0.35;
@@ -200,4 +201,4 @@ Computed lag(const UniformSamples& target, const UniformSamples& actual) {
   return (static_cast<double>(peak) + part) * target.step_s;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -7,12 +7,13 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Lag by cross-correlation [s], version 1; positive when `actual` follows `target`. Pearson r over
 /// the overlapping samples, re-centred at each whole shift within +-1.5 s; parabola through the
 /// peak. No value if r < 0.35 everywhere, or if the peak lies at the limit.
 /// @pre both on the same uniform grid
-[[nodiscard]] Computed lag(const UniformSamples& target, const UniformSamples& actual);
+[[nodiscard]] statistics::Computed lag(const statistics::UniformSamples& target,
+                                       const statistics::UniformSamples& actual);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

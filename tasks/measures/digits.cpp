@@ -8,7 +8,7 @@
 #include "statistics/quantile.hpp"
 #include "tasks/measures/error.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -18,7 +18,8 @@ double rise_of(const DigitHold& hold, Finger finger) {
 
 }  // namespace
 
-Computed enslaving(std::span<const DigitHold> holds, Finger i, Finger j, double least_rise_N) {
+statistics::Computed enslaving(std::span<const DigitHold> holds, Finger i, Finger j,
+                               double least_rise_N) {
   double sum = 0.0;
   int count = 0;
   for (const DigitHold& hold : holds) {
@@ -31,8 +32,8 @@ Computed enslaving(std::span<const DigitHold> holds, Finger i, Finger j, double 
   return sum / count;
 }
 
-Computed enslaving_of_maximum(std::span<const DigitHold> holds, Finger i, Finger j,
-                              double maximum_i_N) {
+statistics::Computed enslaving_of_maximum(std::span<const DigitHold> holds, Finger i, Finger j,
+                                          double maximum_i_N) {
   if (!(maximum_i_N > 0.0)) return "the maximum of the digit is not known";
   double sum_N = 0.0;
   int count = 0;
@@ -45,8 +46,8 @@ Computed enslaving_of_maximum(std::span<const DigitHold> holds, Finger i, Finger
   return sum_N / count / maximum_i_N;
 }
 
-Computed uninstructed_deviation(const DigitForces& forces, Finger instructed,
-                                const PerDigit& start_N) {
+statistics::Computed uninstructed_deviation(const DigitForces& forces, Finger instructed,
+                                            const PerDigit& start_N) {
   double squares = 0.0;
   double total = 0.0;
   for (const Finger finger : kFingers) {
@@ -63,7 +64,7 @@ Computed uninstructed_deviation(const DigitForces& forces, Finger instructed,
   return std::sqrt(squares / total);
 }
 
-Computed individuation_slope(std::span<const Individuation> holds) {
+statistics::Computed individuation_slope(std::span<const Individuation> holds) {
   constexpr std::size_t kLeastHolds = 3;  // of two, neither is an outlier
   std::vector<double> ratio;
   std::vector<double> force_N;
@@ -74,42 +75,43 @@ Computed individuation_slope(std::span<const Individuation> holds) {
   }
   if (ratio.size() < kLeastHolds) return "fewer than three holds with force";
   constexpr double kHalf = 0.5;
-  return quantile(ratio, force_N, kHalf);
+  return statistics::quantile(ratio, force_N, kHalf);
 }
 
-Computed individuation_index(std::span<const Individuation> holds) {
-  const Computed slope = individuation_slope(holds);
+statistics::Computed individuation_index(std::span<const Individuation> holds) {
+  const statistics::Computed slope = individuation_slope(holds);
   if (!slope.value) return slope;
   if (!(*slope.value > 0.0)) return "the other digits did not move";
   return -std::log(*slope.value);
 }
 
-Computed coflexion(const DigitForces& forces, const std::vector<bool>& valid, double window_s) {
+statistics::Computed coflexion(const DigitForces& forces, const std::vector<bool>& valid,
+                               double window_s) {
   std::vector<double> pull_N(forces.weight.size(), 0.0);
   double press_N = 0.0;
   for (const auto& force_N : forces.force_N) {
     assert(force_N.size() == forces.weight.size());
     for (std::size_t k = 0; k < pull_N.size(); ++k) pull_N[k] += std::max(0.0, -force_N[k]);
-    const Computed best = best_moving_mean(force_N, forces.weight, valid, window_s);
+    const statistics::Computed best = best_moving_mean(force_N, forces.weight, valid, window_s);
     press_N = std::max(press_N, best.value.value_or(0.0));
   }
-  const Computed opening_N = best_moving_mean(pull_N, forces.weight, valid, window_s);
+  const statistics::Computed opening_N = best_moving_mean(pull_N, forces.weight, valid, window_s);
   if (!opening_N.value) return opening_N;
   if (!(*opening_N.value > 0.0)) return "there was no opening force";
   return 100.0 * press_N / *opening_N.value;
 }
 
-Computed sharing(const PerDigit& mean_N, Finger finger) {
+statistics::Computed sharing(const PerDigit& mean_N, Finger finger) {
   double sum_N = 0.0;
   for (const double force_N : mean_N) sum_N += force_N;
   if (!(sum_N > 0.0)) return "the digits did not press";
   return 100.0 * mean_N[index_of(finger)] / sum_N;
 }
 
-Computed thumb_opposition(const PerDigit& mean_N) {
+statistics::Computed thumb_opposition(const PerDigit& mean_N) {
   const double fingers_N = mean_N[index_of(Finger::index)] + mean_N[index_of(Finger::middle)];
   if (!(fingers_N > 0.0)) return "the fingers did not press";
   return mean_N[index_of(Finger::thumb)] / fingers_N;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -7,14 +7,14 @@
 
 #include "statistics/quantile.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 double angle_of(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-Computed direction_error(std::span<const Vec3> force_N, const Vec3& direction,
-                         std::span<const double> weight, double least_N) {
+statistics::Computed direction_error(std::span<const Vec3> force_N, const Vec3& direction,
+                                     std::span<const double> weight, double least_N) {
   assert(force_N.size() == weight.size() && direction.norm() > 0.0);
   double sum = 0.0;
   double total = 0.0;
@@ -27,8 +27,8 @@ Computed direction_error(std::span<const Vec3> force_N, const Vec3& direction,
   return sum / total;
 }
 
-Computed projection_ratio(std::span<const Vec3> force_N, const Vec3& direction,
-                          std::span<const double> weight) {
+statistics::Computed projection_ratio(std::span<const Vec3> force_N, const Vec3& direction,
+                                      std::span<const double> weight) {
   assert(force_N.size() == weight.size() && direction.norm() > 0.0);
   const Vec3 unit = direction.normalized();
   double useful = 0.0;
@@ -41,8 +41,8 @@ Computed projection_ratio(std::span<const Vec3> force_N, const Vec3& direction,
   return useful / whole;
 }
 
-Computed path_deviation(std::span<const std::vector<double>> digits_N,
-                        std::span<const double> weight) {
+statistics::Computed path_deviation(std::span<const std::vector<double>> digits_N,
+                                    std::span<const double> weight) {
   if (digits_N.empty() || weight.size() < 2) return "fewer than two samples";
   double length = 0.0;  // squared
   for (const auto& force_N : digits_N) {
@@ -84,7 +84,7 @@ PushSummary summary_of_push(std::span<const double> push_N, std::span<const doub
     if (percent.back() > kFlagged) above += weight[k];
   }
   if (!(total > 0.0)) return {"there was no grip", "there was no grip"};
-  return {quantile(percent, held, kMedian), 100.0 * above / total};
+  return {statistics::quantile(percent, held, kMedian), 100.0 * above / total};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -8,26 +8,26 @@
 #include "statistics/line.hpp"
 #include "statistics/weighted.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
-Computed percent(Computed share) {
+statistics::Computed percent(statistics::Computed share) {
   if (share.value) share.value = 100.0 * *share.value;
   return share;
 }
 
 }  // namespace
 
-Computed weighted_mean(std::span<const double> x, std::span<const double> weight) {
+statistics::Computed weighted_mean(std::span<const double> x, std::span<const double> weight) {
   assert(x.size() == weight.size());
-  return weighted_mean_of(weight, [&](std::size_t k) { return x[k]; });
+  return statistics::weighted_mean_of(weight, [&](std::size_t k) { return x[k]; });
 }
 
-Computed rmse(std::span<const double> target, std::span<const double> actual,
-              std::span<const double> weight) {
+statistics::Computed rmse(std::span<const double> target, std::span<const double> actual,
+                          std::span<const double> weight) {
   assert(target.size() == actual.size() && target.size() == weight.size());
-  Computed mean_square = weighted_mean_of(weight, [&](std::size_t k) {
+  statistics::Computed mean_square = statistics::weighted_mean_of(weight, [&](std::size_t k) {
     const double e = actual[k] - target[k];
     return e * e;
   });
@@ -35,21 +35,22 @@ Computed rmse(std::span<const double> target, std::span<const double> actual,
   return mean_square;
 }
 
-Computed mae(std::span<const double> target, std::span<const double> actual,
-             std::span<const double> weight) {
+statistics::Computed mae(std::span<const double> target, std::span<const double> actual,
+                         std::span<const double> weight) {
   assert(target.size() == actual.size() && target.size() == weight.size());
-  return weighted_mean_of(weight, [&](std::size_t k) { return std::abs(actual[k] - target[k]); });
+  return statistics::weighted_mean_of(
+      weight, [&](std::size_t k) { return std::abs(actual[k] - target[k]); });
 }
 
-Computed constant_error(std::span<const double> target, std::span<const double> actual,
-                        std::span<const double> weight) {
+statistics::Computed constant_error(std::span<const double> target, std::span<const double> actual,
+                                    std::span<const double> weight) {
   assert(target.size() == actual.size() && target.size() == weight.size());
-  return weighted_mean_of(weight, [&](std::size_t k) { return actual[k] - target[k]; });
+  return statistics::weighted_mean_of(weight, [&](std::size_t k) { return actual[k] - target[k]; });
 }
 
-Computed relative_rmse(std::span<const double> target, std::span<const double> actual,
-                       std::span<const double> weight) {
-  Computed error = rmse(target, actual, weight);
+statistics::Computed relative_rmse(std::span<const double> target, std::span<const double> actual,
+                                   std::span<const double> weight) {
+  statistics::Computed error = rmse(target, actual, weight);
   if (!error.value) return error;
   double largest = 0.0;
   for (const double value : target) largest = std::max(largest, std::abs(value));
@@ -57,17 +58,18 @@ Computed relative_rmse(std::span<const double> target, std::span<const double> a
   return 100.0 * *error.value / largest;
 }
 
-Computed time_in_range(std::span<const double> target, std::span<const double> actual,
-                       std::span<const double> weight, double noise_sd) {
+statistics::Computed time_in_range(std::span<const double> target, std::span<const double> actual,
+                                   std::span<const double> weight, double noise_sd) {
   assert(target.size() == actual.size() && target.size() == weight.size());
   constexpr double kShareOfTarget = 0.05;
   return time_in_band(target, actual, weight, kShareOfTarget, noise_sd);
 }
 
-Computed time_in_band(std::span<const double> target, std::span<const double> actual,
-                      std::span<const double> weight, double share_of_target, double noise_sd) {
+statistics::Computed time_in_band(std::span<const double> target, std::span<const double> actual,
+                                  std::span<const double> weight, double share_of_target,
+                                  double noise_sd) {
   assert(target.size() == actual.size() && target.size() == weight.size());
-  return percent(weighted_mean_of(weight, [&](std::size_t k) {
+  return percent(statistics::weighted_mean_of(weight, [&](std::size_t k) {
     const double band = std::max(share_of_target * std::abs(target[k]), 3.0 * noise_sd);
     return std::abs(actual[k] - target[k]) <= band ? 1.0 : 0.0;
   }));
@@ -80,17 +82,17 @@ Corridor corridor(std::span<const double> lower, std::span<const double> upper,
   const auto outside = [&](std::size_t k) {
     return std::max({lower[k] - actual[k], actual[k] - upper[k], 0.0});
   };
-  Computed mean_square =
-      weighted_mean_of(weight, [&](std::size_t k) { return outside(k) * outside(k); });
+  statistics::Computed mean_square =
+      statistics::weighted_mean_of(weight, [&](std::size_t k) { return outside(k) * outside(k); });
   if (mean_square.value) mean_square.value = std::sqrt(*mean_square.value);
-  return {percent(weighted_mean_of(weight,
-                                   [&](std::size_t k) { return outside(k) > 0.0 ? 0.0 : 1.0; })),
-          weighted_mean_of(weight, outside), mean_square};
+  return {percent(statistics::weighted_mean_of(
+              weight, [&](std::size_t k) { return outside(k) > 0.0 ? 0.0 : 1.0; })),
+          statistics::weighted_mean_of(weight, outside), mean_square};
 }
 
-Computed cv(std::span<const double> t_s, std::span<const double> x) {
+statistics::Computed cv(std::span<const double> t_s, std::span<const double> x) {
   assert(t_s.size() == x.size());
-  const auto line = fit_line(t_s, x);
+  const auto line = statistics::fit_line(t_s, x);
   if (!line) return "fewer than three samples";
   double largest = 0.0;
   for (const double value : x) largest = std::max(largest, std::abs(value));
@@ -99,11 +101,11 @@ Computed cv(std::span<const double> t_s, std::span<const double> x) {
   return 100.0 * line->residual_sd / line->mean;
 }
 
-Computed best_moving_mean(std::span<const double> x, std::span<const double> weight,
-                          const std::vector<bool>& valid, double window_s) {
+statistics::Computed best_moving_mean(std::span<const double> x, std::span<const double> weight,
+                                      const std::vector<bool>& valid, double window_s) {
   assert(x.size() == weight.size() && x.size() == valid.size());
   constexpr double kRoundingSlack = 1e-9;  // a window of whole frames needs no part of one more
-  Computed best = "no uninterrupted window of valid samples is long enough";
+  statistics::Computed best = "no uninterrupted window of valid samples is long enough";
   for (std::size_t first = 0; first < x.size(); ++first) {
     double sum = 0.0;
     double missing_s = window_s;
@@ -120,4 +122,4 @@ Computed best_moving_mean(std::span<const double> x, std::span<const double> wei
   return best;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

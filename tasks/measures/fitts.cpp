@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -15,19 +15,19 @@ double mean_of(std::span<const AimedTrial> trials, Field field) {
   return sum / static_cast<double>(trials.size());
 }
 
-Computed difficulty(double distance, double width) {
+statistics::Computed difficulty(double distance, double width) {
   return std::log2(distance / width + 1.0);
 }
 
 }  // namespace
 
-Computed index_of_difficulty(double distance, double tolerance) {
+statistics::Computed index_of_difficulty(double distance, double tolerance) {
   if (!(tolerance > 0.0)) return "the target has no width";
   if (!(distance >= 0.0)) return "the distance is negative";
   return difficulty(distance, 2.0 * tolerance);
 }
 
-Computed effective_width(std::span<const AimedTrial> trials) {
+statistics::Computed effective_width(std::span<const AimedTrial> trials) {
   constexpr std::size_t kLeastTrials = 10;  // the SD of ten is known to about a quarter
   constexpr double kWidthOfSd = 4.133;      // sqrt(2 pi e): as much information as a uniform width
   if (trials.size() < kLeastTrials) return "fewer than ten trials";
@@ -44,8 +44,8 @@ Computed effective_width(std::span<const AimedTrial> trials) {
   return kWidthOfSd * sd;
 }
 
-Computed throughput(std::span<const AimedTrial> trials) {
-  const Computed width = effective_width(trials);
+statistics::Computed throughput(std::span<const AimedTrial> trials) {
+  const statistics::Computed width = effective_width(trials);
   if (!width.value) return width;
   const double distance = mean_of(trials, &AimedTrial::distance);
   const double time_s = mean_of(trials, &AimedTrial::time_s);
@@ -53,4 +53,4 @@ Computed throughput(std::span<const AimedTrial> trials) {
   return *difficulty(distance, *width.value).value / time_s;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

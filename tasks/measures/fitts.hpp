@@ -4,11 +4,11 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Index of difficulty, version 1 [bit]: log2(distance / width + 1), the Shannon form (MacKenzie
 /// 1992), with width = 2 tolerance.
-[[nodiscard]] Computed index_of_difficulty(double distance, double tolerance);
+[[nodiscard]] statistics::Computed index_of_difficulty(double distance, double tolerance);
 
 /// One movement to a target.
 struct AimedTrial {
@@ -18,10 +18,10 @@ struct AimedTrial {
 };
 /// Effective width, version 1, unit of distance: 4.133 SD (n - 1) of the end points; 96 % of
 /// normally distributed ends lie in it. No value for fewer than ten trials.
-[[nodiscard]] Computed effective_width(std::span<const AimedTrial> trials);
+[[nodiscard]] statistics::Computed effective_width(std::span<const AimedTrial> trials);
 /// Throughput, version 1 [bit/s]: log2(mean distance / effective width + 1) / mean time, of trials
 /// of one distance and tolerance. Time-outs have no movement time and do not belong here: read the
 /// proportion that reached the target first.
-[[nodiscard]] Computed throughput(std::span<const AimedTrial> trials);
+[[nodiscard]] statistics::Computed throughput(std::span<const AimedTrial> trials);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

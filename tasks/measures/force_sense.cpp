@@ -6,7 +6,7 @@
 
 #include "tasks/measures/onset.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 ForceSense force_sense(std::span<const double> target, std::span<const double> reproduced) {
   assert(target.size() == reproduced.size());
@@ -22,7 +22,7 @@ ForceSense force_sense(std::span<const double> target, std::span<const double> r
   }
   const auto spread = resting_level(error);
   return {sum / static_cast<double>(n), absolute / static_cast<double>(n),
-          spread ? Computed(spread->sd) : Computed("one repetition only")};
+          spread ? statistics::Computed(spread->sd) : statistics::Computed("one repetition only")};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -6,16 +6,16 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Errors e = reproduced - target, one per repetition, version 1, unit of force. (Schmidt's three)
 struct ForceSense {
-  Computed constant_error;  ///< mean of e; positive: too strong
-  Computed absolute_error;  ///< mean of |e|
-  Computed variable_error;  ///< SD(n - 1) of e; needs two repetitions
+  statistics::Computed constant_error;  ///< mean of e; positive: too strong
+  statistics::Computed absolute_error;  ///< mean of |e|
+  statistics::Computed variable_error;  ///< SD(n - 1) of e; needs two repetitions
 };
 /// @pre equal lengths
 [[nodiscard]] ForceSense force_sense(std::span<const double> target,
                                      std::span<const double> reproduced);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/measures/known_delay.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
-DelayCorrected without_delay(Computed raw_s, std::optional<double> delay_s) {
+DelayCorrected without_delay(statistics::Computed raw_s, std::optional<double> delay_s) {
   DelayCorrected result{raw_s, raw_s};
   if (!raw_s.value) return result;
   if (delay_s)
@@ -13,4 +13,4 @@ DelayCorrected without_delay(Computed raw_s, std::optional<double> delay_s) {
   return result;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -6,13 +6,14 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// A time as measured and as it would be without delay, version 1 [s].
 struct DelayCorrected {
-  Computed raw_s;
-  Computed corrected_s;  ///< raw - delay; no value while the delay is not known
+  statistics::Computed raw_s;
+  statistics::Computed corrected_s;  ///< raw - delay; no value while the delay is not known
 };
-[[nodiscard]] DelayCorrected without_delay(Computed raw_s, std::optional<double> delay_s);
+[[nodiscard]] DelayCorrected without_delay(statistics::Computed raw_s,
+                                           std::optional<double> delay_s);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -10,37 +10,38 @@
 #include "statistics/weighted.hpp"
 #include "tasks/measures/direction.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
-Computed mean_distance(std::span<const Vec3> actual_m, std::span<const Vec3> target_m,
-                       std::span<const double> weight) {
+statistics::Computed mean_distance(std::span<const Vec3> actual_m, std::span<const Vec3> target_m,
+                                   std::span<const double> weight) {
   assert(actual_m.size() == weight.size() && target_m.size() == weight.size());
-  return weighted_mean_of(weight,
-                          [&](std::size_t k) { return (actual_m[k] - target_m[k]).norm(); });
+  return statistics::weighted_mean_of(
+      weight, [&](std::size_t k) { return (actual_m[k] - target_m[k]).norm(); });
 }
 
-Computed mean_angle(std::span<const Quat> actual, std::span<const Quat> target,
-                    std::span<const double> weight) {
+statistics::Computed mean_angle(std::span<const Quat> actual, std::span<const Quat> target,
+                                std::span<const double> weight) {
   assert(actual.size() == weight.size() && target.size() == weight.size());
-  return weighted_mean_of(weight,
-                          [&](std::size_t k) { return angle_between(actual[k], target[k]); });
+  return statistics::weighted_mean_of(
+      weight, [&](std::size_t k) { return angle_between(actual[k], target[k]); });
 }
 
 double axis_angle(const Quat& a, const Quat& b, const Vec3& axis_O) {
   return angle_of(a * axis_O, b * axis_O);
 }
 
-Computed mean_axis_angle(std::span<const Quat> actual, std::span<const Quat> target,
-                         const Vec3& axis_O, std::span<const double> weight, bool either_way) {
+statistics::Computed mean_axis_angle(std::span<const Quat> actual, std::span<const Quat> target,
+                                     const Vec3& axis_O, std::span<const double> weight,
+                                     bool either_way) {
   assert(actual.size() == weight.size() && target.size() == weight.size());
-  return weighted_mean_of(weight, [&](std::size_t k) {
+  return statistics::weighted_mean_of(weight, [&](std::size_t k) {
     const double angle = axis_angle(actual[k], target[k], axis_O);
     return either_way ? std::min(angle, std::numbers::pi - angle) : angle;
   });
 }
 
-Computed rms_angle(std::span<const Quat> actual, std::span<const Quat> target,
-                   std::span<const double> weight) {
+statistics::Computed rms_angle(std::span<const Quat> actual, std::span<const Quat> target,
+                               std::span<const double> weight) {
   assert(actual.size() == weight.size() && target.size() == weight.size());
   double squares = 0.0;
   double total = 0.0;
@@ -63,7 +64,7 @@ double path_length(std::span<const Vec3> position_m) {
   return length_m;
 }
 
-Computed path_efficiency(std::span<const std::vector<Vec3>> ways_m) {
+statistics::Computed path_efficiency(std::span<const std::vector<Vec3>> ways_m) {
   double straight_m = 0.0;
   double length_m = 0.0;
   for (const auto& way_m : ways_m) {
@@ -75,4 +76,4 @@ Computed path_efficiency(std::span<const std::vector<Vec3>> ways_m) {
   return 100.0 * straight_m / length_m;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

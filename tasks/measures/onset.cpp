@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 double RestingLevel::margin(double lsb) const {
   return std::max(3.0 * sd, 2.0 * lsb);
@@ -26,7 +26,7 @@ std::optional<RestingLevel> level_before(std::span<const double> t_s, std::span<
                                          double cue_s) {
   assert(t_s.size() == x.size());
   constexpr double kLevel_s = 1.0;  // long enough for a slow tremor to show in the SD
-  const RowRange before = rows_between(t_s, cue_s - kLevel_s, cue_s);
+  const statistics::RowRange before = statistics::rows_between(t_s, cue_s - kLevel_s, cue_s);
   return resting_level(x.subspan(before.first, before.count()));
 }
 
@@ -46,7 +46,7 @@ std::vector<bool> beyond(std::span<const double> x, double threshold, Change cha
 std::optional<std::size_t> onset(std::span<const double> t_s, std::span<const double> x,
                                  double threshold, Change change) {
   assert(t_s.size() == x.size());
-  const auto found = stretches(t_s, beyond(x, threshold, change), kOnset_s);
+  const auto found = statistics::stretches(t_s, beyond(x, threshold, change), kOnset_s);
   if (found.empty()) return std::nullopt;
   return found.front().first;
 }
@@ -55,17 +55,20 @@ Reaction reaction(std::span<const double> t_s, std::span<const double> x, double
                   const RestingLevel& before, double lsb, Change change) {
   assert(t_s.size() == x.size());
   constexpr double kAnticipation_s = 0.1;
-  if (t_s.empty() || is_earlier(t_s.back(), cue_s)) return {{"no samples after the cue", {}}, {}};
+  if (t_s.empty() || statistics::is_earlier(t_s.back(), cue_s))
+    return {{"no samples after the cue", {}}, {}};
   const double margin = before.margin(lsb);
   const double threshold = before.mean + (change == Change::rise ? margin : -margin);
-  for (const Stretch& stretch : stretches(t_s, beyond(x, threshold, change), kOnset_s)) {
-    if (is_earlier(t_s[stretch.end - 1], cue_s)) continue;  // over before the cue: no answer to it
+  for (const statistics::Stretch& stretch :
+       statistics::stretches(t_s, beyond(x, threshold, change), kOnset_s)) {
+    if (statistics::is_earlier(t_s[stretch.end - 1], cue_s))
+      continue;  // over before the cue: no answer to it
     const double time_s = t_s[stretch.first] - cue_s;
-    if (is_earlier(time_s, kAnticipation_s))
+    if (statistics::is_earlier(time_s, kAnticipation_s))
       return {{"anticipated: less than 100 ms after the cue", {}}, time_s};
     return {{time_s, {}}, {}};
   }
   return {{"no reaction to the cue", t_s.back() - cue_s}, {}};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

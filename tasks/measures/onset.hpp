@@ -7,7 +7,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// What a signal does while nothing is asked, unit of x.
 struct RestingLevel {
@@ -33,7 +33,7 @@ enum class Change { rise, fall };
 /// Reaction time, version 1 [s]: from the cue to the onset of the change that lasts beyond it, past
 /// mean +- margin(lsb). Less than 100 ms after the cue is anticipation: no reaction, counted apart.
 struct Reaction {
-  EventTime time;
+  statistics::EventTime time;
   std::optional<double> anticipated_s;  ///< onset - cue, below 0.1 s, perhaps negative
 };
 /// `t_s` and `x` may begin before the cue. @pre t_s.size() == x.size()
@@ -41,4 +41,4 @@ struct Reaction {
                                 double cue_s, const RestingLevel& before, double lsb,
                                 Change change);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -7,27 +7,27 @@
 
 #include "core/butterworth.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
 constexpr double kCutoff_Hz = 5.0;
 constexpr const char* kTooFew = "too few samples for a 5 Hz low-pass";
 
-std::optional<UniformSamples> rate_on_grid(std::span<const double> t_s,
-                                           std::span<const double> force_N) {
+std::optional<statistics::UniformSamples> rate_on_grid(std::span<const double> t_s,
+                                                       std::span<const double> force_N) {
   assert(t_s.size() == force_N.size());
   if (t_s.size() < 2) return std::nullopt;
-  return rate_of_change(on_uniform_grid(t_s, force_N));
+  return rate_of_change(statistics::on_uniform_grid(t_s, force_N));
 }
 
 }  // namespace
 
-std::optional<UniformSamples> rate_of_change(const UniformSamples& x) {
+std::optional<statistics::UniformSamples> rate_of_change(const statistics::UniformSamples& x) {
   const std::size_t n = x.values.size();
   if (n < 3 || 2.0 * kCutoff_Hz * x.step_s >= 1.0) return std::nullopt;
   const auto smooth = filtered_zero_phase(butterworth2(1.0 / x.step_s, kCutoff_Hz), x.values);
-  UniformSamples rate{x.step_s, std::vector<double>(n)};
+  statistics::UniformSamples rate{x.step_s, std::vector<double>(n)};
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t before = k == 0 ? 0 : k - 1;
     const std::size_t after = k + 1 == n ? k : k + 1;
@@ -37,7 +37,7 @@ std::optional<UniformSamples> rate_of_change(const UniformSamples& x) {
   return rate;
 }
 
-Computed peak_rate(std::span<const double> t_s, std::span<const double> force_N) {
+statistics::Computed peak_rate(std::span<const double> t_s, std::span<const double> force_N) {
   const auto rate = rate_on_grid(t_s, force_N);
   if (!rate) return kTooFew;
   const double largest = *std::max_element(rate->values.begin(), rate->values.end());
@@ -45,7 +45,7 @@ Computed peak_rate(std::span<const double> t_s, std::span<const double> force_N)
   return largest;
 }
 
-Computed peak_relaxation(std::span<const double> t_s, std::span<const double> force_N) {
+statistics::Computed peak_relaxation(std::span<const double> t_s, std::span<const double> force_N) {
   const auto rate = rate_on_grid(t_s, force_N);
   if (!rate) return kTooFew;
   const double least = *std::min_element(rate->values.begin(), rate->values.end());
@@ -53,12 +53,12 @@ Computed peak_relaxation(std::span<const double> t_s, std::span<const double> fo
   return -least;
 }
 
-Computed early_rate(std::span<const double> t_s, std::span<const double> force_N,
-                    std::size_t onset) {
+statistics::Computed early_rate(std::span<const double> t_s, std::span<const double> force_N,
+                                std::size_t onset) {
   assert(t_s.size() == force_N.size() && onset < t_s.size());
   constexpr double kEarly_s = 0.2;
   const double end_s = t_s[onset] + kEarly_s;
-  const std::size_t k = first_row_from(t_s, end_s);
+  const std::size_t k = statistics::first_row_from(t_s, end_s);
   if (k == t_s.size()) return "the record ends within 0.2 s of the onset";
   const double share = (end_s - t_s[k - 1]) / (t_s[k] - t_s[k - 1]);
   const double end_N = force_N[k - 1] + share * (force_N[k] - force_N[k - 1]);
@@ -74,12 +74,12 @@ Pauses pauses(std::span<const double> t_s, std::span<const double> force_N, doub
   std::vector<bool> slow(rate->values.size());
   for (std::size_t k = 0; k < slow.size(); ++k)
     slow[k] = std::abs(rate->values[k]) < kShareOfRamp * std::abs(ramp_N_per_s);
-  const auto found = stretches(grid_times(*rate), slow, kPause_s);
+  const auto found = statistics::stretches(statistics::grid_times(*rate), slow, kPause_s);
   if (found.empty()) return {0.0, "no pauses"};
   double total_s = 0.0;
-  for (const Stretch& pause : found) total_s += pause.length_s;
+  for (const statistics::Stretch& pause : found) total_s += pause.length_s;
   const auto count = static_cast<double>(found.size());
   return {count, total_s / count};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -7,7 +7,7 @@
 
 #include <boost/sort/pdqsort/pdqsort.hpp>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -219,7 +219,7 @@ TemplateMatches template_matches(std::span<const double> x) {
   return MatchCounter(x, tolerance_of(x)).count();
 }
 
-Computed sample_entropy(std::span<const double> x) {
+statistics::Computed sample_entropy(std::span<const double> x) {
   if (x.size() <= kTemplate + 1) return "fewer than four samples";
   const auto [least, most] = std::minmax_element(x.begin(), x.end());
   if (*least == *most) return "the signal does not vary";
@@ -228,4 +228,4 @@ Computed sample_entropy(std::span<const double> x) {
   return -std::log(static_cast<double>(matches.longer) / static_cast<double>(matches.shorter));
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

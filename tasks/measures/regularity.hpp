@@ -7,7 +7,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Pairs of templates (i < j) that match: length m (B) and m + 1 (A).
 struct TemplateMatches {
@@ -17,6 +17,6 @@ struct TemplateMatches {
 /// m = 2, r = 0.2 population SD, Chebyshev distance <= r, N - m templates for both lengths.
 [[nodiscard]] TemplateMatches template_matches(std::span<const double> x);
 /// Sample entropy, version 1, dimensionless: -ln(A / B). Not detrended; lower is more regular.
-[[nodiscard]] Computed sample_entropy(std::span<const double> x);
+[[nodiscard]] statistics::Computed sample_entropy(std::span<const double> x);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

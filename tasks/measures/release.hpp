@@ -8,7 +8,7 @@
 #include "statistics/samples.hpp"
 #include "tasks/measures/onset.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// What was asked before the cue, and what the hand and the sensors do by themselves.
 struct AskedGrip {
@@ -26,15 +26,15 @@ struct AskedGrip {
 /// made if its mean is at least AskedGrip::least_N() above rest. Where none was made there is
 /// nothing to let go, so that nothing else has a value.
 struct Release {
-  std::optional<bool> grip_made;  ///< nothing: fewer than two rows before the cue, or none after
-  Reaction initiation;            ///< below mean held - max(3 SD held, 2 LSB) for 50 ms
-  EventTime release;    ///< from the cue to resting + 10 % of (peak held - resting) or less for
-                        ///< 50 ms, interpolated linearly
-  Computed residual_N;  ///< mean from 4.9 to 5.1 s after the cue, above resting
-  Computed fastest_N_per_s;  ///< largest -dF/dt after the cue (rate.hpp)
+  std::optional<bool> grip_made;    ///< nothing: fewer than two rows before the cue, or none after
+  Reaction initiation;              ///< below mean held - max(3 SD held, 2 LSB) for 50 ms
+  statistics::EventTime release;    ///< from the cue to resting + 10 % of (peak held - resting) or
+                                    ///< less for 50 ms, interpolated linearly
+  statistics::Computed residual_N;  ///< mean from 4.9 to 5.1 s after the cue, above resting
+  statistics::Computed fastest_N_per_s;  ///< largest -dF/dt after the cue (rate.hpp)
 };
 /// @pre t_s.size() == force_N.size()
 [[nodiscard]] Release release(std::span<const double> t_s, std::span<const double> force_N,
                               double cue_s, const AskedGrip& grip);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

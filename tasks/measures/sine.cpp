@@ -10,7 +10,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 std::optional<SineFit> fit_sine(std::span<const double> t_s, std::span<const double> x,
                                 double frequency_Hz) {
@@ -30,8 +30,8 @@ std::optional<SineFit> fit_sine(std::span<const double> t_s, std::span<const dou
   return SineFit{fitted[0], std::hypot(fitted[1], fitted[2]), std::atan2(fitted[2], fitted[1])};
 }
 
-Computed gain(std::span<const double> t_s, std::span<const double> target,
-              std::span<const double> actual, double frequency_Hz) {
+statistics::Computed gain(std::span<const double> t_s, std::span<const double> target,
+                          std::span<const double> actual, double frequency_Hz) {
   constexpr double kRoundingSlack = 1e-6;
   const double step_s = t_s.size() < 2 ? 0.0 : t_s[1] - t_s[0];
   if (t_s.size() < 3 || (t_s.back() - t_s.front() + step_s) * frequency_Hz < 1.0 - kRoundingSlack)
@@ -62,7 +62,7 @@ double smallest_difference(std::span<const double> frequencies_Hz) {
 Eigen::MatrixXd design(std::span<const double> t_s, std::span<const double> frequencies_Hz) {
   // On a regular grid each angle is the one before turned by a constant; a fresh start now and then
   // keeps the rounding of the turns near that of sin() itself.
-  const std::size_t fresh = is_regular(t_s) ? 32 : 1;
+  const std::size_t fresh = statistics::is_regular(t_s) ? 32 : 1;
   const auto n = static_cast<Eigen::Index>(t_s.size());
   const auto columns = 1 + 2 * static_cast<Eigen::Index>(frequencies_Hz.size());
   Eigen::MatrixXd matrix(n, columns);
@@ -98,7 +98,8 @@ class JointSines {
   JointSines(std::span<const double> t_s, std::span<const double> frequencies_Hz)
       : sines_(frequencies_Hz.size()) {
     constexpr double kRoundingSlack = 1e-6;
-    const double length_s = t_s.size() < 2 ? 0.0 : t_s.back() - t_s.front() + median_step(t_s);
+    const double length_s =
+        t_s.size() < 2 ? 0.0 : t_s.back() - t_s.front() + statistics::median_step(t_s);
     if (length_s * smallest_difference(frequencies_Hz) < 1.0 - kRoundingSlack) {
       reason_ = "less than one whole cycle of the smallest frequency or difference";
       return;
@@ -199,4 +200,4 @@ std::vector<SineAnswer> sine_answers(std::span<const double> t_s, std::span<cons
   return answers;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -9,7 +9,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Least-squares x = offset + amplitude sin(omega t + phase).
 struct SineFit {
@@ -21,8 +21,8 @@ struct SineFit {
                                               std::span<const double> x, double frequency_Hz);
 /// Gain, version 1, dimensionless: amplitude of actual / amplitude of target, both fitted at the
 /// target's frequency. Needs at least one whole cycle.
-[[nodiscard]] Computed gain(std::span<const double> t_s, std::span<const double> target,
-                            std::span<const double> actual, double frequency_Hz);
+[[nodiscard]] statistics::Computed gain(std::span<const double> t_s, std::span<const double> target,
+                                        std::span<const double> actual, double frequency_Hz);
 
 /// Least-squares x = offset + sum of amplitude_i sin(2 pi frequency_i t + phase_i), all together.
 struct SinesFit {
@@ -38,9 +38,10 @@ struct SinesFit {
 /// How one sine of the target is answered, version 1 but for the gain.
 struct SineAnswer {
   double frequency_Hz = 0.0;
-  Computed gain;       ///< amplitude of actual / amplitude of target
-  Computed phase_rad;  ///< of actual - of target, in (-pi, pi]
-  Computed lag_s;      ///< -phase / omega: positive when actual follows, known up to whole cycles
+  statistics::Computed gain;       ///< amplitude of actual / amplitude of target
+  statistics::Computed phase_rad;  ///< of actual - of target, in (-pi, pi]
+  statistics::Computed
+      lag_s;  ///< -phase / omega: positive when actual follows, known up to whole cycles
 };
 /// One per frequency, target and actual fitted jointly. @pre spans of samples have equal length
 [[nodiscard]] std::vector<SineAnswer> sine_answers(std::span<const double> t_s,
@@ -48,4 +49,4 @@ struct SineAnswer {
                                                    std::span<const double> actual,
                                                    std::span<const double> frequencies_Hz);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

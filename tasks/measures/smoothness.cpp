@@ -8,19 +8,19 @@
 
 #include "core/fourier.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
-UniformSamples speed_of(std::span<const UniformSamples> axes) {
+statistics::UniformSamples speed_of(std::span<const statistics::UniformSamples> axes) {
   const std::size_t n = axes.front().values.size();
   const double step_s = axes.front().step_s;
   assert(n >= 2);
-  UniformSamples speed{step_s, std::vector<double>(n)};
+  statistics::UniformSamples speed{step_s, std::vector<double>(n)};
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t before = k == 0 ? 0 : k - 1;
     const std::size_t after = k + 1 == n ? k : k + 1;
     const double span_s = static_cast<double>(after - before) * step_s;
     double squares = 0.0;
-    for (const UniformSamples& axis : axes) {
+    for (const statistics::UniformSamples& axis : axes) {
       const double v = (axis.values[after] - axis.values[before]) / span_s;
       squares += v * v;
     }
@@ -29,11 +29,11 @@ UniformSamples speed_of(std::span<const UniformSamples> axes) {
   return speed;
 }
 
-UniformSamples rate_of(const UniformSamples& force) {
+statistics::UniformSamples rate_of(const statistics::UniformSamples& force) {
   return speed_of(std::span(&force, 1));
 }
 
-Computed sparc(const UniformSamples& speed) {
+statistics::Computed sparc(const statistics::UniformSamples& speed) {
   constexpr unsigned kPadding = 4;
   constexpr double kHighest_Hz = 10.0;
   constexpr double kLeastAmplitude = 0.05;
@@ -66,7 +66,7 @@ Computed sparc(const UniformSamples& speed) {
   return -length_of_arc;
 }
 
-Computed ldlj(const UniformSamples& speed) {
+statistics::Computed ldlj(const statistics::UniformSamples& speed) {
   const auto& v = speed.values;
   if (v.size() < 3) return "fewer than three samples";
   double fastest = 0.0;
@@ -83,4 +83,4 @@ Computed ldlj(const UniformSamples& speed) {
   return -std::log(duration * duration * duration / (fastest * fastest) * squares * dt);
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

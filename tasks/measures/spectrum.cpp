@@ -9,7 +9,7 @@
 
 #include "core/fourier.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 namespace {
 
@@ -53,7 +53,7 @@ std::string unknown(const PowerSpectrum& spectrum, Band band) {
 
 }  // namespace
 
-PowerSpectrum welch(const UniformSamples& samples) {
+PowerSpectrum welch(const statistics::UniformSamples& samples) {
   constexpr double kWindow_s = 4.0;
   constexpr double kLeastWindow = 8.0;  ///< samples: below, a Hann window is no window
   PowerSpectrum spectrum;
@@ -93,12 +93,12 @@ PowerSpectrum welch(const UniformSamples& samples) {
   return spectrum;
 }
 
-Computed band_power(const PowerSpectrum& spectrum, Band band) {
+statistics::Computed band_power(const PowerSpectrum& spectrum, Band band) {
   if (std::string why = unknown(spectrum, band); !why.empty()) return why;
   return power_between(spectrum, band);
 }
 
-Computed band_share(const PowerSpectrum& spectrum, Band band) {
+statistics::Computed band_share(const PowerSpectrum& spectrum, Band band) {
   if (std::string why = unknown(spectrum, band); !why.empty()) return why;
   const double top_Hz = static_cast<double>(spectrum.density.size() - 1) * spectrum.line_Hz;
   const double whole = power_between(spectrum, {0.0, top_Hz});
@@ -106,7 +106,7 @@ Computed band_share(const PowerSpectrum& spectrum, Band band) {
   return 100.0 * power_between(spectrum, band) / whole;
 }
 
-Computed peak_frequency(const PowerSpectrum& spectrum, Band band) {
+statistics::Computed peak_frequency(const PowerSpectrum& spectrum, Band band) {
   if (std::string why = unknown(spectrum, band); !why.empty()) return why;
   const auto& density = spectrum.density;
   constexpr double kRoundingSlack = 1e-9;  // a line on an edge: the lower belongs, the upper not
@@ -129,4 +129,4 @@ Computed peak_frequency(const PowerSpectrum& spectrum, Band band) {
   return (static_cast<double>(*peak) + part) * spectrum.line_Hz;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -8,7 +8,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// One-sided power spectral density, or why there is none.
 struct PowerSpectrum {
@@ -21,7 +21,7 @@ struct PowerSpectrum {
 /// windows of 4 s that overlap by half, mean of |X|^2 dt / sum(w^2), the power of both signs at the
 /// positive line. Padded to twice the window or more. The window, not the padding, sets what can be
 /// told apart: 0.4 Hz. A rest at the end shorter than half a window is not used.
-[[nodiscard]] PowerSpectrum welch(const UniformSamples& samples);
+[[nodiscard]] PowerSpectrum welch(const statistics::UniformSamples& samples);
 
 /// Frequencies low <= f < high.
 struct Band {
@@ -35,11 +35,11 @@ inline constexpr Band kFastTremorBand{8.0, 12.0};
 
 /// Power in a band [unit^2], version 1: the density summed over it; a line stands for the
 /// frequencies up to half way to its neighbours and counts with its share of the band.
-[[nodiscard]] Computed band_power(const PowerSpectrum& spectrum, Band band);
+[[nodiscard]] statistics::Computed band_power(const PowerSpectrum& spectrum, Band band);
 /// The same in % of the power of all frequencies, version 1.
-[[nodiscard]] Computed band_share(const PowerSpectrum& spectrum, Band band);
+[[nodiscard]] statistics::Computed band_share(const PowerSpectrum& spectrum, Band band);
 /// Frequency [Hz] of the highest density in a band, version 1, by a parabola through the logarithm
 /// of three lines. No value if the density only falls or rises towards the edge of the band.
-[[nodiscard]] Computed peak_frequency(const PowerSpectrum& spectrum, Band band);
+[[nodiscard]] statistics::Computed peak_frequency(const PowerSpectrum& spectrum, Band band);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -6,13 +6,13 @@
 #include "statistics/line.hpp"
 #include "tasks/measures/error.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 Steadiness steadiness(std::span<const double> t_s, std::span<const double> x,
                       std::optional<double> noise_sd) {
   constexpr double kLargestFloor = 1.0 / 3.0;  // of the CV
-  const Computed variation = cv(t_s, x);
-  const auto line = fit_line(t_s, x);
+  const statistics::Computed variation = cv(t_s, x);
+  const auto line = statistics::fit_line(t_s, x);
   if (!line) return {variation, variation, variation, variation};
   if (!variation.value) return {line->residual_sd, variation, variation, variation};
   const double fall_percent = -100.0 * line->slope * (t_s.back() - t_s.front()) / line->mean;
@@ -22,8 +22,9 @@ Steadiness steadiness(std::span<const double> t_s, std::span<const double> x,
   const double floor_percent = 100.0 * *noise_sd / std::abs(line->mean);
   const bool resolved = floor_percent <= kLargestFloor * std::abs(*variation.value);
   return {line->residual_sd,
-          resolved ? variation : Computed("below resolution: the noise exceeds a third of it"),
+          resolved ? variation
+                   : statistics::Computed("below resolution: the noise exceeds a third of it"),
           floor_percent, fall_percent};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 StepResponse step_response(std::span<const double> t_s, std::span<const double> y,
                            double final_value) {
@@ -47,21 +47,21 @@ struct Shares {
   [[nodiscard]] double waited_s() const { return t_s.back() - cue_s; }
 };
 
-EventTime time_to(const Shares& shares, double share) {
+statistics::EventTime time_to(const Shares& shares, double share) {
   const auto reached =
       std::find_if(shares.z.begin(), shares.z.end(), [&](double value) { return value >= share; });
   if (reached == shares.z.end()) return {"the level was not reached", shares.waited_s()};
   if (reached == shares.z.begin()) return {"already there at the cue", {}};
   const auto k = static_cast<std::size_t>(reached - shares.z.begin());
-  return {crossing_time(shares.t_s, shares.z, k, share) - shares.cue_s, {}};
+  return {statistics::crossing_time(shares.t_s, shares.z, k, share) - shares.cue_s, {}};
 }
 
-EventTime settling_time(const Shares& shares) {
+statistics::EventTime settling_time(const Shares& shares) {
   constexpr double kBand = 0.05;
   constexpr double kSettled_s = 0.2;
   std::vector<bool> inside(shares.z.size());
   for (std::size_t k = 0; k < inside.size(); ++k) inside[k] = std::abs(shares.z[k] - 1.0) <= kBand;
-  const auto found = stretches(shares.t_s, inside, kSettled_s);
+  const auto found = statistics::stretches(shares.t_s, inside, kSettled_s);
   if (found.empty()) return {"not settled for 0.2 s", shares.waited_s()};
   return {shares.t_s[found.front().first] - shares.cue_s, {}};
 }
@@ -71,7 +71,7 @@ EventTime settling_time(const Shares& shares) {
 CuedStepResponse cued_step_response(std::span<const double> t_s, std::span<const double> x,
                                     const CuedStep& step, double lsb) {
   assert(t_s.size() == x.size() && step.from != step.to);
-  const std::size_t first = first_row_from(t_s, step.cue_s);
+  const std::size_t first = statistics::first_row_from(t_s, step.cue_s);
   if (first == t_s.size()) {
     const char* const none = "no samples after the cue";
     return {{{none, {}}, {}}, {none, {}}, {none, {}}, {none, {}}, none, none, none, {none, {}}};
@@ -83,8 +83,8 @@ CuedStepResponse cued_step_response(std::span<const double> t_s, std::span<const
 
   const auto held = level_before(t_s, x, step.cue_s);
   const Change change = step.to > step.from ? Change::rise : Change::fall;
-  const EventTime t10 = time_to(shares, 0.1);
-  const EventTime t90 = time_to(shares, 0.9);
+  const statistics::EventTime t10 = time_to(shares, 0.1);
+  const statistics::EventTime t90 = time_to(shares, 0.9);
   const auto top = std::max_element(shares.z.begin(), shares.z.end());
   const bool beyond = *top > 1.0;
   return {held ? reaction(t_s, x, step.cue_s, *held, lsb, change)
@@ -93,13 +93,13 @@ CuedStepResponse cued_step_response(std::span<const double> t_s, std::span<const
           time_to(shares, 1.0 - 1.0 / std::numbers::e),
           t90,
           t10.time_s.value && t90.time_s.value
-              ? Computed(*t90.time_s.value - *t10.time_s.value)
-              : Computed(t10.time_s.value ? t90.time_s.reason : t10.time_s.reason),
+              ? statistics::Computed(*t90.time_s.value - *t10.time_s.value)
+              : statistics::Computed(t10.time_s.value ? t90.time_s.reason : t10.time_s.reason),
           beyond ? 100.0 * (*top - 1.0) : 0.0,
-          beyond
-              ? Computed(shares.t_s[static_cast<std::size_t>(top - shares.z.begin())] - step.cue_s)
-              : Computed("no overshoot"),
+          beyond ? statistics::Computed(
+                       shares.t_s[static_cast<std::size_t>(top - shares.z.begin())] - step.cue_s)
+                 : statistics::Computed("no overshoot"),
           settling_time(shares)};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -8,7 +8,7 @@
 #include "statistics/samples.hpp"
 #include "tasks/measures/onset.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Answer to a step from 0 to a nominal final value, version 1. Levels are first upward crossings,
 /// interpolated linearly.
@@ -32,18 +32,18 @@ struct CuedStep {
 };
 /// Answer to a cued step, version 1. All times count from the cue; z = (x - from) / (to - from).
 struct CuedStepResponse {
-  Reaction reaction;  ///< away from the level held in the second before the cue
-  EventTime t10;      ///< z reaches 0.1, interpolated linearly
-  EventTime t63;      ///< 1 - 1/e
-  EventTime t90;
-  Computed rise10_90_s;        ///< t90 - t10
-  Computed overshoot_percent;  ///< 100 (largest z - 1), at least 0
-  Computed peak_s;             ///< time of the largest z; only if that is an overshoot
-  EventTime settling;          ///< start of the first 0.2 s with |z - 1| <= 0.05
+  Reaction reaction;          ///< away from the level held in the second before the cue
+  statistics::EventTime t10;  ///< z reaches 0.1, interpolated linearly
+  statistics::EventTime t63;  ///< 1 - 1/e
+  statistics::EventTime t90;
+  statistics::Computed rise10_90_s;        ///< t90 - t10
+  statistics::Computed overshoot_percent;  ///< 100 (largest z - 1), at least 0
+  statistics::Computed peak_s;             ///< time of the largest z; only if that is an overshoot
+  statistics::EventTime settling;          ///< start of the first 0.2 s with |z - 1| <= 0.05
 };
 /// `lsb`: resolution of x. @pre t_s.size() == x.size(), step.from != step.to
 [[nodiscard]] CuedStepResponse cued_step_response(std::span<const double> t_s,
                                                   std::span<const double> x, const CuedStep& step,
                                                   double lsb);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 std::optional<Synergy> synergy(const Eigen::MatrixXd& trials, const Eigen::VectorXd& jacobian,
                                std::string& reason) {
@@ -79,4 +79,4 @@ CycleSynergy synergy_over_cycles(std::span<const double> t_s,
   return {sum.delta_v / kPhases, sum.delta_v_z / kPhases, sum.v_ucm / kPhases, sum.v_ort / kPhases};
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -7,7 +7,7 @@
 
 #include "statistics/samples.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
 /// Variance of repeated trials per degree of freedom, unit of force^2, and the index from it.
 struct Synergy {
@@ -32,10 +32,10 @@ struct Synergy {
 /// The same at 100 phases of a movement that repeats, over its cycles, version 1: means over the
 /// phases. The elements act alike: their sum is the result.
 struct CycleSynergy {
-  Computed delta_v;
-  Computed delta_v_z;  ///< mean of the transforms
-  Computed v_ucm;      ///< unit of force^2
-  Computed v_ort;      ///< unit of force^2
+  statistics::Computed delta_v;
+  statistics::Computed delta_v_z;  ///< mean of the transforms
+  statistics::Computed v_ucm;      ///< unit of force^2
+  statistics::Computed v_ort;      ///< unit of force^2
 };
 /// Forces between samples are interpolated linearly.
 /// @param force_N   one signal per element, at t_s
@@ -45,4 +45,4 @@ struct CycleSynergy {
                                                std::span<const std::vector<double>> force_N,
                                                std::span<const double> starts_s);
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

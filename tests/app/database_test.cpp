@@ -9,7 +9,7 @@
 #include "hand/anatomical_axes.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp::database_test {
+namespace isograsp::app::database_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -282,4 +282,4 @@ TEST_F(DatabaseCommands, ExportOverwritesNothingAndLeavesNothingHalfWritten) {
 }
 
 }  // namespace
-}  // namespace isograsp::database_test
+}  // namespace isograsp::app::database_test

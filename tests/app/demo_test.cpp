@@ -13,7 +13,7 @@
 #include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp::demo_test {
+namespace isograsp::app::demo_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ class DemonstrationClinic : public testing::Test {
     ASSERT_EQ(demo.status, 0) << demo.err;
     const auto done = isograsp("report --all --db " + db() + " --out " + folder_->path("reports"));
     ASSERT_EQ(done.status, 0) << done.err;
-    store_ = open_store(db(), OpenMode::read_only).value();
+    store_ = storage::open_store(db(), storage::OpenMode::read_only).value();
   }
   static void TearDownTestSuite() {
     store_.reset();
@@ -40,15 +40,16 @@ class DemonstrationClinic : public testing::Test {
   static std::string report(const std::string& code) {
     return read_text(folder_->path("reports/" + code + ".html")).value();
   }
-  static std::vector<SessionRecord> sessions(const std::string& code) {
+  static std::vector<storage::SessionRecord> sessions(const std::string& code) {
     return store_->sessions(store_->find_patient(code).value().value().id).value();
   }
   /// Mean over the session of the grip maxima of its completed trials.
   static std::vector<double> grips_N(const std::string& code) {
-    std::map<RowId, std::vector<double>> of_session;
+    std::map<storage::RowId, std::vector<double>> of_session;
     for (const auto& session : sessions(code))
       for (const auto& trial : store_->trials(session.id).value())
-        if (trial.status == TrialStatus::completed && session.hand == sessions(code)[0].hand)
+        if (trial.status == storage::TrialStatus::completed &&
+            session.hand == sessions(code)[0].hand)
           for (const auto& measure : store_->measures(trial.id).value())
             if (measure.name == "maximum_force" && measure.channel == "grip" && measure.value)
               of_session[session.id].push_back(*measure.value);
@@ -62,7 +63,7 @@ class DemonstrationClinic : public testing::Test {
   }
 
   static inline std::unique_ptr<TemporaryFolder> folder_;
-  static inline std::unique_ptr<SessionStore> store_;
+  static inline std::unique_ptr<storage::SessionStore> store_;
 };
 
 /// What the table at a glance says, row by row.
@@ -109,7 +110,7 @@ TEST_F(DemonstrationClinic, HasPeopleEnoughForVerdictsAndBands) {
   int healthy = 0;
   for (const auto& patient : store_->patients().value()) {
     stable += store_->stable_periods(patient.id).value().empty() ? 0 : 1;
-    healthy += store_->profile(patient.id).value().affected == Side::none ? 1 : 0;
+    healthy += store_->profile(patient.id).value().affected == storage::Side::none ? 1 : 0;
   }
   EXPECT_GE(stable, 11) << "ten besides the one who is judged";
   EXPECT_GE(healthy, 20);
@@ -132,8 +133,8 @@ TEST_F(DemonstrationClinic, HasASessionOfTodayThatCanBeGoneOnWith) {
   EXPECT_EQ(last.protocol_name, "Battery");
   const auto trials = store_->trials(last.id).value();
   ASSERT_FALSE(trials.empty());
-  EXPECT_EQ(trials.front().status, TrialStatus::completed);
-  EXPECT_EQ(trials.back().status, TrialStatus::aborted);
+  EXPECT_EQ(trials.front().status, storage::TrialStatus::completed);
+  EXPECT_EQ(trials.back().status, storage::TrialStatus::aborted);
   const auto on = isograsp(
       "run --resume --patient DEMO-04 --device 'sim://moderate?seed=41' --fast "
       "--protocol-file " ISOGRASP_SOURCE_DIR "/library/protocols/battery.toml --db " +
@@ -165,4 +166,4 @@ TEST(LargeDemonstrationClinic, OfTheSameTimeIsTheSameFileWithAnyNumberOfThreads)
 }
 
 }  // namespace
-}  // namespace isograsp::demo_test
+}  // namespace isograsp::app::demo_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace isograsp::device_commands_test {
+namespace isograsp::app::device_commands_test {
 namespace {
 
 using test::isograsp;
@@ -276,4 +276,4 @@ TEST(DeviceCommands, TheGuidedCheckPassesAGoodDeviceAndNamesSwappedSensors) {
 }
 
 }  // namespace
-}  // namespace isograsp::device_commands_test
+}  // namespace isograsp::app::device_commands_test

@@ -14,7 +14,7 @@
 #include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp::export_test {
+namespace isograsp::app::export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,12 +48,12 @@ class Export : public testing::Test {
   }
 
   struct Stored {
-    TrialRecord trial;
+    storage::TrialRecord trial;
     Signals signals;
     std::vector<Measure> measures;
   };
   static std::vector<Stored> stored(const std::string& db) {
-    const auto store = open_store(db, OpenMode::read_only).value();
+    const auto store = storage::open_store(db, storage::OpenMode::read_only).value();
     std::vector<Stored> all;
     for (const auto& patient : store->patients().value())
       for (const auto& session : store->sessions(patient.id).value())
@@ -336,4 +336,4 @@ TEST_F(Export, ATableComesBackWithTheSameMeasuresToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace isograsp::export_test
+}  // namespace isograsp::app::export_test

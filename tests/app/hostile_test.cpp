@@ -9,7 +9,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace isograsp::hostile_test {
+namespace isograsp::app::hostile_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -236,4 +236,4 @@ TEST_F(Hostile, NoTableHoldsAFormulaAndNumbersStayNumbers) {
 }
 
 }  // namespace
-}  // namespace isograsp::hostile_test
+}  // namespace isograsp::app::hostile_test

@@ -14,7 +14,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/recorded_data.hpp"
 
-namespace isograsp::import_test {
+namespace isograsp::app::import_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,15 +23,15 @@ using test::TemporaryFolder;
 
 /// A whole database in memory.
 struct Session {
-  SessionRecord record;
-  std::vector<TrialRecord> trials;
+  storage::SessionRecord record;
+  std::vector<storage::TrialRecord> trials;
   std::vector<std::vector<Measure>> measures;
 };
 struct Patient {
   std::string code;
   std::vector<Session> sessions;
 };
-std::vector<Patient> all_of(SessionStore& store) {
+std::vector<Patient> all_of(storage::SessionStore& store) {
   std::vector<Patient> patients;
   for (const auto& found : store.patients().value()) {
     patients.push_back({found.code, {}});
@@ -44,8 +44,8 @@ std::vector<Patient> all_of(SessionStore& store) {
   }
   return patients;
 }
-std::unique_ptr<SessionStore> opened(const std::string& db) {
-  return open_store(db, OpenMode::read_only).value();
+std::unique_ptr<storage::SessionStore> opened(const std::string& db) {
+  return storage::open_store(db, storage::OpenMode::read_only).value();
 }
 double value_of(const std::vector<Measure>& measures, const std::string& name,
                 const std::string& channel = "force") {
@@ -130,8 +130,8 @@ TEST(Import, FilesBecomePatientsSessionsInTheirOrderAndTrialsInSIUnits) {
       EXPECT_FALSE(session.record.simulated);
       ASSERT_EQ(session.trials.size(), 2u);
       for (std::size_t t = 0; t < 2; ++t) {
-        const TrialRecord& trial = session.trials[t];
-        EXPECT_EQ(trial.status, TrialStatus::completed);
+        const storage::TrialRecord& trial = session.trials[t];
+        EXPECT_EQ(trial.status, storage::TrialStatus::completed);
         EXPECT_EQ(trial.task_name, "Push hard");
         const auto signals = store->signals(trial).value();
         ASSERT_EQ(signals.rows(), 3u);
@@ -287,7 +287,7 @@ TEST(Import, ForcesBecomeAStoredScoredTrialOfAPatient) {
   EXPECT_TRUE(session.record.recorded);
   EXPECT_EQ(session.record.hand, Hand::left);
   ASSERT_EQ(session.trials.size(), 1u);
-  EXPECT_EQ(session.trials[0].status, TrialStatus::completed);
+  EXPECT_EQ(session.trials[0].status, storage::TrialStatus::completed);
   EXPECT_GT(session.measures[0].size(), 0u);
   const auto signals = store->signals(session.trials[0]).value();
   const auto given = read_signals(forces).value();
@@ -370,8 +370,8 @@ TEST(Import, ARawLogBecomesATrialToo) {
   ASSERT_EQ(done.status, 0) << done.err;
   const auto store = opened(folder.path("c.db"));
   const auto patients = all_of(*store);
-  const TrialRecord& trial = patients.at(0).sessions.at(0).trials.at(0);
-  EXPECT_EQ(trial.status, TrialStatus::completed);
+  const storage::TrialRecord& trial = patients.at(0).sessions.at(0).trials.at(0);
+  EXPECT_EQ(trial.status, storage::TrialStatus::completed);
   const auto signals = store->signals(trial).value();
   EXPECT_GE(signals.rows(), static_cast<std::size_t>(kLogged) - 2);
   for (const std::string finger : {"thumb", "index", "middle"}) {
@@ -539,4 +539,4 @@ TEST(ImportedPeople, FourFingersKeepTheMetronomesRhythmAndShareTheForce) {
 }
 
 }  // namespace
-}  // namespace isograsp::import_test
+}  // namespace isograsp::app::import_test

@@ -7,7 +7,7 @@
 #include "tests/support/background_command.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp::protected_emergency_test {
+namespace isograsp::app::protected_emergency_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,4 +149,4 @@ TEST_F(ProtectedEmergency, OfADeletedFileKeepsItWholeAndSealed) {
 }
 
 }  // namespace
-}  // namespace isograsp::protected_emergency_test
+}  // namespace isograsp::app::protected_emergency_test

@@ -7,7 +7,7 @@
 #include "core/csv.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp::protected_test {
+namespace isograsp::app::protected_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,4 +240,4 @@ TEST_F(ProtectedCommands, NoTextLeavesItsPlace) {
 }
 
 }  // namespace
-}  // namespace isograsp::protected_test
+}  // namespace isograsp::app::protected_test

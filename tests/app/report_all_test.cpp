@@ -10,7 +10,7 @@
 #include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp::report_all_test {
+namespace isograsp::app::report_all_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +21,8 @@ constexpr int kPatients = 5;
 
 /// Patients without sessions: their reports say so.
 std::string clinic(const TemporaryFolder& folder) {
-  const auto store = open_store(folder.path("clinic.db"), OpenMode::create).value();
+  const auto store =
+      storage::open_store(folder.path("clinic.db"), storage::OpenMode::create).value();
   for (int i = 1; i <= kPatients; ++i)
     EXPECT_TRUE(store->add_patient("TK-" + std::to_string(i)).ok());
   return folder.path("clinic.db");
@@ -69,4 +70,4 @@ TEST(ReportAll, OnePatientAndAllExcludeEachOther) {
 }
 
 }  // namespace
-}  // namespace isograsp::report_all_test
+}  // namespace isograsp::app::report_all_test

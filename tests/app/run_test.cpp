@@ -14,7 +14,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/recorded_data.hpp"
 
-namespace isograsp::run_test {
+namespace isograsp::app::run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,7 +143,7 @@ TEST(CommandLine, AReplayedSessionMovesTheObjectAsSimulateDoesBitForBit) {
   ASSERT_EQ(simulate.status, 0) << simulate.err;
   const auto path = read_signals(folder.path("path.csv")).value();
 
-  const auto store = open_store(db, OpenMode::read_only).value();
+  const auto store = storage::open_store(db, storage::OpenMode::read_only).value();
   const auto patient = store->find_patient("T-01").value().value();
   const auto trial = store->trials(store->sessions(patient.id).value().at(0).id).value().at(0);
   const auto recorded = store->signals(trial).value();
@@ -187,7 +187,7 @@ TEST(CommandLine, AKilledSessionIsThereUpToTheLastFullSecondAndMarkedInterrupted
                               " --patient T-01 >/dev/null 2>&1 & echo $! >" + folder.path("pid");
   ASSERT_EQ(std::system(command.c_str()), 0);
   const auto seconds_stored = [&db] {
-    const auto store = open_store(db, OpenMode::read_only);
+    const auto store = storage::open_store(db, storage::OpenMode::read_only);
     if (!store) return std::int64_t{0};
     const auto patient = (*store)->find_patient("T-01");
     if (!patient || !*patient) return std::int64_t{0};
@@ -203,19 +203,19 @@ TEST(CommandLine, AKilledSessionIsThereUpToTheLastFullSecondAndMarkedInterrupted
   ASSERT_EQ(kill(pid, SIGKILL), 0);
   // The system needs a moment to take the process apart; then whoever looks next marks the trial.
   const auto status = [&db] {
-    const auto opened = open_store_to_read(db).value();
+    const auto opened = storage::open_store_to_read(db).value();
     const auto owner = opened->find_patient("T-01").value().value();
     return opened->trials(opened->sessions(owner.id).value().at(0).id).value().at(0).status;
   };
-  for (int tries = 0; tries < 100 && status() == TrialStatus::running; ++tries)
+  for (int tries = 0; tries < 100 && status() == storage::TrialStatus::running; ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
 
-  const auto store = open_store(db, OpenMode::existing).value();
+  const auto store = storage::open_store(db, storage::OpenMode::existing).value();
   EXPECT_TRUE(store->check().value().empty());
   const auto patient = store->find_patient("T-01").value().value();
   const auto trials = store->trials(store->sessions(patient.id).value().at(0).id).value();
   ASSERT_EQ(trials.size(), 1u);
-  EXPECT_EQ(trials[0].status, TrialStatus::interrupted);
+  EXPECT_EQ(trials[0].status, storage::TrialStatus::interrupted);
   const auto signals = store->signals(trials[0]).value();
   EXPECT_GE(signals.rows(), 200u);
   EXPECT_EQ(signals.rows() % 100, 0u) << "whole seconds";
@@ -251,4 +251,4 @@ TEST(CommandLine, TheDemonstrationGoesFromForceToReportWithoutAQuestion) {
 }
 
 }  // namespace
-}  // namespace isograsp::run_test
+}  // namespace isograsp::app::run_test

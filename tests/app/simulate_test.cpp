@@ -19,7 +19,7 @@
 #include "core/csv.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::simulate_test {
+namespace isograsp::app::simulate_test {
 namespace {
 
 struct Answer {
@@ -346,4 +346,4 @@ TEST(GraspCommand, ShowsATableAndRefusesBadScales) {
 }
 
 }  // namespace
-}  // namespace isograsp::simulate_test
+}  // namespace isograsp::app::simulate_test

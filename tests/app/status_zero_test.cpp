@@ -18,7 +18,7 @@
 #include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
 
-namespace isograsp::status_zero_test {
+namespace isograsp::app::status_zero_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,11 +47,11 @@ void write_protocol(const TemporaryFolder& folder) {
 }
 
 /// The newest session of a file, as a program that comes afterwards reads it.
-std::vector<TrialRecord> trials_in(SessionStore& store) {
+std::vector<storage::TrialRecord> trials_in(storage::SessionStore& store) {
   const auto sessions = store.recent_sessions(1);
   if (!sessions || sessions->empty()) return {};
   auto trials = store.trials(sessions->front().id);
-  return trials ? *trials : std::vector<TrialRecord>{};
+  return trials ? *trials : std::vector<storage::TrialRecord>{};
 }
 
 /// The executable, recording in real time into a file of its own.
@@ -72,7 +72,7 @@ class RecordingRun {
   /// The second trial is under way, the first one was completed.
   [[nodiscard]] bool ready() {
     if (finished()) return true;
-    const auto store = open_store(db, OpenMode::read_only);
+    const auto store = storage::open_store(db, storage::OpenMode::read_only);
     if (!store) return false;
     const std::string backup = folder.path("backup.db");
     if (!fs::exists(backup) && !(*store)->backup(backup).ok()) return false;
@@ -111,24 +111,24 @@ class RecordingRun {
 
   TemporaryFolder folder;
   std::string db;
-  TrialRecord first;  ///< as it was before the fault
-  TrialRecord second;
+  storage::TrialRecord first;  ///< as it was before the fault
+  storage::TrialRecord second;
 };
 
 /// Both trials, with the signals and measures that they had when they were confirmed.
 void expect_kept(const std::string& path, const RecordingRun& run, const std::string& name) {
-  const auto store = open_store(path, OpenMode::read_only);
+  const auto store = storage::open_store(path, storage::OpenMode::read_only);
   ASSERT_TRUE(store.ok()) << name << ": " << store.error().message();
   const auto trials = trials_in(**store);
   ASSERT_EQ(trials.size(), 2u) << name;
   EXPECT_EQ(trials[0].uuid, run.first.uuid) << name;
-  EXPECT_EQ(trials[0].status, TrialStatus::completed) << name;
+  EXPECT_EQ(trials[0].status, storage::TrialStatus::completed) << name;
   EXPECT_EQ(trials[0].samples, run.first.samples) << name;
   EXPECT_EQ(trials[0].signals_hash, run.first.signals_hash) << name;
   EXPECT_FALSE((*store)->measures(trials[0].id).value().empty()) << name;
   EXPECT_EQ(trials[1].uuid, run.second.uuid) << name;
   EXPECT_GE(trials[1].samples, run.second.samples) << name;
-  for (const TrialRecord& trial : trials) {
+  for (const storage::TrialRecord& trial : trials) {
     const auto signals = (*store)->signals(trial);
     ASSERT_TRUE(signals.ok()) << name << ": " << signals.error().message();
     EXPECT_EQ(static_cast<std::int64_t>(signals->rows()), trial.samples) << name;
@@ -255,8 +255,8 @@ TEST(StatusZero, ASignalEndsTrialAndSessionAndNothingIsLost) {
     EXPECT_NE(err.find(kSignals[at].second), std::string::npos) << err;
     EXPECT_NE(err.find(run.db), std::string::npos) << err;
     expect_kept(run.db, run, kSignals[at].second);
-    const auto store = open_store(run.db, OpenMode::read_only).value();
-    EXPECT_EQ(trials_in(*store).at(1).status, TrialStatus::aborted);
+    const auto store = storage::open_store(run.db, storage::OpenMode::read_only).value();
+    EXPECT_EQ(trials_in(*store).at(1).status, storage::TrialStatus::aborted);
     EXPECT_FALSE(store->recent_sessions(1).value().at(0).ended_utc.empty());
     EXPECT_EQ(isograsp("db check " + run.db).status, 0);
     EXPECT_TRUE(run.emergency_files().empty());
@@ -274,8 +274,9 @@ TEST(StatusZero, AFileThatMayNotGrowIsAnErrorWithASentenceAndWhatWasConfirmedSta
   EXPECT_NE(err.find(run.db), std::string::npos) << err;
   EXPECT_EQ(run.said("out").find("[completed]"), std::string::npos);
   EXPECT_EQ(isograsp("db check " + run.db).status, 0);
-  const auto store = open_store(run.db, OpenMode::read_only).value();
-  for (const TrialRecord& trial : trials_in(*store)) EXPECT_TRUE(store->signals(trial).ok());
+  const auto store = storage::open_store(run.db, storage::OpenMode::read_only).value();
+  for (const storage::TrialRecord& trial : trials_in(*store))
+    EXPECT_TRUE(store->signals(trial).ok());
 }
 
 TEST(StatusZero, ASessionOnAFullDiskGoesIntoTheEmergencyFile) {
@@ -326,10 +327,10 @@ TEST(StatusZero, ATrialThatIsReadBackOtherThanItWasRecordedIsNotCalledCompleted)
   for (const auto& entry : fs::directory_iterator(folder.path("state/isograsp/emergency")))
     if (entry.path().extension() == ".db") kept.push_back(entry.path());
   ASSERT_EQ(kept.size(), 1u);
-  const auto store = open_store(kept[0], OpenMode::read_only).value();
+  const auto store = storage::open_store(kept[0], storage::OpenMode::read_only).value();
   const auto trials = trials_in(*store);
   ASSERT_FALSE(trials.empty());
-  EXPECT_EQ(trials[0].status, TrialStatus::completed);
+  EXPECT_EQ(trials[0].status, storage::TrialStatus::completed);
   EXPECT_GE(trials[0].samples, 2 * kSecond);
   EXPECT_EQ(static_cast<std::int64_t>(store->signals(trials[0]).value().rows()), trials[0].samples);
 }
@@ -338,8 +339,8 @@ TEST(StatusZero, AClockBehindTheNewestSessionIsRefusedUnlessSomebodySaysThatItIs
   const TemporaryFolder folder;
   const std::string db = folder.path("clinic.db");
   {
-    const auto store = open_store(db, OpenMode::create).value();
-    SessionRecord session;
+    const auto store = storage::open_store(db, storage::OpenMode::create).value();
+    storage::SessionRecord session;
     session.patient_id = store->add_patient("T-01").value().id;
     session.started_utc = "2199-01-01T00:00:00Z";
     const auto id = store->begin_session(session).value();
@@ -352,11 +353,11 @@ TEST(StatusZero, AClockBehindTheNewestSessionIsRefusedUnlessSomebodySaysThatItIs
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("2199-01-01T01:00:00Z"), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find("--clock-is-right"), std::string::npos) << refused.err;
-  const auto store = open_store(db, OpenMode::read_only).value();
+  const auto store = storage::open_store(db, storage::OpenMode::read_only).value();
   EXPECT_EQ(store->patients().value().size(), 1u) << "nothing was written";
   const auto accepted = isograsp(run + " --clock-is-right");
   EXPECT_EQ(accepted.status, 0) << accepted.err;
 }
 
 }  // namespace
-}  // namespace isograsp::status_zero_test
+}  // namespace isograsp::app::status_zero_test

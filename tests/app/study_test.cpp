@@ -8,7 +8,7 @@
 
 #include "tests/support/command.hpp"
 
-namespace isograsp::study_test {
+namespace isograsp::app::study_test {
 namespace {
 
 using test::CommandResult;
@@ -77,4 +77,4 @@ TEST(Study, WhatCannotBeReadIsNamedAndNothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace isograsp::study_test
+}  // namespace isograsp::app::study_test

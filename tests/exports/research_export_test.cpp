@@ -28,7 +28,7 @@
 #include "tests/support/files_below.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::research_export_test {
+namespace isograsp::exports::research_export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,7 +42,7 @@ class ResearchExport : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *open_store(folder_->path("clinic.db"), OpenMode::create);
+    store_ = *storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
     test::DemoSession demo;
     demo.date = "2026-03-02";
     demo.with_faults = true;
@@ -69,14 +69,14 @@ class ResearchExport : public testing::Test {
 
   static void add_odd_trial() {
     const auto patient = store_->find_patient("TK-104").value().value();
-    PatientProfile profile;
-    profile.affected = Side::left;
+    storage::PatientProfile profile;
+    profile.affected = storage::Side::left;
     profile.dominant = Hand::right;
     profile.onset_date = "2026-02-20";
     profile.notes = profile.goals = "secret";
     ASSERT_TRUE(store_->set_profile(patient.id, profile).ok());
     ASSERT_TRUE(store_->add_treatment_mark(patient.id, {0, "2026-03-03", "drug", "secret"}).ok());
-    SessionRecord session;
+    storage::SessionRecord session;
     session.patient_id = patient.id;
     session.started_utc = "2026-03-09T10:00:00Z";
     session.device_uri = "can://secret?protocol=rft";
@@ -86,13 +86,13 @@ class ResearchExport : public testing::Test {
     session.seed = std::numeric_limits<std::uint64_t>::max();
     session.software_version = "0.1.0";
     const auto id = store_->begin_session(session).value();
-    InstrumentZeroRecord zero;
+    storage::InstrumentZeroRecord zero;
     zero.session_id = id;
     zero.mean.fill(Vec6::Constant(0.1));
     zero.sd.fill(Vec6::Constant(1.0 / 3.0));
     zero.operator_name = "secret";
     zero.recorded_utc = "2026-03-09T10:00:01Z";
-    TrialRecord trial;
+    storage::TrialRecord trial;
     trial.session_id = id;
     trial.zero_id = store_->add_zero(zero).value();
     trial.number = 1;
@@ -113,7 +113,7 @@ class ResearchExport : public testing::Test {
                       ->add_event(id, {trial.id, 3.55, kind,
                                        kind == std::string("note") ? "secret" : "tab\there"})
                       .ok());
-    trial.status = TrialStatus::completed;
+    trial.status = storage::TrialStatus::completed;
     const Measure absent{"cv", "force", {}, "%", 1, 0, 8, "no samples"};
     const Measure third{"rmse", "force", 1.0 / 3.0, "N", 2, 7, 1, ""};
     ASSERT_TRUE(store_->end_trial(trial, std::array{absent, third}).ok());
@@ -127,7 +127,7 @@ class ResearchExport : public testing::Test {
   }
 
   static inline std::unique_ptr<test::TemporaryFolder> folder_;
-  static inline std::unique_ptr<SessionStore> store_;
+  static inline std::unique_ptr<storage::SessionStore> store_;
 };
 
 TEST_F(ResearchExport, EveryFormatWritesExactlyTheFilesThatWereListed) {
@@ -146,17 +146,17 @@ TEST_F(ResearchExport, EveryFormatWritesExactlyTheFilesThatWereListed) {
 
 TEST_F(ResearchExport, WhoIsNotReleasedIsLeftOutCountedAndRefusedByName) {
   test::TemporaryFolder folder;
-  const auto store = open_store(folder.path("c.db"), OpenMode::scratch).value();
+  const auto store = storage::open_store(folder.path("c.db"), storage::OpenMode::scratch).value();
   for (const char* code : {"P-1", "P-2"}) {
-    SessionRecord session;
+    storage::SessionRecord session;
     session.patient_id = store->add_patient(code).value().id;
-    TrialRecord trial;
+    storage::TrialRecord trial;
     trial.session_id = store->begin_session(session).value();
     trial.number = 1;
     trial.task_name = "Maximum grip";
     trial.groups = {{"task", {"t_s"}}};
     trial.id = store->begin_trial(trial).value();
-    trial.status = TrialStatus::completed;
+    trial.status = storage::TrialStatus::completed;
     ASSERT_TRUE(store->end_trial(trial, {}).ok());
   }
   const auto trials = [&] {
@@ -169,10 +169,10 @@ TEST_F(ResearchExport, WhoIsNotReleasedIsLeftOutCountedAndRefusedByName) {
     return count;
   };
   EXPECT_EQ(trials(), 2);
-  const auto access = Access::open(folder.path("c.db")).value();
-  ASSERT_TRUE(
-      add_consent(*access, "P-1", {0, "2026-04-02", "research", "consent", "refused", "", "", ""})
-          .ok());
+  const auto access = storage::Access::open(folder.path("c.db")).value();
+  ASSERT_TRUE(storage::add_consent(*access, "P-1",
+                                   {0, "2026-04-02", "research", "consent", "refused", "", "", ""})
+                  .ok());
   EXPECT_EQ(trials(), 1);
   EXPECT_EQ(count_not_released(*store, {}).value(), 1u);
   EXPECT_EQ(count_not_released(*store, {"P-2"}).value(), 0u);
@@ -304,31 +304,31 @@ TEST(TrialAsJson, AMeasureThatIsNoNumberIsNullAndSaysWhy) {
 TEST(ColumnFacts, EveryColumnOfATrialIsDescribedWithItsUnit) {
   std::vector<std::string> names;
   for (const bool object : {false, true})
-    for (const auto& group : signal_groups(object))
+    for (const auto& group : session::signal_groups(object))
       names.insert(names.end(), group.columns.begin(), group.columns.end());
   for (const Finger finger : kFingers)
     for (const HandAxis axis : kHandAxes) names.push_back(anatomical_column(finger, axis));
   for (const auto& name : names) {
-    const auto facts = describe_column(name);
+    const auto facts = tasks::describe_column(name);
     EXPECT_TRUE(facts.known) << name;
     EXPECT_TRUE(ucum_code(facts.unit)) << name;
     if (facts.axes.empty()) continue;
-    EXPECT_TRUE(std::any_of(kColumnAxes.begin(), kColumnAxes.end(), [&](const auto& axes) {
-      return axes.first == facts.axes;
-    })) << name;
+    EXPECT_TRUE(std::any_of(tasks::kColumnAxes.begin(), tasks::kColumnAxes.end(),
+                            [&](const auto& axes) { return axes.first == facts.axes; }))
+        << name;
   }
-  EXPECT_FALSE(describe_column("corridor_error_N").known);
-  EXPECT_EQ(describe_column("corridor_error_N").unit, "N");
+  EXPECT_FALSE(tasks::describe_column("corridor_error_N").known);
+  EXPECT_EQ(tasks::describe_column("corridor_error_N").unit, "N");
 }
 
 TEST(TaskKinds, AreCalledAsInTaskFiles) {
   std::set<std::string_view> seen;
   for (const auto& spec : test::library_tasks()) {
-    const std::string line = "kind = \"" + std::string(kind_name(spec)) + "\"";
+    const std::string line = "kind = \"" + std::string(tasks::kind_name(spec)) + "\"";
     EXPECT_NE(spec.text.find(line), std::string::npos) << spec.file << " has no " << line;
-    seen.insert(kind_name(spec));
+    seen.insert(tasks::kind_name(spec));
   }
-  EXPECT_EQ(seen.size() + 1, kTaskKinds.size()) << "all but recorded";
+  EXPECT_EQ(seen.size() + 1, tasks::kTaskKinds.size()) << "all but recorded";
 }
 
 TEST(FhirCodes, EveryMeasureHasAUnitOfUcum) {
@@ -343,4 +343,4 @@ TEST(FhirCodes, EveryMeasureHasAUnitOfUcum) {
 }
 
 }  // namespace
-}  // namespace isograsp::research_export_test
+}  // namespace isograsp::exports::research_export_test

@@ -18,12 +18,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } else {
     const auto rest = in.bytes(size);
     std::vector<std::vector<double>> decoded(columns);
-    if (!decode_block(fuzz::text_of(rest.data(), rest.size()), rows, decoded)) return 0;
+    if (!storage::decode_block(fuzz::text_of(rest.data(), rest.size()), rows, decoded)) return 0;
     for (std::size_t i = 0; i < rows * columns; ++i)
       values.push_back(decoded[i % columns].at(i / columns));
   }
   std::vector<std::vector<double>> again(columns);
-  fuzz::require(decode_block(encode_block(values, columns), rows, again), "a block is whole");
+  fuzz::require(storage::decode_block(storage::encode_block(values, columns), rows, again),
+                "a block is whole");
   for (std::size_t i = 0; i < values.size(); ++i)
     fuzz::require(fuzz::same_bits(values[i], again[i % columns].at(i / columns)),
                   "what was encoded comes back to the last bit");

@@ -35,13 +35,13 @@ struct Sound {
 
   Sound() {
     {
-      const auto store = must(open_store(path, OpenMode::create));
-      SessionRecord session;
+      const auto store = must(storage::open_store(path, storage::OpenMode::create));
+      storage::SessionRecord session;
       session.patient_id = must(store->add_patient("P-1")).id;
       session.rate_Hz = static_cast<double>(kRows);
-      const RowId session_id = must(store->begin_session(session));
+      const storage::RowId session_id = must(store->begin_session(session));
       for (int number = 1; number <= 2; ++number) {
-        TrialRecord trial;
+        storage::TrialRecord trial;
         trial.session_id = session_id;
         trial.number = number;
         trial.task_name = "fuzz";
@@ -54,7 +54,7 @@ struct Sound {
         }
         fuzz::require(store->append_blocks(trial.id, 0, rows).ok(), "the sound file can be made");
         if (number == 2) break;
-        trial.status = TrialStatus::completed;
+        trial.status = storage::TrialStatus::completed;
         fuzz::require(store->end_trial(trial, {}).ok(), "the sound file can be made");
         hash = must(store->trials(session_id)).at(0).signals_hash;
       }
@@ -64,19 +64,19 @@ struct Sound {
   }
 };
 
-void read(SessionStore& store, const std::string& hash) {
+void read(storage::SessionStore& store, const std::string& hash) {
   static_cast<void>(store.check().ok());
   const auto patients = store.patients();
   if (!patients) return;
-  for (const PatientRecord& patient : *patients) {
+  for (const storage::PatientRecord& patient : *patients) {
     static_cast<void>(store.progress(patient.id).ok());
     const auto sessions = store.sessions(patient.id);
     if (!sessions) continue;
-    for (const SessionRecord& session : *sessions) {
+    for (const storage::SessionRecord& session : *sessions) {
       static_cast<void>(store.events(session.id).ok());
       const auto trials = store.trials(session.id);
       if (!trials) continue;
-      for (const TrialRecord& trial : *trials) {
+      for (const storage::TrialRecord& trial : *trials) {
         const auto signals = store.signals(trial);
         if (!signals || trial.signals_hash != hash || signals->rows() != kRows ||
             signals->names().size() != 3)
@@ -106,7 +106,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::ofstream out(sound.path, std::ios::binary | std::ios::trunc);
     out << bytes;
   }
-  const auto store = open_store(sound.path, OpenMode::read_only);
+  const auto store = storage::open_store(sound.path, storage::OpenMode::read_only);
   if (store)
     read(**store, sound.hash);
   else

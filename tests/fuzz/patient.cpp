@@ -7,11 +7,12 @@ using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto text = fuzz::text_of(data, size);
-  const auto patient = parse_patient(text, "patient.toml");
+  const auto patient = virtual_patient::parse_patient(text, "patient.toml");
   if (!patient) {
     fuzz::require_helpful(patient.error(), text);
     return 0;
   }
-  fuzz::require(clamped(patient->traits) == patient->traits, "every trait is within its range");
+  fuzz::require(virtual_patient::clamped(patient->traits) == patient->traits,
+                "every trait is within its range");
   return 0;
 }

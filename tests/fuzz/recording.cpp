@@ -11,17 +11,17 @@ using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto text = fuzz::text_of(data, size);
-  const auto spec = parse_recording(text, "recording.toml");
+  const auto spec = session::parse_recording(text, "recording.toml");
   if (!spec) {
     fuzz::require_helpful(spec.error(), text);
     return 0;
   }
   fuzz::require(spec->rate_Hz > 0.0 && std::isfinite(spec->rate_Hz), "the rate is a number");
   fuzz::require(!spec->columns.empty(), "something is recorded");
-  for (const RecordedColumn& column : spec->columns) {
+  for (const session::RecordedColumn& column : spec->columns) {
     fuzz::require(!column.name.empty() && !column.from.empty(), "columns come from somewhere");
     fuzz::require(column.factor > 0.0 && std::isfinite(column.factor), "units have a scale");
   }
-  fuzz::require(!provenance_of(*spec).empty(), "the origin is told");
+  fuzz::require(!session::provenance_of(*spec).empty(), "the origin is told");
   return 0;
 }

@@ -8,25 +8,25 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Secret key = derived_key(Secret(kKeySize), 1);
-  static const std::string sealed = seal(key, "place", "text");
+  static const storage::Secret key = storage::derived_key(storage::Secret(storage::kKeySize), 1);
+  static const std::string sealed = storage::seal(key, "place", "text");
   const auto text = fuzz::text_of(data, size);
-  const auto opened = unseal(key, "place", text);
+  const auto opened = storage::unseal(key, "place", text);
   fuzz::require(!opened || text == sealed, "nobody without the key makes a sealed text");
-  fuzz::require(unseal(key, "place", seal(key, "place", text))->text() == text,
+  fuzz::require(storage::unseal(key, "place", storage::seal(key, "place", text))->text() == text,
                 "every text comes back");
   if (text.find('\0') == std::string_view::npos) {
-    const auto digits = read_recovery_key(Secret(text));
+    const auto digits = storage::read_recovery_key(storage::Secret(text));
     constexpr std::size_t kDigits = 52;
     fuzz::require(!digits || digits->size() == kDigits, "a recovery key has 52 digits");
   }
-  SlotOwner owner;
+  storage::SlotOwner owner;
   owner.database_id = "id";
-  KeySlot slot;
+  storage::KeySlot slot;
   slot.salt = std::string(text.substr(0, text.size() / 2));
-  slot.cost = kCheapKeyCost;
+  slot.cost = storage::kCheapKeyCost;
   slot.wrapped = std::string(text.substr(text.size() / 2));
-  fuzz::require(!open_slot(slot, owner, Secret(std::string_view("password"))),
+  fuzz::require(!storage::open_slot(slot, owner, storage::Secret(std::string_view("password"))),
                 "nobody without the password makes a slot");
   return 0;
 }

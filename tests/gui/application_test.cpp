@@ -4,7 +4,7 @@
 
 #include "qt_test.hpp"
 
-namespace isograsp::test::application_test {
+namespace isograsp::gui::test::application_test {
 namespace {
 
 /// Sets a variable of the environment until the end of the test; an empty value removes it.
@@ -52,4 +52,4 @@ TEST_F(Display, OneThatCannotBeReachedIsAnErrorThatNamesIt) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::application_test
+}  // namespace isograsp::gui::test::application_test

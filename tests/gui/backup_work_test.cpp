@@ -10,7 +10,7 @@
 #include "storage/records/session_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::backup_work_test {
+namespace isograsp::gui::test::backup_work_test {
 namespace {
 
 class BackupWorkTest : public QtTest {
@@ -20,13 +20,13 @@ class BackupWorkTest : public QtTest {
 };
 
 TEST_F(BackupWorkTest, MakesOneAndNoneWhileASessionHoldsIt) {
-  ASSERT_TRUE(open_store(database_, OpenMode::create).ok());
+  ASSERT_TRUE(storage::open_store(database_, storage::OpenMode::create).ok());
   BackupWork work(database_);
   QSignalSpy made(&work, &BackupWork::made);
   work.hold(true);
   work.look();
   work.hold(false);
-  EXPECT_FALSE(std::filesystem::exists(Backups(database_).folder()));
+  EXPECT_FALSE(std::filesystem::exists(storage::Backups(database_).folder()));
   work.look();
   ASSERT_TRUE(wait_until([&] { return made.count() == 1; }));
   EXPECT_TRUE(std::filesystem::exists(made.front().front().toString().toStdString()));
@@ -42,7 +42,7 @@ TEST_F(BackupWorkTest, AFailureIsToldAndStaysKnownUntilOneIsMade) {
   ASSERT_TRUE(wait_until([&] { return !work.problem().isEmpty(); }));
   EXPECT_EQ(failed.count(), 1);
   std::filesystem::remove(database_);
-  ASSERT_TRUE(open_store(database_, OpenMode::create).ok());
+  ASSERT_TRUE(storage::open_store(database_, storage::OpenMode::create).ok());
   work.look();
   ASSERT_TRUE(wait_until([&] { return made.count() == 1; }));
   EXPECT_TRUE(work.problem().isEmpty());
@@ -50,4 +50,4 @@ TEST_F(BackupWorkTest, AFailureIsToldAndStaysKnownUntilOneIsMade) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::backup_work_test
+}  // namespace isograsp::gui::test::backup_work_test

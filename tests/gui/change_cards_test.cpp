@@ -12,13 +12,13 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::change_cards_test {
+namespace isograsp::gui::test::change_cards_test {
 namespace {
 
 class ChangeForm : public QtTest {
  protected:
   ChangeForm() {
-    auto store = open_store(database_, OpenMode::create);
+    auto store = storage::open_store(database_, storage::OpenMode::create);
     EXPECT_TRUE(store.ok());
     add_session(**store, "P-1", {});
     EXPECT_TRUE((*store)->add_patient("P-2").ok());
@@ -55,12 +55,12 @@ class ChangeForm : public QtTest {
              words("profile_state").startsWith("Saved");
     });
   }
-  std::vector<PrimaryMeasure> stored_primaries() const {
-    const auto reader = open_store(database_, OpenMode::read_only).value();
+  std::vector<storage::PrimaryMeasure> stored_primaries() const {
+    const auto reader = storage::open_store(database_, storage::OpenMode::read_only).value();
     return reader->primary_measures(reader->find_patient("P-1").value()->id).value();
   }
-  std::vector<StablePeriod> stored_periods() const {
-    const auto reader = open_store(database_, OpenMode::read_only).value();
+  std::vector<storage::StablePeriod> stored_periods() const {
+    const auto reader = storage::open_store(database_, storage::OpenMode::read_only).value();
     return reader->stable_periods(reader->find_patient("P-1").value()->id).value();
   }
   void take_picture(const char* state) const {
@@ -182,4 +182,4 @@ TEST_F(ChangeForm, NothingOfOnePersonStaysForTheNext) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::change_cards_test
+}  // namespace isograsp::gui::test::change_cards_test

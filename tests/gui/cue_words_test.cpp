@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::cue_words_test {
+namespace isograsp::gui::cue_words_test {
 namespace {
 
 constexpr std::size_t kDigitsCount = 7;
@@ -98,4 +98,4 @@ TEST(CueWords, OnlyDirectionsAlongTheForearmAreMirroredWithTheHand) {
 }
 
 }  // namespace
-}  // namespace isograsp::cue_words_test
+}  // namespace isograsp::gui::cue_words_test

@@ -28,7 +28,7 @@
 #include "storage/care/backups.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::failures_test {
+namespace isograsp::gui::test::failures_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,7 +107,7 @@ TEST_P(FailuresInEachLanguage, OfADeviceThatCannotBeOpened) {
     SCOPED_TRACE(uri);
     expect_translated(open_device(uri));
   }
-  expect_translated(simulated_traits(*Uri::parse("sim://nobody"), kLibrary));
+  expect_translated(session::simulated_traits(*Uri::parse("sim://nobody"), kLibrary));
 }
 
 TEST_P(FailuresInEachLanguage, OfADeviceFileThatIsWrong) {
@@ -130,58 +130,59 @@ TEST_P(FailuresInEachLanguage, OfATaskSceneOrProtocolThatIsWrong) {
         replaced(task, "version = ", "version = \"x\" #"), replaced(task, "name = ", "name = 3 #"),
         replaced(task, "kind = ", "kind = \"dance\" #")}) {
     SCOPED_TRACE(text.substr(text.size() - std::min<std::size_t>(text.size(), 40)));
-    expect_translated(parse_task(text, folder_.path("task.toml")));
+    expect_translated(tasks::parse_task(text, folder_.path("task.toml")));
   }
   const auto scene = *read_text(kLibrary + "/scenes/planar_block.toml");
   expect_translated(parse_scene(replaced(scene, "free = [", "free = [\"q\", "), "scene.toml"));
   expect_translated(parse_scene(replaced(scene, "free = [", "free = [3, "), "scene.toml"));
   expect_translated(parse_scene(replaced(scene, "mass_kg = ", "mass_kg = -"), "scene.toml"));
   const auto protocol = *read_text(kLibrary + "/protocols/short.toml");
+  expect_translated(session::read_protocol(protocol + "\n[[step]]\ntasks = [\"none.toml\"]\n",
+                                           "protocol.toml", kLibrary));
   expect_translated(
-      read_protocol(protocol + "\n[[step]]\ntasks = [\"none.toml\"]\n", "protocol.toml", kLibrary));
-  expect_translated(
-      read_protocol(protocol + "\n[[step]]\ntasks = []\n", "protocol.toml", kLibrary));
-  expect_translated(load_task(folder_.path("none.toml")));
+      session::read_protocol(protocol + "\n[[step]]\ntasks = []\n", "protocol.toml", kLibrary));
+  expect_translated(session::load_task(folder_.path("none.toml")));
 }
 
 TEST_P(FailuresInEachLanguage, OfADatabaseThatCannotBeOpened) {
-  expect_translated(open_store(folder_.path("none.db"), OpenMode::existing));
-  expect_translated(open_store(folder_.path("sub/none.db"), OpenMode::create));
-  expect_translated(open_store(folder_.path(), OpenMode::existing));
-  expect_translated(open_store("", OpenMode::existing));
-  expect_translated(open_store(folder_.write("text.db", "no database"), OpenMode::existing));
+  expect_translated(storage::open_store(folder_.path("none.db"), storage::OpenMode::existing));
+  expect_translated(storage::open_store(folder_.path("sub/none.db"), storage::OpenMode::create));
+  expect_translated(storage::open_store(folder_.path(), storage::OpenMode::existing));
+  expect_translated(storage::open_store("", storage::OpenMode::existing));
+  expect_translated(
+      storage::open_store(folder_.write("text.db", "no database"), storage::OpenMode::existing));
   const auto path = folder_.path("clinic.db");
-  ASSERT_TRUE(open_store(path, OpenMode::create).ok());
+  ASSERT_TRUE(storage::open_store(path, storage::OpenMode::create).ok());
   const auto set_format = [&](int version) {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
     constexpr int kUserVersion_byte = 63;
     file.seekp(kUserVersion_byte).put(static_cast<char>(version));
   };
   set_format(99);
-  expect_translated(open_store(path, OpenMode::existing));
+  expect_translated(storage::open_store(path, storage::OpenMode::existing));
   set_format(1);
-  expect_translated(open_store(path, OpenMode::existing));
+  expect_translated(storage::open_store(path, storage::OpenMode::existing));
 }
 
 TEST_P(FailuresInEachLanguage, OfWritingWhatCannotBeStored) {
   const auto path = folder_.path("clinic.db");
-  auto store = *open_store(path, OpenMode::create);
+  auto store = *storage::open_store(path, storage::OpenMode::create);
   ASSERT_TRUE(store->add_patient("P-0427").ok());
   expect_translated(store->add_patient("P-0427"));
   expect_translated(store->add_patient("Maria"));
   expect_translated(store->end_session(99, {}));
-  PatientProfile profile;
+  storage::PatientProfile profile;
   profile.onset_date = "yesterday";
   expect_translated(store->set_profile(1, profile));
   expect_translated(store->remove_primary_measure(99));
-  expect_translated(gather_progress(*store, "P-9999"));
-  ExportRequest request;
+  expect_translated(reports::gather_progress(*store, "P-9999"));
+  exports::ExportRequest request;
   request.patient = "P-9999";
-  expect_translated(list_export(*store, request));
+  expect_translated(exports::list_export(*store, request));
 }
 
 TEST_P(FailuresInEachLanguage, OfAFullDisk) {
-  auto store = *open_store(folder_.path("clinic.db"), OpenMode::create);
+  auto store = *storage::open_store(folder_.path("clinic.db"), storage::OpenMode::create);
   const auto former_signal = std::signal(SIGXFSZ, SIG_IGN);
   rlimit former{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &former), 0);
@@ -198,33 +199,36 @@ TEST_P(FailuresInEachLanguage, OfAFullDisk) {
 
 TEST_P(FailuresInEachLanguage, OfALogin) {
   const auto path = folder_.path("clinic.db");
-  auto made = Access::create(path, Secret("a clinic by the sea"), &kCheapKeyCost);
+  auto made = storage::Access::create(path, storage::Secret("a clinic by the sea"),
+                                      &storage::kCheapKeyCost);
   ASSERT_TRUE(made.ok());
-  Access& access = *made->access;
-  ASSERT_TRUE(
-      add_user(access, "Rosa", Role::researcher, Secret("correct horse"), kCheapKeyCost).ok());
-  expect_translated(access.log_in("Rosa", Secret("wrong horse")));
-  expect_translated(access.log_in("Nobody", Secret("wrong horse")));
-  expect_translated(access.switch_user("Rosa", Secret("1379")));
-  expect_translated(access.log_in_with_recovery_key(Secret("12")));
+  storage::Access& access = *made->access;
+  ASSERT_TRUE(storage::add_user(access, "Rosa", storage::Role::researcher,
+                                storage::Secret("correct horse"), storage::kCheapKeyCost)
+                  .ok());
+  expect_translated(access.log_in("Rosa", storage::Secret("wrong horse")));
+  expect_translated(access.log_in("Nobody", storage::Secret("wrong horse")));
+  expect_translated(access.switch_user("Rosa", storage::Secret("1379")));
+  expect_translated(access.log_in_with_recovery_key(storage::Secret("12")));
   Result<void> last;
-  for (int i = 0; i < 12; ++i) last = access.log_in("Rosa", Secret("wrong horse"));
+  for (int i = 0; i < 12; ++i) last = access.log_in("Rosa", storage::Secret("wrong horse"));
   expect_translated(last);
 }
 
 TEST_P(FailuresInEachLanguage, OfADatabaseWithoutALogin) {
   const auto path = folder_.path("clinic.db");
-  auto made = Access::create(path, Secret("a clinic by the sea"), &kCheapKeyCost);
+  auto made = storage::Access::create(path, storage::Secret("a clinic by the sea"),
+                                      &storage::kCheapKeyCost);
   ASSERT_TRUE(made.ok());
-  auto store = open_store(path, OpenMode::existing);
+  auto store = storage::open_store(path, storage::OpenMode::existing);
   ASSERT_TRUE(store.ok());
   made->access->log_out();
-  expect_translated(open_store(path, OpenMode::existing));
+  expect_translated(storage::open_store(path, storage::OpenMode::existing));
   expect_translated((*store)->add_patient("P-0427"));
 }
 
 TEST_P(FailuresInEachLanguage, OfTheOwnLibrary) {
-  const LibraryFiles files(kLibrary, own_library_folder(folder_.path("clinic.db")));
+  const LibraryFiles files(kLibrary, session::own_library_folder(folder_.path("clinic.db")));
   const auto shipped = files.list(LibraryKind::tasks).front();
   const auto text = *files.read(shipped);
   expect_translated(files.save(shipped, text, text, {}));
@@ -234,8 +238,8 @@ TEST_P(FailuresInEachLanguage, OfTheOwnLibrary) {
 
 TEST_P(FailuresInEachLanguage, OfABackup) {
   const auto path = folder_.write("clinic.db", "no database");
-  expect_translated(Backups(path).make(0));
-  expect_translated(restore_backup(folder_.path("none.db"), path));
+  expect_translated(storage::Backups(path).make(0));
+  expect_translated(storage::restore_backup(folder_.path("none.db"), path));
 }
 
 TEST_P(FailuresInEachLanguage, HaveTheirPatternsInTheFileOfTheWindows) {
@@ -260,4 +264,4 @@ TEST(SourceMessages, AreTheSumsOfFixedWordsAndOthersInWhatRefuses) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::failures_test
+}  // namespace isograsp::gui::test::failures_test

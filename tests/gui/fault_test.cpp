@@ -11,7 +11,7 @@
 #include "tests/device/net_ft_boxes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::fault_test {
+namespace isograsp::gui::test::fault_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,7 +62,7 @@ class FaultDuringATrial : public QtTest {
   void expect_both_screens_say_so(const char* word) {
     bool late = false;
     const auto watch = QObject::connect(&presenter_, &SessionPresenter::frame, [&] {
-      const bool told = presenter_.snapshot().stage == Stage::paused;
+      const bool told = presenter_.snapshot().stage == session::Stage::paused;
       const bool shown = presenter_.view().mood == Mood::fault &&
                          presenter_.picture().notice == PatientPicture::Notice::fault;
       late = late || (told && !shown);
@@ -76,15 +76,15 @@ class FaultDuringATrial : public QtTest {
     EXPECT_NE(presenter_.picture().notice_words.find("You did nothing wrong"), std::string::npos);
   }
 
-  std::vector<EventRecord> stored_faults() {
-    auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
+  std::vector<storage::EventRecord> stored_faults() {
+    auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
     auto events = *(*store)->events((*store)->recent_sessions(1)->front().id);
-    std::erase_if(events, [](const EventRecord& event) { return event.kind != "fault"; });
+    std::erase_if(events, [](const storage::EventRecord& event) { return event.kind != "fault"; });
     return events;
   }
 
-  std::vector<TrialRecord> stored_trials() {
-    auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
+  std::vector<storage::TrialRecord> stored_trials() {
+    auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
     return *(*store)->trials((*store)->recent_sessions(1)->front().id);
   }
 
@@ -103,7 +103,7 @@ TEST_F(FaultDuringATrial, AnUnpluggedSensorIsSaidAndTheTrialGoesOnWhenItIsBack) 
       30))
       << presenter_.view().sentence;
   operator_.press("pause");  // now Resume
-  ASSERT_TRUE(wait_until([&] { return presenter_.snapshot().stage == Stage::trial; }));
+  ASSERT_TRUE(wait_until([&] { return presenter_.snapshot().stage == session::Stage::trial; }));
   operator_.press("stop");
   operator_.finish_task();
   const auto trials = stored_trials();
@@ -205,7 +205,7 @@ TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) 
   EXPECT_EQ(presenter_.view().next(), Step::hand);
   const auto trials = stored_trials();
   ASSERT_EQ(trials.size(), 1U);
-  auto store = open_store(folder_.path("clinic.db"), OpenMode::existing);
+  auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::existing);
   ASSERT_TRUE(store.ok());
   const auto signals = (*store)->signals(trials[0]);
   ASSERT_TRUE(signals.ok()) << signals.error().message();
@@ -213,4 +213,4 @@ TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) 
 }
 
 }  // namespace
-}  // namespace isograsp::test::fault_test
+}  // namespace isograsp::gui::test::fault_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::flow_test {
+namespace isograsp::gui::flow_test {
 namespace {
 
 FlowFacts fresh() {
@@ -131,7 +131,7 @@ TEST(Flow, AScaledTaskWaitsForTheForceThatItIsScaledTo) {
 
 TEST(Flow, NothingElseMayBePressedDuringATrial) {
   FlowFacts facts = zeroed();
-  facts.stage = Stage::trial;
+  facts.stage = session::Stage::trial;
   const FlowView view = decide(facts);
   EXPECT_TRUE(view.may_pause && view.may_stop);
   EXPECT_FALSE(view.may_start || view.may_zero || view.may_disconnect || view.may_choose_task ||
@@ -140,8 +140,8 @@ TEST(Flow, NothingElseMayBePressedDuringATrial) {
 
 TEST(Flow, AFaultDuringATrialSaysThatNothingIsLost) {
   FlowFacts facts = zeroed();
-  facts.stage = Stage::paused;
-  facts.pause_cause = PauseCause::device_fault;
+  facts.stage = session::Stage::paused;
+  facts.pause_cause = session::PauseCause::device_fault;
   facts.health.state = DeviceState::faulted;
   facts.health.fault = DeviceFault::silence;
   const FlowView view = decide(facts);
@@ -171,7 +171,7 @@ TEST(Flow, AZeroThatDiffersMayBeAcceptedAsServicedAndNoOther) {
   facts.zeroed = true;
   EXPECT_NE(decide(facts).sentence.find("The index sensor differs"), std::string::npos)
       << "also when an older zero is in force";
-  facts.stage = Stage::trial;
+  facts.stage = session::Stage::trial;
   EXPECT_FALSE(decide(facts).may_accept_changed);
 }
 
@@ -263,7 +263,7 @@ TEST(Flow, AHandThatWasTakenOutForAZeroGoesInAgainBeforeWorkGoesOn) {
 
 TEST(Flow, AnOverloadInATrialIsSaidBesideIt) {
   FlowFacts facts = settled();
-  facts.stage = Stage::trial;
+  facts.stage = session::Stage::trial;
   facts.task_name = "Grip force";
   facts.health.state = DeviceState::degraded;
   facts.health.fault = DeviceFault::overload;
@@ -382,7 +382,7 @@ TEST(Flow, StrapsThatAreDueComeBeforeTheNextTaskAndCanBeConfirmed) {
   EXPECT_NE(view.sentence.find("look at the skin"), std::string::npos);
   facts.stop_reason = "30 minutes of work are done: end the session for today.";
   EXPECT_EQ(decide(facts).sentence, view.sentence) << "the skin of a hand whose work is over, too";
-  facts.stage = Stage::trial;
+  facts.stage = session::Stage::trial;
   EXPECT_EQ(decide(facts).mood, Mood::busy) << "a trial that runs is not interrupted";
 }
 
@@ -399,8 +399,9 @@ TEST(Flow, ASessionThatBreaksOffSaysWhyWhileItIsStillBeingSaved) {
 
 TEST(Flow, AfterAFaultATrialGoesOnFromRestOnly) {
   FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
-  facts.stage = Stage::paused;
-  for (const auto cause : {PauseCause::missing_samples, PauseCause::device_fault}) {
+  facts.stage = session::Stage::paused;
+  for (const auto cause :
+       {session::PauseCause::missing_samples, session::PauseCause::device_fault}) {
     facts.pause_cause = cause;
     facts.at_rest = false;
     EXPECT_FALSE(decide(facts).may_resume);
@@ -409,7 +410,7 @@ TEST(Flow, AfterAFaultATrialGoesOnFromRestOnly) {
     EXPECT_TRUE(decide(facts).may_resume);
   }
   facts.at_rest = false;
-  facts.pause_cause = PauseCause::therapist;
+  facts.pause_cause = session::PauseCause::therapist;
   EXPECT_TRUE(decide(facts).may_resume) << "a pause of the therapist";
 }
 
@@ -436,4 +437,4 @@ TEST(Flow, ConnectsOnlyWhenItIsKnownWhetherAProtocolWasInterrupted) {
 }
 
 }  // namespace
-}  // namespace isograsp::flow_test
+}  // namespace isograsp::gui::flow_test

@@ -11,11 +11,12 @@
 int main(int argc, char** argv) {
   const std::string source = ISOGRASP_SOURCE_DIR;
   if (argc > 1 && std::string_view(argv[1]) == "--patterns") {
-    for (const auto& pattern : isograsp::patterns_of_messages(source)) std::puts(pattern.c_str());
+    for (const auto& pattern : isograsp::gui::patterns_of_messages(source))
+      std::puts(pattern.c_str());
     return 0;
   }
   std::puts("static const char* const kTexts[] = {");
-  for (const std::string& text : isograsp::texts_below(source + "/library", source)) {
+  for (const std::string& text : isograsp::gui::texts_below(source + "/library", source)) {
     std::string literal;
     for (const char c : text) {
       if (c == '"' || c == '\\') literal += '\\';

@@ -6,7 +6,7 @@
 
 #include "hand/anatomical_axes.hpp"
 
-namespace isograsp::guided_check_test {
+namespace isograsp::gui::guided_check_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -41,7 +41,7 @@ class GuidedCheckTest : public ::testing::Test {
     let_go();
   }
 
-  Snapshot snapshot_;
+  session::Snapshot snapshot_;
   GuidedCheck check_;
 };
 
@@ -90,4 +90,4 @@ TEST_F(GuidedCheckTest, FramesThatNobodyLookedAtCountForTheTimeTheyTook) {
 }
 
 }  // namespace
-}  // namespace isograsp::guided_check_test
+}  // namespace isograsp::gui::guided_check_test

@@ -9,7 +9,7 @@
 
 #include "gui/presenter/flow.hpp"
 
-namespace isograsp::honest_screen_test {
+namespace isograsp::gui::honest_screen_test {
 namespace {
 
 using Look = std::function<void(const FlowFacts&)>;
@@ -41,15 +41,16 @@ void every(FlowFacts& facts, const std::vector<Axis>& axes, const Look& look,
 }
 
 void stages(FlowFacts& facts, const std::function<void()>& then) {
-  facts.pause_cause = PauseCause::none;
+  facts.pause_cause = session::PauseCause::none;
   facts.at_rest = false;
-  for (const Stage stage : {Stage::idle, Stage::zeroing, Stage::trial, Stage::finished}) {
+  for (const session::Stage stage : {session::Stage::idle, session::Stage::zeroing,
+                                     session::Stage::trial, session::Stage::finished}) {
     facts.stage = stage;
     then();
   }
-  facts.stage = Stage::paused;
-  for (const auto cause :
-       {PauseCause::therapist, PauseCause::missing_samples, PauseCause::device_fault})
+  facts.stage = session::Stage::paused;
+  for (const auto cause : {session::PauseCause::therapist, session::PauseCause::missing_samples,
+                           session::PauseCause::device_fault})
     for (const bool at_rest : {false, true}) {
       facts.pause_cause = cause;
       facts.at_rest = at_rest;
@@ -218,7 +219,8 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
     return "Start is filled but not what comes next";
   if (view.press == NextPress::resume && !view.may_resume) return "resume";
   // What is asked for can be done.
-  if (next == Step::zero && facts.stage == Stage::idle && !facts.zero_asked && !view.may_zero)
+  if (next == Step::zero && facts.stage == session::Stage::idle && !facts.zero_asked &&
+      !view.may_zero)
     return "a zero is asked for that cannot be set";
   if ((view.situation == Situation::straps_due || view.situation == Situation::strap_in ||
        view.situation == Situation::strap_again) &&
@@ -299,7 +301,7 @@ void in_a_session(Judge& judge) {
         [&](const FlowFacts& now) {
           FlowFacts changed = now;
           // What matters only where tasks are chosen by hand, or a trial can be repeated.
-          if (now.protocol.active || now.stage != Stage::idle) return judge.look(now);
+          if (now.protocol.active || now.stage != session::Stage::idle) return judge.look(now);
           every(changed, {forces, last_trials}, [&](const FlowFacts& all) { judge.look(all); });
         });
 }
@@ -313,4 +315,4 @@ TEST(HonestScreen, LightSentenceAndStepsAgreeForAllFacts) {
 }
 
 }  // namespace
-}  // namespace isograsp::honest_screen_test
+}  // namespace isograsp::gui::honest_screen_test

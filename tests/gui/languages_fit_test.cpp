@@ -23,13 +23,13 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::languages_fit_test {
+namespace isograsp::gui::test::languages_fit_test {
 namespace {
 
 class FilledWindow : public QtTest {
  protected:
   FilledWindow(const std::string& language, int letters_percent) : spoken_(language.c_str()) {
-    auto store = open_store(path_, OpenMode::create);
+    auto store = storage::open_store(path_, storage::OpenMode::create);
     EXPECT_TRUE(store.ok());
     add_course(**store, "P-1", true);
     store->reset();
@@ -263,4 +263,4 @@ TEST_P(EveryPage, GivesEachMnemonicOnceAndNamesItInTheTooltip) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::languages_fit_test
+}  // namespace isograsp::gui::test::languages_fit_test

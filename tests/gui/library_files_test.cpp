@@ -13,7 +13,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::library_files_test {
+namespace isograsp::gui::test::library_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,7 +39,7 @@ class OwnLibrary : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
-  LibraryFiles files_{kShipped, own_library_folder(folder_.path("clinic.db"))};
+  LibraryFiles files_{kShipped, session::own_library_folder(folder_.path("clinic.db"))};
 };
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -49,8 +49,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST_F(OwnLibrary, StandsBesideTheDatabase) {
-  EXPECT_EQ(own_library_folder("/data/clinic.db"), "/data/clinic.library");
-  EXPECT_NE(own_library_folder("/data/clinic.db"), own_library_folder("/data/demo.db"));
+  EXPECT_EQ(session::own_library_folder("/data/clinic.db"), "/data/clinic.library");
+  EXPECT_NE(session::own_library_folder("/data/clinic.db"),
+            session::own_library_folder("/data/demo.db"));
 }
 
 TEST_F(OwnLibrary, EveryShippedFileIsListedSoundAndUnderANameOfItsOwn) {
@@ -84,7 +85,7 @@ TEST_F(OwnLibrary, ADuplicateIsAnOwnFileWithAFreeName) {
   EXPECT_TRUE(first.own);
   EXPECT_EQ(first.name, original.name + " (copy)");
   EXPECT_EQ(first.path, files_.own() + "/tasks/grip_sine_copy.toml");
-  const auto spec = load_task(first.path);
+  const auto spec = session::load_task(first.path);
   ASSERT_TRUE(spec.ok());
   EXPECT_EQ(spec->name, first.name);
   EXPECT_EQ(spec->version, 1) << "it is another task: its versions begin anew";
@@ -117,7 +118,7 @@ TEST_F(OwnLibrary, AnOwnTaskFindsOwnAndShippedScenesAndAShippedOneOnlyShipped) {
   const auto scene = copy_of(LibraryKind::scenes, "planar_block.toml");
   const auto task = copy_of(LibraryKind::tasks, "two_target.toml");
   const auto found = [&](const std::string& name, const LibraryEntry& by) {
-    const auto path = find_in_library(kShipped, "scenes", name, by.path);
+    const auto path = session::find_in_library(kShipped, "scenes", name, by.path);
     return path ? fs::path(*path) : fs::path();
   };
   EXPECT_EQ(found("planar_block_copy", task), fs::path(scene.path));
@@ -125,8 +126,9 @@ TEST_F(OwnLibrary, AnOwnTaskFindsOwnAndShippedScenesAndAShippedOneOnlyShipped) {
   EXPECT_TRUE(found("planar_block_copy", shipped(LibraryKind::tasks, "two_target.toml")).empty());
   const auto text = text_of(copy_of(LibraryKind::protocols, "short.toml"));
   const auto path = files_.own() + "/protocols/mine.toml";
-  EXPECT_TRUE(read_protocol(replaced(text, "two_target", "two_target_copy"), path, kShipped).ok());
-  EXPECT_FALSE(read_protocol(replaced(text, "two_target", "absent"), path, kShipped).ok());
+  EXPECT_TRUE(
+      session::read_protocol(replaced(text, "two_target", "two_target_copy"), path, kShipped).ok());
+  EXPECT_FALSE(session::read_protocol(replaced(text, "two_target", "absent"), path, kShipped).ok());
 }
 
 TEST_F(OwnLibrary, ShippedFilesAreNeitherSavedNorRemoved) {
@@ -157,7 +159,7 @@ TEST_F(OwnLibrary, ATextThatATrialUsedIsKeptAndTheTaskGetsTheNextVersion) {
   ASSERT_TRUE(saved.ok());
   EXPECT_TRUE(saved->raised);
   EXPECT_EQ(saved->version, 5) << "above every version that was used";
-  EXPECT_EQ(load_task(entry.path)->version, 5);
+  EXPECT_EQ(session::load_task(entry.path)->version, 5);
   EXPECT_EQ(read_text(saved->kept).value(), former);
   const auto again = files_.save(entry, saved->text, saved->text + "# more\n", {true, 5});
   ASSERT_TRUE(again.ok());
@@ -218,7 +220,7 @@ TEST_F(OwnLibrary, ADraftOutlivesTheProgramAndGoesWithSave) {
 
 TEST(LibraryUse, ATaskOfAProtocolThatIsFollowedCountsAsUsed) {
   const auto former = read_text(kShipped + "/tasks/grip_sine.toml").value();
-  const int version = parse_task(former, "").value().version;
+  const int version = tasks::parse_task(former, "").value().version;
   FileUse use;
   count_as_used(use, LibraryKind::tasks, former, former + "# more\n");
   EXPECT_TRUE(use.used);
@@ -230,16 +232,16 @@ TEST(LibraryUse, ATaskOfAProtocolThatIsFollowedCountsAsUsed) {
 
 TEST(LibraryUse, IsFoundInTheTextsOfStoredTrialsAndSessions) {
   TemporaryFolder folder;
-  auto store = *open_store(folder.path("clinic.db"), OpenMode::create);
+  auto store = *storage::open_store(folder.path("clinic.db"), storage::OpenMode::create);
   const auto patient = store->add_patient("P-4T8R2").value();
-  SessionRecord session;
+  storage::SessionRecord session;
   session.patient_id = patient.id;
   session.started_utc = "2026-03-02T09:00:00Z";
   session.device_uri = "sim://healthy";
   session.protocol_text = "the protocol";
   const auto session_id = store->begin_session(session).value();
   const auto add_trial = [&](int number, const std::string& text, int version) {
-    TrialRecord trial;
+    storage::TrialRecord trial;
     trial.session_id = session_id;
     trial.number = number;
     trial.task_name = "Sine";
@@ -250,7 +252,7 @@ TEST(LibraryUse, IsFoundInTheTextsOfStoredTrialsAndSessions) {
     const auto id = store->begin_trial(trial);
     ASSERT_TRUE(id.ok()) << id.error().message();
     trial.id = *id;
-    trial.status = TrialStatus::completed;
+    trial.status = storage::TrialStatus::completed;
     ASSERT_TRUE(store->end_trial(trial, {}).ok());
   };
   const std::string first = "name = \"Sine\"\nversion = 1\n";
@@ -274,4 +276,4 @@ TEST(LibraryUse, IsFoundInTheTextsOfStoredTrialsAndSessions) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::library_files_test
+}  // namespace isograsp::gui::test::library_files_test

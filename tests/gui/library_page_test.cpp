@@ -20,7 +20,7 @@
 #include "short_library.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::library_page_test {
+namespace isograsp::gui::test::library_page_test {
 namespace {
 
 const std::string kShipped = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -65,8 +65,8 @@ TEST(LibraryPreview, OfEveryShippedFileSaysSomething) {
 
 TEST(LibraryPreview, OfAProtocolHasStepsWhoseDurationsAddUpToThatOfTheWhole) {
   const auto path = kShipped + "/protocols/battery.toml";
-  const auto whole = read_protocol(path, kShipped).value().duration();
-  Duration sum;
+  const auto whole = session::read_protocol(path, kShipped).value().duration();
+  tasks::Duration sum;
   for (const auto& step : preview(LibraryKind::protocols, "battery.toml").steps) {
     sum.nominal_s += step.duration.nominal_s;
     sum.worst_s += step.duration.worst_s;
@@ -146,7 +146,7 @@ class LibraryPageTest : public QtTest {
   [[nodiscard]] bool session_offers(const std::string& name) {
     const auto& tasks = windows_->presenter().tasks();
     return std::any_of(tasks.begin(), tasks.end(),
-                       [&](const TaskSpec& task) { return task.name == name; });
+                       [&](const tasks::TaskSpec& task) { return task.name == name; });
   }
 
   TemporaryFolder folder_;
@@ -185,7 +185,7 @@ TEST_F(LibraryPageTest, TheReadersOwnErrorIsShownWithItsLineAsOneTypes) {
   type("kind = ", "knd = ");
   ASSERT_TRUE(wait_until([&] { return problem().contains("⚠"); }));
   EXPECT_FALSE(button("library_save")) << "a text that cannot be read is no file";
-  const auto spec = parse_task(editor().toPlainText().toStdString(), "x");
+  const auto spec = tasks::parse_task(editor().toPlainText().toStdString(), "x");
   ASSERT_FALSE(spec.ok());
   EXPECT_TRUE(problem().contains(QString::fromStdString(spec.error().what).toHtmlEscaped()));
   type("knd = ", "kind = ");
@@ -285,12 +285,12 @@ TEST_F(LibraryPageTest, ATaskThatATrialUsedIsKeptAndGetsTheNextVersion) {
   EXPECT_TRUE(remark().contains("version 2")) << remark().toStdString();
   keep("library_saved");
   EXPECT_TRUE(editor().toPlainText().contains("version = 2"));
-  EXPECT_EQ(load_task(path)->version, 2);
+  EXPECT_EQ(session::load_task(path)->version, 2);
   const auto history = folder_.path("clinic.library") + "/history/tasks/resting_force_copy-1.toml";
   EXPECT_EQ(read_text(history).value(), used);
   type("duration_s = 2", "duration_s = 3");
   save();
-  EXPECT_EQ(load_task(path)->version, 2) << "no trial used the text that is replaced now";
+  EXPECT_EQ(session::load_task(path)->version, 2) << "no trial used the text that is replaced now";
 }
 
 TEST_F(LibraryPageTest, ScenesAndProtocolsShowWhatTheyAre) {
@@ -319,4 +319,4 @@ TEST_F(LibraryPageTest, SearchFindsAFileByAnyPartOfItsName) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::library_page_test
+}  // namespace isograsp::gui::test::library_page_test

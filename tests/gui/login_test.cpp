@@ -23,7 +23,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::login_test {
+namespace isograsp::gui::test::login_test {
 namespace {
 
 constexpr const char* kPassphrase = "a clinic by the sea";
@@ -34,17 +34,22 @@ class LoginTest : public QtTest {
  protected:
   LoginTest() {
     {
-      auto made = Access::create(database_, Secret(kPassphrase), &kCheapKeyCost);
+      auto made =
+          storage::Access::create(database_, storage::Secret(kPassphrase), &storage::kCheapKeyCost);
       EXPECT_TRUE(made.ok()) << made.error().message();
-      Access& access = *made->access;
-      EXPECT_TRUE(add_user(access, "Ada", Role::therapist, Secret(kPassword), kCheapKeyCost).ok());
-      EXPECT_TRUE(
-          add_user(access, "Rosa", Role::researcher, Secret(kPassword), kCheapKeyCost).ok());
-      EXPECT_TRUE(access.log_in("Ada", Secret(kPassword)).ok());
-      EXPECT_TRUE(set_own_pin(access, Secret(kPin)).ok());
-      auto store = *open_store(database_, OpenMode::existing);
+      storage::Access& access = *made->access;
+      EXPECT_TRUE(storage::add_user(access, "Ada", storage::Role::therapist,
+                                    storage::Secret(kPassword), storage::kCheapKeyCost)
+                      .ok());
+      EXPECT_TRUE(storage::add_user(access, "Rosa", storage::Role::researcher,
+                                    storage::Secret(kPassword), storage::kCheapKeyCost)
+                      .ok());
+      EXPECT_TRUE(access.log_in("Ada", storage::Secret(kPassword)).ok());
+      EXPECT_TRUE(storage::set_own_pin(access, storage::Secret(kPin)).ok());
+      auto store = *storage::open_store(database_, storage::OpenMode::existing);
       EXPECT_TRUE(store->add_patient("P-0427").ok());
-      EXPECT_TRUE(set_identity(access, "P-0427", {"Maria Berger", "1950-03-05", "555 0100"}).ok());
+      EXPECT_TRUE(
+          storage::set_identity(access, "P-0427", {"Maria Berger", "1950-03-05", "555 0100"}).ok());
     }
     windows_ =
         std::make_unique<Windows>(GuiConfig{database_, "", make_short_library(folder_), "test"});
@@ -158,15 +163,15 @@ TEST_F(LoginTest, AnIdentityIsReadOnRequestAndTheLogSaysByWhom) {
   }));
   windows_->presenter().choose_patient("");
   EXPECT_TRUE(name.text().isEmpty()) << "nothing of one person stays for the next";
-  Access& access = *windows_->staff().access();
-  ASSERT_TRUE(access.log_in_with_passphrase(Secret(kPassphrase)).ok());
+  storage::Access& access = *windows_->staff().access();
+  ASSERT_TRUE(access.log_in_with_passphrase(storage::Secret(kPassphrase)).ok());
   for (const char* act : {"read identity", "change identity"}) {
-    const auto entries = read_audit(access, {act, "P-0427"});
+    const auto entries = storage::read_audit(access, {act, "P-0427"});
     ASSERT_TRUE(entries.ok()) << entries.error().message();
     ASSERT_FALSE(entries->empty()) << act;
     EXPECT_EQ(entries->back().actor, "Ada");
   }
-  EXPECT_EQ((**read_identity(access, "P-0427")).name, "Maria Berger-Novak");
+  EXPECT_EQ((**storage::read_identity(access, "P-0427")).name, "Maria Berger-Novak");
 }
 
 TEST_F(LoginTest, AResearcherSeesNoIdentity) {
@@ -248,9 +253,10 @@ TEST_F(LoginTest, TheListKeepsWhoWasChosenAndElseShowsWhoWasIn) {
 TEST_F(LoginTest, TheContactKeepsItsLines) {
   log_in("Ada", kPassword);
   ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
-  Access& access = *windows_->staff().access();
+  storage::Access& access = *windows_->staff().access();
   const std::string contact = "555 0100\nmaria@example.org";
-  ASSERT_TRUE(set_identity(access, "P-0427", {"Maria Berger", "1950-03-05", contact}).ok());
+  ASSERT_TRUE(
+      storage::set_identity(access, "P-0427", {"Maria Berger", "1950-03-05", contact}).ok());
   windows_->presenter().choose_patient("P-0427");
   windows_->therapist().show_page(TherapistWindow::Page::patient);
   operator_->find<QTabWidget>("patient_tabs").setCurrentIndex(1);
@@ -260,10 +266,10 @@ TEST_F(LoginTest, TheContactKeepsItsLines) {
   name.setText("Maria Novak");
   operator_->press("identity_store");
   ASSERT_TRUE(wait_until([&] {
-    const auto read = read_identity(access, "P-0427");
+    const auto read = storage::read_identity(access, "P-0427");
     return read.ok() && *read && (*read)->name == "Maria Novak";
   }));
-  EXPECT_EQ((**read_identity(access, "P-0427")).contact, contact);
+  EXPECT_EQ((**storage::read_identity(access, "P-0427")).contact, contact);
 }
 
 TEST_F(LoginTest, APrintedReportAndABackupStandInTheAuditLog) {
@@ -271,10 +277,10 @@ TEST_F(LoginTest, APrintedReportAndABackupStandInTheAuditLog) {
   ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
   auto* reports = windows_->therapist().findChild<ReportsPage*>();
   Q_EMIT reports->sent("P-0427", true);
-  Access& access = *windows_->staff().access();
-  ASSERT_TRUE(access.log_in_with_passphrase(Secret(kPassphrase)).ok());
+  storage::Access& access = *windows_->staff().access();
+  ASSERT_TRUE(access.log_in_with_passphrase(storage::Secret(kPassphrase)).ok());
   const auto logged = [&](const char* act) {
-    const auto entries = read_audit(access, {act, ""});
+    const auto entries = storage::read_audit(access, {act, ""});
     return entries.ok() && !entries->empty();
   };
   EXPECT_TRUE(wait_until([&] { return logged("print"); }));
@@ -284,10 +290,10 @@ TEST_F(LoginTest, WhoeverClosesTheWindowsIsLoggedOut) {
   log_in("Ada", kPassword);
   operator_.reset();
   windows_.reset();
-  auto access = *Access::open(database_);
+  auto access = *storage::Access::open(database_);
   EXPECT_FALSE(access->user());
-  ASSERT_TRUE(access->log_in_with_passphrase(Secret(kPassphrase)).ok());
-  const auto entries = read_audit(*access, {"log out", ""});
+  ASSERT_TRUE(access->log_in_with_passphrase(storage::Secret(kPassphrase)).ok());
+  const auto entries = storage::read_audit(*access, {"log out", ""});
   ASSERT_TRUE(entries.ok()) << entries.error().message();
   ASSERT_FALSE(entries->empty());
   EXPECT_EQ(entries->back().actor, "Ada");
@@ -297,11 +303,13 @@ TEST_F(LoginTest, WhoeverClosesTheWindowsIsLoggedOut) {
 class StaffTest : public QtTest {
  protected:
   StaffTest() {
-    auto made = Access::create(database_, Secret(kPassphrase), &kCheapKeyCost);
+    auto made =
+        storage::Access::create(database_, storage::Secret(kPassphrase), &storage::kCheapKeyCost);
     EXPECT_TRUE(made.ok()) << made.error().message();
-    EXPECT_TRUE(
-        add_user(*made->access, "Ada", Role::therapist, Secret(kPassword), kCheapKeyCost).ok());
-    EXPECT_TRUE(set_policy(*made->access, {kLockAfter_s, 10}).ok());
+    EXPECT_TRUE(storage::add_user(*made->access, "Ada", storage::Role::therapist,
+                                  storage::Secret(kPassword), storage::kCheapKeyCost)
+                    .ok());
+    EXPECT_TRUE(storage::set_policy(*made->access, {kLockAfter_s, 10}).ok());
     made->access.reset();
     staff_ = std::make_unique<Staff>(database_, &clock_);
     staff_->open();
@@ -378,4 +386,4 @@ TEST_F(StaffTest, TheLockWaitsForWhatIsBeingStoredButTheLoginDoesNotPassIt) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::login_test
+}  // namespace isograsp::gui::test::login_test

@@ -6,11 +6,11 @@
 #include "operator.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::lost_session_test {
+namespace isograsp::gui::lost_session_test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace isograsp::test;
+using namespace test;
 
 class LostSession : public QtTest {
  protected:
@@ -52,4 +52,4 @@ TEST_F(LostSession, ASoundOneLetsTheWindowGo) {
 }
 
 }  // namespace
-}  // namespace isograsp::lost_session_test
+}  // namespace isograsp::gui::lost_session_test

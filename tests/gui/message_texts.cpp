@@ -9,7 +9,7 @@
 #include "device/config/device_config.hpp"
 #include "tests/gui/source_messages.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -173,4 +173,4 @@ std::set<std::string> patterns_of_messages(const std::string& source_folder) {
   return texts;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

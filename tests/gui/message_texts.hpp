@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// %1, %2 … stand for what a message names.
 [[nodiscard]] std::set<std::string> texts_of_messages(const std::string& source_folder);
@@ -14,4 +14,4 @@ namespace isograsp {
 /// Those whose places take any words: the file of patterns of the windows.
 [[nodiscard]] std::set<std::string> patterns_of_messages(const std::string& source_folder);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

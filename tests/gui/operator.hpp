@@ -10,7 +10,7 @@
 #include "gui/windows.hpp"
 #include "qt_test.hpp"
 
-namespace isograsp::test {
+namespace isograsp::gui::test {
 
 /// A strapped hand settles for that long, where a test does not ask for the minute itself.
 [[nodiscard]] inline GuiConfig settling_soon(GuiConfig config) {
@@ -131,9 +131,10 @@ class Operator {
   }
   void start_task() const {
     press("start");
-    ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().stage == Stage::trial; }))
-        << windows_.presenter().view().sentence << " / "
-        << find<QLabel>("message").text().toStdString();
+    ASSERT_TRUE(wait_until([&] {
+      return windows_.presenter().snapshot().stage == session::Stage::trial;
+    })) << windows_.presenter().view().sentence
+        << " / " << find<QLabel>("message").text().toStdString();
   }
   void finish_task() const {
     ASSERT_TRUE(wait_until([&] { return !windows_.presenter().view().may_stop; }, 300));
@@ -144,4 +145,4 @@ class Operator {
   Windows& windows_;
 };
 
-}  // namespace isograsp::test
+}  // namespace isograsp::gui::test

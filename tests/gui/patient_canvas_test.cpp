@@ -5,7 +5,7 @@
 
 #include "qt_test.hpp"
 
-namespace isograsp::test::patient_canvas_test {
+namespace isograsp::gui::test::patient_canvas_test {
 namespace {
 
 using Page = PatientPicture::Page;
@@ -57,4 +57,4 @@ TEST_F(MarkOfASimulation, CoversNoWord) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::patient_canvas_test
+}  // namespace isograsp::gui::test::patient_canvas_test

@@ -18,13 +18,15 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::patient_course_test {
+namespace isograsp::gui::patient_course_test {
 namespace {
+
+using namespace isograsp::test;
 
 class PatientCourseTest : public ::testing::Test {
  protected:
   PatientCourseTest() {
-    auto store = open_store(path_, OpenMode::scratch);
+    auto store = storage::open_store(path_, storage::OpenMode::scratch);
     EXPECT_TRUE(store.ok());
     store_ = *std::move(store);
   }
@@ -40,7 +42,7 @@ class PatientCourseTest : public ::testing::Test {
 
   TemporaryFolder folder_;
   std::string path_ = folder_.path("clinic.db");
-  std::unique_ptr<SessionStore> store_;
+  std::unique_ptr<storage::SessionStore> store_;
 };
 
 TEST_F(PatientCourseTest, HoldsEverySessionWithItsTrialsAndTheirMeasures) {
@@ -54,7 +56,7 @@ TEST_F(PatientCourseTest, HoldsEverySessionWithItsTrialsAndTheirMeasures) {
   EXPECT_TRUE(practice.record.practice);
   EXPECT_FALSE(is_assessment(practice.record));
   EXPECT_FALSE(practice.measures.empty());
-  EXPECT_EQ(all.sessions.back().trials[7].record.status, TrialStatus::aborted);
+  EXPECT_EQ(all.sessions.back().trials[7].record.status, storage::TrialStatus::aborted);
   EXPECT_FALSE(is_assessment(all.sessions.back().trials[7].record));
   const Measure* key = key_measure(all.sessions.back().trials[4]);
   ASSERT_NE(key, nullptr);
@@ -75,13 +77,13 @@ TEST_F(PatientCourseTest, KeyMeasuresComeFirstAndNoneIsForResearchOnly) {
                                   [](const MeasureTrend& trend) { return trend.key; }));
   std::set<QString> research;
   for (const auto& point : all.points)
-    if (!words_for(point.measure.name, point.measure.channel).clinical)
+    if (!tasks::words_for(point.measure.name, point.measure.channel).clinical)
       research.insert(QString::fromStdString(point.measure.name));
   EXPECT_LT(trends.size(), 15U) << "a choice, not everything";
 }
 
 TEST_F(PatientCourseTest, PracticeAndHelpAreMarkedAndStandInNoMean) {
-  const RowId session = add_session(*store_, "P-1", {});
+  const storage::RowId session = add_session(*store_, "P-1", {});
   const auto trials = store_->trials(session);
   ASSERT_TRUE(store_->mark_helped((*trials)[5].id, true).ok());
   const auto trends = choose_trends(course());
@@ -184,9 +186,9 @@ TEST_F(PatientCourseTest, AnotherVersionOfAMeasureIsNotCompared) {
 
 TEST_F(PatientCourseTest, AWaitInVainDoesNotDropOutOfAMean) {
   CourseTrial trial;
-  trial.record.status = TrialStatus::completed;
+  trial.record.status = storage::TrialStatus::completed;
   trial.measures = {{"reaction_time", "", 2.0, "s", 1, 10, 0, ""}};
-  ASSERT_TRUE(words_for("reaction_time", "").censored);
+  ASSERT_TRUE(tasks::words_for("reaction_time", "").censored);
   CourseSession a{1, {}, {trial}};
   CourseSession b{2, {}, {trial, trial}};
   b.record.id = 2;
@@ -217,8 +219,8 @@ TEST_F(PatientCourseTest, ADamagedTrialIsReadUpToTheDamage) {
 }
 
 TEST_F(PatientCourseTest, ADamagedGroupLeavesTheChannelsBeforeIt) {
-  const RowId session_id = add_session(*store_, "P-1", {});
-  TrialRecord trial;
+  const storage::RowId session_id = add_session(*store_, "P-1", {});
+  storage::TrialRecord trial;
   trial.session_id = session_id;
   trial.number = 8;
   trial.task_name = "Two groups";
@@ -231,7 +233,7 @@ TEST_F(PatientCourseTest, ADamagedGroupLeavesTheChannelsBeforeIt) {
   }
   ASSERT_TRUE(store_->append_blocks(trial.id, 0, rows).ok());
   trial.samples = 100;
-  trial.status = TrialStatus::completed;
+  trial.status = storage::TrialStatus::completed;
   ASSERT_TRUE(store_->end_trial(trial, {}).ok());
   execute(
       "UPDATE signal_packs SET values_blake2b = zeroblob(32) WHERE position = 1 AND trial_id = " +
@@ -247,12 +249,12 @@ TEST_F(PatientCourseTest, ADamagedGroupLeavesTheChannelsBeforeIt) {
 }
 
 TEST_F(PatientCourseTest, EventsStandOnTheTimeAxisOfTheirTrial) {
-  const RowId session = add_session(*store_, "P-1", {});
+  const storage::RowId session = add_session(*store_, "P-1", {});
   const auto trials = store_->trials(session);
-  for (const auto& event :
-       {EventRecord{(*trials)[1].id, 1.5, "fault", "no samples"},
-        EventRecord{0, 2.5, "note", "moved"}, EventRecord{0, 500.0, "note", "much later"},
-        EventRecord{(*trials)[2].id, 1.0, "pause", ""}})
+  for (const auto& event : {storage::EventRecord{(*trials)[1].id, 1.5, "fault", "no samples"},
+                            storage::EventRecord{0, 2.5, "note", "moved"},
+                            storage::EventRecord{0, 500.0, "note", "much later"},
+                            storage::EventRecord{(*trials)[2].id, 1.0, "pause", ""}})
     ASSERT_TRUE(store_->add_event(session, event).ok());
   const auto all = course();
   const auto opened = open_trial(*store_, all.sessions[0].record, (*trials)[1]);
@@ -264,7 +266,7 @@ TEST_F(PatientCourseTest, EventsStandOnTheTimeAxisOfTheirTrial) {
 
 TEST_F(PatientCourseTest, FactsSayWhatMakesATrialDoubtful) {
   OpenedTrial opened;
-  opened.trial.status = TrialStatus::interrupted;
+  opened.trial.status = storage::TrialStatus::interrupted;
   opened.trial.helped = true;
   opened.trial.seed = 18446744073709551615ULL;
   opened.trial.zero_id = 1;
@@ -281,4 +283,4 @@ TEST_F(PatientCourseTest, FactsSayWhatMakesATrialDoubtful) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::patient_course_test
+}  // namespace isograsp::gui::patient_course_test

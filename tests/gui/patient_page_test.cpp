@@ -15,13 +15,13 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::patient_page_test {
+namespace isograsp::gui::test::patient_page_test {
 namespace {
 
 class PatientPageTest : public QtTest {
  protected:
   PatientPageTest() {
-    auto store = open_store(path_, OpenMode::scratch);
+    auto store = storage::open_store(path_, storage::OpenMode::scratch);
     EXPECT_TRUE(store.ok());
     add_course(**store, "P-1", true);
     EXPECT_TRUE((*store)->add_patient("P-2").ok());
@@ -102,14 +102,14 @@ TEST_F(PatientPageTest, NothingOfOnePatientStaysForTheNext) {
 
 TEST_F(PatientPageTest, APrimaryMeasureSaysItsVerdictOnItsTileAndInTheLargePicture) {
   {
-    auto store = open_store(path_, OpenMode::existing).value();
-    const RowId id = store->find_patient("P-1").value()->id;
+    auto store = storage::open_store(path_, storage::OpenMode::existing).value();
+    const storage::RowId id = store->find_patient("P-1").value()->id;
     ASSERT_TRUE(
         store
             ->add_primary_measure(id, {0, "Maximum grip force", Hand::right, "maximum_force",
                                        "grip", "2026-03-01T00:00:00Z", "T7"})
             .ok());
-    ASSERT_TRUE(store->set_profile(id, {Side::right, {}, "", "", ""}).ok());
+    ASSERT_TRUE(store->set_profile(id, {storage::Side::right, {}, "", "", ""}).ok());
   }
   show("P-1");
   auto& grid = page_->trend_grid();
@@ -296,4 +296,4 @@ TEST_F(PatientPageTest, FitsTheSmallestScreen) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::patient_page_test
+}  // namespace isograsp::gui::test::patient_page_test

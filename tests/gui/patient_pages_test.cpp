@@ -11,11 +11,11 @@
 #include "gui/patient_screen/patient_directions.hpp"
 #include "qt_test.hpp"
 
-namespace isograsp::test::patient_pages_test {
+namespace isograsp::gui::test::patient_pages_test {
 namespace {
 
-TaskSpec parse(const std::string& body) {
-  auto spec = parse_task(
+tasks::TaskSpec parse(const std::string& body) {
+  auto spec = tasks::parse_task(
       "format = \"isograsp-task-1\"\nname = \"task\"\ninstruction = \"do\"\n"
       "version = 1\n" +
           body,
@@ -24,8 +24,8 @@ TaskSpec parse(const std::string& body) {
   return *spec;
 }
 
-TaskContext context(std::uint64_t seed = 1) {
-  TaskContext context;
+tasks::TaskContext context(std::uint64_t seed = 1) {
+  tasks::TaskContext context;
   context.seed = seed;
   for (const Digits digits : {Digits::grip, Digits::thumb, Digits::index, Digits::middle})
     for (const Direction direction : {Direction::plus_z, Direction::minus_z})
@@ -34,7 +34,7 @@ TaskContext context(std::uint64_t seed = 1) {
 }
 
 /// Three fingers of which each presses `share` of what is asked in the channel.
-FingerWrenches answer(const TaskView& view, double share) {
+FingerWrenches answer(const tasks::TaskView& view, double share) {
   FingerWrenches wrench_C;
   const double sign = view.channel.direction == Direction::minus_z ? -1.0 : 1.0;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
@@ -49,33 +49,33 @@ FingerWrenches answer(const TaskView& view, double share) {
 /// The facts of each frame of a trial in which the patient gives `share` of what is asked.
 class Play {
  public:
-  explicit Play(const TaskSpec& spec, std::uint64_t seed = 1, double share = 0.8,
+  explicit Play(const tasks::TaskSpec& spec, std::uint64_t seed = 1, double share = 0.8,
                 Hand hand = Hand::right)
-      : share_(share), task_(*make_task(spec, context(seed))) {
+      : share_(share), task_(*tasks::make_task(spec, context(seed))) {
     facts_.session_open = true;
     facts_.hand = hand;
-    facts_.task = std::make_shared<TaskSpec>(spec);
+    facts_.task = std::make_shared<tasks::TaskSpec>(spec);
     facts_.preview = std::make_shared<TargetPreview>(preview_target(spec, context(seed)));
     facts_.snapshot.frames = 1;
-    facts_.snapshot.stage = Stage::trial;
+    facts_.snapshot.stage = session::Stage::trial;
     facts_.snapshot.zeroed = true;
   }
 
   /// False after the end.
   bool next() {
-    TaskInput input;
+    tasks::TaskInput input;
     input.wrench_C = answer(facts_.snapshot.task, share_);
     facts_.snapshot.forces.wrench_C = input.wrench_C;
     facts_.snapshot.grip_N = kOtherForce_N;
     facts_.snapshot.task = task_->step(input);
-    return facts_.snapshot.task.phase != Phase::done;
+    return facts_.snapshot.task.phase != tasks::Phase::done;
   }
-  bool run_to(const std::function<bool(const TaskView&)>& reached) {
+  bool run_to(const std::function<bool(const tasks::TaskView&)>& reached) {
     while (next())
       if (reached(view())) return true;
     return false;
   }
-  [[nodiscard]] const TaskView& view() const { return facts_.snapshot.task; }
+  [[nodiscard]] const tasks::TaskView& view() const { return facts_.snapshot.task; }
   [[nodiscard]] PatientPicture picture() const { return picture_for(facts_); }
   [[nodiscard]] PatientFacts& facts() { return facts_; }
 
@@ -84,7 +84,7 @@ class Play {
  private:
   double share_;
   PatientFacts facts_;
-  std::unique_ptr<Task> task_;
+  std::unique_ptr<tasks::Task> task_;
 };
 
 QImage paint(const PatientPicture& picture, int height = 360) {
@@ -185,7 +185,7 @@ TEST(PatientPages, TheAxisHoldsZeroAndAllTargetsAndStaysForTheTrial) {
 
 TEST(PatientPages, WaitsThatCannotBeForeseenAreNotSeenWhateverTheFileSays) {
   for (const char* text : {kStep, kRelease}) {
-    const TaskSpec spec = parse(text);
+    const tasks::TaskSpec spec = parse(text);
     ASSERT_GT(spec.aim()->preview_s, 0.0);
     EXPECT_EQ(preview_target(spec, context()).ahead_s, 0.0);
     EXPECT_TRUE(preview_target(spec, context()).target_N.empty());
@@ -208,7 +208,7 @@ TEST(PatientPages, WaitsThatCannotBeForeseenAreNotSeenWhateverTheFileSays) {
 
 TEST(PatientPages, WithoutPreviewThePresentTargetIsAllThereIs) {
   Play play(parse(kOpening));
-  ASSERT_TRUE(play.run_to([](const TaskView& view) { return view.task_time_s > 5.0; }));
+  ASSERT_TRUE(play.run_to([](const tasks::TaskView& view) { return view.task_time_s > 5.0; }));
   const auto now = play.picture();
   EXPECT_EQ(now.preview, nullptr);
   // The same force and target at another time look the same.
@@ -219,7 +219,7 @@ TEST(PatientPages, WithoutPreviewThePresentTargetIsAllThereIs) {
 
 TEST(PatientPages, EveryAskedDigitHasAPadAndItsDiscFillsTheRingOnTarget) {
   Play play(parse(kDirections), 1, 1.0);
-  ASSERT_TRUE(play.run_to([](const TaskView& view) { return view.segment == 4; }));
+  ASSERT_TRUE(play.run_to([](const tasks::TaskView& view) { return view.segment == 4; }));
   play.next();
   const auto picture = play.picture();
   EXPECT_EQ(picture.page, PatientPicture::Page::directions);
@@ -260,18 +260,20 @@ TEST(PatientPages, RestSaysWhatComesNext) {
   EXPECT_EQ(maxima.picture().headline, "Get ready");
   EXPECT_EQ(maxima.picture().detail, "Next: thumb, push up");
   Play sense(parse(kSense));
-  ASSERT_TRUE(sense.run_to([](const TaskView& view) { return view.segment == 1; }));
+  ASSERT_TRUE(sense.run_to([](const tasks::TaskView& view) { return view.segment == 1; }));
   EXPECT_EQ(sense.picture().detail, "Next: the same force again");
 }
 
 TEST(PatientPages, LetGoAndMaximumStandOut) {
   Play release(parse(kRelease));
-  ASSERT_TRUE(release.run_to([](const TaskView& view) { return view.phase == Phase::hold; }));
+  ASSERT_TRUE(
+      release.run_to([](const tasks::TaskView& view) { return view.phase == tasks::Phase::hold; }));
   EXPECT_FALSE(release.picture().urgent);
-  ASSERT_TRUE(release.run_to([](const TaskView& view) { return view.cue == Cue::let_go; }));
+  ASSERT_TRUE(release.run_to([](const tasks::TaskView& view) { return view.cue == Cue::let_go; }));
   EXPECT_TRUE(release.picture().urgent);
   Play comfortable(parse(kComfortable));
-  ASSERT_TRUE(comfortable.run_to([](const TaskView& view) { return view.cue == Cue::press; }));
+  ASSERT_TRUE(
+      comfortable.run_to([](const tasks::TaskView& view) { return view.cue == Cue::press; }));
   EXPECT_FALSE(comfortable.picture().urgent);
 }
 
@@ -279,7 +281,7 @@ TEST(PatientPages, OfEveryKindAreKept) {
   const auto at = [](const char* text, const char* name, double task_time_s, double share = 0.8,
                      Hand hand = Hand::right) {
     Play play(parse(text), 1, share, hand);
-    ASSERT_TRUE(play.run_to([&](const TaskView& v) { return v.task_time_s >= task_time_s; }))
+    ASSERT_TRUE(play.run_to([&](const tasks::TaskView& v) { return v.task_time_s >= task_time_s; }))
         << name;
     auto picture = play.picture();
     if (picture.page == PatientPicture::Page::effort && picture.force_shown) picture.force_N = 9.0;
@@ -322,4 +324,4 @@ TEST(PatientPages, OfEveryKindAreKept) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::patient_pages_test
+}  // namespace isograsp::gui::test::patient_pages_test

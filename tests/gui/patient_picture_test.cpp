@@ -6,7 +6,7 @@
 
 #include "core/csv.hpp"
 
-namespace isograsp::patient_picture_test {
+namespace isograsp::gui::patient_picture_test {
 namespace {
 
 constexpr double kRounding_m = 1e-12;  // positions of centimetres through one rotation
@@ -16,9 +16,9 @@ std::shared_ptr<const Scene> planar_block() {
   return std::make_shared<Scene>(*parse_scene(*read_text(path), path));
 }
 
-std::shared_ptr<const TaskSpec> task(const char* file) {
+std::shared_ptr<const tasks::TaskSpec> task(const char* file) {
   const std::string path = std::string(ISOGRASP_SOURCE_DIR "/library/tasks/") + file;
-  return std::make_shared<TaskSpec>(*parse_task(*read_text(path), path));
+  return std::make_shared<tasks::TaskSpec>(*tasks::parse_task(*read_text(path), path));
 }
 
 PatientFacts with_object() {
@@ -27,7 +27,7 @@ PatientFacts with_object() {
   facts.task = task("two_target.toml");
   facts.scene = planar_block();
   facts.snapshot.frames = 1;
-  facts.snapshot.stage = Stage::trial;
+  facts.snapshot.stage = session::Stage::trial;
   facts.snapshot.zeroed = true;
   facts.snapshot.has_object = true;
   facts.snapshot.task.pose_target_shown = true;
@@ -101,9 +101,9 @@ TEST(PatientPicture, OnACalmScreenNoFingerApproaches) {
 
 TEST(PatientPicture, TheRingOfAHoldStandsAtTheOutlineAndOnlyWhileTheBlockIsSeenThere) {
   PatientFacts facts = with_object();
-  TaskView& view = facts.snapshot.task;
+  tasks::TaskView& view = facts.snapshot.task;
   view.target_index = 1;  // it is to be held for a second
-  view.phase = Phase::hold;
+  view.phase = tasks::Phase::hold;
   view.hold_fraction = 0.5;
   view.target.p_WO = Vec3(-0.08, -0.06, 0.0);
   Pose& block = facts.snapshot.object.pose;
@@ -121,8 +121,8 @@ TEST(PatientPicture, TheRingOfAHoldStandsAtTheOutlineAndOnlyWhileTheBlockIsSeenT
 
 TEST(PatientPicture, WhereTheBlockOnlyPassesThereIsNoRing) {
   PatientFacts facts = with_object();
-  TaskView& view = facts.snapshot.task;
-  view.phase = Phase::hold;
+  tasks::TaskView& view = facts.snapshot.task;
+  view.phase = tasks::Phase::hold;
   view.hold_fraction = 1.0;  // reached on entering
   view.target_index = 0;
   EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
@@ -132,7 +132,7 @@ TEST(PatientPicture, WhereTheBlockOnlyPassesThereIsNoRing) {
 
 TEST(PatientPicture, TargetsThatWereNotReachedAreAGoodTryAndNoFailure) {
   PatientFacts facts = with_object();
-  facts.snapshot.stage = Stage::idle;
+  facts.snapshot.stage = session::Stage::idle;
   facts.just_completed = true;
   EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::good);
   EXPECT_FALSE(picture_for(facts).missed);
@@ -150,8 +150,8 @@ TEST(PatientPicture, PullingNeverLooksLikePressing) {
 
 TEST(PatientPicture, AFaultIsNeverThePatientsFailure) {
   PatientFacts facts = with_object();
-  facts.snapshot.stage = Stage::paused;
-  facts.snapshot.pause_cause = PauseCause::missing_samples;
+  facts.snapshot.stage = session::Stage::paused;
+  facts.snapshot.pause_cause = session::PauseCause::missing_samples;
   const auto picture = picture_for(facts);
   EXPECT_EQ(picture.notice, PatientPicture::Notice::fault);
   EXPECT_NE(picture.notice_words.find("You did nothing wrong"), std::string::npos);
@@ -160,8 +160,8 @@ TEST(PatientPicture, AFaultIsNeverThePatientsFailure) {
 
 TEST(PatientPicture, APauseOfTheTherapistIsAPause) {
   PatientFacts facts = with_object();
-  facts.snapshot.stage = Stage::paused;
-  facts.snapshot.pause_cause = PauseCause::therapist;
+  facts.snapshot.stage = session::Stage::paused;
+  facts.snapshot.pause_cause = session::PauseCause::therapist;
   EXPECT_EQ(picture_for(facts).notice, PatientPicture::Notice::pause);
 }
 
@@ -170,9 +170,9 @@ TEST(PatientPicture, BeforeTheZeroTheHandStaysOut) {
   facts.session_open = true;
   facts.snapshot.frames = 10;
   EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::hand_out);
-  facts.snapshot.stage = Stage::zeroing;
+  facts.snapshot.stage = session::Stage::zeroing;
   EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::hand_out);
-  facts.snapshot.stage = Stage::idle;
+  facts.snapshot.stage = session::Stage::idle;
   facts.snapshot.zeroed = true;
   EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::wait);
 }
@@ -188,7 +188,7 @@ TEST(PatientPicture, SqueezeIsSaidOnlyWhenItIsTime) {
   facts.session_open = true;
   facts.task = task("maximum_grip.toml");
   facts.snapshot.frames = 1;
-  facts.snapshot.stage = Stage::trial;
+  facts.snapshot.stage = session::Stage::trial;
   facts.snapshot.task.cue = Cue::relax;
   EXPECT_NE(picture_for(facts).page, PatientPicture::Page::effort);
   facts.snapshot.task.cue = Cue::squeeze;
@@ -197,14 +197,14 @@ TEST(PatientPicture, SqueezeIsSaidOnlyWhenItIsTime) {
 
 TEST(TargetPreview, IsExactlyWhatTheTaskWillShow) {
   const auto sine = task("grip_sine.toml");
-  TaskContext context;
+  tasks::TaskContext context;
   context.references.maximum_N[{}] = 40.0;
   const auto preview = preview_target(*sine, context);
-  auto trial = make_task(*sine, context);
+  auto trial = tasks::make_task(*sine, context);
   ASSERT_TRUE(trial.ok());
-  const TaskInput pressing{.wrench_C = {}, .object = nullptr};
+  const tasks::TaskInput pressing{.wrench_C = {}, .object = nullptr};
   for (std::size_t k = 0; k < preview.target_N.size(); ++k) {
-    const TaskView view = (*trial)->step(pressing);
+    const tasks::TaskView view = (*trial)->step(pressing);
     ASSERT_EQ(preview.target_N[k], view.target_force_N);
     const auto shown = preview.at(view.task_time_s, view.task_time_s);
     ASSERT_TRUE(shown.has_value()) << view.task_time_s;
@@ -218,7 +218,7 @@ TEST(TargetPreview, IsExactlyWhatTheTaskWillShow) {
 }
 
 TEST(TargetPreview, EndsAsFarAheadAsTheTaskAllows) {
-  TaskContext context;
+  tasks::TaskContext context;
   context.references.maximum_N[{}] = 40.0;
   const auto preview = preview_target(*task("grip_sine.toml"), context);
   EXPECT_DOUBLE_EQ(preview.ahead_s, 4.0) << "the shipped sine keeps its picture";
@@ -260,4 +260,4 @@ TEST(ForceAxis, DoesNotBendSharplyWhereTheTargetsEnd) {
 }
 
 }  // namespace
-}  // namespace isograsp::patient_picture_test
+}  // namespace isograsp::gui::patient_picture_test

@@ -6,7 +6,7 @@
 
 #include "gui/presenter/posture.hpp"
 
-namespace isograsp::presentation_test {
+namespace isograsp::gui::presentation_test {
 namespace {
 
 using Half = Presentation::Half;
@@ -78,4 +78,4 @@ TEST(Posture, ADeviationNamesWhatIsAndWhatWas) {
 }
 
 }  // namespace
-}  // namespace isograsp::presentation_test
+}  // namespace isograsp::gui::presentation_test

@@ -21,7 +21,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::profile_panel_test {
+namespace isograsp::gui::test::profile_panel_test {
 namespace {
 
 constexpr const char* kOne = "P-0427";
@@ -34,7 +34,7 @@ QString iso_days_ago(int days) {
 class ProfileForm : public QtTest {
  protected:
   ProfileForm() {
-    auto made = open_store(database_, OpenMode::create);
+    auto made = storage::open_store(database_, storage::OpenMode::create);
     EXPECT_TRUE(made.ok());
     for (const char* code : {kOne, kOther}) EXPECT_TRUE((*made)->add_patient(code).ok());
     made->reset();
@@ -104,18 +104,18 @@ class ProfileForm : public QtTest {
   }
 
   /// Another program's look at the file.
-  std::unique_ptr<SessionStore> store() const {
-    return open_store(database_, OpenMode::read_only).value();
+  std::unique_ptr<storage::SessionStore> store() const {
+    return storage::open_store(database_, storage::OpenMode::read_only).value();
   }
-  PatientProfile stored(const char* code = kOne) const {
+  storage::PatientProfile stored(const char* code = kOne) const {
     const auto reader = store();
     return reader->profile(reader->find_patient(code).value()->id).value();
   }
-  std::vector<TreatmentMark> stored_marks(const char* code = kOne) const {
+  std::vector<storage::TreatmentMark> stored_marks(const char* code = kOne) const {
     const auto reader = store();
     return reader->treatment_marks(reader->find_patient(code).value()->id).value();
   }
-  std::vector<ClinicalScore> stored_scores(const char* code = kOne) const {
+  std::vector<storage::ClinicalScore> stored_scores(const char* code = kOne) const {
     const auto reader = store();
     return reader->clinical_scores(reader->find_patient(code).value()->id).value();
   }
@@ -147,11 +147,15 @@ TEST_F(ProfileForm, WhatIsToldIsStoredAndComesBackInAnotherForm) {
   QTest::keyClicks(&find<QPlainTextEdit>("notes"), "tires soon");
   panel_->store_now();
   ASSERT_TRUE(saved());
-  const PatientProfile told{Side::left,   Hand::right,      iso_days_ago(10).toStdString(),
-                            "tires soon", "button a shirt", Sex::female,
-                            1957};
+  const storage::PatientProfile told{storage::Side::left,
+                                     Hand::right,
+                                     iso_days_ago(10).toStdString(),
+                                     "tires soon",
+                                     "button a shirt",
+                                     storage::Sex::female,
+                                     1957};
   EXPECT_EQ(stored(), told);
-  EXPECT_EQ(stored(kOther), PatientProfile{});
+  EXPECT_EQ(stored(kOther), storage::PatientProfile{});
   EXPECT_EQ(words("onset_remark"), "10 days since the onset.");
 
   ProfilePanel second(*clinic_);
@@ -206,10 +210,10 @@ TEST_F(ProfileForm, LeavingAFieldStoresItAtOnce) {
 TEST_F(ProfileForm, PressingTheChosenSideAgainTakesItBack) {
   press("affected_both");
   ASSERT_TRUE(saved());
-  EXPECT_EQ(stored().affected, Side::both);
+  EXPECT_EQ(stored().affected, storage::Side::both);
   press("affected_none");
   ASSERT_TRUE(saved());
-  EXPECT_EQ(stored().affected, Side::none);
+  EXPECT_EQ(stored().affected, storage::Side::none);
   EXPECT_FALSE(find<QPushButton>("affected_both").isChecked());
   press("affected_none");
   ASSERT_TRUE(saved());
@@ -230,7 +234,7 @@ TEST_F(ProfileForm, AWrongOnsetIsRefusedInWordsAndLosesNothing) {
     EXPECT_EQ(words("profile_state"), "Saved, but for the onset");
     EXPECT_EQ(find<QLineEdit>("onset").text(), wrong) << "to be mended, not typed again";
     EXPECT_EQ(stored().onset_date, "2024-02-29");
-    EXPECT_EQ(stored().affected, Side::left);
+    EXPECT_EQ(stored().affected, storage::Side::left);
   }
   type("onset", "");
   panel_->store_now();
@@ -398,7 +402,7 @@ TEST_F(ProfileForm, NothingTypedAboutOnePersonGetsToAnother) {
   }
   EXPECT_TRUE(find<QPushButton>("score_undo").isHidden());
   panel_->store_now();
-  EXPECT_EQ(stored(kOther), PatientProfile{});
+  EXPECT_EQ(stored(kOther), storage::PatientProfile{});
   show(kOne);
   EXPECT_EQ(find<QPlainTextEdit>("notes").toPlainText(), "of the first");
 }
@@ -529,4 +533,4 @@ TEST_F(ProfileForm, FitsANarrowAndAWideWindow) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::profile_panel_test
+}  // namespace isograsp::gui::test::profile_panel_test

@@ -5,20 +5,21 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::protocol_guide_test {
+namespace isograsp::gui::protocol_guide_test {
 namespace {
 
-using Kind = ProtocolWalk::Act::Kind;
+using Kind = session::ProtocolWalk::Act::Kind;
 
-ReadyProtocol shipped(const std::string& name) {
+session::ReadyProtocol shipped(const std::string& name) {
   const std::string library = std::string(ISOGRASP_SOURCE_DIR) + "/library";
-  auto protocol = read_protocol(library + "/protocols/" + name + ".toml", library);
+  auto protocol = session::read_protocol(library + "/protocols/" + name + ".toml", library);
   EXPECT_TRUE(protocol.ok());
   return *std::move(protocol);
 }
 
-TrialOutcome outcome_of(const ProtocolWalk::Act& act, TrialStatus status = TrialStatus::completed) {
-  TrialOutcome outcome;
+session::TrialOutcome outcome_of(const session::ProtocolWalk::Act& act,
+                                 storage::TrialStatus status = storage::TrialStatus::completed) {
+  session::TrialOutcome outcome;
   outcome.trial.task_name = act.task->name;
   outcome.trial.place = act.place;
   outcome.trial.status = status;
@@ -100,7 +101,7 @@ TEST(ProtocolGuide, ATrialThatWasBrokenOffIsAskedAgainAndNothingBeginsByItself) 
   guide.zeroed(1.0);
   guide.go_on(true);
   const auto act = *guide.act();
-  guide.trial_ended(outcome_of(act, TrialStatus::aborted), 5.0);
+  guide.trial_ended(outcome_of(act, storage::TrialStatus::aborted), 5.0);
   EXPECT_EQ(guide.act()->words(), act.words());
   EXPECT_FALSE(guide.goes_on());
 }
@@ -110,7 +111,7 @@ TEST(ProtocolGuide, TrialsChosenByHandDoNotCount) {
   guide.begin(shipped("short"), {}, 7);
   guide.zeroed(1.0);
   const auto act = *guide.act();
-  TrialOutcome other = outcome_of(act);
+  session::TrialOutcome other = outcome_of(act);
   other.trial.place.reset();
   guide.trial_ended(other, 5.0);
   EXPECT_EQ(guide.act()->words(), act.words());
@@ -122,8 +123,8 @@ TEST(ProtocolGuide, LeavesTimeToReadANewInstructionButNotAKnownOne) {
   guide.zeroed(1.0);
   guide.trial_ended(outcome_of(*guide.act()), 20.0);  // rest
   EXPECT_EQ(guide.wait_s(20.0), 0.0) << "whoever presses need not wait";
-  EXPECT_DOUBLE_EQ(guide.start_in_s(20.0), kInstruction_s);
-  EXPECT_EQ(guide.start_in_s(20.0 + kInstruction_s), 0.0);
+  EXPECT_DOUBLE_EQ(guide.start_in_s(20.0), tasks::kInstruction_s);
+  EXPECT_EQ(guide.start_in_s(20.0 + tasks::kInstruction_s), 0.0);
 }
 
 TEST(ProtocolGuide, TheSameMaximumWaitsForItsMinute) {
@@ -151,4 +152,4 @@ TEST(ProtocolGuide, TheSameMaximumWaitsForItsMinute) {
 }
 
 }  // namespace
-}  // namespace isograsp::protocol_guide_test
+}  // namespace isograsp::gui::protocol_guide_test

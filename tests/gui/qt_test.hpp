@@ -11,7 +11,11 @@
 
 #include "gui/look/look.hpp"
 
-namespace isograsp::test {
+namespace isograsp::test {}  // namespace isograsp::test
+
+namespace isograsp::gui::test {
+
+using namespace isograsp::test;
 
 inline void fail_on_warning(QtMsgType type, const QMessageLogContext&, const QString& text) {
   if (type == QtDebugMsg || type == QtInfoMsg) return;
@@ -60,4 +64,4 @@ inline bool wait_until(const std::function<bool()>& reached, int limit_s = 60) {
   return true;
 }
 
-}  // namespace isograsp::test
+}  // namespace isograsp::gui::test

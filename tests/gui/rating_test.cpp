@@ -7,7 +7,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::rating_test {
+namespace isograsp::gui::test::rating_test {
 namespace {
 
 class Rating : public QtTest {
@@ -32,13 +32,13 @@ class Rating : public QtTest {
     return label.isVisible() ? label.text().toStdString() : "";
   }
   struct Stored {
-    std::vector<RatingRecord> ratings;
+    std::vector<storage::RatingRecord> ratings;
     std::vector<std::string> notes;
   };
   /// After the end of the session.
   [[nodiscard]] Stored stored() const {
     operator_.disconnect();
-    auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
+    auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
     const auto session = (*store)->recent_sessions(1)->front();
     Stored all{*(*store)->ratings(session.id), {}};
     for (const auto& event : *(*store)->events(session.id))
@@ -105,4 +105,4 @@ TEST_F(Rating, ANewTrialAsksAnewAndTheLastAnswerCanStillBeCorrected) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::rating_test
+}  // namespace isograsp::gui::test::rating_test

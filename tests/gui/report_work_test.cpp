@@ -15,7 +15,7 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::report_work_test {
+namespace isograsp::gui::test::report_work_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,7 +25,7 @@ class LongWork : public QtTest {
   /// A course of six sessions is made once and copied for each test.
   static void SetUpTestSuite() {
     made_ = std::make_unique<TemporaryFolder>();
-    auto store = open_store(made_->path("clinic.db"), OpenMode::create);
+    auto store = storage::open_store(made_->path("clinic.db"), storage::OpenMode::create);
     ASSERT_TRUE(store.ok());
     add_course(**store, kCode, true);
     ASSERT_TRUE((*store)->add_patient("P-0001").ok());
@@ -324,4 +324,4 @@ TEST_F(LongWorkInTheWindow, ClosingWhileConnectingDoesNotWaitForTheDevice) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::report_work_test
+}  // namespace isograsp::gui::test::report_work_test

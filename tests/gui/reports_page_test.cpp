@@ -19,7 +19,7 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::reports_page_test {
+namespace isograsp::gui::test::reports_page_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ class ReportsPageTest : public QtTest {
   /// A course of six sessions is made once and copied for each test.
   static void SetUpTestSuite() {
     made_ = std::make_unique<TemporaryFolder>();
-    auto store = *open_store(made_->path("clinic.db"), OpenMode::create);
+    auto store = *storage::open_store(made_->path("clinic.db"), storage::OpenMode::create);
     add_course(*store, kCode, true);
     ASSERT_TRUE(store->add_patient("P-0001").ok());
   }
@@ -158,11 +158,12 @@ TEST_F(ReportsPageTest, ZoomPaintsThePagesAnew) {
 }
 
 TEST_F(ReportsPageTest, APreviewThatIsHeldPaintsNothing) {
-  auto store = *open_store(folder_.path("clinic.db"), OpenMode::read_only);
+  auto store = *storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
   PageView alone;
   alone.resize(600, 400);
   alone.hold(true);
-  alone.show_pages(std::make_shared<const ReportPages>(*gather_progress(*store, kCode)));
+  alone.show_pages(
+      std::make_shared<const reports::ReportPages>(*reports::gather_progress(*store, kCode)));
   alone.show();
   for (int i = 0; i < 200; ++i) QCoreApplication::processEvents();
   EXPECT_FALSE(alone.complete());
@@ -199,7 +200,7 @@ TEST_F(ReportsPageTest, EveryFormatIsOfferedInWordsAndWritesWhatItLists) {
   auto& files = operator_->find<QListWidget>("export_files");
   auto& formats = operator_->find<QComboBox>("export_format");
   auto& panel = *windows_->therapist().findChild<ExportPanel*>();
-  ASSERT_EQ(formats.count(), static_cast<int>(kExportFormats.size()));
+  ASSERT_EQ(formats.count(), static_cast<int>(exports::kExportFormats.size()));
   ASSERT_TRUE(wait_until([&] { return files.count() > 0; }));
   choose("export_last", 0);
   for (int format = 0; format < formats.count(); ++format) {
@@ -273,4 +274,4 @@ TEST_F(ReportsPageTest, WithoutAPatientItSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::reports_page_test
+}  // namespace isograsp::gui::test::reports_page_test

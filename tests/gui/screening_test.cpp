@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::screening_test {
+namespace isograsp::gui::screening_test {
 namespace {
 
 Screening with(Caution caution, int pain = 0) {
@@ -35,26 +35,26 @@ TEST(Screening, NeverSuggestsMoreWhenMoreApplies) {
 }
 
 TEST(Screening, WithoutClearanceOnlyComfortableForceIsSuggested) {
-  EXPECT_EQ(suggested(with(Caution::no_clearance)), Effort::comfortable);
-  EXPECT_EQ(suggested(with(Caution::seizures)), Effort::maximum);
+  EXPECT_EQ(suggested(with(Caution::no_clearance)), tasks::Effort::comfortable);
+  EXPECT_EQ(suggested(with(Caution::seizures)), tasks::Effort::maximum);
 }
 
 TEST(Screening, AnInjuredOrPainfulHandIsSuggestedNoForce) {
-  EXPECT_EQ(suggested(with(Caution::injury)), Effort::none);
-  EXPECT_EQ(suggested(with(Caution::skin, kTooMuchPain)), Effort::none);
-  EXPECT_EQ(suggested(with(Caution::skin, kTooMuchPain - 1)), Effort::maximum);
+  EXPECT_EQ(suggested(with(Caution::injury)), tasks::Effort::none);
+  EXPECT_EQ(suggested(with(Caution::skin, kTooMuchPain)), tasks::Effort::none);
+  EXPECT_EQ(suggested(with(Caution::skin, kTooMuchPain - 1)), tasks::Effort::maximum);
 }
 
 TEST(Screening, IsCompleteOnlyWithTheTherapistsDecision) {
   Screening screening = with(Caution::no_clearance);
   EXPECT_FALSE(screening.complete());
-  screening.allowed = Effort::maximum;  // cleared after all: it is the therapist who decides
+  screening.allowed = tasks::Effort::maximum;  // cleared after all: it is the therapist who decides
   EXPECT_TRUE(screening.complete());
 }
 
 TEST(Screening, IsStoredWithEveryAnswer) {
   Screening screening = with(Caution::skin, 2);
-  screening.allowed = Effort::comfortable;
+  screening.allowed = tasks::Effort::comfortable;
   const auto answers = stored(screening);
   ASSERT_EQ(answers.size(), kCautionCount + 1);
   int yes = 0;
@@ -68,4 +68,4 @@ TEST(Screening, IsStoredWithEveryAnswer) {
 }
 
 }  // namespace
-}  // namespace isograsp::screening_test
+}  // namespace isograsp::gui::screening_test

@@ -13,7 +13,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::gui::test {
 namespace {
 
 constexpr const char* kHealthy = "sim://healthy?seed=7";
@@ -21,19 +21,19 @@ constexpr const char* kHealthy = "sim://healthy?seed=7";
 /// Earlier sessions of the patient, in virtual time, so that the history shows something.
 void make_history(const std::string& database, const std::string& code,
                   const std::string& library) {
-  const auto protocol = read_protocol(library + "/protocols/demonstration.toml", library);
+  const auto protocol = session::read_protocol(library + "/protocols/demonstration.toml", library);
   ASSERT_TRUE(protocol.ok());
   for (const char* seed : {"3", "4", "5"}) {
-    SessionConfig config;
+    session::SessionConfig config;
     config.database = database;
     config.patient_code = code;
     config.device_uri = std::string("sim://healthy?seed=") + seed;
     config.library = library;
     config.virtual_time = true;
     config.started_utc = std::string("2026-03-0") + seed + "T09:30:00Z";
-    auto session = Session::open(config);
+    auto session = session::Session::open(config);
     ASSERT_TRUE(session.ok()) << session.error().message();
-    ASSERT_TRUE(run_protocol(**session, *protocol, [](const auto&) {}).ok());
+    ASSERT_TRUE(session::run_protocol(**session, *protocol, [](const auto&) {}).ok());
   }
 }
 
@@ -72,7 +72,7 @@ void photograph(const QString& output, const std::string& language) {
   shorten_rests(library, "demonstration.toml");
   const auto database = folder.path("clinic.db");
   {
-    auto store = open_store(database, OpenMode::create);
+    auto store = storage::open_store(database, storage::OpenMode::create);
     ASSERT_TRUE(store.ok());
     for (const char* code : {"P-4T8R2", "P-6K3W9", "P-7M2H5"})
       ASSERT_TRUE((*store)->add_patient(code).ok());
@@ -127,7 +127,7 @@ void photograph(const QString& output, const std::string& language) {
     return wait_until(
         [&] {
           const auto& now = presenter.snapshot();
-          return now.stage == Stage::trial && now.task.task_time_s > task_time_s &&
+          return now.stage == session::Stage::trial && now.task.task_time_s > task_time_s &&
                  presenter.view().sentence.find(shown(name).toStdString()) != std::string::npos;
         },
         180);
@@ -220,7 +220,7 @@ void photograph(const QString& output, const std::string& language) {
   presenter.choose_device("replay://" + write_recording_with_gap(folder));
   therapist.press("connect");
   therapist.start_task();
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == Stage::paused; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == session::Stage::paused; }));
   QTest::qWait(300);
   photographer.take_both("fault");
   presenter.end_session();
@@ -239,7 +239,7 @@ void photograph(const QString& output, const std::string& language) {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::gui::test
 
 int main(int argc, char** argv) {
   if (argc != 2 && argc != 3) {
@@ -247,8 +247,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   ::testing::InitGoogleTest();
-  isograsp::test::application();
+  isograsp::gui::test::application();
   QDir().mkpath(argv[1]);
-  isograsp::test::photograph(argv[1], argc == 3 ? argv[2] : "en");
+  isograsp::gui::test::photograph(argv[1], argc == 3 ? argv[2] : "en");
   return ::testing::Test::HasFailure() ? 1 : 0;
 }

@@ -15,7 +15,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::settings_test {
+namespace isograsp::gui::test::settings_test {
 namespace {
 
 class SettingsTest : public QtTest {
@@ -168,7 +168,7 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
   therapist.press("strapped");
   therapist.disconnect();
   {
-    auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
+    auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
     const auto session = (*store)->recent_sessions(1)->front();
     const auto answers = *(*store)->answers(session.id);
     EXPECT_EQ(posture_in(answers), posture);
@@ -193,4 +193,4 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::settings_test
+}  // namespace isograsp::gui::test::settings_test

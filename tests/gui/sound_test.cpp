@@ -8,7 +8,7 @@
 
 #include "gui/presenter/soundtrack.hpp"
 
-namespace isograsp::sound_test {
+namespace isograsp::gui::sound_test {
 namespace {
 
 using Sign = PatientPicture::Sign;
@@ -126,4 +126,4 @@ TEST(Soundtrack, APauseIsSilentButIsSaid) {
 }
 
 }  // namespace
-}  // namespace isograsp::sound_test
+}  // namespace isograsp::gui::sound_test

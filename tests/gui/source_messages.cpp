@@ -7,7 +7,7 @@
 #include <regex>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -206,4 +206,4 @@ std::set<std::string> messages_in(std::string_view code) {
   return Reader(code).messages();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// What is wrong and what to do about it, wherever this C++ source makes an error of it. What
 /// stands between the fixed words is %1, %2 …: "is %1, not a table".
 [[nodiscard]] std::set<std::string> messages_in(std::string_view code);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 #include "gui/words/language.hpp"
 #include "qt_test.hpp"
 
-namespace isograsp::test {
+namespace isograsp::gui::test {
 
 class Spoken {
  public:
@@ -25,4 +25,4 @@ class Spoken {
   QLocale before_;
 };
 
-}  // namespace isograsp::test
+}  // namespace isograsp::gui::test

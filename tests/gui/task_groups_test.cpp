@@ -4,19 +4,19 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::task_groups_test {
+namespace isograsp::gui::task_groups_test {
 namespace {
 
 template <class Kind>
-TaskSpec named(const char* name, const Kind& kind) {
-  TaskSpec spec;
+tasks::TaskSpec named(const char* name, const Kind& kind) {
+  tasks::TaskSpec spec;
   spec.name = name;
   spec.kind = kind;
   return spec;
 }
 
 TEST(TaskGroups, OnlyTheMaximumOfTheWholeGripIsTheMaximumOfTheSession) {
-  MaximumSpec maximum;
+  tasks::MaximumSpec maximum;
   EXPECT_EQ(kind_of(named("grip", maximum)), TaskKind::maximum);
   maximum.comfortable = true;
   EXPECT_EQ(kind_of(named("comfortable", maximum)), TaskKind::other);
@@ -30,22 +30,25 @@ TEST(TaskGroups, OnlyTheMaximumOfTheWholeGripIsTheMaximumOfTheSession) {
 }
 
 TEST(TaskGroups, KindsBeyondTheFlowAreOthersWhateverTheirPlaceInTheFileFormat) {
-  EXPECT_EQ(kind_of(named("rest", RestSpec{})), TaskKind::rest);
-  EXPECT_EQ(kind_of(named("track", ForceTrackingSpec{})), TaskKind::force_tracking);
-  EXPECT_EQ(kind_of(named("targets", PoseTargetsSpec{})), TaskKind::pose_targets);
-  EXPECT_EQ(kind_of(named("free", ObserveSpec{})), TaskKind::observe);
-  EXPECT_EQ(kind_of(named("maxima", DirectionalMaximaSpec{})), TaskKind::other);
-  EXPECT_EQ(kind_of(named("pick", PickPlaceSpec{})), TaskKind::other);
+  EXPECT_EQ(kind_of(named("rest", tasks::RestSpec{})), TaskKind::rest);
+  EXPECT_EQ(kind_of(named("track", tasks::ForceTrackingSpec{})), TaskKind::force_tracking);
+  EXPECT_EQ(kind_of(named("targets", tasks::PoseTargetsSpec{})), TaskKind::pose_targets);
+  EXPECT_EQ(kind_of(named("free", tasks::ObserveSpec{})), TaskKind::observe);
+  EXPECT_EQ(kind_of(named("maxima", tasks::DirectionalMaximaSpec{})), TaskKind::other);
+  EXPECT_EQ(kind_of(named("pick", tasks::PickPlaceSpec{})), TaskKind::other);
 }
 
 TEST(TaskGroups, TheListStartsWithRestAndTheGripAndSortsNumbersAsNumbers) {
-  MaximumSpec opening;
+  tasks::MaximumSpec opening;
   opening.channel.direction = Direction::minus_z;
-  std::vector<TaskSpec> tasks{
-      named("Two targets", PoseTargetsSpec{}), named("hold 25 %", SteadinessSpec{}),
-      named("Hold 5 %", SteadinessSpec{}),     named("Fingers one by one", IndividuationSpec{}),
-      named("A maximum, opening", opening),    named("Maximum grip", MaximumSpec{}),
-      named("Sine", ForceTrackingSpec{}),      named("Resting force", RestSpec{})};
+  std::vector<tasks::TaskSpec> tasks{named("Two targets", tasks::PoseTargetsSpec{}),
+                                     named("hold 25 %", tasks::SteadinessSpec{}),
+                                     named("Hold 5 %", tasks::SteadinessSpec{}),
+                                     named("Fingers one by one", tasks::IndividuationSpec{}),
+                                     named("A maximum, opening", opening),
+                                     named("Maximum grip", tasks::MaximumSpec{}),
+                                     named("Sine", tasks::ForceTrackingSpec{}),
+                                     named("Resting force", tasks::RestSpec{})};
   sort_for_list(tasks);
   std::vector<std::string> names;
   for (const auto& task : tasks) names.push_back(task.name);
@@ -55,11 +58,11 @@ TEST(TaskGroups, TheListStartsWithRestAndTheGripAndSortsNumbersAsNumbers) {
 }
 
 TEST(TaskGroups, EveryGroupStandsTogetherUnderItsOwnHeading) {
-  std::vector<TaskSpec> tasks;
+  std::vector<tasks::TaskSpec> tasks;
   for (const char* name : {"b", "a", "c"}) {
-    tasks.push_back(named(name, PickPlaceSpec{}));
-    tasks.push_back(named(name, FatigueSpec{}));
-    tasks.push_back(named(name, StepResponseSpec{}));
+    tasks.push_back(named(name, tasks::PickPlaceSpec{}));
+    tasks.push_back(named(name, tasks::FatigueSpec{}));
+    tasks.push_back(named(name, tasks::StepResponseSpec{}));
   }
   sort_for_list(tasks);
   int headings = 1;
@@ -69,4 +72,4 @@ TEST(TaskGroups, EveryGroupStandsTogetherUnderItsOwnHeading) {
 }
 
 }  // namespace
-}  // namespace isograsp::task_groups_test
+}  // namespace isograsp::gui::task_groups_test

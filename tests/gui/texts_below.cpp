@@ -21,7 +21,7 @@
 #include "tasks/references.hpp"
 #include "tests/gui/message_texts.hpp"
 
-namespace isograsp {
+namespace isograsp::gui {
 
 namespace {
 
@@ -67,22 +67,22 @@ void add_device(Texts& texts) {
 }
 
 void add_session(Texts& texts) {
-  for (const auto cause :
-       {PauseCause::therapist, PauseCause::missing_samples, PauseCause::device_fault})
-    texts.insert(std::string(describe(cause)));
-  using Why = ZeroRefusal::Why;
+  for (const auto cause : {session::PauseCause::therapist, session::PauseCause::missing_samples,
+                           session::PauseCause::device_fault})
+    texts.insert(std::string(session::describe(cause)));
+  using Why = session::ZeroRefusal::Why;
   for (const Why why :
        {Why::gaps, Why::noisy_force, Why::noisy_torque, Why::drift, Why::loaded, Why::changed})
     for (const Finger finger : kFingers)
-      add_sentences(texts, describe(ZeroRefusal{why, finger, 0.5, 0.25}));
-  InstrumentZeroRecord zero;
+      add_sentences(texts, session::describe(session::ZeroRefusal{why, finger, 0.5, 0.25}));
+  storage::InstrumentZeroRecord zero;
   zero.change_confirmed = zero.drifted = true;
   zero.change_N = zero.drift_N = 0.5;
-  add_sentences(texts, remark_on(zero));
+  add_sentences(texts, session::remark_on(zero));
   // Every combination of fingers that press, pull or rest.
   constexpr double kForce_N = 50.0;
   for (int combination = 0; combination < 27; ++combination) {
-    RestingForce rest;
+    session::RestingForce rest;
     int digits = combination;
     for (auto& mean : rest.mean) {
       mean.setZero();
@@ -90,15 +90,15 @@ void add_session(Texts& texts) {
       digits /= 3;
     }
     for (auto& sd : rest.sd) sd.setConstant(kForce_N);
-    add_sentences(texts, describe(rest));
+    add_sentences(texts, session::describe(rest));
   }
-  std::vector<RatingRecord> ratings(2);
+  std::vector<storage::RatingRecord> ratings(2);
   for (const auto& [first, last] : {std::pair{0, 9}, std::pair{0, 3}}) {
     ratings[0].pain = first;
     ratings[1].pain = last;
-    if (const auto reason = reason_to_stop(ratings)) add_sentences(texts, *reason);
+    if (const auto reason = session::reason_to_stop(ratings)) add_sentences(texts, *reason);
   }
-  WorkLimits tired;
+  session::WorkLimits tired;
   Measure maximum;
   maximum.name = "maximum_force";
   for (const double force_N : {kForce_N, 0.5 * kForce_N}) {
@@ -106,8 +106,8 @@ void add_session(Texts& texts) {
     tired.tried({&maximum, 1});
   }
   add_sentences(texts, *tired.reason_to_stop());
-  WorkLimits long_day;
-  long_day.worked(kMostWork_s);
+  session::WorkLimits long_day;
+  long_day.worked(session::kMostWork_s);
   add_sentences(texts, *long_day.reason_to_stop());
   // Why a trial ended or nothing could begin, as the session says it.
   for (const char* text :
@@ -127,8 +127,9 @@ void add_measures(Texts& texts) {
     text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
     return text;
   };
-  for (const auto name : worded_measures())
-    for (const char* channel : {"", "grip"}) texts.insert(capital(words_for(name, channel).title));
+  for (const auto name : tasks::worded_measures())
+    for (const char* channel : {"", "grip"})
+      texts.insert(capital(tasks::words_for(name, channel).title));
   // Of a change, with how sure it is, or why there is no verdict.
   for (const char* verdict :
        {"improved (possible)", "improved (confirmed)", "worsened (possible)",
@@ -139,11 +140,12 @@ void add_measures(Texts& texts) {
         "stable people show no variation", "a value is not positive, its error is a share",
         "the level of its trials follows success", "the affected side is not known"})
     texts.insert(verdict);
-  for (const Better better : {Better::lower, Better::higher, Better::near_zero})
-    texts.insert(std::string(describe(better)));
-  const std::string plain = words_for("gain", "").title;
+  for (const tasks::Better better :
+       {tasks::Better::lower, tasks::Better::higher, tasks::Better::near_zero})
+    texts.insert(std::string(tasks::describe(better)));
+  const std::string plain = tasks::words_for("gain", "").title;
   const auto add = [&](const std::string& channel) {
-    const auto behind = words_for("gain", channel).title.substr(plain.size());
+    const auto behind = tasks::words_for("gain", channel).title.substr(plain.size());
     if (!behind.empty()) texts.insert(pattern_of(behind));
   };
   for (std::size_t d = 0; d < kDigitsCount; ++d)
@@ -184,10 +186,11 @@ void add_reasons(Texts& texts, const std::string& source_folder) {
 }
 
 /// Forces that the shipped tasks are scaled to, not measured yet.
-void add_lacks(Texts& texts, const TaskSpec& spec) {
-  for (const Scale scale : {Scale::of_maximum, Scale::of_comfortable, Scale::of_baseline})
+void add_lacks(Texts& texts, const tasks::TaskSpec& spec) {
+  for (const tasks::Scale scale :
+       {tasks::Scale::of_maximum, tasks::Scale::of_comfortable, tasks::Scale::of_baseline})
     for (const ForceChannel channel : spec.channels_needed(scale)) {
-      const auto unit = ForceReferences{}.unit_N(scale, channel, spec.largest_level());
+      const auto unit = tasks::ForceReferences{}.unit_N(scale, channel, spec.largest_level());
       if (unit) continue;
       texts.insert(pattern_of(unit.error().what));
       texts.insert(pattern_of(unit.error().remedy));
@@ -198,7 +201,7 @@ void add_library(Texts& texts, const std::string& library) {
   for (const auto& entry : fs::directory_iterator(library + "/tasks")) {
     const auto text = read_text(entry.path());
     if (entry.path().extension() != ".toml" || !text) continue;
-    const auto spec = parse_task(*text, entry.path());
+    const auto spec = tasks::parse_task(*text, entry.path());
     if (!spec) continue;
     texts.insert(spec->name);
     texts.insert(spec->instruction);
@@ -208,7 +211,7 @@ void add_library(Texts& texts, const std::string& library) {
     if (entry.path().extension() == ".toml")
       texts.insert("Simulated sensors, " + entry.path().stem().string() + " patient");
   for (const auto& entry : fs::directory_iterator(library + "/protocols"))
-    if (const auto protocol = read_protocol(entry.path(), library))
+    if (const auto protocol = session::read_protocol(entry.path(), library))
       texts.insert(protocol->spec.name);
 }
 
@@ -226,4 +229,4 @@ std::set<std::string> texts_below(const std::string& library, const std::string&
   return texts;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

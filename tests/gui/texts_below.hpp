@@ -6,11 +6,11 @@
 #include <set>
 #include <string>
 
-namespace isograsp {
+namespace isograsp::gui {
 
 /// As gui/words/texts.hpp looks them up: %1, %2 … stand for numbers, or for what a message names.
 /// `library`: the shipped one.
 [[nodiscard]] std::set<std::string> texts_below(const std::string& library,
                                                 const std::string& source_folder);
 
-}  // namespace isograsp
+}  // namespace isograsp::gui

@@ -13,7 +13,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::therapist_window_test {
+namespace isograsp::gui::test::therapist_window_test {
 namespace {
 
 class SessionWindow : public QtTest {
@@ -186,7 +186,7 @@ TEST_F(FileInUseTest, ASecondProgramIsToldWhoHasTheFileAndMayLook) {
 
 TEST_F(FileInUseTest, LookingChangesNothingAndBeginsNoSession) {
   {
-    auto store = open_store(database_, OpenMode::create);
+    auto store = storage::open_store(database_, storage::OpenMode::create);
     ASSERT_TRUE((*store)->add_patient("P-0427").ok());
   }
   GuiConfig config{database_, "sim://healthy?seed=7", ISOGRASP_SOURCE_DIR "/library", "test"};
@@ -205,4 +205,4 @@ TEST_F(FileInUseTest, LookingChangesNothingAndBeginsNoSession) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::therapist_window_test
+}  // namespace isograsp::gui::test::therapist_window_test

@@ -23,7 +23,7 @@
 #include "spoken.hpp"
 #include "texts_below.hpp"
 
-namespace isograsp::test::translations_test {
+namespace isograsp::gui::test::translations_test {
 namespace {
 
 struct Message {
@@ -114,7 +114,8 @@ TEST_P(EachLanguage, HasNoEnglishLeftInTheSentencesOfASession) {
   facts.database_open = facts.patient_chosen = facts.hand_chosen = facts.screened = true;
   facts.device_chosen = facts.anything_arrived = true;
   facts.connection = Connection::open;
-  facts.zero_refusal = describe(ZeroRefusal{ZeroRefusal::Why::drift, Finger::index, 0.5, 0.3});
+  facts.zero_refusal = session::describe(
+      session::ZeroRefusal{session::ZeroRefusal::Why::drift, Finger::index, 0.5, 0.3});
   const auto english = sentence(facts);
   const Spoken spoken(GetParam());
   const auto translated = QString::fromStdString(sentence(facts));
@@ -126,7 +127,7 @@ TEST_P(EachLanguage, HasNoEnglishLeftInTheSentencesOfASession) {
 
 TEST_P(EachLanguage, WritesNumbersAndDatesOnTheScreenAndTakesThemBack) {
   const Spoken spoken(GetParam());
-  const bool german = isograsp::spoken() == "de";
+  const bool german = gui::spoken() == "de";
   const QString date = german ? "05.03.2026" : "05/03/2026";
   EXPECT_EQ(short_number(1.5), "1,50");
   Measure measure;
@@ -139,7 +140,7 @@ TEST_P(EachLanguage, WritesNumbersAndDatesOnTheScreenAndTakesThemBack) {
     EXPECT_EQ(iso_text(typed_date(typed, today, Ahead::refused).value.value_or(today)),
               "2026-03-05")
         << typed.toStdString();
-  EXPECT_EQ(typed_score("31,5", *clinical_scale("NHPT")).value, 31.5);
+  EXPECT_EQ(typed_score("31,5", *storage::clinical_scale("NHPT")).value, 31.5);
   EXPECT_EQ(score_words({0, "2026-03-05", "NHPT", 31.5, ""}), "31,5 s");
 }
 
@@ -147,14 +148,15 @@ TEST_P(EachLanguage, ChangesNothingThatIsStored) {
   const Spoken spoken(GetParam());
   EXPECT_EQ(format_number(1.5), "1.5");
   PersonCard person;
-  PatientProfile known;
+  storage::PatientProfile known;
   known.onset_date = "2026-03-05";
   person.show_profile(known);
   EXPECT_EQ(person.findChild<QLineEdit*>("onset")->text(), shown_date("2026-03-05"));
   EXPECT_EQ(person.profile().onset_date, "2026-03-05");
   ScoreCard scores;
-  std::optional<ClinicalScore> added;
-  QObject::connect(&scores, &ScoreCard::added, [&](const ClinicalScore& score) { added = score; });
+  std::optional<storage::ClinicalScore> added;
+  QObject::connect(&scores, &ScoreCard::added,
+                   [&](const storage::ClinicalScore& score) { added = score; });
   scores.findChild<QLineEdit*>("score_date")->setText(shown_date("2026-03-05"));
   scores.findChild<QLineEdit*>("score_value")->setText("31,5");
   scores.findChild<QPushButton*>("score_add")->click();
@@ -193,7 +195,7 @@ TEST_P(EachLanguage, SpeaksToThePatient) {
   const auto english = picture_for(facts).headline;
   const Spoken spoken(GetParam());
   EXPECT_NE(picture_for(facts).headline, english);
-  EXPECT_EQ(picture_for(facts).headline, isograsp::spoken() == "de" ? "Willkommen" : "Bienvenue");
+  EXPECT_EQ(picture_for(facts).headline, gui::spoken() == "de" ? "Willkommen" : "Bienvenue");
 }
 
 TEST_F(QtTest, EnglishHasItsPluralsAndNothingElse) {
@@ -204,17 +206,17 @@ TEST_F(QtTest, EnglishHasItsPluralsAndNothingElse) {
 }
 
 TEST_F(QtTest, AnUnknownLanguageIsThatOfTheDesktopAndEnglishComesBack) {
-  const auto english = status_words(TrialStatus::completed);
+  const auto english = status_words(storage::TrialStatus::completed);
   {
     const Spoken spoken("de");
-    EXPECT_NE(status_words(TrialStatus::completed), english);
+    EXPECT_NE(status_words(storage::TrialStatus::completed), english);
     speak("tlh");
-    EXPECT_EQ(isograsp::spoken(), desktop_language());
+    EXPECT_EQ(gui::spoken(), desktop_language());
     speak("en");
-    EXPECT_EQ(status_words(TrialStatus::completed), english);
+    EXPECT_EQ(status_words(storage::TrialStatus::completed), english);
     EXPECT_EQ(shown_date("2026-03-05"), "2026-03-05") << "countries order day and month otherwise";
   }
-  EXPECT_EQ(status_words(TrialStatus::completed), english);
+  EXPECT_EQ(status_words(storage::TrialStatus::completed), english);
 }
 
 TEST_F(QtTest, ATextIsFoundWholeByItsNumbersOrSentenceBySentence) {
@@ -229,4 +231,4 @@ TEST_F(QtTest, ATextIsFoundWholeByItsNumbersOrSentenceBySentence) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::translations_test
+}  // namespace isograsp::gui::test::translations_test

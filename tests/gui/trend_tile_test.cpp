@@ -6,7 +6,7 @@
 #include "qt_test.hpp"
 #include "spoken.hpp"
 
-namespace isograsp::test::trend_tile_test {
+namespace isograsp::gui::test::trend_tile_test {
 namespace {
 
 class TrendTiles : public QtTest, public ::testing::WithParamInterface<const char*> {};
@@ -48,4 +48,4 @@ TEST_P(TrendTiles, OfOneMeasureLookTheSame) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::trend_tile_test
+}  // namespace isograsp::gui::test::trend_tile_test

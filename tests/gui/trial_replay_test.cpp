@@ -9,7 +9,7 @@
 
 #include "gui/trial_pages/trial_curves.hpp"
 
-namespace isograsp::test::trial_replay_test {
+namespace isograsp::gui::test::trial_replay_test {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
@@ -271,4 +271,4 @@ TEST(Playback, SeeksInsideTheTrialOnlyAndGoesOnPlaying) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::trial_replay_test
+}  // namespace isograsp::gui::test::trial_replay_test

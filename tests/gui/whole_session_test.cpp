@@ -14,7 +14,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::whole_session_test {
+namespace isograsp::gui::test::whole_session_test {
 namespace {
 
 class WholeSession : public QtTest {
@@ -40,8 +40,8 @@ class WholeSession : public QtTest {
   }
 
   /// Trials of the only patient as another program would read them.
-  std::vector<TrialRecord> stored_trials() {
-    auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
+  std::vector<storage::TrialRecord> stored_trials() {
+    auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
     EXPECT_TRUE(store.ok());
     const auto patients = (*store)->patients();
     const auto sessions = (*store)->sessions(patients->front().id);
@@ -75,7 +75,7 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   EXPECT_FALSE(presenter.live_score().empty()) << "the score is live";
   keep_picture("tracking");
   operator_.press("pause");
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == Stage::paused; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == session::Stage::paused; }));
   EXPECT_EQ(presenter.picture().notice, PatientPicture::Notice::pause);
   QTest::qWait(100);
   keep_picture("paused");
@@ -104,11 +104,11 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
 
   const auto trials = stored_trials();
   ASSERT_EQ(trials.size(), 4U);
-  EXPECT_EQ(trials[0].status, TrialStatus::completed);
-  EXPECT_EQ(trials[1].status, TrialStatus::completed);
-  EXPECT_EQ(trials[2].status, TrialStatus::completed);
+  EXPECT_EQ(trials[0].status, storage::TrialStatus::completed);
+  EXPECT_EQ(trials[1].status, storage::TrialStatus::completed);
+  EXPECT_EQ(trials[2].status, storage::TrialStatus::completed);
   EXPECT_GT(trials[2].maximum_force_N, 0.0);
-  EXPECT_EQ(trials[3].status, TrialStatus::aborted);
+  EXPECT_EQ(trials[3].status, storage::TrialStatus::aborted);
   for (const auto& trial : trials) EXPECT_EQ(trial.dropped, 0);
 
   operator_.disconnect();
@@ -226,11 +226,11 @@ TEST_F(WholeSession, AProtocolGoesOnByItselfUntilSomebodyHoldsIt) {
 
   const auto trials = stored_trials();
   ASSERT_EQ(trials.size(), 3U);
-  EXPECT_EQ(trials[1].place, (TrialPlace{2, 0}));
+  EXPECT_EQ(trials[1].place, (storage::TrialPlace{2, 0}));
   EXPECT_TRUE(trials[1].helped);
   EXPECT_FALSE(trials[2].place.has_value());
   EXPECT_FALSE(trials[2].helped);
-  auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
+  auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
   const auto session = (*store)->recent_sessions(1)->front();
   EXPECT_EQ(session.protocol_name, "Short demonstration");
   EXPECT_EQ(session.allowed, "maximum");
@@ -269,7 +269,7 @@ TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
   EXPECT_TRUE(wait_until([&] { return presenter.view().next() == Step::work; }))
       << "a recording needs no zero, rest or maximum";
   operator_.start_task();
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == Stage::paused; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == session::Stage::paused; }));
   QTest::qWait(100);
   EXPECT_EQ(presenter.picture().notice, PatientPicture::Notice::fault);
   EXPECT_EQ(presenter.view().mood, Mood::fault) << presenter.view().sentence;
@@ -291,4 +291,4 @@ TEST_F(WholeSession, AZeroWithLostSamplesIsRefusedInWords) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::whole_session_test
+}  // namespace isograsp::gui::test::whole_session_test

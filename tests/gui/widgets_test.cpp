@@ -22,7 +22,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test::widgets_test {
+namespace isograsp::gui::test::widgets_test {
 namespace {
 
 class TherapistWindowTest : public QtTest {
@@ -97,12 +97,12 @@ TEST_F(TherapistWindowTest, AnotherPatientIsAskedForTheHandAgain) {
 TEST_F(TherapistWindowTest, AHandThatIsNotTheAffectedOneMustBeConfirmed) {
   operator_.add_patient();
   auto& presenter = windows_.presenter();
-  PatientProfile profile;
-  profile.affected = Side::left;
+  storage::PatientProfile profile;
+  profile.affected = storage::Side::left;
   windows_.clinic().save_profile(presenter.patient(), profile);
   ASSERT_TRUE(wait_until([&] {
     const auto& file = windows_.clinic().file();
-    return file && file->profile.affected == Side::left;
+    return file && file->profile.affected == storage::Side::left;
   }));
   operator_.press("hand_right");
   EXPECT_EQ(presenter.view().next(), Step::hand);
@@ -112,7 +112,7 @@ TEST_F(TherapistWindowTest, AHandThatIsNotTheAffectedOneMustBeConfirmed) {
   operator_.open_section(Step::hand);
   operator_.press("hand_left");
   EXPECT_EQ(presenter.view().next(), Step::screening) << "the affected one needs no word";
-  profile.affected = Side::right;
+  profile.affected = storage::Side::right;
   windows_.clinic().save_profile(presenter.patient(), profile);
   ASSERT_TRUE(wait_until([&] { return presenter.hand_to_confirm(); }))
       << "also if it is told, or read, after the hand was chosen";
@@ -166,7 +166,7 @@ TEST_F(TherapistWindowTest, ARecordingFollowsNoProtocol) {
   ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
   EXPECT_FALSE(presenter.follows());
   operator_.disconnect();
-  auto store = open_store(folder_.path("clinic.db"), OpenMode::read_only);
+  auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
   EXPECT_EQ((*store)->recent_sessions(1)->front().protocol_name, "");
 }
 
@@ -203,11 +203,11 @@ TEST_F(TherapistWindowTest, SearchFindsAPatientByAnyPartOfTheCode) {
 TEST_F(TherapistWindowTest, WhoIsHereTodayStandsFirstAndSaysSo) {
   const auto database = folder_.path("earlier.db");
   {
-    auto store = *open_store(database, OpenMode::create);
+    auto store = *storage::open_store(database, storage::OpenMode::create);
     for (const auto* code : {"P-0001", "P-0002", "P-0003"})
       ASSERT_TRUE(store->add_patient(code, "2026-01-02T10:00:00Z").ok());
     const auto add_session = [&](const char* code, const char* started_utc) {
-      SessionRecord session;
+      storage::SessionRecord session;
       session.patient_id = store->find_patient(code).value()->id;
       session.started_utc = started_utc;
       session.hand = Hand::left;
@@ -411,4 +411,4 @@ TEST(PatientCanvas, TheDotOnTheTargetIsMarkedByShapeToo) {
 }
 
 }  // namespace
-}  // namespace isograsp::test::widgets_test
+}  // namespace isograsp::gui::test::widgets_test

@@ -12,7 +12,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::test {
+namespace isograsp::gui::test {
 namespace {
 
 constexpr const char* kDevice = "sim://healthy?seed=7";
@@ -21,7 +21,7 @@ constexpr int kObject_s = 30;
 
 /// Of the last trials of the newest session: what was stored of their frames.
 void print_lateness(const std::string& database, const char* with) {
-  auto store = open_store(database, OpenMode::read_only);
+  auto store = storage::open_store(database, storage::OpenMode::read_only);
   const auto session = (*store)->recent_sessions(1)->front();
   for (const auto& trial : *(*store)->trials(session.id)) {
     if (trial.samples < 1000) continue;
@@ -76,7 +76,7 @@ std::vector<Pictures> work(const std::string& database, const std::string& libra
   };
   const auto begin = [&] {
     presenter.start();
-    EXPECT_TRUE(wait_until([&] { return presenter.snapshot().stage == Stage::trial; }));
+    EXPECT_TRUE(wait_until([&] { return presenter.snapshot().stage == session::Stage::trial; }));
   };
   begin();
   measure("force that follows a line", [&] { return !presenter.view().may_stop; });
@@ -129,11 +129,11 @@ int start() {
 }
 
 }  // namespace
-}  // namespace isograsp::test
+}  // namespace isograsp::gui::test
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest();
-  isograsp::test::application();
-  return argc > 1 && std::strcmp(argv[1], "start") == 0 ? isograsp::test::start()
-                                                        : isograsp::test::compare();
+  isograsp::gui::test::application();
+  return argc > 1 && std::strcmp(argv[1], "start") == 0 ? isograsp::gui::test::start()
+                                                        : isograsp::gui::test::compare();
 }

@@ -16,17 +16,17 @@
 #include "storage/records/patient_code.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::words_test {
+namespace isograsp::gui::words_test {
 namespace {
 
 TEST(PatientCode, IsAcceptedByTheDatabaseAndNeverTakenTwice) {
   std::mt19937_64 entropy(1);
-  std::vector<PatientRecord> taken;
+  std::vector<storage::PatientRecord> taken;
   std::set<std::string> codes;
   for (int i = 0; i < 500; ++i) {
-    PatientRecord patient;
+    storage::PatientRecord patient;
     patient.code = generate_patient_code(taken, entropy);
-    EXPECT_TRUE(check_patient_code(patient.code).ok()) << patient.code;
+    EXPECT_TRUE(storage::check_patient_code(patient.code).ok()) << patient.code;
     EXPECT_TRUE(codes.insert(patient.code).second);
     EXPECT_EQ(patient.code.find_first_of("01OI", 2), std::string::npos) << patient.code;
     taken.push_back(patient);
@@ -64,8 +64,8 @@ TEST(DeviceList, ARecordingsPathSurvivesTheUri) {
   }
 }
 
-Snapshot frame_at(double t_s, double force_N) {
-  Snapshot snapshot;
+session::Snapshot frame_at(double t_s, double force_N) {
+  session::Snapshot snapshot;
   snapshot.frames = 1 + static_cast<std::int64_t>(t_s * 100.0);
   snapshot.session_time_s = t_s;
   snapshot.forces.wrench_C[0].force.z() = force_N;
@@ -109,8 +109,9 @@ TEST(ForceHistory, TheRangeHoldsEveryForce) {
   }
 }
 
-MeasurePoint point(RowId trial, const char* task, const char* name, Hand hand, bool simulated) {
-  MeasurePoint made;
+storage::MeasurePoint point(storage::RowId trial, const char* task, const char* name, Hand hand,
+                            bool simulated) {
+  storage::MeasurePoint made;
   made.trial_id = trial;
   made.task_name = task;
   made.hand = hand;
@@ -151,7 +152,7 @@ TEST(Words, AMeasureWithoutValueSaysWhy) {
 }
 
 TEST(Words, LostSamplesAreCountedOverAllSensors) {
-  Snapshot snapshot = frame_at(1.0, 0.0);
+  session::Snapshot snapshot = frame_at(1.0, 0.0);
   snapshot.health.sensors[0].lost = 2;
   snapshot.health.sensors[2].lost = 3;
   snapshot.health.bus.kernel_drops = 4;
@@ -159,4 +160,4 @@ TEST(Words, LostSamplesAreCountedOverAllSensors) {
 }
 
 }  // namespace
-}  // namespace isograsp::words_test
+}  // namespace isograsp::gui::words_test

@@ -10,7 +10,7 @@
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/task_section.hpp"
 
-namespace isograsp::alike_test {
+namespace isograsp::reports::alike_test {
 namespace {
 
 double next(double value) {
@@ -22,13 +22,13 @@ TEST(Extremes, TrialsThatAreAlikeButForTheLastBitAreNeitherBestNorWorst) {
       std::filesystem::path(ISOGRASP_SOURCE_DIR) / "library" / "tasks" / "grip_sine.toml";
   const auto text = read_text(file);
   ASSERT_TRUE(text);
-  SessionRecord session;
+  storage::SessionRecord session;
   std::vector<StoredTrial> trials(4);
   std::vector<const StoredTrial*> all;
   for (auto& one : trials) {
     one.session_record = &session;
     one.trial.task_text = *text;
-    one.trial.status = TrialStatus::completed;
+    one.trial.status = storage::TrialStatus::completed;
     Measure error;
     error.name = "relative_rmse";
     error.channel = "force";
@@ -37,7 +37,7 @@ TEST(Extremes, TrialsThatAreAlikeButForTheLastBitAreNeitherBestNorWorst) {
     all.push_back(&one);
   }
   TaskSection section;
-  section.spec = parse_task(*text, file).value();
+  section.spec = tasks::parse_task(*text, file).value();
   MeasureSeries series;
   series.name = "relative_rmse";
   series.channel = "force";
@@ -71,4 +71,4 @@ TEST(Conditions, DifferByMoreThanTheLastBitOfADelay) {
 }
 
 }  // namespace
-}  // namespace isograsp::alike_test
+}  // namespace isograsp::reports::alike_test

@@ -9,7 +9,7 @@
 #include "tests/reports/simulated_courses.hpp"
 #include "tests/support/doc_table.hpp"
 
-namespace isograsp::change_simulation_test {
+namespace isograsp::reports::change_simulation_test {
 namespace {
 
 using test::kSimulated;
@@ -59,13 +59,13 @@ class ChangeSimulation : public testing::TestWithParam<int> {
   }
   /// After the baseline by 2 MDC to the better; a lag that grows has worsened.
   [[nodiscard]] Outcomes changed(Simulation one) const {
-    const double direction = measure_.better == Better::lower ? -1.0 : 1.0;
+    const double direction = measure_.better == tasks::Better::lower ? -1.0 : 1.0;
     one.change = [direction](int assessment, double mdc) {
       return assessment < 2 ? 0.0 : direction * 2.0 * mdc;
     };
     return simulate(one);
   }
-  [[nodiscard]] bool lag() const { return measure_.better == Better::near_zero; }
+  [[nodiscard]] bool lag() const { return measure_.better == tasks::Better::near_zero; }
   void expect_in_docs(const std::string& row, const std::vector<double>& numbers) const {
     const auto figures = test::figures(numbers);
     RecordProperty(row, figures);
@@ -126,7 +126,7 @@ TEST_P(ChangeSimulation, PeopleWhoDeclineAreReportedAsWorsened) {
   for (const int people : {10, 20, 50}) {
     auto decline = simulation(people);
     decline.courses = 500;
-    const double direction = measure_.better == Better::higher ? -1.0 : 1.0;
+    const double direction = measure_.better == tasks::Better::higher ? -1.0 : 1.0;
     // Evenly, to 2.5 MDC below in the last session.
     decline.change = [direction, &decline](int assessment, double mdc) {
       return direction * 2.5 * mdc * assessment / (decline.assessments - 1.0);
@@ -183,4 +183,4 @@ TEST_P(ChangeSimulation, ManyAssessmentsAndPeopleWhoDifferMoreGiveMoreAlarms) {
 }
 
 }  // namespace
-}  // namespace isograsp::change_simulation_test
+}  // namespace isograsp::reports::change_simulation_test

@@ -10,15 +10,17 @@
 #include "statistics/robust_variance.hpp"
 #include "tests/support/normal.hpp"
 
-namespace isograsp::change_test {
+namespace isograsp::reports::change_test {
 namespace {
 
 /// Single operations of doubles, and a quantile to some ulp.
 constexpr double kRounding = 1e-12;
 /// All pairs of a pool alike: none is left out, the consistency factors remain. Ten pairs of days,
 /// twenty of trials.
-const double kDaySd = 1.0 / std::sqrt(kUnequalVariances.kept * small_sample_share(10.0));
-const double kTrialSd = 1.0 / std::sqrt(kOneVariance.kept * small_sample_share(20.0));
+const double kDaySd =
+    1.0 / std::sqrt(statistics::kUnequalVariances.kept * statistics::small_sample_share(10.0));
+const double kTrialSd =
+    1.0 / std::sqrt(statistics::kOneVariance.kept * statistics::small_sample_share(20.0));
 
 AssessmentDay day(double number, std::vector<double> trials) {
   return {number, std::move(trials), false};
@@ -28,7 +30,7 @@ AssessmentDay failed_day(double number) {
 }
 
 StablePool pool_of(const std::vector<StableDays>& stable) {
-  return isograsp::pool_of(stable, ErrorScale::linear);
+  return reports::pool_of(stable, ErrorScale::linear);
 }
 
 /// `people` persons with one pair each: `level` and `level + difference`.
@@ -102,7 +104,7 @@ TEST(Pool, IsLogarithmicWhereTheErrorClearlyGrowsWithTheMean) {
     constant.push_back({person, {day(0, {level}), day(3, {level + 0.5 * sign})}});
   }
   const auto scale = [](const std::vector<StableDays>& stable, ErrorScale usual) {
-    return isograsp::pool_of(stable, usual).error->scale;
+    return reports::pool_of(stable, usual).error->scale;
   };
   for (const auto usual : {ErrorScale::linear, ErrorScale::logarithmic}) {
     EXPECT_EQ(scale(growing, usual), ErrorScale::logarithmic);
@@ -148,10 +150,10 @@ std::vector<StableDays> ordinary(double level, double difference) {
 TEST(Pool, OneOutlyingDayDoesNotMakeTheErrorUselessForEverybody) {
   for (const auto scale : {ErrorScale::linear, ErrorScale::logarithmic}) {
     auto stable = ordinary(20.0, 1.5);
-    const auto before = isograsp::pool_of(stable, scale);
+    const auto before = reports::pool_of(stable, scale);
     for (const double wild : {1.0, 0.0, -0.1, 1000.0}) {
       stable[4].days[1].trials = {wild};
-      const auto after = isograsp::pool_of(stable, scale);
+      const auto after = reports::pool_of(stable, scale);
       EXPECT_EQ(after.people, 10);
       EXPECT_EQ(after.left_out, 1);
       EXPECT_EQ(after.error->scale, scale);
@@ -201,38 +203,39 @@ TEST(RobustSd, HasTheConsistencyOfItsDistribution) {
   const auto squares_below = [&](double z) {
     return share_below(z) - z * std::sqrt(2.0 / M_PI) * std::exp(-z * z / 2.0);
   };
-  const auto check = [&](double least, double most, const Consistency& is) {
+  const auto check = [&](double least, double most, const statistics::Consistency& is) {
     constexpr int kSteps = 20000;
     double median = 0.0, kept = 0.0, squares = 0.0;
     const double mean_square = (least * least + least * most + most * most) / 3.0;
     for (int i = 0; i < kSteps; ++i) {
       const double sd = std::lerp(least, most, (i + 0.5) / kSteps) / std::sqrt(mean_square);
       median += share_below(std::sqrt(is.median) / sd) / kSteps;
-      kept += share_below(kKeptSds / sd) / kSteps;
-      squares += sd * sd * squares_below(kKeptSds / sd) / kSteps;
+      kept += share_below(statistics::kKeptSds / sd) / kSteps;
+      squares += sd * sd * squares_below(statistics::kKeptSds / sd) / kSteps;
     }
     EXPECT_NEAR(median, 0.5, 1e-7);
     EXPECT_NEAR(squares / kept, is.kept, 1e-7);
   };
-  check(1.0, 1.0, kOneVariance);
-  check(1.0, 2.0, kUnequalVariances);
+  check(1.0, 1.0, statistics::kOneVariance);
+  check(1.0, 2.0, statistics::kUnequalVariances);
 }
 
 /// Mean of the variances that pairs of `people` give, each with `pairs` of them; the true one is 1.
 /// `least`: smallest SD, in units of the largest.
-double mean_variance(int people, int pairs, double least, const Consistency& consistency) {
+double mean_variance(int people, int pairs, double least,
+                     const statistics::Consistency& consistency) {
   constexpr int kDraws = 40000;
   const double mean_square = (1.0 + least + least * least) / 3.0;
   Random random(61, static_cast<std::uint64_t>(100 * people + pairs));
   double sum = 0.0;
   for (int draw = 0; draw < kDraws; ++draw) {
-    std::vector<PairDifference> all;
+    std::vector<statistics::PairDifference> all;
     for (int person = 0; person < people; ++person) {
       const double sd = std::lerp(least, 1.0, random.uniform()) / std::sqrt(mean_square);
       for (int pair = 0; pair < pairs; ++pair)
         all.push_back({std::sqrt(2.0) * sd * test::normal(random), 1.0 / pairs});
     }
-    const double found = robust_sd(all, consistency, 0.0).sd;
+    const double found = statistics::robust_sd(all, consistency, 0.0).sd;
     sum += found * found / kDraws;
   }
   return sum;
@@ -242,14 +245,18 @@ TEST(RobustSd, IsRightOnAverageForFewPairs) {
   constexpr double kWithin = 0.01;
   constexpr double kThreeStandardErrors = 0.009;  // of 40,000 draws of relative variance 3 / 10
   for (const int people : {10, 11, 15, 20, 50}) {
-    EXPECT_NEAR(mean_variance(people, 1, 0.5, kUnequalVariances), 1.0,
+    EXPECT_NEAR(mean_variance(people, 1, 0.5, statistics::kUnequalVariances), 1.0,
                 kWithin + kThreeStandardErrors)
         << people;
-    EXPECT_NEAR(mean_variance(people, 1, 1.0, kOneVariance), 1.0, kWithin + kThreeStandardErrors)
+    EXPECT_NEAR(mean_variance(people, 1, 1.0, statistics::kOneVariance), 1.0,
+                kWithin + kThreeStandardErrors)
         << people;
   }
-  EXPECT_NEAR(mean_variance(10, 4, 0.5, kUnequalVariances), 1.0, kWithin + kThreeStandardErrors);
-  EXPECT_LT(mean_variance(11, 1, 0.5, kUnequalVariances) * small_sample_share(11.0), 0.98)
+  EXPECT_NEAR(mean_variance(10, 4, 0.5, statistics::kUnequalVariances), 1.0,
+              kWithin + kThreeStandardErrors);
+  EXPECT_LT(mean_variance(11, 1, 0.5, statistics::kUnequalVariances) *
+                statistics::small_sample_share(11.0),
+            0.98)
       << "without the correction";
 }
 
@@ -272,7 +279,8 @@ std::vector<AssessmentDay> course(const std::vector<double>& means) {
   for (const double mean : means) days.push_back(day(static_cast<double>(days.size()), {mean}));
   return days;
 }
-ChangeJudgement judged(const std::vector<double>& means, Better better = Better::higher,
+ChangeJudgement judged(const std::vector<double>& means,
+                       tasks::Better better = tasks::Better::higher,
                        const StablePool& pool = unit_pool()) {
   return judge_change(course(means), pool, better);
 }
@@ -281,7 +289,8 @@ TEST(Judge, MeansAndChangesNearTheLargestNumberAreNumbersOrNone) {
   const double huge = 1.7e308;
   EXPECT_EQ(day_mean(day(0, {huge, huge, huge})), huge);
   EXPECT_EQ(mean_of(course({huge, huge})), huge);
-  const auto up = judge_change(course({-huge, -huge, huge, huge}), unit_pool(), Better::higher);
+  const auto up =
+      judge_change(course({-huge, -huge, huge, huge}), unit_pool(), tasks::Better::higher);
   EXPECT_EQ(up.baseline, -huge);
   EXPECT_FALSE(up.change) << "too large for a number";
   EXPECT_EQ(up.verdict, Verdict::improved);
@@ -290,7 +299,7 @@ TEST(Judge, MeansAndChangesNearTheLargestNumberAreNumbersOrNone) {
 
 TEST(Judge, TheBaselineIsTheMeanOfTwoDays) {
   const auto one = judge_change(std::vector{day(0, {9.0, 11.0}), day(4, {12.0}), day(9, {11.5})},
-                                unit_pool(), Better::higher);
+                                unit_pool(), tasks::Better::higher);
   EXPECT_DOUBLE_EQ(*one.baseline, 11.0);
   EXPECT_DOUBLE_EQ(*one.last, 11.5);
   EXPECT_DOUBLE_EQ(*one.change, 0.5);
@@ -311,43 +320,43 @@ TEST(Judge, BeyondTheErrorOnceIsPossibleTwiceInARowConfirmed) {
 }
 
 TEST(Judge, TheDirectionOfTheMeasureSaysWhatIsBetter) {
-  EXPECT_EQ(judged({10, 10, 8.5}, Better::higher).verdict, Verdict::worsened);
-  EXPECT_EQ(judged({10, 10, 8.5}, Better::lower).verdict, Verdict::improved);
-  EXPECT_EQ(judged({-3, -3, -1.5}, Better::near_zero).verdict, Verdict::improved);
-  EXPECT_EQ(judged({-3, -3, 3.5}, Better::near_zero).verdict, Verdict::within_error);
-  EXPECT_EQ(judged({-3, -3, 4.5}, Better::near_zero).verdict, Verdict::worsened);
-  EXPECT_EQ(judged({10, 10, 8}, Better::unknown).why, WhyNotJudged::no_direction);
+  EXPECT_EQ(judged({10, 10, 8.5}, tasks::Better::higher).verdict, Verdict::worsened);
+  EXPECT_EQ(judged({10, 10, 8.5}, tasks::Better::lower).verdict, Verdict::improved);
+  EXPECT_EQ(judged({-3, -3, -1.5}, tasks::Better::near_zero).verdict, Verdict::improved);
+  EXPECT_EQ(judged({-3, -3, 3.5}, tasks::Better::near_zero).verdict, Verdict::within_error);
+  EXPECT_EQ(judged({-3, -3, 4.5}, tasks::Better::near_zero).verdict, Verdict::worsened);
+  EXPECT_EQ(judged({10, 10, 8}, tasks::Better::unknown).why, WhyNotJudged::no_direction);
 }
 
 TEST(Judge, SaysWhereTheWholeWayToZeroIsWithinTheError) {
   EXPECT_TRUE(judged({1, 0.9, 5}).none_to_zero);
   EXPECT_FALSE(judged({1, 1.1, 5}).none_to_zero);
   EXPECT_FALSE(
-      judged({0.1, 0.1, 5}, Better::higher, unit_pool(ErrorScale::logarithmic)).none_to_zero)
+      judged({0.1, 0.1, 5}, tasks::Better::higher, unit_pool(ErrorScale::logarithmic)).none_to_zero)
       << "a share of the baseline never reaches it";
 }
 
 TEST(Judge, OnLogarithmsTheErrorIsAShareOfTheBaseline) {
-  const auto one = judged({10, 10, 26}, Better::higher, unit_pool(ErrorScale::logarithmic));
+  const auto one = judged({10, 10, 26}, tasks::Better::higher, unit_pool(ErrorScale::logarithmic));
   EXPECT_EQ(one.verdict, Verdict::within_error);  // log 2.6 < 1
   EXPECT_NEAR(*one.mdc_up, 10.0 * (std::exp(1.0) - 1.0), 1e-9);
   EXPECT_NEAR(*one.mdc_down, 10.0 * (std::exp(-1.0) - 1.0), 1e-9);
-  EXPECT_EQ(judged({10, 10, 28}, Better::higher, unit_pool(ErrorScale::logarithmic)).verdict,
+  EXPECT_EQ(judged({10, 10, 28}, tasks::Better::higher, unit_pool(ErrorScale::logarithmic)).verdict,
             Verdict::improved);
 }
 
 TEST(Judge, OnLogarithmsAValueThatIsNotPositiveIsBelowEveryLimit) {
   const auto log = unit_pool(ErrorScale::logarithmic);
-  const auto lost = judged({10, 10, 0}, Better::higher, log);
+  const auto lost = judged({10, 10, 0}, tasks::Better::higher, log);
   EXPECT_EQ(lost.verdict, Verdict::worsened);
   EXPECT_FALSE(lost.confirmed);
-  const auto lost_twice = judged({10, 10, 0, 0}, Better::higher, log);
+  const auto lost_twice = judged({10, 10, 0, 0}, tasks::Better::higher, log);
   EXPECT_EQ(lost_twice.verdict, Verdict::worsened);
   EXPECT_TRUE(lost_twice.confirmed);
-  EXPECT_TRUE(judged({10, 10, -0.1, 0.5}, Better::higher, log).confirmed);
-  EXPECT_EQ(judged({10, 10, -0.5}, Better::lower, log).verdict, Verdict::improved);
-  EXPECT_EQ(judged({0, 0, 10}, Better::higher, log).why, WhyNotJudged::not_positive);
-  EXPECT_EQ(judged({-1, 0.5, 10}, Better::higher, log).why, WhyNotJudged::not_positive);
+  EXPECT_TRUE(judged({10, 10, -0.1, 0.5}, tasks::Better::higher, log).confirmed);
+  EXPECT_EQ(judged({10, 10, -0.5}, tasks::Better::lower, log).verdict, Verdict::improved);
+  EXPECT_EQ(judged({0, 0, 10}, tasks::Better::higher, log).why, WhyNotJudged::not_positive);
+  EXPECT_EQ(judged({-1, 0.5, 10}, tasks::Better::higher, log).why, WhyNotJudged::not_positive);
 }
 
 TEST(Judge, TheBaselineIsTheFirstTwoDaysWithAMean) {
@@ -355,31 +364,33 @@ TEST(Judge, TheBaselineIsTheFirstTwoDaysWithAMean) {
   for (const auto& lost : {failed_day(0), empty}) {
     const auto one =
         judge_change(std::vector{lost, day(1, {10.0}), lost, day(3, {12.0}), day(4, {11.5})},
-                     unit_pool(), Better::higher);
+                     unit_pool(), tasks::Better::higher);
     EXPECT_EQ(one.baseline, 11.0);
     EXPECT_EQ(one.verdict, Verdict::within_error);
-    EXPECT_EQ(
-        judge_change(std::vector{lost, day(1, {10.0}), day(2, {10.0})}, unit_pool(), Better::higher)
-            .why,
-        WhyNotJudged::nothing_after);
+    EXPECT_EQ(judge_change(std::vector{lost, day(1, {10.0}), day(2, {10.0})}, unit_pool(),
+                           tasks::Better::higher)
+                  .why,
+              WhyNotJudged::nothing_after);
   }
   const auto twice = judge_change(
       std::vector{failed_day(0), day(1, {10}), day(2, {10}), day(3, {12}), day(4, {12})},
-      unit_pool(), Better::higher);
+      unit_pool(), tasks::Better::higher);
   EXPECT_TRUE(twice.confirmed);
   const auto once =
       judge_change(std::vector{day(0, {10}), failed_day(1), day(2, {12}), day(3, {14})},
-                   unit_pool(), Better::higher);
+                   unit_pool(), tasks::Better::higher);
   EXPECT_FALSE(once.confirmed) << "the day before belongs to the baseline";
 }
 
 TEST(Judge, SaysWhyItCannot) {
   EXPECT_EQ(judged({10}).why, WhyNotJudged::baseline_too_short);
   EXPECT_EQ(judged({10, 10}).why, WhyNotJudged::nothing_after);
-  EXPECT_EQ(judged({10, 10, 20}, Better::higher, {9, 9, {}}).why, WhyNotJudged::too_few_people);
-  EXPECT_EQ(judged({10, 10, 20}, Better::higher, {10, 10, {}}).why, WhyNotJudged::no_variation);
+  EXPECT_EQ(judged({10, 10, 20}, tasks::Better::higher, {9, 9, {}}).why,
+            WhyNotJudged::too_few_people);
+  EXPECT_EQ(judged({10, 10, 20}, tasks::Better::higher, {10, 10, {}}).why,
+            WhyNotJudged::no_variation);
   const auto judge = [](std::vector<AssessmentDay> days) {
-    return judge_change(days, unit_pool(), Better::higher);
+    return judge_change(days, unit_pool(), tasks::Better::higher);
   };
   EXPECT_EQ(judge({failed_day(0), day(1, {1})}).why, WhyNotJudged::baseline_failed);
   EXPECT_EQ(judge({day(0, {1}), day(1, {1}), failed_day(2)}).why, WhyNotJudged::last_failed);
@@ -392,7 +403,7 @@ TEST(Judge, SaysWhyItCannot) {
 TEST(Judge, MoreTrialsMakeSmallerErrorsAndUnequalDaysDoNotPretendToHaveMore) {
   StablePool pool{10, 10, MeasurementError{ErrorScale::linear, 0.0, 1.0, 10.0, 1.0}};
   const auto mdc = [&](std::vector<AssessmentDay> days) {
-    return *judge_change(days, pool, Better::higher).mdc_up;
+    return *judge_change(days, pool, tasks::Better::higher).mdc_up;
   };
   const double single = mdc({day(0, {1}), day(1, {1}), day(2, {1})});
   const double twice = mdc({day(0, {1, 1}), day(1, {1, 1}), day(2, {1, 1})});
@@ -403,4 +414,4 @@ TEST(Judge, MoreTrialsMakeSmallerErrorsAndUnequalDaysDoNotPretendToHaveMore) {
 }
 
 }  // namespace
-}  // namespace isograsp::change_test
+}  // namespace isograsp::reports::change_test

@@ -29,7 +29,7 @@ std::string library_task(const std::string& name) {
 }
 
 struct Row {
-  Phase phase = Phase::active;
+  tasks::Phase phase = tasks::Phase::active;
   double target_N = kMissing;
   double actual_N = 0.0;
   Vec3 target = Vec3::Constant(kMissing);  // x, y, angle
@@ -55,7 +55,7 @@ std::vector<Row> maximum_rows(double maximum_N, double seed) {
   std::vector<Row> rows(400);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double t = static_cast<double>(i) / kRate_Hz;
-    rows[i].phase = t < 1.0 ? Phase::lead_in : Phase::active;
+    rows[i].phase = t < 1.0 ? tasks::Phase::lead_in : tasks::Phase::active;
     const double rise = t < 1.3 ? 0.0 : 1.0 - std::exp(-(t - 1.3) / 0.3);
     rows[i].actual_N =
         0.4 + maximum_N * rise * (1.0 - 0.05 * std::max(0.0, t - 2.0)) + 0.2 * wobble(t, seed);
@@ -71,7 +71,7 @@ std::vector<Row> sine_rows(double maximum_N, double skill, double seed) {
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double t = static_cast<double>(i) / kRate_Hz;
-    rows[i].phase = t < 2.0 ? Phase::lead_in : Phase::active;
+    rows[i].phase = t < 2.0 ? tasks::Phase::lead_in : tasks::Phase::active;
     rows[i].target_N = target(t);
     rows[i].actual_N =
         target(t - 0.3 + 0.15 * skill) + 0.03 * maximum_N * (1.2 - skill) * wobble(t, seed);
@@ -79,7 +79,7 @@ std::vector<Row> sine_rows(double maximum_N, double skill, double seed) {
   return rows;
 }
 
-std::vector<Row> pose_rows(const PoseTargetsSpec& spec, double skill, double seed) {
+std::vector<Row> pose_rows(const tasks::PoseTargetsSpec& spec, double skill, double seed) {
   std::vector<Row> rows;
   Vec3 from = Vec3::Zero();
   int reached = 0;
@@ -100,7 +100,7 @@ std::vector<Row> pose_rows(const PoseTargetsSpec& spec, double skill, double see
       const double swing = std::sin(kPi * progress);
       row.actual =
           from + progress * (to - from) + swing * Vec3(0.006 * shake, 0.008 * shake, 0.08 * shake);
-      row.phase = progress > 0.97 ? Phase::hold : Phase::transport;
+      row.phase = progress > 0.97 ? tasks::Phase::hold : tasks::Phase::transport;
       row.actual_N = 4.0 + 0.4 * wobble(t, seed);
       if (i == frames - 1 && !fails) ++reached;
       row.reached = reached;
@@ -112,7 +112,7 @@ std::vector<Row> pose_rows(const PoseTargetsSpec& spec, double skill, double see
 }
 
 struct Recorded {
-  SignalGroup group;
+  storage::SignalGroup group;
   std::vector<double> values;  // row-major
 };
 
@@ -146,19 +146,19 @@ Recorded as_group(const std::vector<Row>& rows, bool object, bool faults) {
 
 class Writer {
  public:
-  Writer(SessionStore& store, RowId session, const DemoSession& demo)
+  Writer(storage::SessionStore& store, storage::RowId session, const DemoSession& demo)
       : store_(store), session_(session), demo_(demo) {}
 
   void add(const std::string& text, const std::vector<Row>& rows, bool practice,
-           TrialStatus status = TrialStatus::completed) {
+           storage::TrialStatus status = storage::TrialStatus::completed) {
     auto versioned = text;
     if (const auto at = versioned.find("version = 1"); at != std::string::npos)
       versioned[at + 10] = static_cast<char>('0' + demo_.task_version);
-    const auto spec = parse_task(versioned, "task.toml");
+    const auto spec = tasks::parse_task(versioned, "task.toml");
     ASSERT_TRUE(spec.ok()) << spec.error().message();
     const bool object = !spec->scene().empty();
     const auto recorded = as_group(rows, object, demo_.with_faults);
-    TrialRecord trial;
+    storage::TrialRecord trial;
     trial.session_id = session_;
     trial.number = ++number_;
     trial.task_name = spec->name;
@@ -187,8 +187,8 @@ class Writer {
     trial.samples = static_cast<std::int64_t>(rows.size());
     trial.worst_lateness_s = 0.0012;
     trial.health_json = R"({"thumb": {"lost": 0}, "index": {"lost": 2}, "kernel_drops": 0})";
-    const auto measures =
-        status == TrialStatus::completed ? score(*spec, signals) : std::vector<Measure>{};
+    const auto measures = status == storage::TrialStatus::completed ? tasks::score(*spec, signals)
+                                                                    : std::vector<Measure>{};
     const auto done = store_.end_trial(trial, measures);
     ASSERT_TRUE(done.ok()) << done.error().message();
     if (demo_.with_faults && number_ == 2) {
@@ -199,18 +199,19 @@ class Writer {
   }
 
  private:
-  SessionStore& store_;
-  RowId session_;
+  storage::SessionStore& store_;
+  storage::RowId session_;
   DemoSession demo_;
   int number_ = 0;
 };
 
 }  // namespace
 
-RowId add_session(SessionStore& store, const std::string& code, const DemoSession& demo) {
+storage::RowId add_session(storage::SessionStore& store, const std::string& code,
+                           const DemoSession& demo) {
   auto patient = store.find_patient(code);
   EXPECT_TRUE(patient.ok());
-  RowId patient_id = 0;
+  storage::RowId patient_id = 0;
   if (patient->has_value()) {
     patient_id = (*patient)->id;
   } else {
@@ -218,7 +219,7 @@ RowId add_session(SessionStore& store, const std::string& code, const DemoSessio
     EXPECT_TRUE(added.ok()) << added.error().message();
     patient_id = added->id;
   }
-  SessionRecord session;
+  storage::SessionRecord session;
   session.patient_id = patient_id;
   session.started_utc = demo.date + "T09:30:00Z";
   session.hand = demo.hand;
@@ -237,7 +238,7 @@ RowId add_session(SessionStore& store, const std::string& code, const DemoSessio
   session.software_version = "0.1.0";
   const auto id = store.begin_session(session);
   EXPECT_TRUE(id.ok()) << id.error().message();
-  InstrumentZeroRecord zero;
+  storage::InstrumentZeroRecord zero;
   zero.session_id = *id;
   zero.mean.fill(Vec6::Constant(0.1));
   zero.sd.fill(Vec6::Constant(0.023));
@@ -254,17 +255,18 @@ RowId add_session(SessionStore& store, const std::string& code, const DemoSessio
   writer.add(library_task("grip_sine.toml"), sine_rows(maximum_N, demo.skill + 0.15, seed + 1.0),
              false);
   const auto text = library_task("two_target.toml");
-  const auto spec = parse_task(text, "two_target.toml");
+  const auto spec = tasks::parse_task(text, "two_target.toml");
   EXPECT_TRUE(spec.ok());
-  writer.add(text, pose_rows(std::get<PoseTargetsSpec>(spec->kind), demo.skill, seed), false);
+  writer.add(text, pose_rows(std::get<tasks::PoseTargetsSpec>(spec->kind), demo.skill, seed),
+             false);
   if (demo.with_faults)
     writer.add(library_task("grip_sine.toml"), sine_rows(maximum_N, demo.skill, seed), false,
-               TrialStatus::aborted);
+               storage::TrialStatus::aborted);
   EXPECT_TRUE(store.end_session(*id).ok());
   return *id;
 }
 
-void add_course(SessionStore& store, const std::string& code, bool simulated) {
+void add_course(storage::SessionStore& store, const std::string& code, bool simulated) {
   const char* const dates[] = {"2026-03-02", "2026-03-04", "2026-03-11",
                                "2026-03-18", "2026-03-25", "2026-04-08"};
   const double skills[] = {0.05, 0.2, 0.45, 0.4, 0.62, 0.75};

@@ -20,9 +20,10 @@ struct DemoSession {
 };
 
 /// Adds one complete session; returns its id. Fails the running test if the store refuses.
-RowId add_session(SessionStore& store, const std::string& code, const DemoSession& demo);
+storage::RowId add_session(storage::SessionStore& store, const std::string& code,
+                           const DemoSession& demo);
 
 /// A patient with six sessions of the right hand over five weeks, the last with faults.
-void add_course(SessionStore& store, const std::string& code, bool simulated);
+void add_course(storage::SessionStore& store, const std::string& code, bool simulated);
 
 }  // namespace isograsp::test

@@ -20,71 +20,71 @@ namespace isograsp::test {
 
 /// A task of this kind, else as it is by default.
 template <class Kind>
-TaskSpec spec_of(Kind kind) {
-  TaskSpec spec;
+tasks::TaskSpec spec_of(Kind kind) {
+  tasks::TaskSpec spec;
   spec.kind = std::move(kind);
   return spec;
 }
 
-inline std::vector<TaskSpec> force_tasks() {
-  MaximumSpec opening;
+inline std::vector<tasks::TaskSpec> force_tasks() {
+  tasks::MaximumSpec opening;
   opening.channel.direction = Direction::minus_z;
-  MaximumSpec comfortable;
+  tasks::MaximumSpec comfortable;
   comfortable.comfortable = true;
-  ForceTrackingSpec trapezoid;
-  trapezoid.waveform.shape = Waveform::Shape::trapezoid;
-  ForceTrackingSpec several_sines;
-  several_sines.waveform.shape = Waveform::Shape::multi_sine;
+  tasks::ForceTrackingSpec trapezoid;
+  trapezoid.waveform.shape = tasks::Waveform::Shape::trapezoid;
+  tasks::ForceTrackingSpec several_sines;
+  several_sines.waveform.shape = tasks::Waveform::Shape::multi_sine;
   several_sines.waveform.frequencies = {0.1, 0.3};
-  ForceTrackingSpec many_cycles;
+  tasks::ForceTrackingSpec many_cycles;
   many_cycles.aim.channel.digits = Digits::sum;
   many_cycles.waveform.frequency_Hz = 1.0;
-  GripReleaseSpec open;
+  tasks::GripReleaseSpec open;
   open.open = true;
-  ForceDirectionSpec direction;
+  tasks::ForceDirectionSpec direction;
   direction.targets.resize(1);
   direction.targets[0].asked.fill(true);
   direction.targets[0].direction_C.fill(Vec3::UnitX());
-  return {spec_of(RestSpec{}),
-          spec_of(MaximumSpec{}),
+  return {spec_of(tasks::RestSpec{}),
+          spec_of(tasks::MaximumSpec{}),
           spec_of(opening),
           spec_of(comfortable),
-          spec_of(DirectionalMaximaSpec{{Finger::thumb, Finger::index},
-                                        {Direction::plus_x, Direction::minus_z}}),
-          spec_of(ForceTrackingSpec{}),
+          spec_of(tasks::DirectionalMaximaSpec{{Finger::thumb, Finger::index},
+                                               {Direction::plus_x, Direction::minus_z}}),
+          spec_of(tasks::ForceTrackingSpec{}),
           spec_of(trapezoid),
           spec_of(several_sines),
           spec_of(many_cycles),
-          spec_of(SteadinessSpec{}),
-          spec_of(StepResponseSpec{}),
-          spec_of(GripReleaseSpec{}),
+          spec_of(tasks::SteadinessSpec{}),
+          spec_of(tasks::StepResponseSpec{}),
+          spec_of(tasks::GripReleaseSpec{}),
           spec_of(open),
-          spec_of(ForceSenseSpec{}),
-          spec_of(FatigueSpec{}),
-          spec_of(IndividuationSpec{}),
+          spec_of(tasks::ForceSenseSpec{}),
+          spec_of(tasks::FatigueSpec{}),
+          spec_of(tasks::IndividuationSpec{}),
           spec_of(direction)};
 }
-inline std::vector<TaskSpec> object_tasks() {
-  PoseTargetsSpec targets;
+inline std::vector<tasks::TaskSpec> object_tasks() {
+  tasks::PoseTargetsSpec targets;
   targets.scene = "scene";
   targets.targets.resize(2);
-  PoseTrackingSpec tracking;
+  tasks::PoseTrackingSpec tracking;
   tracking.scene = "scene";
   tracking.axes.resize(1);
-  PickPlaceSpec pick_place;
+  tasks::PickPlaceSpec pick_place;
   pick_place.scene = "scene";
   pick_place.items.resize(1);
-  ObserveSpec observe;
+  tasks::ObserveSpec observe;
   observe.scene = "scene";
   return {spec_of(targets), spec_of(tracking), spec_of(pick_place), spec_of(observe)};
 }
 
-inline std::vector<TaskSpec> recorded_tasks() {
-  using Measures = RecordedSpec::Measures;
-  std::vector<TaskSpec> tasks;
+inline std::vector<tasks::TaskSpec> recorded_tasks() {
+  using Measures = tasks::RecordedSpec::Measures;
+  std::vector<tasks::TaskSpec> tasks;
   for (const Measures measures :
        {Measures::corridor, Measures::maximum, Measures::tracking, Measures::finger_forces}) {
-    RecordedSpec recorded;
+    tasks::RecordedSpec recorded;
     recorded.measures = measures;
     recorded.fingers = {"index", "ring"};
     tasks.push_back(spec_of(recorded));
@@ -95,8 +95,8 @@ inline std::vector<TaskSpec> recorded_tasks() {
 constexpr double kMaximum_N = 40.0;
 
 /// A trial of a force task in which the hand lies still, with every column that tells its parts.
-inline Signals still_hand(const TaskSpec& spec) {
-  TaskContext context;
+inline Signals still_hand(const tasks::TaskSpec& spec) {
+  tasks::TaskContext context;
   context.period_s = 0.05;
   for (int digits = 0; digits <= static_cast<int>(Digits::middle); ++digits)
     for (const Direction direction : {Direction::plus_z, Direction::minus_z}) {
@@ -124,21 +124,21 @@ inline Signals still_hand(const TaskSpec& spec) {
       names.push_back("target_" + std::string(name_of(finger)) + axis);
     }
   Signals signals(names);
-  auto task = make_task(spec, context);
+  auto task = tasks::make_task(spec, context);
   if (!task) {
     ADD_FAILURE() << task.error().message();
     return signals;
   }
   for (int k = 0;; ++k) {
-    const TaskView view = (*task)->step({});
-    if (view.phase == Phase::done) return signals;
+    const tasks::TaskView view = (*task)->step({});
+    if (view.phase == tasks::Phase::done) return signals;
     std::vector<double> row{k * context.period_s,
                             static_cast<double>(view.phase),
                             static_cast<double>(view.segment),
                             static_cast<double>(view.cue),
                             static_cast<double>(view.channel.digits),
                             static_cast<double>(view.channel.direction),
-                            view.has_force_target ? view.target_force_N : kNotMeasured,
+                            view.has_force_target ? view.target_force_N : tasks::kNotMeasured,
                             view.actual_force_N,
                             0.0,
                             kMaximum_N,
@@ -150,20 +150,20 @@ inline Signals still_hand(const TaskSpec& spec) {
         const auto f = index_of(finger);
         row.push_back(0.0);
         row.push_back(view.digit_targets.shown[f] ? view.digit_targets.force_C[f][axis]
-                                                  : kNotMeasured);
+                                                  : tasks::kNotMeasured);
       }
     signals.append_row(row);
   }
 }
 
 /// The tasks that the program is shipped with.
-inline std::vector<TaskSpec> library_tasks() {
+inline std::vector<tasks::TaskSpec> library_tasks() {
   namespace fs = std::filesystem;
-  std::vector<TaskSpec> tasks;
+  std::vector<tasks::TaskSpec> tasks;
   for (const auto& entry :
        fs::directory_iterator(fs::path(ISOGRASP_SOURCE_DIR) / "library/tasks")) {
     if (entry.path().extension() != ".toml") continue;
-    auto parsed = load_task(entry.path());
+    auto parsed = session::load_task(entry.path());
     if (parsed)
       tasks.push_back(*std::move(parsed));
     else
@@ -173,32 +173,33 @@ inline std::vector<TaskSpec> library_tasks() {
 }
 
 /// A target that is reached and held at once by an object that leans.
-inline std::vector<Measure> leaning_object(const TaskSpec& spec) {
-  return score(spec, play_object(spec, [](const TaskView&, const Pose&) {
-                 constexpr double kLean_rad = 0.1;
-                 Handled now;
-                 now.pose.q_WO = Quat(Eigen::AngleAxisd(kLean_rad, Vec3::UnitX()));
-                 return now;
-               }));
+inline std::vector<Measure> leaning_object(const tasks::TaskSpec& spec) {
+  return tasks::score(spec, play_object(spec, [](const tasks::TaskView&, const Pose&) {
+                        constexpr double kLean_rad = 0.1;
+                        Handled now;
+                        now.pose.q_WO = Quat(Eigen::AngleAxisd(kLean_rad, Vec3::UnitX()));
+                        return now;
+                      }));
 }
 
 struct Emitted {
-  TaskSpec spec;
+  tasks::TaskSpec spec;
   std::vector<Measure> measures;
 };
 /// What every kind of task, made up and shipped, gives.
 inline const std::vector<Emitted>& emitted() {
   static const std::vector<Emitted> all = [] {
     std::vector<Emitted> list;
-    const auto add = [&](const TaskSpec& spec) {
-      const bool recorded = std::holds_alternative<RecordedSpec>(spec.kind);
-      list.push_back({spec, recorded               ? score(spec, Signals({"t_s"}))
-                            : spec.scene().empty() ? score(spec, still_hand(spec))
-                                                   : score(spec, Signals({"t_s", "phase"}))});
+    const auto add = [&](const tasks::TaskSpec& spec) {
+      const bool recorded = std::holds_alternative<tasks::RecordedSpec>(spec.kind);
+      list.push_back({spec, recorded ? tasks::score(spec, Signals({"t_s"}))
+                            : spec.scene().empty()
+                                ? tasks::score(spec, still_hand(spec))
+                                : tasks::score(spec, Signals({"t_s", "phase"}))});
     };
     for (const auto& tasks : {force_tasks(), recorded_tasks(), object_tasks(), library_tasks()})
-      for (const TaskSpec& spec : tasks) add(spec);
-    PoseTargetsSpec reached;
+      for (const tasks::TaskSpec& spec : tasks) add(spec);
+    tasks::PoseTargetsSpec reached;
     reached.scene = "free_block";
     reached.targets.resize(1);
     reached.targets[0].hold_s = 0.2;

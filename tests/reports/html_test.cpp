@@ -13,7 +13,7 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::html_test {
+namespace isograsp::reports::html_test {
 namespace {
 
 constexpr const char* kHostile = "</style><script>alert(1)</script><img src=x onerror=alert(2)>";
@@ -62,7 +62,7 @@ TEST_F(Html, NamesFromTheDatabaseStayText) {
 
 TEST_F(Html, AWholeReportOfHostileNamesNeedsNothingThatThePolicyForbids) {
   const test::TemporaryFolder folder;
-  auto store = open_store(folder.path("clinic.db"), OpenMode::create);
+  auto store = storage::open_store(folder.path("clinic.db"), storage::OpenMode::create);
   ASSERT_TRUE(store);
   test::add_course(**store, "P-1", false);
   auto content = gather_progress(**store, "P-1");
@@ -85,4 +85,4 @@ TEST_F(Html, AWholeReportOfHostileNamesNeedsNothingThatThePolicyForbids) {
 }
 
 }  // namespace
-}  // namespace isograsp::html_test
+}  // namespace isograsp::reports::html_test

@@ -18,7 +18,7 @@
 #include "tests/reports/painted_page.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::layout_test {
+namespace isograsp::reports::layout_test {
 namespace {
 
 using test::painted;
@@ -29,11 +29,11 @@ class Layout : public testing::Test {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
     folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *open_store(folder_->path("clinic.db"), OpenMode::create);
+    store_ = *storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
     test::add_course(*store_, "TK-104", true);
-    const RowId id = store_->find_patient("TK-104")->value().id;
+    const storage::RowId id = store_->find_patient("TK-104")->value().id;
     ASSERT_TRUE(store_
-                    ->set_profile(id, {Side::right, Hand::right, "2025-01-05", "",
+                    ->set_profile(id, {storage::Side::right, Hand::right, "2025-01-05", "",
                                        "Hold a cup of tea without spilling"})
                     .ok());
     ASSERT_TRUE(store_->add_clinical_score(id, {0, "2026-03-01", "ARAT", 31.0, ""}).ok());
@@ -72,7 +72,7 @@ class Layout : public testing::Test {
   }
 
   static inline std::unique_ptr<test::TemporaryFolder> folder_;
-  static inline std::unique_ptr<SessionStore> store_;
+  static inline std::unique_ptr<storage::SessionStore> store_;
 };
 
 std::string joined(const std::vector<QString>& lines) {
@@ -249,4 +249,4 @@ TEST_F(Layout, EveryCellOfATableOnTheWebSaysItsColumnWhereThereIsNoHead) {
 }
 
 }  // namespace
-}  // namespace isograsp::layout_test
+}  // namespace isograsp::reports::layout_test

@@ -17,7 +17,7 @@
 #include "tests/support/made_up.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::limits_test {
+namespace isograsp::reports::limits_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,7 +77,8 @@ TEST(Training, EveryComponentLeadsToATaskOfTheLibrary) {
   for (const auto& entry :
        fs::directory_iterator(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks"))
     if (entry.path().extension() == ".toml")
-      names.insert(must(parse_task(library_task(entry.path().filename()), entry.path())).name);
+      names.insert(
+          must(tasks::parse_task(library_task(entry.path().filename()), entry.path())).name);
   for (std::size_t i = 0; i < kComponentCount; ++i) {
     const auto component = static_cast<Component>(i);
     EXPECT_TRUE(names.contains(std::string(training_for(component)))) << name_of(component);
@@ -104,7 +105,7 @@ TEST(CompassPoints, OfALeftHandAreTheMirrorImageOfARight) {
 
 TEST(Repetitions, AreTheEffortsThatATaskAsksFor) {
   const auto of = [](const char* file) {
-    return repetitions_of(must(parse_task(library_task(file), file)));
+    return repetitions_of(must(tasks::parse_task(library_task(file), file)));
   };
   EXPECT_EQ(of("resting_force.toml"), 0);
   EXPECT_EQ(of("maximum_grip.toml"), 1);
@@ -118,11 +119,11 @@ TEST(Repetitions, AreTheEffortsThatATaskAsksFor) {
 class Limits : public testing::Test {
  protected:
   void SetUp() override {
-    store_ = must(open_store(folder_.path("clinic.db"), OpenMode::scratch));
+    store_ = must(storage::open_store(folder_.path("clinic.db"), storage::OpenMode::scratch));
     patient_ = must(store_->add_patient("TK-1")).id;
-    affected(Side::left);
+    affected(storage::Side::left);
   }
-  void affected(std::optional<Side> side) {
+  void affected(std::optional<storage::Side> side) {
     must(store_->set_profile(patient_, {side, {}, "", "", ""}));
   }
   Measure measure(const std::string& name, const std::string& channel, double value,
@@ -138,25 +139,25 @@ class Limits : public testing::Test {
   void session(const std::string& date, Hand hand,
                const std::vector<std::pair<std::string, std::vector<Measure>>>& trials,
                int seconds = 1) {
-    SessionRecord session;
+    storage::SessionRecord session;
     session.patient_id = patient_;
     session.started_utc = date + "T09:30:00Z";
     session.hand = hand;
     session.device_uri = "can://can0";
-    const RowId id = must(store_->begin_session(session));
+    const storage::RowId id = must(store_->begin_session(session));
     must(store_->add_rating({0, id, 0, 0.0, "", 6, 2}));
     int number = 0;
     for (const auto& [file, measures] : trials) {
-      TrialRecord trial;
+      storage::TrialRecord trial;
       trial.session_id = id;
       trial.number = ++number;
       trial.task_text = library_task(file);
-      trial.task_name = must(parse_task(trial.task_text, file)).name;
+      trial.task_name = must(tasks::parse_task(trial.task_text, file)).name;
       trial.groups = {{"task", {"t_s", "actual_force_N"}}};
       trial.id = must(store_->begin_trial(trial));
       const std::vector<std::vector<double>> second(1, std::vector<double>(2 * 100, 1.0));
       for (int k = 0; k < seconds; ++k) must(store_->append_blocks(trial.id, k, second));
-      trial.status = TrialStatus::completed;
+      trial.status = storage::TrialStatus::completed;
       must(store_->end_trial(trial, measures));
     }
   }
@@ -166,7 +167,7 @@ class Limits : public testing::Test {
             {{"maximum_grip.toml", {measure("maximum_force", "grip", grip_N, "N")}},
              {"maximum_opening.toml", {measure("maximum_force", "opening", opening_N, "N")}}});
   }
-  LimitsOfHand limits(const std::vector<TreatmentMark>& marks = {}) {
+  LimitsOfHand limits(const std::vector<storage::TreatmentMark>& marks = {}) {
     return limits_of(must(read_patient(*store_, "TK-1")), marks);
   }
   static const ComponentResult& of(const LimitsOfHand& limits, Component component) {
@@ -174,8 +175,8 @@ class Limits : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::unique_ptr<SessionStore> store_;
-  RowId patient_ = 0;
+  std::unique_ptr<storage::SessionStore> store_;
+  storage::RowId patient_ = 0;
 };
 
 TEST_F(Limits, TheComponentFarthestBelowTheOtherHandLimitsMost) {
@@ -221,7 +222,7 @@ TEST_F(Limits, TheValueThatIsPrintedIsTheMeanOfTheTrialsAndOnlyTheShareHasAFloor
 TEST_F(Limits, BeforeAndAfterATreatmentStandMeansAsTheyAre) {
   maxima("2026-03-02", Hand::left, -2.0, 4.0);
   maxima("2026-03-20", Hand::left, 14.0, 4.0);
-  const std::vector<TreatmentMark> marks{{1, "2026-03-10", "botulinum_toxin", ""}};
+  const std::vector<storage::TreatmentMark> marks{{1, "2026-03-10", "botulinum_toxin", ""}};
   const auto text = of(limits(marks), Component::strength).treatment;
   EXPECT_NE(text.find("\u22122 before, 14 now"), std::string::npos) << text;
 }
@@ -297,8 +298,8 @@ TEST_F(Limits, OtherParametersOfTheOtherHandAreNotComparedWith) {
 TEST_F(Limits, TheNewestTreatmentBetweenAssessmentsStandsBeside) {
   maxima("2026-03-02", Hand::left, 10.0, 4.0);
   maxima("2026-03-20", Hand::left, 14.0, 4.0);
-  const std::vector<TreatmentMark> marks{{1, "2026-03-10", "botulinum_toxin", ""},
-                                         {2, "2026-03-25", "orthosis", ""}};
+  const std::vector<storage::TreatmentMark> marks{{1, "2026-03-10", "botulinum_toxin", ""},
+                                                  {2, "2026-03-25", "orthosis", ""}};
   EXPECT_EQ(of(limits(marks), Component::strength).treatment,
             "10\u00a0Mar\u00a02026, botulinum toxin: 10 before, 14 now");
 }
@@ -328,7 +329,7 @@ TEST_F(Limits, AProfileOfTheCompassHoldsForcesRestAndErrorsInTheAxesOfTheHand) {
 
 TEST_F(Limits, TheSameDayOfTheNextWeekIsTheNextWeekThoughAnHourEarlier) {
   session("2026-03-02", Hand::left, {{"let_go.toml", {}}});
-  SessionRecord early;
+  storage::SessionRecord early;
   early.patient_id = patient_;
   early.started_utc = "2026-03-09T08:30:00Z";
   early.device_uri = "can://can0";
@@ -354,4 +355,4 @@ TEST_F(Limits, TheDoseCountsWeeksWithoutGapsMinutesRepetitionsAndPain) {
 }
 
 }  // namespace
-}  // namespace isograsp::limits_test
+}  // namespace isograsp::reports::limits_test

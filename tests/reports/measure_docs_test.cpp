@@ -13,7 +13,7 @@
 #include "tasks/kind_name.hpp"
 #include "tests/reports/emitted_measures.hpp"
 
-namespace isograsp::measure_docs_test {
+namespace isograsp::reports::measure_docs_test {
 namespace {
 
 using test::Emitted;
@@ -76,8 +76,8 @@ std::string section_name(const std::string& name) {
 }
 
 std::vector<Measure> all_measures() {
-  std::vector<Measure> all =
-      score_pairs(Signals({"t_s", "target_force_N", "actual_force_N", "actual_x_m", "actual_y_m"}));
+  std::vector<Measure> all = tasks::score_pairs(
+      Signals({"t_s", "target_force_N", "actual_force_N", "actual_x_m", "actual_y_m"}));
   for (const Emitted& task : emitted())
     all.insert(all.end(), task.measures.begin(), task.measures.end());
   return all;
@@ -92,7 +92,8 @@ TEST(MeasureDocs, EveryMeasureHasASectionOfItsVersionAndClass) {
       continue;
     }
     EXPECT_EQ(section->second.version, measure.version) << measure.name;
-    EXPECT_EQ(section->second.clinical, words_for(measure.name, "").clinical) << measure.name;
+    EXPECT_EQ(section->second.clinical, tasks::words_for(measure.name, "").clinical)
+        << measure.name;
     EXPECT_TRUE(section->first == measure.name || section->second.censored) << measure.name;
   }
 }
@@ -102,7 +103,7 @@ TEST(MeasureDocs, EverySectionIsAboutAMeasureThatSomeTaskGives) {
   for (const Measure& measure : all_measures()) given.insert(measure.name);
   for (const auto& [name, section] : sections()) {
     EXPECT_TRUE(given.contains(name)) << name;
-    EXPECT_NE(words_for(name, "").title, own_name(name)) << name << " has no words";
+    EXPECT_NE(tasks::words_for(name, "").title, own_name(name)) << name << " has no words";
   }
 }
 
@@ -110,7 +111,7 @@ TEST(MeasureDocs, TheTableNamesEveryMeasureOfATask) {
   const std::string text = text_of_docs();
   const std::set<std::string> below_the_table{"net_push", "net_push_time", "force_of_maximum"};
   for (const Emitted& task : emitted()) {
-    const std::string kind(kind_name(task.spec));
+    const std::string kind(tasks::kind_name(task.spec));
     const auto begin = text.find("\n| " + kind + " |");
     ASSERT_NE(begin, std::string::npos) << kind;
     const std::string row = text.substr(begin, text.find('\n', begin + 1) - begin);
@@ -126,4 +127,4 @@ TEST(MeasureDocs, TheTableNamesEveryMeasureOfATask) {
 }
 
 }  // namespace
-}  // namespace isograsp::measure_docs_test
+}  // namespace isograsp::reports::measure_docs_test

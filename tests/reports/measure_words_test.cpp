@@ -8,7 +8,7 @@
 
 #include "tests/reports/emitted_measures.hpp"
 
-namespace isograsp::measure_words_test {
+namespace isograsp::reports::measure_words_test {
 namespace {
 
 using test::Emitted;
@@ -23,11 +23,11 @@ TEST(MeasureWords, EveryMeasureOfEveryKindOfTaskHasWords) {
     kinds.insert(task.spec.kind.index());
     for (const Measure& measure : task.measures) {
       names.insert(measure.name);
-      EXPECT_NE(words_for(measure.name, "").title, own_name(measure.name))
+      EXPECT_NE(tasks::words_for(measure.name, "").title, own_name(measure.name))
           << "kind " << task.spec.kind.index();
     }
   }
-  EXPECT_EQ(kinds.size(), std::variant_size_v<decltype(TaskSpec::kind)>);
+  EXPECT_EQ(kinds.size(), std::variant_size_v<decltype(tasks::TaskSpec::kind)>);
   for (const char* name :
        {"release_time_share", "power_2_8_Hz", "enslaving", "coflexion", "pauses", "direction_error",
         "early_rate", "opening_force", "endurance", "throughput", "median_completion_time"})
@@ -35,18 +35,18 @@ TEST(MeasureWords, EveryMeasureOfEveryKindOfTaskHasWords) {
 }
 
 TEST(MeasureWords, EveryMeasureWithoutATaskHasWords) {
-  const auto measures =
-      score_pairs(Signals({"t_s", "target_force_N", "actual_force_N", "actual_x_m", "actual_y_m"}));
+  const auto measures = tasks::score_pairs(
+      Signals({"t_s", "target_force_N", "actual_force_N", "actual_x_m", "actual_y_m"}));
   ASSERT_FALSE(measures.empty());
   for (const Measure& measure : measures)
-    EXPECT_NE(words_for(measure.name, "").title, own_name(measure.name));
+    EXPECT_NE(tasks::words_for(measure.name, "").title, own_name(measure.name));
 }
 
 TEST(MeasureWords, NoTwoMeasuresOfATaskHaveTheSameTitle) {
   for (const Emitted& task : emitted()) {
     std::set<std::string> titles;
     for (const Measure& measure : task.measures) {
-      const std::string title = words_for(measure.name, measure.channel).title;
+      const std::string title = tasks::words_for(measure.name, measure.channel).title;
       EXPECT_TRUE(titles.insert(title).second)
           << title << ", kind " << task.spec.kind.index() << ", channel " << measure.channel;
     }
@@ -56,14 +56,14 @@ TEST(MeasureWords, NoTwoMeasuresOfATaskHaveTheSameTitle) {
 TEST(MeasureWords, NoResearchMeasureHasAPlaceInTheReport) {
   for (const Emitted& task : emitted())
     for (const Measure& measure : task.measures) {
-      const Place place = place_of(task.spec, measure.name, measure.channel);
-      EXPECT_TRUE(place.prominence == Prominence::none ||
-                  words_for(measure.name, measure.channel).clinical)
+      const tasks::Place place = tasks::place_of(task.spec, measure.name, measure.channel);
+      EXPECT_TRUE(place.prominence == tasks::Prominence::none ||
+                  tasks::words_for(measure.name, measure.channel).clinical)
           << measure.name;
     }
   for (const char* name : {"sample_entropy", "power_0.1_0.3_Hz", "throughput", "ldlj", "t63"})
-    EXPECT_FALSE(words_for(name, "").clinical) << name;
-  EXPECT_FALSE(words_for("a_measure_of_tomorrow", "").clinical);
+    EXPECT_FALSE(tasks::words_for(name, "").clinical) << name;
+  EXPECT_FALSE(tasks::words_for("a_measure_of_tomorrow", "").clinical);
 }
 
 TEST(MeasureWords, EveryForceTaskThatIsScoredShowsATrend) {
@@ -71,8 +71,8 @@ TEST(MeasureWords, EveryForceTaskThatIsScoredShowsATrend) {
     if (task.measures.empty()) continue;
     bool shown = false;
     for (const Measure& measure : task.measures)
-      shown = shown ||
-              place_of(task.spec, measure.name, measure.channel).prominence != Prominence::none;
+      shown = shown || tasks::place_of(task.spec, measure.name, measure.channel).prominence !=
+                           tasks::Prominence::none;
     EXPECT_TRUE(shown) << "kind " << task.spec.kind.index();
   }
 }
@@ -80,24 +80,24 @@ TEST(MeasureWords, EveryForceTaskThatIsScoredShowsATrend) {
 TEST(MeasureWords, TimesThatMayBeLongerThanTheLimitAreCensored) {
   for (const char* name : {"reaction_time", "settling_time", "release_time", "endurance",
                            "release_initiation", "completion_time"})
-    EXPECT_TRUE(words_for(name, "").censored) << name;
+    EXPECT_TRUE(tasks::words_for(name, "").censored) << name;
   // These have a value whatever happens: nothing is hidden in them.
   for (const char* name : {"release_time_share", "release_time_restricted", "residual_force"})
-    EXPECT_FALSE(words_for(name, "").censored) << name;
+    EXPECT_FALSE(tasks::words_for(name, "").censored) << name;
 }
 
 TEST(MeasureWords, ReleasesCompletedAreReadBeforeTheirTime) {
-  const TaskSpec spec = spec_of(GripReleaseSpec{});
-  const Place share = place_of(spec, "release_time_share", "grip");
-  const Place time = place_of(spec, "release_time", "grip");
-  EXPECT_EQ(share.prominence, Prominence::key);
-  EXPECT_EQ(time.prominence, Prominence::key);
+  const tasks::TaskSpec spec = spec_of(tasks::GripReleaseSpec{});
+  const tasks::Place share = tasks::place_of(spec, "release_time_share", "grip");
+  const tasks::Place time = tasks::place_of(spec, "release_time", "grip");
+  EXPECT_EQ(share.prominence, tasks::Prominence::key);
+  EXPECT_EQ(time.prominence, tasks::Prominence::key);
   EXPECT_LT(share.rank, time.rank);
 }
 
 TEST(MeasureWords, ATitleSaysTheChannel) {
   const auto title = [](const char* name, const char* channel) {
-    return words_for(name, channel).title;
+    return tasks::words_for(name, channel).title;
   };
   EXPECT_EQ(title("maximum_force", "grip"), "Maximum grip above rest");
   EXPECT_EQ(title("maximum_force", "thumb"), "Maximum force above rest, thumb");
@@ -121,12 +121,12 @@ TEST(MeasureWords, ATitleSaysTheChannel) {
 
 TEST(MeasureWords, ErrorsOfSizesGrowWithTheirMeanThoseOfSharesAndSignedOnesDoNot) {
   for (const char* size : {"maximum_force", "rmse", "relative_rmse", "cv", "release_time"})
-    EXPECT_TRUE(words_for(size, "grip").error_grows) << size;
+    EXPECT_TRUE(tasks::words_for(size, "grip").error_grows) << size;
   for (const char* steady : {"time_in_range", "release_time_share", "targets_reached", "lag",
                              "constant_error", "individuation_index", "sparc", "resting_force",
                              "pauses", "anticipations", "drops", "net_push_time", "slip"})
-    EXPECT_FALSE(words_for(steady, "grip").error_grows) << steady;
+    EXPECT_FALSE(tasks::words_for(steady, "grip").error_grows) << steady;
 }
 
 }  // namespace
-}  // namespace isograsp::measure_words_test
+}  // namespace isograsp::reports::measure_words_test

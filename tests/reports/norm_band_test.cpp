@@ -8,29 +8,29 @@
 
 #include "reports/findings/comparable.hpp"
 
-namespace isograsp::norm_band_test {
+namespace isograsp::reports::norm_band_test {
 namespace {
 
 TEST(NormBand, OfValuesNearTheLargestNumberIsMadeOfTheirMeans) {
   constexpr double kHuge = 1.7e308;
-  SessionRecord session;
+  storage::SessionRecord session;
   session.patient_id = 1;
   session.started_utc = "2026-03-02T09:30:00Z";
   session.rate_Hz = 100.0;
   StoredTrial like;
   like.session_record = &session;
-  PatientProfile profile;
-  profile.sex = Sex::female;
+  storage::PatientProfile profile;
+  profile.sex = storage::Sex::female;
   profile.dominant = Hand::right;
   profile.birth_year = 1961;
-  std::vector<PooledValue> healthy;
-  for (RowId person = 2; person < 24; ++person)
+  std::vector<storage::PooledValue> healthy;
+  for (storage::RowId person = 2; person < 24; ++person)
     for (const double share : {1.0, 0.9}) {
-      PooledValue one;
+      storage::PooledValue one;
       one.patient_id = person;
       one.started_utc = session.started_utc;
       one.dominant = Hand::right;
-      one.sex = Sex::female;
+      one.sex = storage::Sex::female;
       one.birth_year = 1961;
       one.rate_Hz = session.rate_Hz;
       one.value = kHuge * share;
@@ -43,4 +43,4 @@ TEST(NormBand, OfValuesNearTheLargestNumberIsMadeOfTheirMeans) {
 }
 
 }  // namespace
-}  // namespace isograsp::norm_band_test
+}  // namespace isograsp::reports::norm_band_test

@@ -20,7 +20,7 @@
 #include "tests/support/files_below.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::pages_test {
+namespace isograsp::reports::pages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ class Pages : public testing::Test {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
     folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *open_store(folder_->path("clinic.db"), OpenMode::create);
+    store_ = *storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
     test::add_course(*store_, "TK-104", false);
     test::add_course(*store_, "TK-105", true);
   }
@@ -58,7 +58,7 @@ class Pages : public testing::Test {
   }
 
   static inline std::unique_ptr<test::TemporaryFolder> folder_;
-  static inline std::unique_ptr<SessionStore> store_;
+  static inline std::unique_ptr<storage::SessionStore> store_;
 };
 
 TEST_F(Pages, OfThePreviewAreAsManyAsThoseOfThePdf) {
@@ -155,13 +155,13 @@ TEST_F(Pages, OfAPeriodLeaveOutTheOtherSessionsAndSaySo) {
 }
 
 TEST_F(Pages, AnExportWritesExactlyTheFilesThatWereListed) {
-  ExportRequest request{"TK-104"};
+  exports::ExportRequest request{"TK-104"};
   request.first_session = 2;
   request.last_session = 3;
-  auto listed = list_export(*store_, request).value();
+  auto listed = exports::list_export(*store_, request).value();
   std::sort(listed.begin(), listed.end());
   const auto out = folder_->path("listed");
-  const auto trials = write_export(*store_, request, ExportFormat::csv, out);
+  const auto trials = exports::write_export(*store_, request, exports::ExportFormat::csv, out);
   ASSERT_TRUE(trials.ok()) << trials.error().message();
   EXPECT_EQ(files_below(out), listed);
   EXPECT_GT(*trials, 2U);
@@ -171,29 +171,29 @@ TEST_F(Pages, AnExportWritesExactlyTheFilesThatWereListed) {
   }));
   for (const auto& file : listed)
     EXPECT_EQ(file.find("TK"), std::string::npos) << "no code in the name of a file";
-  EXPECT_FALSE(write_export(*store_, request, ExportFormat::csv, out).ok())
+  EXPECT_FALSE(exports::write_export(*store_, request, exports::ExportFormat::csv, out).ok())
       << "nothing is overwritten";
-  EXPECT_FALSE(list_export(*store_, {"XX-999"}).ok());
+  EXPECT_FALSE(exports::list_export(*store_, {"XX-999"}).ok());
 }
 
 TEST_F(Pages, AnExportThatIsCancelledLeavesNothing) {
   for (const int after : {0, 1, 5}) {
     const auto out = folder_->path("cancelled");
     int asked = 0;
-    const auto trials =
-        write_export(*store_, {}, ExportFormat::csv, out, [&](double fraction, const std::string&) {
-          EXPECT_GE(fraction, 0.0);
-          return asked++ < after;
-        });
+    const auto trials = exports::write_export(*store_, {}, exports::ExportFormat::csv, out,
+                                              [&](double fraction, const std::string&) {
+                                                EXPECT_GE(fraction, 0.0);
+                                                return asked++ < after;
+                                              });
     EXPECT_FALSE(trials.ok());
     EXPECT_FALSE(fs::exists(out)) << after;
   }
   fs::create_directories(folder_->path("kept"));
-  EXPECT_FALSE(write_export(*store_, {}, ExportFormat::csv, folder_->path("kept"),
-                            [](double fraction, const auto&) { return fraction < 1.0; })
+  EXPECT_FALSE(exports::write_export(*store_, {}, exports::ExportFormat::csv, folder_->path("kept"),
+                                     [](double fraction, const auto&) { return fraction < 1.0; })
                    .ok());
   EXPECT_TRUE(fs::is_empty(folder_->path("kept")));
 }
 
 }  // namespace
-}  // namespace isograsp::pages_test
+}  // namespace isograsp::reports::pages_test

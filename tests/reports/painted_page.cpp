@@ -53,12 +53,12 @@ class Notes : public QPaintEngine {
  private:
   [[nodiscard]] QRectF on_page(const QRectF& box) const {
     const QRectF mapped = transform_.mapRect(box);
-    return {mapped.topLeft() / pdf::kUnit, mapped.size() / pdf::kUnit};
+    return {mapped.topLeft() / reports::pdf::kUnit, mapped.size() / reports::pdf::kUnit};
   }
   void add(const QLineF& line) {
     if (pen_.style() == Qt::NoPen) return;
     const QLineF mapped = transform_.map(line);
-    page_.lines.emplace_back(mapped.p1() / pdf::kUnit, mapped.p2() / pdf::kUnit);
+    page_.lines.emplace_back(mapped.p1() / reports::pdf::kUnit, mapped.p2() / reports::pdf::kUnit);
   }
 
   PaintedPage& page_;
@@ -75,12 +75,12 @@ class Sheet : public QPaintDevice {
  protected:
   [[nodiscard]] int metric(PaintDeviceMetric metric) const override {
     switch (metric) {
-      case PdmWidth: return static_cast<int>(pdf::kPageWidth * pdf::kUnit);
-      case PdmHeight: return static_cast<int>(pdf::kPageHeight * pdf::kUnit);
+      case PdmWidth: return static_cast<int>(reports::pdf::kPageWidth * reports::pdf::kUnit);
+      case PdmHeight: return static_cast<int>(reports::pdf::kPageHeight * reports::pdf::kUnit);
       case PdmDpiX:
       case PdmDpiY:
       case PdmPhysicalDpiX:
-      case PdmPhysicalDpiY: return pdf::kResolution;
+      case PdmPhysicalDpiY: return reports::pdf::kResolution;
       case PdmDevicePixelRatio: return 1;
       case PdmDevicePixelRatioScaled: return static_cast<int>(devicePixelRatioFScale());
       case PdmWidthMM: return 210;
@@ -95,7 +95,7 @@ class Sheet : public QPaintDevice {
 
 }  // namespace
 
-PaintedPage painted(const ReportPages& pages, int page) {
+PaintedPage painted(const reports::ReportPages& pages, int page) {
   PaintedPage result;
   Sheet sheet(result);
   QCPPainter painter(&sheet);

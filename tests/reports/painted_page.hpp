@@ -23,7 +23,7 @@ struct PaintedPage {
 };
 
 /// `page` counts from 0.
-[[nodiscard]] PaintedPage painted(const ReportPages& pages, int page);
+[[nodiscard]] PaintedPage painted(const reports::ReportPages& pages, int page);
 
 /// Pairs of level or upright texts that lie on each other, in words; empty: none.
 [[nodiscard]] std::vector<QString> overprinted(const PaintedPage& page);

@@ -18,7 +18,7 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::panels_test {
+namespace isograsp::reports::panels_test {
 namespace {
 
 /// Letters and digits only: lines are broken, and ligatures of the PDF made two letters again.
@@ -40,16 +40,16 @@ class Panels : public testing::Test {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
     folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *open_store(folder_->path("clinic.db"), OpenMode::create);
+    store_ = *storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
     test::add_course(*store_, "TK-104", false);
     test::DemoSession healthy;
     healthy.hand = Hand::left;
     healthy.date = "2026-04-08";
     healthy.skill = 1.2;
     test::add_session(*store_, "TK-104", healthy);
-    const RowId id = store_->find_patient("TK-104")->value().id;
+    const storage::RowId id = store_->find_patient("TK-104")->value().id;
     ASSERT_TRUE(store_
-                    ->set_profile(id, {Side::right, Hand::right, "2025-01-05", "",
+                    ->set_profile(id, {storage::Side::right, Hand::right, "2025-01-05", "",
                                        "Hold a cup of tea without spilling"})
                     .ok());
     ASSERT_TRUE(
@@ -77,7 +77,7 @@ class Panels : public testing::Test {
   }
 
   static inline std::unique_ptr<test::TemporaryFolder> folder_;
-  static inline std::unique_ptr<SessionStore> store_;
+  static inline std::unique_ptr<storage::SessionStore> store_;
 };
 
 TEST_F(Panels, SayTheSameInPdfAndHtml) {
@@ -187,4 +187,4 @@ TEST_F(Panels, OtherConditionsAreABreakWhereTheyBegin) {
 }
 
 }  // namespace
-}  // namespace isograsp::panels_test
+}  // namespace isograsp::reports::panels_test

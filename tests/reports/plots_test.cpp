@@ -12,7 +12,7 @@
 #include "reports/paper/plot_tools.hpp"
 #include "reports/paper/qt_application.hpp"
 
-namespace isograsp::plots_test {
+namespace isograsp::reports::plots_test {
 namespace {
 
 TEST(VisibleRows, KeepFirstLastSmallestAndLargestOfEveryBin) {
@@ -138,4 +138,4 @@ TEST(TrendPlot, OfAPartHasItsSessionsOnItsAxisAndTreatmentsBetweenThem) {
 }
 
 }  // namespace
-}  // namespace isograsp::plots_test
+}  // namespace isograsp::reports::plots_test

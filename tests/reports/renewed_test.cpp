@@ -20,7 +20,7 @@
 #include "tests/reports/emitted_measures.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::renewed_test {
+namespace isograsp::reports::renewed_test {
 namespace {
 
 template <class T>
@@ -37,15 +37,15 @@ TEST(MeasureVersion, OfEveryMeasureThatATaskGivesIsThatOfTheProgramAndOlderOnesA
   for (const auto& task : test::emitted())
     for (Measure measure : task.measures) {
       ++seen;
-      EXPECT_FALSE(is_older(measure)) << measure.name << " of " << measure.channel;
+      EXPECT_FALSE(tasks::is_older(measure)) << measure.name << " of " << measure.channel;
       --measure.version;
-      EXPECT_TRUE(is_older(measure)) << measure.name << " of " << measure.channel;
+      EXPECT_TRUE(tasks::is_older(measure)) << measure.name << " of " << measure.channel;
     }
   EXPECT_GT(seen, 0U);
   Measure foreign;
   foreign.name = "of another program";
   foreign.version = 1;
-  EXPECT_FALSE(is_older(foreign));
+  EXPECT_FALSE(tasks::is_older(foreign));
 }
 
 /// The lines of all series, for comparing reports.
@@ -69,7 +69,7 @@ class Renewed : public testing::Test {
   void SetUp() override { open(); }
   void open() {
     store_.reset();
-    store_ = must(open_store(path_, OpenMode::scratch));
+    store_ = must(storage::open_store(path_, storage::OpenMode::scratch));
   }
   /// As if an older program had scored: another version, another value.
   void make_older(const std::string& where) {
@@ -131,7 +131,7 @@ class Renewed : public testing::Test {
 
   test::TemporaryFolder folder_;
   std::string path_ = folder_.path("clinic.db");
-  std::unique_ptr<SessionStore> store_;
+  std::unique_ptr<storage::SessionStore> store_;
 };
 
 TEST_F(Renewed, ACourseThatAnOlderProgramBeganIsOneCourse) {
@@ -202,7 +202,7 @@ TEST_F(Renewed, OfAFileThatIsOnlyReadNothingIsChangedAndTheReportIsTheSame) {
   make_older("value IS NOT NULL");
   const auto as_stored = stored("TK-1");
   store_.reset();
-  store_ = must(open_store(path_, OpenMode::read_only));
+  store_ = must(storage::open_store(path_, storage::OpenMode::read_only));
   EXPECT_EQ(series_of(report()), before);
   expect_kept(as_stored, 0);
   EXPECT_EQ(records().not_renewed_trials, 0);
@@ -214,12 +214,12 @@ TEST_F(Renewed, WhileSomebodyRecordsIntoTheFileNothingIsKeptAfterwardsItIs) {
   make_older("value IS NOT NULL");
   const auto as_stored = stored("TK-1");
   {
-    const auto recorder = must(open_store(path_, OpenMode::scratch));
-    SessionRecord session;
+    const auto recorder = must(storage::open_store(path_, storage::OpenMode::scratch));
+    storage::SessionRecord session;
     session.patient_id = must(recorder->add_patient("TK-2")).id;
     session.started_utc = "2026-05-01T09:00:00Z";
     session.device_uri = "can://can0";
-    TrialRecord trial;
+    storage::TrialRecord trial;
     trial.session_id = must(recorder->begin_session(session));
     trial.number = 1;
     trial.task_name = "Maximum";
@@ -227,7 +227,7 @@ TEST_F(Renewed, WhileSomebodyRecordsIntoTheFileNothingIsKeptAfterwardsItIs) {
     trial.id = must(recorder->begin_trial(trial));
     EXPECT_EQ(series_of(report()), before);
     expect_kept(as_stored, 0);
-    trial.status = TrialStatus::aborted;
+    trial.status = storage::TrialStatus::aborted;
     must(recorder->end_trial(trial, {}));
   }
   EXPECT_EQ(series_of(report()), before);
@@ -260,13 +260,13 @@ TEST_F(Renewed, VerdictsAndTheirPoolsUseThemToo) {
       demo.skill = 0.05 * person + (day == 3 ? 0.0 : 0.02 * (person % 3 - 1));
       test::add_session(*store_, code, demo);
     }
-    const RowId id = must(store_->find_patient(code))->id;
-    must(store_->set_profile(id, {Side::right, {}, "", "", ""}));
+    const storage::RowId id = must(store_->find_patient(code))->id;
+    must(store_->set_profile(id, {storage::Side::right, {}, "", "", ""}));
     must(store_->add_stable_period(id, {0, "2026-02-01", "2026-02-28", "", "Dr 3", ""}));
   }
   test::add_course(*store_, "TK-1", false);
-  const RowId patient = must(store_->find_patient("TK-1"))->id;
-  must(store_->set_profile(patient, {Side::right, {}, "", "", ""}));
+  const storage::RowId patient = must(store_->find_patient("TK-1"))->id;
+  must(store_->set_profile(patient, {storage::Side::right, {}, "", "", ""}));
   auto choice = must(primary_choices(*store_, "TK-1")).at(0);
   choice.chosen_by = "Therapist 7";
   choice.chosen_utc = "2026-03-01T08:00:00Z";
@@ -284,4 +284,4 @@ TEST_F(Renewed, VerdictsAndTheirPoolsUseThemToo) {
 }
 
 }  // namespace
-}  // namespace isograsp::renewed_test
+}  // namespace isograsp::reports::renewed_test

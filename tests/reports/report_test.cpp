@@ -21,7 +21,7 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::report_test {
+namespace isograsp::reports::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,7 +42,7 @@ class Report : public testing::Test {
   void SetUp() override {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
-    auto opened = open_store(folder_.path("clinic.db"), OpenMode::create);
+    auto opened = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::create);
     ASSERT_TRUE(opened.ok()) << opened.error().message();
     store_ = std::move(*opened);
   }
@@ -81,7 +81,7 @@ class Report : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::unique_ptr<SessionStore> store_;
+  std::unique_ptr<storage::SessionStore> store_;
   std::string pdf_;
   std::string html_;
 };
@@ -168,7 +168,7 @@ TEST_F(Report, ComparesOnlyEqualTaskVersionsAndSources) {
 }
 
 TEST_F(Report, AFailedTargetDoesNotDropOutOfTheMeanTime) {
-  MeasureWords words = words_for("completion_time", "target_5");
+  tasks::MeasureWords words = tasks::words_for("completion_time", "target_5");
   EXPECT_TRUE(words.censored);
   test::DemoSession demo;
   demo.skill = 0.1;  // never reaches the fifth target
@@ -296,15 +296,15 @@ TEST_F(Report, APathThatCannotBeWrittenLeavesNothing) {
 }
 
 TEST(MeasureWords, NumbersArePrintedWithThreeDigitsAndAPrintedUnit) {
-  EXPECT_EQ(format_value(12.345, "N"), "12.3");
-  EXPECT_EQ(format_value(0.18462, "s"), "0.185");
-  EXPECT_EQ(format_value(0.0, "N"), "0");
-  EXPECT_EQ(format_value(5.0, "of 5"), "5");
-  EXPECT_EQ(format_value(0.0123, "m"), "12.3");
-  EXPECT_EQ(format_change(-4.2, "%"), "\u22124.20");
-  EXPECT_EQ(format_change(4.2, "%"), "+4.20");
-  EXPECT_EQ(format_value(3.14159265358979, "rad"), "180");
+  EXPECT_EQ(tasks::format_value(12.345, "N"), "12.3");
+  EXPECT_EQ(tasks::format_value(0.18462, "s"), "0.185");
+  EXPECT_EQ(tasks::format_value(0.0, "N"), "0");
+  EXPECT_EQ(tasks::format_value(5.0, "of 5"), "5");
+  EXPECT_EQ(tasks::format_value(0.0123, "m"), "12.3");
+  EXPECT_EQ(tasks::format_change(-4.2, "%"), "\u22124.20");
+  EXPECT_EQ(tasks::format_change(4.2, "%"), "+4.20");
+  EXPECT_EQ(tasks::format_value(3.14159265358979, "rad"), "180");
 }
 
 }  // namespace
-}  // namespace isograsp::report_test
+}  // namespace isograsp::reports::report_test

@@ -11,7 +11,7 @@
 #include "core/random.hpp"
 #include "reports/findings/series_trend.hpp"
 
-namespace isograsp::robust_trend_test {
+namespace isograsp::reports::robust_trend_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -244,4 +244,4 @@ TEST(TrendWords, OfATimeTellHowOftenItCameAndOfAllElseTheSlopePerWeek) {
 }
 
 }  // namespace
-}  // namespace isograsp::robust_trend_test
+}  // namespace isograsp::reports::robust_trend_test

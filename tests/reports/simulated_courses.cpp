@@ -34,9 +34,9 @@ double unit_of(const SimulatedMeasure& measure) {
 }
 
 /// What is measured on one day, with a true change of `shift`.
-AssessmentDay measured(const SimulatedMeasure& measure, const Person& person, int day, double shift,
-                       Random& random) {
-  AssessmentDay one{static_cast<double>(day), {}, false};
+reports::AssessmentDay measured(const SimulatedMeasure& measure, const Person& person, int day,
+                                double shift, Random& random) {
+  reports::AssessmentDay one{static_cast<double>(day), {}, false};
   const double of_day = person.day_cv * normal(random);
   for (int trial = 0; trial < measure.trials; ++trial) {
     const double error =
@@ -48,8 +48,9 @@ AssessmentDay measured(const SimulatedMeasure& measure, const Person& person, in
 }
 
 /// `wild` has random numbers of its own: the same people without outlying days are the same.
-std::vector<StableDays> stable_people(const Simulation& simulation, const Outlying& outlying,
-                                      Random random, Random wild) {
+std::vector<reports::StableDays> stable_people(const Simulation& simulation,
+                                               const Outlying& outlying, Random random,
+                                               Random wild) {
   const double a = simulation.least_cv;
   const double b = simulation.most_cv;
   const double mean_sd = std::sqrt((a * a + a * b + b * b) / 3.0);
@@ -58,7 +59,7 @@ std::vector<StableDays> stable_people(const Simulation& simulation, const Outlyi
     if (wild.uniform() >= outlying.share) return 0.0;
     return side * outlying.size * mean_sd * unit_of(simulation.measure);
   };
-  std::vector<StableDays> stable;
+  std::vector<reports::StableDays> stable;
   for (int number = 0; number < simulation.people; ++number) {
     const Person person = person_of(simulation, random);
     auto first = measured(simulation.measure, person, 0, shift(), random);
@@ -68,32 +69,35 @@ std::vector<StableDays> stable_people(const Simulation& simulation, const Outlyi
   return stable;
 }
 
-StablePool pool_for(const SimulatedMeasure& measure, const std::vector<StableDays>& stable) {
-  return pool_of(stable, measure.constant ? ErrorScale::linear : ErrorScale::logarithmic);
+reports::StablePool pool_for(const SimulatedMeasure& measure,
+                             const std::vector<reports::StableDays>& stable) {
+  return reports::pool_of(
+      stable, measure.constant ? reports::ErrorScale::linear : reports::ErrorScale::logarithmic);
 }
 
 /// Smallest detectable change of this pool for the days of `measure`.
-double mdc_of(const SimulatedMeasure& measure, const StablePool& pool) {
+double mdc_of(const SimulatedMeasure& measure, const reports::StablePool& pool) {
   const double trials = measure.trials;
-  return mdc95(*pool.error, {2, 2.0 * trials}, {1, trials});
+  return reports::mdc95(*pool.error, {2, 2.0 * trials}, {1, trials});
 }
 
 // What may be true of a course, in the order of Outcomes.
 constexpr std::size_t kOutcomes = 7;
 using Flags = std::array<bool, kOutcomes>;
 
-Flags course(const Simulation& simulation, const StablePool& pool, double mdc, Random& random) {
+Flags course(const Simulation& simulation, const reports::StablePool& pool, double mdc,
+             Random& random) {
   const Person person = person_of(simulation, random);
-  std::vector<AssessmentDay> days;
+  std::vector<reports::AssessmentDay> days;
   Flags flags{};
   auto& [possible, confirmed, improved, worsened, improved_at_end, worsened_at_end, useless] =
       flags;
   for (int number = 0; number < simulation.assessments; ++number) {
     days.push_back(measured(simulation.measure, person, kGap_days * number,
                             simulation.change(number, mdc), random));
-    const auto judged = judge_change(days, pool, simulation.measure.better);
-    const bool better = judged.verdict == Verdict::improved;
-    const bool worse = judged.verdict == Verdict::worsened;
+    const auto judged = reports::judge_change(days, pool, simulation.measure.better);
+    const bool better = judged.verdict == reports::Verdict::improved;
+    const bool worse = judged.verdict == reports::Verdict::worsened;
     possible = possible || better || worse;
     improved_at_end = better && judged.confirmed;
     worsened_at_end = worse && judged.confirmed;
@@ -185,11 +189,11 @@ Outcomes simulate(const Simulation& simulation) {
 }
 
 double plain_sd_doubled(const Simulation& simulation) {
-  const auto mean_square = [&](const std::vector<StableDays>& stable) {
+  const auto mean_square = [&](const std::vector<reports::StableDays>& stable) {
     double sum = 0.0;
     for (const auto& one : stable) {
-      const double a = *day_mean(one.days[0]);
-      const double b = *day_mean(one.days[1]);
+      const double a = *reports::day_mean(one.days[0]);
+      const double b = *reports::day_mean(one.days[1]);
       const double difference = simulation.measure.constant ? a - b : std::log(a / b);
       sum += difference * difference;
     }

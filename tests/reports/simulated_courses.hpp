@@ -15,7 +15,7 @@ namespace isograsp::test {
 /// How one measure varies; CVs are standard deviations of its logarithm.
 struct SimulatedMeasure {
   const char* name;
-  Better better;
+  tasks::Better better;
   double least_level;
   double most_level;
   double trial_cv;
@@ -24,10 +24,10 @@ struct SimulatedMeasure {
 };
 /// Strengths, errors, single times; and a lag, whose error is the same for all.
 inline constexpr SimulatedMeasure kSimulated[] = {
-    {"force", Better::higher, 2.0, 30.0, 0.06, 2},
-    {"error", Better::lower, 5.0, 40.0, 0.12, 2},
-    {"single", Better::higher, 0.5, 5.0, 0.0, 1},
-    {"lag", Better::near_zero, 0.2, 0.4, 0.06, 3, true}};
+    {"force", tasks::Better::higher, 2.0, 30.0, 0.06, 2},
+    {"error", tasks::Better::lower, 5.0, 40.0, 0.12, 2},
+    {"single", tasks::Better::higher, 0.5, 5.0, 0.0, 1},
+    {"lag", tasks::Better::near_zero, 0.2, 0.4, 0.06, 3, true}};
 
 /// Days of a pool on which everything was otherwise: a swollen hand, another strap, a wrong person.
 struct Outlying {

@@ -17,7 +17,7 @@
 #include "storage/records/session_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::study_test {
+namespace isograsp::reports::study_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,7 +122,7 @@ class StudyOfClinic : public testing::Test {
   void SetUp() override {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
-    auto opened = open_store(folder_.path("clinic.db"), OpenMode::scratch);
+    auto opened = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::scratch);
     ASSERT_TRUE(opened.ok()) << opened.error().message();
     store_ = std::move(*opened);
   }
@@ -130,7 +130,7 @@ class StudyOfClinic : public testing::Test {
   void add(const std::string& code, const Attempts& attempts) {
     const auto found = store_->find_patient(code);
     ASSERT_TRUE(found.ok());
-    SessionRecord session;
+    storage::SessionRecord session;
     session.patient_id = *found ? (*found)->id : store_->add_patient(code)->id;
     session.started_utc = attempts.date + "T" + attempts.time + "Z";
     session.device_uri = "can://can0?protocol=rft";
@@ -138,7 +138,7 @@ class StudyOfClinic : public testing::Test {
     const auto id = store_->begin_session(session);
     ASSERT_TRUE(id.ok()) << id.error().message();
     for (int number = 1; number <= 2; ++number) {
-      TrialRecord trial;
+      storage::TrialRecord trial;
       trial.session_id = *id;
       trial.number = number;
       trial.task_name = "Maximum grip force";
@@ -147,7 +147,7 @@ class StudyOfClinic : public testing::Test {
       const auto trial_id = store_->begin_trial(trial);
       ASSERT_TRUE(trial_id.ok()) << trial_id.error().message();
       trial.id = *trial_id;
-      trial.status = TrialStatus::completed;
+      trial.status = storage::TrialStatus::completed;
       const double value = attempts.maximum_N * (number == 1 ? 0.96 : 1.0);
       const std::vector<Measure> measures{{"maximum_force", "grip", value, "N", 1, 300, 0, ""}};
       ASSERT_TRUE(store_->end_trial(trial, measures).ok());
@@ -191,7 +191,7 @@ class StudyOfClinic : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::unique_ptr<SessionStore> store_;
+  std::unique_ptr<storage::SessionStore> store_;
   Study study_;
 };
 
@@ -239,11 +239,11 @@ TEST_F(StudyOfClinic, SimulatedAndOtherTasksDoNotMix) {
 
 TEST_F(StudyOfClinic, WhoIsNotReleasedForResearchStandsInNone) {
   fill();
-  const auto access = Access::open(folder_.path("clinic.db"));
+  const auto access = storage::Access::open(folder_.path("clinic.db"));
   ASSERT_TRUE(access.ok()) << access.error().message();
   const auto say = [&](const char* state) {
-    const Consent said{0, "2026-04-02", "research", "consent", state, "", "", ""};
-    EXPECT_TRUE(add_consent(**access, "TK-103", said).ok());
+    const storage::Consent said{0, "2026-04-02", "research", "consent", state, "", "", ""};
+    EXPECT_TRUE(storage::add_consent(**access, "TK-103", said).ok());
     return gather(kFile);
   };
   EXPECT_TRUE(say("given").ok());
@@ -387,4 +387,4 @@ TEST_F(StudyOfClinic, FewPeopleGetReasonsAndSimulatedOnesAWatermark) {
 }
 
 }  // namespace
-}  // namespace isograsp::study_test
+}  // namespace isograsp::reports::study_test

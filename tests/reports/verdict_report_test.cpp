@@ -22,7 +22,7 @@
 #include "tests/support/made_up.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::verdict_report_test {
+namespace isograsp::reports::verdict_report_test {
 namespace {
 
 template <class T>
@@ -62,33 +62,34 @@ class VerdictReport : public testing::Test {
   void SetUp() override {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
-    store_ = must(open_store(folder_.path("clinic.db"), OpenMode::scratch));
+    store_ = must(storage::open_store(folder_.path("clinic.db"), storage::OpenMode::scratch));
   }
 
-  RowId person(const std::string& code, std::optional<Side> affected = Side::left,
-               const std::string& onset = "") {
-    const RowId id = must(store_->add_patient(code)).id;
+  storage::RowId person(const std::string& code,
+                        std::optional<storage::Side> affected = storage::Side::left,
+                        const std::string& onset = "") {
+    const storage::RowId id = must(store_->add_patient(code)).id;
     must(store_->set_profile(id, {affected, {}, onset, "", ""}));
     return id;
   }
-  void tell(RowId person, Side affected, Sex sex, int birth_year) {
+  void tell(storage::RowId person, storage::Side affected, storage::Sex sex, int birth_year) {
     must(store_->set_profile(person, {affected, Hand::left, "", "", "", sex, birth_year}));
   }
 
-  void assess(RowId patient, const Assessed& what) {
-    SessionRecord session;
+  void assess(storage::RowId patient, const Assessed& what) {
+    storage::SessionRecord session;
     session.patient_id = patient;
     session.started_utc = what.date + "T" + what.time + "Z";
     session.hand = what.hand;
     session.device_uri = "can://can0";
     session.simulated = what.simulated;
     session.rate_Hz = 100.0;
-    const RowId id = must(store_->begin_session(session));
+    const storage::RowId id = must(store_->begin_session(session));
     int number = 0;
     std::vector<std::optional<double>> values(what.grip_N.begin(), what.grip_N.end());
     values.resize(values.size() + static_cast<std::size_t>(what.without_value));
     for (const auto& value : values) {
-      TrialRecord trial;
+      storage::TrialRecord trial;
       trial.session_id = id;
       trial.number = ++number;
       trial.task_name = "Maximum grip";
@@ -99,7 +100,7 @@ class VerdictReport : public testing::Test {
       trial.id = must(store_->begin_trial(trial));
       const std::vector<std::vector<double>> rows{{0.0, value.value_or(0.0), 0.01, 0.0}};
       must(store_->append_blocks(trial.id, 0, rows));
-      trial.status = TrialStatus::completed;
+      trial.status = storage::TrialStatus::completed;
       trial.visual_gain_deg_per_N = what.gain;
       Measure measure;
       measure.name = what.measure;
@@ -115,9 +116,10 @@ class VerdictReport : public testing::Test {
   }
 
   /// People who are judged stable in February, with a pair of days that differ by about `cv` each.
-  void add_stable(int people, const Assessed& like = {"", {}}, Side affected = Side::left) {
+  void add_stable(int people, const Assessed& like = {"", {}},
+                  storage::Side affected = storage::Side::left) {
     for (int i = 0; i < people; ++i) {
-      const RowId id = person("S-" + std::to_string(++stable_), affected);
+      const storage::RowId id = person("S-" + std::to_string(++stable_), affected);
       must(store_->add_stable_period(id, {0, "2026-02-01", "2026-02-28", "", "Dr 3", ""}));
       const double level = 5.0 * std::pow(1.2, i);
       const double step = 1.0 + (i % 2 == 0 ? 0.1 : -0.1) * std::sqrt(2.0);
@@ -131,15 +133,16 @@ class VerdictReport : public testing::Test {
     }
   }
 
-  void choose(RowId patient, const std::string& utc = "2026-03-01T08:00:00Z",
+  void choose(storage::RowId patient, const std::string& utc = "2026-03-01T08:00:00Z",
               const std::string& measure = "maximum_force") {
     must(store_->add_primary_measure(
         patient, {0, "Maximum grip", Hand::left, measure, "grip", utc, "Therapist 7"}));
   }
 
   /// A patient with these assessments in March, three days apart, and the measure chosen before.
-  RowId patient_with(const std::vector<double>& days, std::optional<Side> affected = Side::left) {
-    const RowId id = person("TK-1", affected);
+  storage::RowId patient_with(const std::vector<double>& days,
+                              std::optional<storage::Side> affected = storage::Side::left) {
+    const storage::RowId id = person("TK-1", affected);
     choose(id);
     for (std::size_t i = 0; i < days.size(); ++i) {
       const std::size_t day = 2 + 3 * i;
@@ -162,13 +165,13 @@ class VerdictReport : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::unique_ptr<SessionStore> store_;
+  std::unique_ptr<storage::SessionStore> store_;
   int stable_ = 0;
 };
 
 TEST_F(VerdictReport, BeyondTheErrorOfStablePeopleIsPossibleThenConfirmed) {
   add_stable(10);
-  const RowId id = patient_with({10, 10, 10.5});
+  const storage::RowId id = patient_with({10, 10, 10.5});
   EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error");
   EXPECT_EQ(verdict_basis(verdict()), "10 stable people");
   assess(id, {"2026-03-20", {19, 20, 21}});
@@ -204,9 +207,9 @@ TEST_F(VerdictReport, NinePeopleAreTooFew) {
 
 TEST_F(VerdictReport, OtherHandsSourcesVersionsAndParametersDoNotCount) {
   patient_with({10, 10, 20, 20});
-  add_stable(10, {"", {}}, Side::right);
+  add_stable(10, {"", {}}, storage::Side::right);
   EXPECT_EQ(verdict().people, 0) << "their other hand";
-  add_stable(10, {"", {}}, Side::none);
+  add_stable(10, {"", {}}, storage::Side::none);
   EXPECT_EQ(verdict().people, 0) << "healthy people";
   add_stable(10, {"", {}, Hand::left, true});
   EXPECT_EQ(verdict().people, 0) << "simulated people";
@@ -214,13 +217,13 @@ TEST_F(VerdictReport, OtherHandsSourcesVersionsAndParametersDoNotCount) {
   EXPECT_EQ(verdict().people, 0) << "another version of the task";
   add_stable(10, {"", {}, Hand::left, false, 1, "# changed\n"});
   EXPECT_EQ(verdict().people, 0) << "other parameters";
-  add_stable(4, {"", {}, Hand::right}, Side::right);
+  add_stable(4, {"", {}, Hand::right}, storage::Side::right);
   EXPECT_EQ(verdict().people, 4) << "the affected hand, whichever it is";
 }
 
 TEST_F(VerdictReport, NobodyIsJudgedByTheirOwnVariation) {
   add_stable(9);
-  const RowId id = patient_with({10, 11, 20, 20});
+  const storage::RowId id = patient_with({10, 11, 20, 20});
   must(store_->add_stable_period(id, {0, "2026-03-01", "2026-03-06", "", "Dr 3", ""}));
   EXPECT_EQ(verdict().people, 9);
   add_stable(1);
@@ -228,27 +231,27 @@ TEST_F(VerdictReport, NobodyIsJudgedByTheirOwnVariation) {
 }
 
 TEST_F(VerdictReport, HealthyPeopleMakeABandFromTwentyOfTheSameKindOn) {
-  const RowId id = patient_with({10, 10});
+  const storage::RowId id = patient_with({10, 10});
   const auto norm = [&] { return gather().sections.at(0).series.at(0).norm; };
-  tell(id, Side::left, Sex::female, 1961);  // 65 in 2026
+  tell(id, storage::Side::left, storage::Sex::female, 1961);  // 65 in 2026
   EXPECT_FALSE(norm());
-  auto healthy = [&, number = 0](Sex sex, int birth_year, Assessed how) mutable {
-    const RowId one = must(store_->add_patient("H-" + std::to_string(++number))).id;
-    tell(one, Side::none, sex, birth_year);
+  auto healthy = [&, number = 0](storage::Sex sex, int birth_year, Assessed how) mutable {
+    const storage::RowId one = must(store_->add_patient("H-" + std::to_string(++number))).id;
+    tell(one, storage::Side::none, sex, birth_year);
     assess(one, how);
   };
-  healthy(Sex::male, 1961, {"2026-02-03", {99}});
-  healthy(Sex::female, 1967, {"2026-02-03", {99}});                    // 59
-  healthy(Sex::female, 1961, {"2026-02-03", {99}, Hand::right});       // not dominant
-  healthy(Sex::female, 1961, {"2026-02-03", {99}, Hand::left, true});  // simulated
+  healthy(storage::Sex::male, 1961, {"2026-02-03", {99}});
+  healthy(storage::Sex::female, 1967, {"2026-02-03", {99}});                    // 59
+  healthy(storage::Sex::female, 1961, {"2026-02-03", {99}, Hand::right});       // not dominant
+  healthy(storage::Sex::female, 1961, {"2026-02-03", {99}, Hand::left, true});  // simulated
   EXPECT_FALSE(norm());
   for (int i = 1; i < 20; ++i)
-    healthy(Sex::female, 1957 + i % 10, {"2026-02-03", {double(i), i + 2.0}});
+    healthy(storage::Sex::female, 1957 + i % 10, {"2026-02-03", {double(i), i + 2.0}});
   ASSERT_TRUE(norm());
   EXPECT_EQ(norm()->values.size(), 19u);
   EXPECT_FALSE(norm()->low) << "nineteen are too few";
   EXPECT_NE(glance_rows(gather()).at(0).beside.find("n\u00a019, no band"), std::string::npos);
-  healthy(Sex::female, 1961, {"2026-02-03", {20, 22}});
+  healthy(storage::Sex::female, 1961, {"2026-02-03", {20, 22}});
   ASSERT_TRUE(norm()->low);
   EXPECT_EQ(norm()->people, "women of 60 to 69, dominant hand");
   // Means 2, 3 ... 21; positions 0.05 and 0.95 of the way from the first to the last.
@@ -257,20 +260,20 @@ TEST_F(VerdictReport, HealthyPeopleMakeABandFromTwentyOfTheSameKindOn) {
   EXPECT_EQ(glance_rows(gather()).at(0).beside,
             "healthy 2.95 to 20.1\u00a0N (n\u00a0"
             "20)");
-  tell(id, Side::left, Sex::female, 1966);  // 60
+  tell(id, storage::Side::left, storage::Sex::female, 1966);  // 60
   EXPECT_TRUE(norm());
-  tell(id, Side::left, Sex::other, 1961);
+  tell(id, storage::Side::left, storage::Sex::other, 1961);
   EXPECT_FALSE(norm());
-  tell(id, Side::left, Sex::female, 1961);
+  tell(id, storage::Side::left, storage::Sex::female, 1961);
   Assessed training{"2026-03-20", {10}};
   training.task_file = "grip_sine_training.toml";
-  healthy(Sex::female, 1961, training);
+  healthy(storage::Sex::female, 1961, training);
   assess(id, training);
   EXPECT_FALSE(norm()) << "levels that follow success are no assessment";
 }
 
 TEST_F(VerdictReport, TheOtherHandStandsBesideTheLastValue) {
-  const RowId id = patient_with({10, 10, 12});
+  const storage::RowId id = patient_with({10, 10, 12});
   EXPECT_EQ(glance_rows(gather()).at(0).beside, "");
   assess(id, {"2026-03-11", {31}, Hand::right});
   const auto rows = glance_rows(gather());
@@ -280,18 +283,18 @@ TEST_F(VerdictReport, TheOtherHandStandsBesideTheLastValue) {
 
 TEST_F(VerdictReport, AChangedDelayOfTheDisplayBeginsANewSeries) {
   add_stable(10);
-  const RowId id = patient_with({10, 10, 20, 20});
+  const storage::RowId id = patient_with({10, 10, 20, 20});
   EXPECT_EQ(verdict_words(verdict()), "improved (confirmed)");
   const auto sessions = must(store_->sessions(id));
-  must(store_->add_answers(sessions.back().id,
-                           std::vector<SessionAnswer>{{"screen", "display_delay_s", "0.05"}}));
+  must(store_->add_answers(sessions.back().id, std::vector<storage::SessionAnswer>{
+                                                   {"screen", "display_delay_s", "0.05"}}));
   EXPECT_EQ(verdict_basis(verdict()), "the baseline needs two assessment days");
   EXPECT_EQ(gather().sections.at(0).breaks.at(0).reason, "other delay of the display");
 }
 
 TEST_F(VerdictReport, TwoSessionsEitherSideOfMidnightUtcAreOneDay) {
   add_stable(10);
-  const RowId id = person("TK-1");
+  const storage::RowId id = person("TK-1");
   choose(id);
   Assessed evening{"2026-03-02", {10}};
   evening.time = "21:00:00";
@@ -307,7 +310,7 @@ TEST_F(VerdictReport, TwoSessionsEitherSideOfMidnightUtcAreOneDay) {
 
 TEST_F(VerdictReport, AFailedDayNeitherBlocksTheBaselineNorDiffersBetweenTableAndVerdict) {
   add_stable(10);
-  const RowId id = person("TK-1");
+  const storage::RowId id = person("TK-1");
   must(store_->add_primary_measure(id, {0, "Maximum grip", Hand::left, "release_time", "grip",
                                         "2026-03-01T08:00:00Z", "Therapist 7"}));
   const auto on = [&](const std::string& date, std::vector<double> release_s, int without = 0) {
@@ -336,7 +339,7 @@ TEST_F(VerdictReport, AFailedDayNeitherBlocksTheBaselineNorDiffersBetweenTableAn
 
 TEST_F(VerdictReport, ADayOnWhichNothingCouldBeComputedIsNoAssessment) {
   add_stable(10);
-  const RowId id = person("TK-1");
+  const storage::RowId id = person("TK-1");
   choose(id);
   Assessed empty{"2026-03-02", {}};
   empty.without_value = 2;
@@ -351,7 +354,7 @@ TEST_F(VerdictReport, ADayOnWhichNothingCouldBeComputedIsNoAssessment) {
 }
 
 TEST_F(VerdictReport, APartOfTheSessionsSaysNothingOfTheOthers) {
-  const RowId id = patient_with({10, 10, 10});
+  const storage::RowId id = patient_with({10, 10, 10});
   must(store_->add_primary_measure(id, {0, "Let go", Hand::left, "release_time", "grip",
                                         "2026-03-01T08:00:00Z", "Therapist 7"}));
   const auto none = must(gather_progress(*store_, "TK-1", {}, {5, 7}));
@@ -368,7 +371,7 @@ TEST_F(VerdictReport, APartOfTheSessionsSaysNothingOfTheOthers) {
 
 TEST_F(VerdictReport, ABreakInASeriesOfStableDaysMakesNoPair) {
   patient_with({10, 10, 20});
-  const RowId id = person("S-1");
+  const storage::RowId id = person("S-1");
   must(store_->add_stable_period(id, {0, "2026-02-01", "2026-02-04", "", "Dr 3", ""}));
   must(store_->add_stable_period(id, {0, "2026-02-05", "2026-02-28", "", "Dr 3", ""}));
   assess(id, {"2026-02-03", {10}});
@@ -382,7 +385,7 @@ TEST_F(VerdictReport, ABreakInASeriesOfStableDaysMakesNoPair) {
 
 TEST_F(VerdictReport, AMeasureChosenAfterTheSecondAssessmentIsNotJudged) {
   add_stable(10);
-  const RowId id = person("TK-1");
+  const storage::RowId id = person("TK-1");
   choose(id, "2026-03-08T09:29:00Z");
   for (const char* date : {"2026-03-02", "2026-03-05", "2026-03-08"}) assess(id, {date, {10}});
   EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error") << "a minute before";
@@ -398,9 +401,9 @@ TEST_F(VerdictReport, AMeasureChosenAfterTheSecondAssessmentIsNotJudged) {
 
 TEST_F(VerdictReport, LevelsThatFollowSuccessAndUnknownSidesAreNotJudged) {
   add_stable(10);
-  const RowId id = patient_with({10, 10, 20}, std::nullopt);
+  const storage::RowId id = patient_with({10, 10, 20}, std::nullopt);
   EXPECT_EQ(verdict_basis(verdict()), "the affected side is not known");
-  must(store_->set_profile(id, {Side::both, {}, "", "", ""}));
+  must(store_->set_profile(id, {storage::Side::both, {}, "", "", ""}));
   EXPECT_EQ(verdict_words(verdict()), "improved (possible)");
   Assessed training{"2026-03-20", {10}};
   training.task_file = "grip_sine_training.toml";
@@ -411,7 +414,7 @@ TEST_F(VerdictReport, LevelsThatFollowSuccessAndUnknownSidesAreNotJudged) {
 
 TEST_F(VerdictReport, OnlyPrimaryMeasuresGetOneAndThePageSaysWhoChoseThem) {
   add_stable(10);
-  const RowId id = person("TK-1");
+  const storage::RowId id = person("TK-1");
   for (const char* date : {"2026-03-02", "2026-03-05", "2026-03-08"}) assess(id, {date, {10}});
   auto rows = glance_rows(gather());
   ASSERT_EQ(rows.size(), 1u);
@@ -436,9 +439,9 @@ TEST_F(VerdictReport, OnlyPrimaryMeasuresGetOneAndThePageSaysWhoChoseThem) {
 }
 
 TEST_F(VerdictReport, EarlyAfterTheOnsetTheCauseOfAChangeIsLeftOpen) {
-  const RowId id = patient_with({10, 10, 10});  // the last one on 8 March
+  const storage::RowId id = patient_with({10, 10, 10});  // the last one on 8 March
   const auto says_so = [&](const std::string& onset) {
-    must(store_->set_profile(id, {Side::left, {}, onset, "", ""}));
+    must(store_->set_profile(id, {storage::Side::left, {}, onset, "", ""}));
     const auto notes = verdict_notes(gather());
     return std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
       return note.find("change does not show what caused it") != std::string::npos;
@@ -451,9 +454,9 @@ TEST_F(VerdictReport, EarlyAfterTheOnsetTheCauseOfAChangeIsLeftOpen) {
 
 TEST_F(VerdictReport, PdfAndHtmlSayTheSame) {
   add_stable(12);
-  const RowId id = patient_with({10, 10, 10.5, 20});
+  const storage::RowId id = patient_with({10, 10, 10.5, 20});
   assess(id, {"2026-03-20", {19, 21}});
-  must(store_->set_profile(id, {Side::left, {}, "2025-12-01", "", ""}));
+  must(store_->set_profile(id, {storage::Side::left, {}, "2025-12-01", "", ""}));
   const auto content = gather();
   const std::string pdf = folder_.path("verdict.pdf");
   const std::string html = folder_.path("verdict.html");
@@ -520,7 +523,7 @@ TEST_F(VerdictReport, SaysWhichPairsWereLeftOutAndWhereAFallCannotBeTold) {
   Assessed day{"", {}};
   day.measure = "pauses";  // its error does not grow with its mean
   for (int i = 0; i < 11; ++i) {
-    const RowId id = person("S-" + std::to_string(i + 1));
+    const storage::RowId id = person("S-" + std::to_string(i + 1));
     must(store_->add_stable_period(id, {0, "2026-02-01", "2026-02-28", "", "Dr 3", ""}));
     day.date = "2026-02-03";
     day.grip_N = {3.0};
@@ -529,7 +532,7 @@ TEST_F(VerdictReport, SaysWhichPairsWereLeftOutAndWhereAFallCannotBeTold) {
     day.grip_N = {i == 5 ? 60.0 : 3.0 + (i % 2 == 0 ? 1.0 : -1.0) * (1.0 + 0.1 * i)};
     assess(id, day);
   }
-  const RowId id = person("TK-1");
+  const storage::RowId id = person("TK-1");
   choose(id, "2026-03-01T08:00:00Z", "pauses");
   for (const auto& [date, pauses] :
        {std::pair{"2026-03-02", 2.0}, {"2026-03-05", 2.0}, {"2026-03-08", 2.5}}) {
@@ -548,11 +551,11 @@ TEST_F(VerdictReport, SaysWhichPairsWereLeftOutAndWhereAFallCannotBeTold) {
 }
 
 TEST(MeasuresBelowZero, AreThoseWhoseScaleHasNoEndAtZero) {
-  EXPECT_TRUE(words_for("individuation_index", "").below_zero);
-  EXPECT_TRUE(words_for("grip_load_correlation", "").below_zero);
-  EXPECT_FALSE(words_for("maximum_force", "grip").below_zero);
-  EXPECT_FALSE(words_for("lag", "force").below_zero) << "judged by its distance";
+  EXPECT_TRUE(tasks::words_for("individuation_index", "").below_zero);
+  EXPECT_TRUE(tasks::words_for("grip_load_correlation", "").below_zero);
+  EXPECT_FALSE(tasks::words_for("maximum_force", "grip").below_zero);
+  EXPECT_FALSE(tasks::words_for("lag", "force").below_zero) << "judged by its distance";
 }
 
 }  // namespace
-}  // namespace isograsp::verdict_report_test
+}  // namespace isograsp::reports::verdict_report_test

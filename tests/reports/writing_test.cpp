@@ -15,7 +15,7 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::writing_test {
+namespace isograsp::reports::writing_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ class Writing : public testing::Test {
     setenv("QT_QPA_PLATFORM", "offscreen", 1);
     ensure_qt_application();
     folder_ = std::make_unique<test::TemporaryFolder>();
-    auto opened = open_store(folder_->path("clinic.db"), OpenMode::create);
+    auto opened = storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
     ASSERT_TRUE(opened.ok()) << opened.error().message();
     store_ = std::move(*opened);
     test::add_course(*store_, "TK-104", false);
@@ -59,11 +59,11 @@ class Writing : public testing::Test {
   }
 
   static std::unique_ptr<test::TemporaryFolder> folder_;
-  static std::unique_ptr<SessionStore> store_;
+  static std::unique_ptr<storage::SessionStore> store_;
   static ReportContent content_;
 };
 std::unique_ptr<test::TemporaryFolder> Writing::folder_;
-std::unique_ptr<SessionStore> Writing::store_;
+std::unique_ptr<storage::SessionStore> Writing::store_;
 ReportContent Writing::content_;
 
 TEST_F(Writing, InStepsAndBesideAnotherReportGivesTheSameFileAsAtOnce) {
@@ -138,4 +138,4 @@ TEST_F(Writing, GatheringStopsWhereverItIsAskedTo) {
 }
 
 }  // namespace
-}  // namespace isograsp::writing_test
+}  // namespace isograsp::reports::writing_test

@@ -7,7 +7,7 @@
 #include "session/session.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp::acquisition_test {
+namespace isograsp::session::acquisition_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -15,7 +15,7 @@ const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
 /// A simulated device with a person in front of it, in virtual time.
 struct Bench {
   explicit Bench(const std::string& uri = "sim://healthy?seed=3")
-      : viewer(*patient_traits("healthy"), 3) {
+      : viewer(*virtual_patient::patient_traits("healthy"), 3) {
     DeviceOptions device_options;
     device_options.source = &viewer;
     device = std::move(open_device(uri, device_options)).value();
@@ -25,15 +25,15 @@ struct Bench {
     acquisition.emplace(*device, clock, clock.now(), options);
   }
 
-  TaskSpec task(const std::string& name) {
+  tasks::TaskSpec task(const std::string& name) {
     const auto path = find_in_library(kLibrary, "tasks", name);
-    return parse_task(read_text(*path).value(), *path).value();
+    return tasks::parse_task(read_text(*path).value(), *path).value();
   }
 
   TrialSetup setup(const std::string& name, double maximum_N) {
     TrialSetup made;
     made.spec = task(name);
-    TaskContext context;
+    tasks::TaskContext context;
     if (maximum_N > 0.0) context.references.maximum_N[{}] = maximum_N;
     if (const auto scene = made.spec.scene(); !scene.empty()) {
       const auto path = find_in_library(kLibrary, "scenes", scene).value();
@@ -41,12 +41,12 @@ struct Bench {
           Plan::compile(parse_scene(read_text(path).value(), path).value(), context.period_s)
               .value();
     }
-    made.task = make_task(made.spec, context).value();
+    made.task = tasks::make_task(made.spec, context).value();
     return made;
   }
 
   ManualClock clock;
-  VirtualPatient viewer;
+  virtual_patient::VirtualPatient viewer;
   std::unique_ptr<ForceDevice> device;
   std::optional<Acquisition> acquisition;
 };
@@ -205,4 +205,4 @@ TEST(Acquisition, PauseStopsTaskAndObjectAndResumeContinues) {
 }
 
 }  // namespace
-}  // namespace isograsp::acquisition_test
+}  // namespace isograsp::session::acquisition_test

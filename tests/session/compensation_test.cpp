@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::compensation_test {
+namespace isograsp::session::compensation_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -110,4 +110,4 @@ TEST_F(Watched, TheSameFrameCountsOnce) {
 }
 
 }  // namespace
-}  // namespace isograsp::compensation_test
+}  // namespace isograsp::session::compensation_test

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::contact_threshold_test {
+namespace isograsp::session::contact_threshold_test {
 namespace {
 
-InstrumentZeroRecord zero_with_noise(double thumb_N, double index_N, double middle_N) {
-  InstrumentZeroRecord zero;
+storage::InstrumentZeroRecord zero_with_noise(double thumb_N, double index_N, double middle_N) {
+  storage::InstrumentZeroRecord zero;
   for (auto& mean : zero.mean) mean.setZero();
   for (auto& sd : zero.sd) sd.setConstant(9.0);  // other axes do not matter
   zero.sd[0][2] = thumb_N;
@@ -72,4 +72,4 @@ TEST(ContactThreshold, WithoutNoiseOrMaximumTheSceneDecides) {
 }
 
 }  // namespace
-}  // namespace isograsp::contact_threshold_test
+}  // namespace isograsp::session::contact_threshold_test

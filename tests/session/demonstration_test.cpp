@@ -7,19 +7,19 @@
 
 #include "session/library.hpp"
 
-namespace isograsp::demonstration_test {
+namespace isograsp::session::demonstration_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
 
-TaskSpec task(const std::string& name) {
+tasks::TaskSpec task(const std::string& name) {
   return load_task(find_in_library(kLibrary, "tasks", name).value()).value();
 }
 
 TEST(Demonstration, OfEveryTaskOfTheLibraryIsDoneByAHealthyHand) {
   for (const auto& entry : std::filesystem::directory_iterator(kLibrary + "/tasks")) {
     if (entry.path().extension() != ".toml") continue;
-    const TaskSpec spec = task(entry.path().stem());
+    const tasks::TaskSpec spec = task(entry.path().stem());
     const auto shown = demonstrate(spec, {}, Hand::left, kLibrary);
     ASSERT_TRUE(shown.ok()) << spec.name << ": " << shown.error().message();
     EXPECT_GT(static_cast<double>(shown->frames.size()) * shown->period_s, 2.0) << spec.name;
@@ -30,16 +30,16 @@ TEST(Demonstration, OfEveryTaskOfTheLibraryIsDoneByAHealthyHand) {
 }
 
 TEST(Demonstration, TheTargetsAreThoseOfThePatient) {
-  ForceReferences references;
+  tasks::ForceReferences references;
   references.maximum_N[{}] = 7.0;
   const auto highest_N = [](const Demonstration& shown) {
     double most_N = 0.0;
     for (const Snapshot& frame : shown.frames) most_N = std::max(most_N, frame.task.target_force_N);
     return most_N;
   };
-  const TaskSpec spec = task("grip_sine");
+  const tasks::TaskSpec spec = task("grip_sine");
   const double of_patient_N = highest_N(*demonstrate(spec, references, Hand::right, kLibrary));
-  const auto& tracking = std::get<ForceTrackingSpec>(spec.kind);
+  const auto& tracking = std::get<tasks::ForceTrackingSpec>(spec.kind);
   EXPECT_NEAR(of_patient_N, tracking.most * 7.0, 0.01);
   EXPECT_GT(highest_N(*demonstrate(spec, {}, Hand::right, kLibrary)), of_patient_N);
 }
@@ -52,7 +52,7 @@ TEST(Demonstration, TheForceFollowsTheTargetAndTheSameIsShownEachTime) {
   int active = 0;
   for (std::size_t k = 0; k < shown.frames.size(); ++k) {
     EXPECT_EQ(shown.frames[k].grip_N, again.frames[k].grip_N);
-    if (shown.frames[k].task.phase != Phase::active) continue;
+    if (shown.frames[k].task.phase != tasks::Phase::active) continue;
     error_N += std::abs(shown.frames[k].task.actual_force_N - shown.frames[k].task.target_force_N);
     ++active;
   }
@@ -61,4 +61,4 @@ TEST(Demonstration, TheForceFollowsTheTargetAndTheSameIsShownEachTime) {
 }
 
 }  // namespace
-}  // namespace isograsp::demonstration_test
+}  // namespace isograsp::session::demonstration_test

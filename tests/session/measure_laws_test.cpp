@@ -17,14 +17,14 @@
 #include "tasks/score.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::measure_laws_test {
+namespace isograsp::session::measure_laws_test {
 namespace {
 
 namespace fs = std::filesystem;
 const std::string kLibrary = ISOGRASP_SOURCE_DIR "/library";
 
 struct PlayedTrial {
-  TaskSpec spec;
+  tasks::TaskSpec spec;
   Signals signals;
 };
 
@@ -69,12 +69,12 @@ std::vector<PlayedTrial> sessions_of_a_simulated_hand() {
     EXPECT_LE(result->left_out.size(), kNeedFormerDays) << result->left_out.back();
   }
   std::vector<PlayedTrial> played;
-  const auto store = open_store(config.database, OpenMode::existing).value();
+  const auto store = storage::open_store(config.database, storage::OpenMode::existing).value();
   const auto patient = store->find_patient("LAW-01").value().value();
-  for (const TrialRecord& trial :
+  for (const storage::TrialRecord& trial :
        store->trials(store->sessions(patient.id).value().at(0).id).value())
-    played.push_back(
-        {parse_task(trial.task_text, trial.task_name).value(), store->signals(trial).value()});
+    played.push_back({tasks::parse_task(trial.task_text, trial.task_name).value(),
+                      store->signals(trial).value()});
   return played;
 }
 
@@ -97,14 +97,14 @@ std::vector<PlayedTrial> made_up_recordings() {
     signals.append_row(row);
   }
   std::vector<PlayedTrial> played;
-  using Measures = RecordedSpec::Measures;
+  using Measures = tasks::RecordedSpec::Measures;
   for (const Measures measures :
        {Measures::corridor, Measures::maximum, Measures::tracking, Measures::finger_forces}) {
-    RecordedSpec recorded;
+    tasks::RecordedSpec recorded;
     recorded.measures = measures;
     recorded.window = {200, 50};
     recorded.fingers = {"index", "ring"};
-    TaskSpec spec;
+    tasks::TaskSpec spec;
     spec.kind = recorded;
     spec.name = "recorded " + std::to_string(played.size());
     played.push_back({spec, signals});
@@ -154,8 +154,8 @@ struct Law {
 
 void expect_law(const PlayedTrial& trial, const Signals& transformed, const Law& law,
                 const std::string& what) {
-  const auto expected = score(trial.spec, trial.signals);
-  const auto found = score(trial.spec, transformed);
+  const auto expected = tasks::score(trial.spec, trial.signals);
+  const auto found = tasks::score(trial.spec, transformed);
   ASSERT_EQ(found.size(), expected.size()) << trial.spec.name;
   for (const Measure& before : expected) {
     const std::string where =
@@ -177,7 +177,7 @@ TEST(MeasureLaws, TheTrialsAreThoseOfTheWholeLibraryAndHaveValues) {
   ASSERT_GE(trials().size(), 58U);
   std::map<std::string, int> with_value;
   for (const PlayedTrial& trial : trials())
-    for (const Measure& measure : score(trial.spec, trial.signals))
+    for (const Measure& measure : tasks::score(trial.spec, trial.signals))
       with_value[measure.name] += measure.value ? 1 : 0;
   int none = 0;
   for (const auto& [name, count] : with_value) none += count == 0 ? 1 : 0;
@@ -241,11 +241,11 @@ TEST(MeasureLaws, AStrongerHandOnCoarserSensorsHasTheSameMeasuresInItsOwnUnit) {
 TEST(MeasureLaws, ForcesThatNumbersCannotHoldGiveNoNumberThatIsWrong) {
   for (const double times : {1e-300, 1e-200, 1e-100, 1e100, 1e160, 1e250})
     for (const PlayedTrial& trial : trials()) {
-      const auto expected = score(trial.spec, trial.signals);
-      const auto found =
-          score(trial.spec, with_each(trial.signals, [&](const std::string& name, double value) {
-                  return is_force(name) ? times * value : value;
-                }));
+      const auto expected = tasks::score(trial.spec, trial.signals);
+      const auto found = tasks::score(
+          trial.spec, with_each(trial.signals, [&](const std::string& name, double value) {
+            return is_force(name) ? times * value : value;
+          }));
       ASSERT_EQ(found.size(), expected.size()) << trial.spec.name;
       for (std::size_t i = 0; i < found.size(); ++i) {
         const std::string where = trial.spec.name + ": " + found[i].name + " " + found[i].channel +
@@ -310,11 +310,11 @@ TEST(MeasureLaws, TheOrderOfColumnsChangesNoBit) {
 }
 
 /// Halves of cycles tell all rows that were excluded, to whichever half they belong.
-bool is_half_of_a_cycle(const TaskSpec& spec, const Measure& measure) {
-  const auto* tracking = std::get_if<ForceTrackingSpec>(&spec.kind);
+bool is_half_of_a_cycle(const tasks::TaskSpec& spec, const Measure& measure) {
+  const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec.kind);
   if (tracking == nullptr) return false;
-  const bool cycles = tracking->waveform.shape == Waveform::Shape::sine ||
-                      tracking->waveform.shape == Waveform::Shape::triangle;
+  const bool cycles = tracking->waveform.shape == tasks::Waveform::Shape::sine ||
+                      tracking->waveform.shape == tasks::Waveform::Shape::triangle;
   return cycles && (measure.channel == "force_rise" || measure.channel == "force_fall");
 }
 
@@ -335,8 +335,8 @@ TEST(MeasureLaws, WhatStandsInHeldRowsCountsNowhereAndTheyAreCounted) {
         }
       });
     };
-    const auto clean = score(trial.spec, trial.signals);
-    const auto quiet = score(trial.spec, with_garbage(0.0));
+    const auto clean = tasks::score(trial.spec, trial.signals);
+    const auto quiet = tasks::score(trial.spec, with_garbage(0.0));
     Law law;
     law.tolerance = 0.0;
     expect_law({trial.spec, with_garbage(0.0)}, with_garbage(1e6), law, "other garbage");
@@ -362,15 +362,16 @@ std::vector<PlayedTrial> one_of_each_kind() {
   std::vector<PlayedTrial> each;
   for (const PlayedTrial& trial : trials()) {
     std::vector<std::string> names{std::to_string(trial.spec.kind.index())};
-    for (const Measure& measure : score(trial.spec, trial.signals)) names.push_back(measure.name);
+    for (const Measure& measure : tasks::score(trial.spec, trial.signals))
+      names.push_back(measure.name);
     if (known.emplace(std::move(names), true).second) each.push_back(trial);
   }
   return each;
 }
 
 /// It has the rows of two: its own, and those of the maximum that tells which forces count.
-bool has_two_selections(const TaskSpec& spec, const Measure& measure) {
-  return std::holds_alternative<DirectionalMaximaSpec>(spec.kind) &&
+bool has_two_selections(const tasks::TaskSpec& spec, const Measure& measure) {
+  return std::holds_alternative<tasks::DirectionalMaximaSpec>(spec.kind) &&
          measure.name == "direction_error";
 }
 
@@ -395,12 +396,12 @@ TEST(MeasureLaws, AnEmptyFieldInAColumnThatIsReadIsAMissingSample) {
           if (chosen[row]) values[row] = value;
       });
     };
-    const auto whole = score(trial.spec, trial.signals);
-    const auto missing = score(trial.spec, with("sample_flags", bit(SampleFlag::missing)));
+    const auto whole = tasks::score(trial.spec, trial.signals);
+    const auto missing = tasks::score(trial.spec, with("sample_flags", bit(SampleFlag::missing)));
     ASSERT_EQ(missing.size(), whole.size()) << trial.spec.name;
     for (const std::string& column : trial.signals.names()) {
       if (is_bookkeeping(column)) continue;
-      const auto empty = score(trial.spec, with(column, std::nan("")));
+      const auto empty = tasks::score(trial.spec, with(column, std::nan("")));
       EXPECT_EQ(empty.size(), whole.size()) << trial.spec.name << " without " << column;
       for (std::size_t i = 0; i < std::min(whole.size(), empty.size()); ++i)
         EXPECT_TRUE(has_two_selections(trial.spec, whole[i]) || is_same(empty[i], whole[i]) ||
@@ -415,7 +416,7 @@ TEST(MeasureLaws, AnEmptyFieldInAColumnThatIsReadIsAMissingSample) {
 /// So a recorded trial has the same rows whichever of these columns a measure asks for.
 TEST(MeasureLaws, ARecordedRowWithoutAFlagHasAValueInEveryColumnOfHandAndObject) {
   for (const PlayedTrial& trial : trials()) {
-    if (std::holds_alternative<RecordedSpec>(trial.spec.kind)) continue;
+    if (std::holds_alternative<tasks::RecordedSpec>(trial.spec.kind)) continue;
     const auto flags = trial.signals.column("sample_flags");
     const auto phase = trial.signals.column("phase");
     for (const std::string& name : trial.signals.names()) {
@@ -430,9 +431,9 @@ TEST(MeasureLaws, ARecordedRowWithoutAFlagHasAValueInEveryColumnOfHandAndObject)
                                      [](double value) { return !std::isnan(value); });
       if (of_target && !shown) continue;  // free handling has no target
       for (std::size_t row = 0; row < values.size(); ++row) {
-        const bool scored = phase[row] == static_cast<double>(Phase::active) ||
-                            phase[row] == static_cast<double>(Phase::transport) ||
-                            phase[row] == static_cast<double>(Phase::hold);
+        const bool scored = phase[row] == static_cast<double>(tasks::Phase::active) ||
+                            phase[row] == static_cast<double>(tasks::Phase::transport) ||
+                            phase[row] == static_cast<double>(tasks::Phase::hold);
         if (flags[row] != 0.0 || !scored) continue;
         ASSERT_FALSE(std::isnan(values[row])) << trial.spec.name << " " << name << " " << row;
       }
@@ -441,4 +442,4 @@ TEST(MeasureLaws, ARecordedRowWithoutAFlagHasAValueInEveryColumnOfHandAndObject)
 }
 
 }  // namespace
-}  // namespace isograsp::measure_laws_test
+}  // namespace isograsp::session::measure_laws_test

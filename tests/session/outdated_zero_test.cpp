@@ -9,7 +9,7 @@
 #include "tests/device/net_ft_boxes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::outdated_zero_test {
+namespace isograsp::session::outdated_zero_test {
 namespace {
 
 constexpr const char* kLibrary = ISOGRASP_SOURCE_DIR "/library";
@@ -47,8 +47,8 @@ class BoxesAtRest {
     return run_protocol(**session, protocol, {});
   }
   /// Of the newest session.
-  [[nodiscard]] std::vector<TrialRecord> stored_trials() const {
-    const auto store = open_store(database(), OpenMode::read_only).value();
+  [[nodiscard]] std::vector<storage::TrialRecord> stored_trials() const {
+    const auto store = storage::open_store(database(), storage::OpenMode::read_only).value();
     return store->trials(store->recent_sessions(1).value().at(0).id).value();
   }
 
@@ -84,12 +84,12 @@ TEST(OutdatedZero, NoTrialOfAnUnattendedRunBeginsWithItAndResumingBeginsWithANew
       << said;
   EXPECT_NE(said.find("--resume"), std::string::npos) << said;
   ASSERT_EQ(boxes.stored_trials().size(), 1u) << "what was measured before stays, and nothing else";
-  EXPECT_EQ(boxes.stored_trials()[0].status, TrialStatus::completed);
+  EXPECT_EQ(boxes.stored_trials()[0].status, storage::TrialStatus::completed);
 
   const auto resumed = boxes.run(true);
   ASSERT_TRUE(resumed) << resumed.error().message();
   ASSERT_EQ(resumed->trials.size(), 1u) << "the one that is left";
-  EXPECT_EQ(resumed->trials[0].trial.status, TrialStatus::completed);
+  EXPECT_EQ(resumed->trials[0].trial.status, storage::TrialStatus::completed);
 }
 
 TEST(OutdatedZero, RecordedForcesHaveHadTheirsAndAMissingOneIsNotOutdated) {
@@ -100,4 +100,4 @@ TEST(OutdatedZero, RecordedForcesHaveHadTheirsAndAMissingOneIsNotOutdated) {
 }
 
 }  // namespace
-}  // namespace isograsp::outdated_zero_test
+}  // namespace isograsp::session::outdated_zero_test

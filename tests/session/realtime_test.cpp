@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace isograsp::realtime_test {
+namespace isograsp::session::realtime_test {
 namespace {
 
 /// Runs `claim` in a process that may not ask for real time: another user, limits at nothing.
@@ -77,4 +77,4 @@ TEST(Realtime, NamesComeBack) {
 }
 
 }  // namespace
-}  // namespace isograsp::realtime_test
+}  // namespace isograsp::session::realtime_test

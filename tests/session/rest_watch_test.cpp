@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::rest_watch_test {
+namespace isograsp::session::rest_watch_test {
 namespace {
 
 class Rest : public ::testing::Test {
@@ -60,4 +60,4 @@ TEST_F(Rest, ToneIsRestAndAZeroThatMovedIsNot) {
 }
 
 }  // namespace
-}  // namespace isograsp::rest_watch_test
+}  // namespace isograsp::session::rest_watch_test

@@ -9,7 +9,7 @@
 #include "session/acquisition/trial_sample.hpp"
 #include "tasks/score.hpp"
 
-namespace isograsp::resting_test {
+namespace isograsp::session::resting_test {
 namespace {
 
 /// A rest trial as it is recorded; `change` alters row k.
@@ -23,7 +23,7 @@ Signals rest_trial(int rows, Change change) {
   for (int k = 0; k < rows; ++k) {
     TrialSample sample;
     sample.t_s = 0.01 * k;
-    sample.task.phase = Phase::active;
+    sample.task.phase = tasks::Phase::active;
     change(k, sample);
     for (auto& group : groups) group.clear();
     append_rows(sample, false, groups);
@@ -45,9 +45,9 @@ TEST(RestingForce, MeanIsTheStoredMeasureAndSdIsThatOfTheSamples) {
   constexpr double kRounding = 1e-12;  // both are sums of a hundred numbers, in another order
   EXPECT_NEAR(rest->sd[1][2], 0.1 * std::sqrt(100.0 / 99.0), kRounding);
   EXPECT_NEAR(rest->sd[2][3], 0.01 * std::sqrt(100.0 * 101.0 / 12.0), kRounding);
-  const auto spec = parse_task(
+  const auto spec = tasks::parse_task(
       "format = \"isograsp-task-1\"\nname = \"R\"\ninstruction = \"R\"\nkind = \"rest\"\n", "r");
-  for (const auto& measure : score(*spec, trial)) {
+  for (const auto& measure : tasks::score(*spec, trial)) {
     if (measure.channel == "index_fz") {
       EXPECT_NEAR(*measure.value, rest->mean[1][2], kRounding);
     }
@@ -64,7 +64,7 @@ TEST(RestingForce, RowsThatDoNotCountAreLeftOut) {
       s.forces.flags[0] = bit(SampleFlag::held);
       s.forces.wrench_C[0].force.z() = 500.0;
     }
-    if (k % 10 == 4) s.task.phase = Phase::paused;
+    if (k % 10 == 4) s.task.phase = tasks::Phase::paused;
   });
   const auto rest = resting_force(trial);
   ASSERT_TRUE(rest);
@@ -93,4 +93,4 @@ TEST(RestingForce, SpasticToneIsDataNotAnError) {
 }
 
 }  // namespace
-}  // namespace isograsp::resting_test
+}  // namespace isograsp::session::resting_test

@@ -9,7 +9,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::resume_test {
+namespace isograsp::session::resume_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -27,19 +27,19 @@ constexpr std::uint64_t kSeed = 11;
 constexpr std::size_t kRefusedTask = 1;  // "b"
 
 struct Act {
-  Agenda::Item item;
+  tasks::Agenda::Item item;
   bool trial = false;
   double ended_s = 0.0;
   double value = 0.0;
 };
 
 /// The whole protocol: task "b" is refused, attempts at "a" never agree.
-std::vector<Act> whole(const ProtocolSpec& protocol) {
+std::vector<Act> whole(const tasks::ProtocolSpec& protocol) {
   std::vector<Act> acts;
-  Agenda agenda(protocol, kSeed);
+  tasks::Agenda agenda(protocol, kSeed);
   double now_s = 0.0;
   while (const auto item = agenda.next()) {
-    const bool task = protocol.steps[item->step].kind == ProtocolStep::Kind::task;
+    const bool task = protocol.steps[item->step].kind == tasks::ProtocolStep::Kind::task;
     const bool refused = task && protocol.steps[item->step].tasks[item->task] == "b";
     now_s = std::max(now_s, item->not_before_s) + 10.0;
     const double value = item->task == 0 ? std::pow(2.0, item->attempt) : 30.0;
@@ -68,13 +68,13 @@ EarlierWork left_by(const std::vector<Act>& acts, std::size_t trials) {
 }
 
 TEST(Resume, WhereverAProtocolIsInterruptedTheRestIsTheSame) {
-  const auto protocol = parse_protocol(kMixed, "mixed.toml").value();
+  const auto protocol = tasks::parse_protocol(kMixed, "mixed.toml").value();
   const auto acts = whole(protocol);
   const auto trials = static_cast<std::size_t>(
       std::count_if(acts.begin(), acts.end(), [](const Act& act) { return act.trial; }));
   ASSERT_GT(trials, 6u);
   for (std::size_t cut = 0; cut <= trials; ++cut) {
-    Agenda agenda(protocol, kSeed);
+    tasks::Agenda agenda(protocol, kSeed);
     tell(agenda, protocol, left_by(acts, cut));
     for (auto act = static_cast<std::size_t>(agenda.done()); act < acts.size(); ++act) {
       const auto item = agenda.next();
@@ -83,7 +83,7 @@ TEST(Resume, WhereverAProtocolIsInterruptedTheRestIsTheSame) {
       EXPECT_EQ(item->task, acts[act].item.task) << cut << " " << act;
       EXPECT_EQ(item->attempt, acts[act].item.attempt) << cut << " " << act;
       EXPECT_EQ(item->not_before_s, acts[act].item.not_before_s) << cut << " " << act;
-      const bool task = protocol.steps[item->step].kind == ProtocolStep::Kind::task;
+      const bool task = protocol.steps[item->step].kind == tasks::ProtocolStep::Kind::task;
       agenda.record({acts[act].trial || !task, task ? std::optional(acts[act].value) : std::nullopt,
                      acts[act].ended_s});
     }
@@ -92,7 +92,7 @@ TEST(Resume, WhereverAProtocolIsInterruptedTheRestIsTheSame) {
 }
 
 TEST(Resume, AHelpedAttemptCountsButItsValueDoesNot) {
-  const auto protocol = parse_protocol(
+  const auto protocol = tasks::parse_protocol(
       "format = \"isograsp-protocol-1\"\nname = \"Two\"\n[[step]]\nkind = \"task\"\ntask = \"a\"\n"
       "repetitions = 2\nagree_measure = \"maximum_force\"\nmost_repetitions = 3\n",
       "two.toml");
@@ -102,12 +102,12 @@ TEST(Resume, AHelpedAttemptCountsButItsValueDoesNot) {
     measure.name = "maximum_force";
     measure.value = 30.0;
     work.trials.push_back({});
-    work.trials.back().record.place = TrialPlace{};
+    work.trials.back().record.place = storage::TrialPlace{};
     work.trials.back().measures = {measure};
   }
   for (const bool helped : {false, true}) {
     work.trials.back().record.helped = helped;
-    Agenda agenda(*protocol, 1);
+    tasks::Agenda agenda(*protocol, 1);
     tell(agenda, *protocol, work);
     EXPECT_EQ(agenda.next().has_value(), helped);
   }
@@ -115,7 +115,7 @@ TEST(Resume, AHelpedAttemptCountsButItsValueDoesNot) {
 
 TEST(Ratings, WorkStopsAtPainFourOrTwoMoreThanAtFirst) {
   const auto stops = [](std::vector<int> pains) {
-    std::vector<RatingRecord> ratings;
+    std::vector<storage::RatingRecord> ratings;
     for (const int pain : pains) ratings.emplace_back().pain = pain;
     return reason_to_stop(ratings).has_value();
   };
@@ -158,12 +158,12 @@ struct Clinic {
     } catch (const BreakOff&) {
     }
   }
-  std::vector<SessionRecord> sessions() const {
-    auto store = open_store_to_read(database).value();
+  std::vector<storage::SessionRecord> sessions() const {
+    auto store = storage::open_store_to_read(database).value();
     return store->sessions(store->find_patient("TEST-01").value()->id).value();
   }
-  std::vector<TrialRecord> trials(RowId session) const {
-    return open_store_to_read(database).value()->trials(session).value();
+  std::vector<storage::TrialRecord> trials(storage::RowId session) const {
+    return storage::open_store_to_read(database).value()->trials(session).value();
   }
 };
 
@@ -185,8 +185,8 @@ TEST(Resume, ASessionGoesOnWithNewZeroAndRestAndTheMaximumThatWasMeasured) {
   ASSERT_EQ(after.size(), 3u);
   EXPECT_EQ(after[0].task_name, before[0].task_name) << "the resting force, once more";
   EXPECT_FALSE(after[0].place.has_value());
-  EXPECT_EQ(after[1].place, (TrialPlace{3, 0}));
-  EXPECT_EQ(after[2].place, (TrialPlace{4, 0}));
+  EXPECT_EQ(after[1].place, (storage::TrialPlace{3, 0}));
+  EXPECT_EQ(after[2].place, (storage::TrialPlace{4, 0}));
   EXPECT_EQ(after[1].maximum_force_N, session->maximum_force_N());
   EXPECT_NE(after[0].zero_id, before[0].zero_id);
   for (const auto& a : after)
@@ -220,18 +220,18 @@ TEST(Resume, AResumedSessionThatBreaksOffIsResumedToo) {
 TEST(Resume, WhatTheScreeningForbadeStaysForbiddenUnlessItIsAskedAgain) {
   const Clinic clinic;
   auto first = clinic.config(false);
-  first.allowed = Effort::comfortable;
+  first.allowed = tasks::Effort::comfortable;
   first.ceiling_N = 7.5;
   Session::open(first).value()->close();
   const auto held = Session::open(clinic.config(true)).value();
-  EXPECT_EQ(held->references().allowed, Effort::comfortable);
+  EXPECT_EQ(held->references().allowed, tasks::Effort::comfortable);
   EXPECT_EQ(held->references().ceiling_N, 7.5);
   EXPECT_EQ(held->record().allowed, "comfortable");
   held->close();
   auto asked = clinic.config(true);
-  asked.allowed = Effort::none;
+  asked.allowed = tasks::Effort::none;
   const auto again = Session::open(asked).value();
-  EXPECT_EQ(again->references().allowed, Effort::none);
+  EXPECT_EQ(again->references().allowed, tasks::Effort::none);
   EXPECT_EQ(again->references().ceiling_N, 7.5);
 }
 
@@ -294,10 +294,10 @@ TEST(Helped, NothingFollowsFromAHelpedTrialAndTheMarkIsStored) {
     EXPECT_FALSE(session->correct_rating(6, 2).has_value()) << "as if it had been said at once";
     EXPECT_TRUE(session->correct_rating(6, 4).has_value());
     session->close();
-    const RowId id = clinic.sessions().at(0).id;
+    const storage::RowId id = clinic.sessions().at(0).id;
     EXPECT_FALSE(clinic.trials(id).at(0).helped);
     EXPECT_TRUE(clinic.trials(id).at(1).helped);
-    const auto ratings = open_store_to_read(clinic.database).value()->ratings(id).value();
+    const auto ratings = storage::open_store_to_read(clinic.database).value()->ratings(id).value();
     ASSERT_EQ(ratings.size(), 2u);
     EXPECT_EQ(ratings[1].effort, 6);
     EXPECT_EQ(ratings[1].pain, 4);
@@ -306,4 +306,4 @@ TEST(Helped, NothingFollowsFromAHelpedTrialAndTheMarkIsStored) {
 }
 
 }  // namespace
-}  // namespace isograsp::resume_test
+}  // namespace isograsp::session::resume_test

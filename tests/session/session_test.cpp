@@ -13,7 +13,7 @@
 #include "tasks/waveform.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::session_test {
+namespace isograsp::session::session_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
@@ -23,7 +23,7 @@ ReadyProtocol protocol(const std::string& name) {
 }
 
 struct Clinic {
-  Clinic() { EXPECT_TRUE(open_store(database, OpenMode::create)); }
+  Clinic() { EXPECT_TRUE(storage::open_store(database, storage::OpenMode::create)); }
 
   SessionConfig config(const std::string& device) const {
     SessionConfig c;
@@ -44,8 +44,8 @@ struct Clinic {
     return result ? *result : ProtocolResult{};
   }
 
-  std::unique_ptr<SessionStore> store() const {
-    return open_store(database, OpenMode::existing).value();
+  std::unique_ptr<storage::SessionStore> store() const {
+    return storage::open_store(database, storage::OpenMode::existing).value();
   }
 
   test::TemporaryFolder folder;
@@ -81,7 +81,7 @@ TEST(Session, TheDemonstrationProtocolIsCompletedByAHealthySimulatedPatient) {
   Clinic clinic;
   const auto result = clinic.run("sim://healthy?seed=7", "demonstration");
   for (const auto& outcome : result.trials)
-    EXPECT_EQ(outcome.trial.status, TrialStatus::completed) << outcome.trial.task_name;
+    EXPECT_EQ(outcome.trial.status, storage::TrialStatus::completed) << outcome.trial.task_name;
   EXPECT_GT(value_in(result, "maximum_force"), 20.0);
   EXPECT_GT(value_in(result, "targets_reached"), 0.0);
 }
@@ -124,8 +124,8 @@ TEST(Session, LiveIsOffline) {
     const auto signals = store->signals(trials[i]).value();
     const auto path = clinic.folder.path("trial.csv");
     ASSERT_TRUE(write_signals(signals, path));
-    const auto spec = parse_task(trials[i].task_text, "stored task").value();
-    expect_same(result.trials[i].measures, score(spec, read_signals(path).value()));
+    const auto spec = tasks::parse_task(trials[i].task_text, "stored task").value();
+    expect_same(result.trials[i].measures, tasks::score(spec, read_signals(path).value()));
     expect_same(result.trials[i].measures, store->measures(trials[i].id).value());
     EXPECT_TRUE(trials[i].zero_drift_N.has_value()) << "the protocol ends with an empty zero";
     EXPECT_FALSE(trials[i].zero_drifted);
@@ -192,13 +192,13 @@ TEST(Session, WhatIsAnsweredAndShownOnTheWayStandsWithIt) {
   SessionConfig config = clinic.config("sim://healthy?seed=7");
   auto session = Session::open(config);
   ASSERT_TRUE(session) << session.error().message();
-  const std::vector<SessionAnswer> answers{{"posture", "elbow_deg", "90"}};
+  const std::vector<storage::SessionAnswer> answers{{"posture", "elbow_deg", "90"}};
   EXPECT_TRUE((*session)->answer(answers));
   EXPECT_EQ((*session)->answer({{"posture", "", "90"}}).error().field, "item");
   ASSERT_TRUE((*session)->start_zero({true}));
   (void)(*session)->wait_for_news();
   const auto maximum = find_in_library(kLibrary, "tasks", "maximum_grip").value();
-  const auto spec = parse_task(*read_text(maximum), maximum).value();
+  const auto spec = tasks::parse_task(*read_text(maximum), maximum).value();
   for (const bool seen : {true, false}) {
     ASSERT_TRUE((*session)->start_trial(spec, false));
     if (seen) (*session)->shown({0.021, 0.8, 0.6});
@@ -263,20 +263,21 @@ TEST(Session, TheStoredSeedOfATrialTellsItsParallelFormAndGivesItsTargetAgain) {
   const auto store = clinic.store();
   int sines = 0;
   for (const auto& outcome : result.trials) {
-    const TaskSpec spec = parse_task(outcome.trial.task_text, "stored").value();
-    const auto* tracking = std::get_if<ForceTrackingSpec>(&spec.kind);
+    const tasks::TaskSpec spec = tasks::parse_task(outcome.trial.task_text, "stored").value();
+    const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec.kind);
     if (tracking == nullptr) continue;
     ASSERT_EQ(tracking->waveform.forms, 2);
     ASSERT_NE(outcome.trial.seed, 0u);
     const auto signals = store->signals(outcome.trial).value();
     const auto target_N = signals.column("target_force_N");
     const double maximum_N = outcome.trial.maximum_force_N;
-    const double start =
-        form_of(tracking->waveform, outcome.trial.seed) == 0 ? tracking->least : tracking->most;
+    const double start = tasks::form_of(tracking->waveform, outcome.trial.seed) == 0
+                             ? tracking->least
+                             : tracking->most;
     constexpr double kRounding_N = 1e-12;
     EXPECT_NEAR(target_N.front(), start * maximum_N, kRounding_N);
     const auto wave =
-        samples_of(tracking->waveform, tracking->duration_s, 0.01, outcome.trial.seed);
+        tasks::samples_of(tracking->waveform, tracking->duration_s, 0.01, outcome.trial.seed);
     const auto lead_in = static_cast<std::size_t>(std::lround(tracking->lead_in_s / 0.01));
     for (std::size_t k = 0; k < wave.size(); ++k)
       ASSERT_NEAR(target_N[lead_in + k],
@@ -320,7 +321,7 @@ TEST(Session, RunsInRealTimeOnThreeThreads) {
   const auto zero = (*session)->wait_for_news();
   ASSERT_EQ(zero.size(), 1u);
   ASSERT_TRUE(zero[0].zero && zero[0].zero->accepted) << zero[0].zero->reason;
-  const auto spec = parse_task(
+  const auto spec = tasks::parse_task(
       "format = \"isograsp-task-1\"\nname = \"Rest\"\nkind = \"rest\"\n"
       "instruction = \"Relax.\"\nduration_s = 1.5\n",
       "short.toml");
@@ -330,11 +331,11 @@ TEST(Session, RunsInRealTimeOnThreeThreads) {
   const auto news = (*session)->wait_for_news();
   ASSERT_EQ(news.size(), 1u);
   ASSERT_TRUE(news[0].trial);
-  EXPECT_EQ(news[0].trial->trial.status, TrialStatus::completed);
+  EXPECT_EQ(news[0].trial->trial.status, storage::TrialStatus::completed);
   EXPECT_EQ(news[0].trial->trial.dropped, 0);
   EXPECT_GE(news[0].trial->trial.samples, 150);
   EXPECT_EQ((*session)->snapshot().recorder_dropped, 0u);
 }
 
 }  // namespace
-}  // namespace isograsp::session_test
+}  // namespace isograsp::session::session_test

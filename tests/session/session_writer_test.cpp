@@ -13,7 +13,7 @@
 #include "storage/care/emergency.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::session_writer_test {
+namespace isograsp::session::session_writer_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,12 +97,12 @@ class Recording {
  public:
   Recording() {
     setenv("XDG_STATE_HOME", folder_.file("state").c_str(), 1);
-    auto store = opened(path);
-    const PatientRecord patient = must(store->add_patient("P-1"));
-    SessionRecord session = example_session(patient.id);
+    auto store = storage::opened(path);
+    const storage::PatientRecord patient = storage::must(store->add_patient("P-1"));
+    storage::SessionRecord session = storage::example_session(patient.id);
     session.uuid = "5a7c1d1e-0000-4000-8000-000000000001";
-    session.id = must(store->begin_session(session));
-    writer.emplace(std::move(store), patient, session, std::vector<SessionAnswer>(), true);
+    session.id = storage::must(store->begin_session(session));
+    writer.emplace(std::move(store), patient, session, std::vector<storage::SessionAnswer>(), true);
     begin(1);
     EXPECT_TRUE(end());
     begin(2);
@@ -110,7 +110,7 @@ class Recording {
   ~Recording() { unsetenv("XDG_STATE_HOME"); }
 
   Result<void> end() {
-    trial.status = TrialStatus::completed;
+    trial.status = storage::TrialStatus::completed;
     trial.samples = 200;
     Measure measure;
     measure.name = "rmse";
@@ -122,39 +122,41 @@ class Recording {
   }
   /// As it was recorded, to the bit.
   void expect_second_trial_in(const std::string& file, const std::string& name) const {
-    const auto store = opened(file, OpenMode::read_only);
-    const auto trials = must(store->trials(must(store->recent_sessions(1)).at(0).id));
+    const auto store = storage::opened(file, storage::OpenMode::read_only);
+    const auto trials =
+        storage::must(store->trials(storage::must(store->recent_sessions(1)).at(0).id));
     ASSERT_EQ(trials.size(), 2u) << name;
-    EXPECT_EQ(trials[1].status, TrialStatus::completed) << name;
-    const auto measures = must(store->measures(trials[1].id));
+    EXPECT_EQ(trials[1].status, storage::TrialStatus::completed) << name;
+    const auto measures = storage::must(store->measures(trials[1].id));
     ASSERT_EQ(measures.size(), 1u) << name;
     EXPECT_EQ(measures[0].value, 0.2) << name;
-    const Signals signals = must(store->signals(trials[1]));
+    const Signals signals = storage::must(store->signals(trials[1]));
     ASSERT_EQ(signals.rows(), 200u) << name;
     for (std::size_t row = 0; row < 200; ++row)
       for (std::size_t column = 0; column < 3; ++column)
-        ASSERT_TRUE(same_bits(signals.column(column)[row],
-                              seconds_[row / 100][0][3 * (row % 100) + column]))
+        ASSERT_TRUE(storage::same_bits(signals.column(column)[row],
+                                       seconds_[row / 100][0][3 * (row % 100) + column]))
             << name;
   }
 
  private:
   void begin(int number) {
-    trial = example_trial(0, number);
-    must(writer->begin_trial(trial, trial.id));
+    trial = storage::example_trial(0, number);
+    storage::must(writer->begin_trial(trial, trial.id));
     seconds_.clear();
     for (int second = 0; second < 2; ++second) {
-      seconds_.push_back(example_rows(trial, 100, static_cast<unsigned>(10 * number + second)));
-      must(writer->append_blocks(trial.id, second, seconds_.back()));
+      seconds_.push_back(
+          storage::example_rows(trial, 100, static_cast<unsigned>(10 * number + second)));
+      storage::must(writer->append_blocks(trial.id, second, seconds_.back()));
     }
   }
 
-  TemporaryFolder folder_;
+  storage::TemporaryFolder folder_;
 
  public:
   std::string path = folder_.file("clinic.db");
   std::optional<SessionWriter> writer;
-  TrialRecord trial;
+  storage::TrialRecord trial;
 
  private:
   std::vector<SecondOfSignals> seconds_;
@@ -174,7 +176,7 @@ TEST(ReadingBack, FindsWhateverGotAtATrialInBetweenAndTheTrialIsNotStoredButKept
     EXPECT_EQ(ended.error().code, Error::Code::failed) << one.name;
     EXPECT_NE(said.find("reading back trial 2"), std::string::npos) << one.name << ": " << said;
     EXPECT_NE(said.find(one.words), std::string::npos) << one.name << ": " << said;
-    const auto kept = emergency_files();
+    const auto kept = storage::emergency_files();
     ASSERT_EQ(kept.size(), 1u) << one.name << ": " << said;
     EXPECT_NE(said.find(kept[0].path), std::string::npos) << said;
     recording.expect_second_trial_in(kept[0].path, one.name);
@@ -189,22 +191,22 @@ TEST(ReadingBack, WhatWasChangedInBetweenComesBackFromTheEmergencyFile) {
       const AtNextOpening between([&] { one.strike(recording.path); });
       ASSERT_FALSE(recording.end()) << one.name;
     }
-    must(recording.writer->end_session("2026-03-01T10:00:00Z"));
+    storage::must(recording.writer->end_session("2026-03-01T10:00:00Z"));
     recording.writer.reset();
-    const auto files = emergency_files(recording.path);
+    const auto files = storage::emergency_files(recording.path);
     ASSERT_EQ(files.size(), 1u) << one.name;
-    const auto done = rescue(recording.path, files[0]);
+    const auto done = storage::rescue(recording.path, files[0]);
     ASSERT_TRUE(done) << one.name << ": " << done.error().message();
     EXPECT_TRUE(done->conflicts.empty()) << one.name << ": " << done->conflicts.front();
     recording.expect_second_trial_in(recording.path, one.name);
-    EXPECT_TRUE(must(opened(recording.path)->check()).empty()) << one.name;
-    EXPECT_TRUE(emergency_files().empty()) << one.name;
+    EXPECT_TRUE(storage::must(storage::opened(recording.path)->check()).empty()) << one.name;
+    EXPECT_TRUE(storage::emergency_files().empty()) << one.name;
   }
 }
 
 TEST(ReadingBack, AtTheEndOfTheSessionEveryTrialIsLookedAtOnceMore) {
   Recording recording;
-  must(recording.end());
+  storage::must(recording.end());
   {
     const AtNextOpening later([&] { sql(kOtherSamples)(recording.path); });
     const auto ended = recording.writer->end_session("2026-03-01T10:00:00Z");
@@ -213,9 +215,9 @@ TEST(ReadingBack, AtTheEndOfTheSessionEveryTrialIsLookedAtOnceMore) {
               std::string::npos)
         << ended.error().message();
   }
-  ASSERT_EQ(emergency_files().size(), 1u);
-  recording.expect_second_trial_in(emergency_files()[0].path, "at the end");
+  ASSERT_EQ(storage::emergency_files().size(), 1u);
+  recording.expect_second_trial_in(storage::emergency_files()[0].path, "at the end");
 }
 
 }  // namespace
-}  // namespace isograsp::session_writer_test
+}  // namespace isograsp::session::session_writer_test

@@ -6,12 +6,13 @@
 
 #include "virtual_patient/course.hpp"
 
-namespace isograsp::simulated_person_test {
+namespace isograsp::session::simulated_person_test {
 namespace {
 
 const std::string kLibrary = ISOGRASP_SOURCE_DIR "/library";
 
-Result<PatientTraits> traits(const std::string& text, const std::string& library = kLibrary) {
+Result<virtual_patient::PatientTraits> traits(const std::string& text,
+                                              const std::string& library = kLibrary) {
   const auto uri = Uri::parse(text);
   EXPECT_TRUE(uri) << text;
   return simulated_traits(*uri, library);
@@ -35,30 +36,32 @@ TEST(SimulatedPerson, EveryPersonAndEveryCourseOfTheLibraryCanBeNamed) {
 }
 
 TEST(SimulatedPerson, HealthyAndPareticNeedNoLibrary) {
-  EXPECT_EQ(*traits("sim://healthy", ""), *patient_traits("healthy"));
-  EXPECT_EQ(*traits("sim://paretic?recovery=0.4", ""), recovered(*patient_traits("paretic"), 0.4));
+  EXPECT_EQ(*traits("sim://healthy", ""), *virtual_patient::patient_traits("healthy"));
+  EXPECT_EQ(*traits("sim://paretic?recovery=0.4", ""),
+            virtual_patient::recovered(*virtual_patient::patient_traits("paretic"), 0.4));
   EXPECT_EQ(simulated_people(""), (std::vector<std::string>{"healthy", "paretic"}));
   EXPECT_TRUE(simulated_courses("").empty());
 }
 
 TEST(SimulatedPerson, WithoutADayThePersonIsAsNamedAndADayIsTheirForm) {
-  const PatientTraits severe = *traits("sim://severe?seed=5");
+  const virtual_patient::PatientTraits severe = *traits("sim://severe?seed=5");
   EXPECT_EQ(severe.maximum_force_N, 2.0);
-  EXPECT_EQ(*traits("sim://severe?seed=5&day=3"), on_day(severe, day_seed(5, 3)));
+  EXPECT_EQ(*traits("sim://severe?seed=5&day=3"),
+            virtual_patient::on_day(severe, virtual_patient::day_seed(5, 3)));
   EXPECT_NE(*traits("sim://severe?seed=5&day=3"), *traits("sim://severe?seed=5&day=4"));
   EXPECT_EQ(*traits("sim://severe?seed=5&day=3"), *traits("sim://severe?seed=5&day=3"));
 }
 
 TEST(SimulatedPerson, StrengthMultipliesTheMaximumAlone) {
-  PatientTraits stronger = *traits("sim://moderate?seed=5");
+  virtual_patient::PatientTraits stronger = *traits("sim://moderate?seed=5");
   stronger.maximum_force_N *= 1.5;
   EXPECT_EQ(*traits("sim://moderate?seed=5&strength=1.5"), stronger);
   EXPECT_NE(error("sim://moderate?strength=9").find("strength"), std::string::npos);
 }
 
 TEST(SimulatedPerson, ACourseMovesThem) {
-  const PatientTraits first = *traits("sim://moderate?day=0&course=recovery");
-  const PatientTraits later = *traits("sim://moderate?day=150&course=recovery");
+  const virtual_patient::PatientTraits first = *traits("sim://moderate?day=0&course=recovery");
+  const virtual_patient::PatientTraits later = *traits("sim://moderate?day=150&course=recovery");
   EXPECT_GT(later.maximum_force_N, 1.5 * first.maximum_force_N);
 }
 
@@ -91,4 +94,4 @@ TEST(SimulatedPerson, ANameIsNotAPath) {
 }
 
 }  // namespace
-}  // namespace isograsp::simulated_person_test
+}  // namespace isograsp::session::simulated_person_test

@@ -9,7 +9,7 @@
 #include "tasks/task.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::training_test {
+namespace isograsp::session::training_test {
 namespace {
 
 const std::string kTask =
@@ -18,18 +18,19 @@ const std::string kTask =
     "\"frequency\"\neasiest = 1\nhardest = 2\nstart = 0.4\nsuccess_measure = "
     "\"time_in_range\"\nsuccess_at_least = 60\n";
 
-TaskSpec task() {
-  return parse_task(kTask, "train.toml").value();
+tasks::TaskSpec task() {
+  return tasks::parse_task(kTask, "train.toml").value();
 }
 
 /// A clinic whose trials are made by hand.
 struct Clinic {
   test::TemporaryFolder folder;
-  std::unique_ptr<SessionStore> store = open_store(folder.path("c.db"), OpenMode::create).value();
-  RowId patient = store->add_patient("P-1").value().id;
+  std::unique_ptr<storage::SessionStore> store =
+      storage::open_store(folder.path("c.db"), storage::OpenMode::create).value();
+  storage::RowId patient = store->add_patient("P-1").value().id;
 
-  SessionRecord session(const std::string& utc, Hand hand, bool simulated) {
-    SessionRecord record;
+  storage::SessionRecord session(const std::string& utc, Hand hand, bool simulated) {
+    storage::SessionRecord record;
     record.patient_id = patient;
     record.started_utc = utc;
     record.hand = hand;
@@ -37,9 +38,9 @@ struct Clinic {
     record.id = store->begin_session(record).value();
     return record;
   }
-  void trial(const SessionRecord& session, const std::string& text, const Measure& measure,
-             TrialStatus status = TrialStatus::completed) {
-    TrialRecord record;
+  void trial(const storage::SessionRecord& session, const std::string& text, const Measure& measure,
+             storage::TrialStatus status = storage::TrialStatus::completed) {
+    storage::TrialRecord record;
     record.session_id = session.id;
     record.number = ++number;
     record.task_name = "train";
@@ -57,7 +58,7 @@ Measure measured(const std::string& name, const std::string& channel, double val
   measure.name = name;
   measure.channel = channel;
   measure.value = value;
-  measure.version = measure_version(name);
+  measure.version = tasks::measure_version(name);
   return measure;
 }
 Measure on_target(double percent) {
@@ -69,19 +70,19 @@ TEST(Training, BeginsAtTheStartAndGoesOnWhereItStopped) {
   const auto now = clinic.session("2026-01-09T09:00:00Z", Hand::right, true);
   EXPECT_EQ(Training::read(*clinic.store, now).value().level(task()), 0.4);
   const auto before = clinic.session("2026-01-05T09:00:00Z", Hand::right, true);
-  clinic.trial(before, at_level(task(), 0.4).value().text, on_target(70.0));
-  clinic.trial(before, at_level(task(), 0.45).value().text, on_target(30.0));
+  clinic.trial(before, tasks::at_level(task(), 0.4).value().text, on_target(70.0));
+  clinic.trial(before, tasks::at_level(task(), 0.45).value().text, on_target(30.0));
   EXPECT_DOUBLE_EQ(Training::read(*clinic.store, now).value().level(task()), 0.30);
 }
 
 TEST(Training, OtherHandsDevicesAbortsAndPlainTrialsSayNothing) {
   Clinic clinic;
   const auto now = clinic.session("2026-01-09T09:00:00Z", Hand::right, false);
-  const std::string text = at_level(task(), 0.9).value().text;
+  const std::string text = tasks::at_level(task(), 0.9).value().text;
   clinic.trial(clinic.session("2026-01-05T09:00:00Z", Hand::left, false), text, on_target(99.0));
   clinic.trial(clinic.session("2026-01-05T09:00:00Z", Hand::right, true), text, on_target(99.0));
   const auto same = clinic.session("2026-01-05T09:00:00Z", Hand::right, false);
-  clinic.trial(same, text, on_target(99.0), TrialStatus::aborted);
+  clinic.trial(same, text, on_target(99.0), storage::TrialStatus::aborted);
   clinic.trial(same, kTask, on_target(99.0));
   EXPECT_EQ(Training::read(*clinic.store, now).value().level(task()), 0.4);
 }
@@ -108,7 +109,7 @@ TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
       "format = \"isograsp-task-1\"\nname = \"max\"\ninstruction = \"press\"\nkind = \"maximum\"\n";
   const auto add = [&](const std::string& utc) {
     const auto session = clinic.session(utc, Hand::right, true);
-    TrialRecord trial;
+    storage::TrialRecord trial;
     trial.session_id = session.id;
     trial.number = 1;
     trial.task_name = "max";
@@ -119,7 +120,7 @@ TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
     for (int second = 0; second < 3; ++second) {
       std::vector<double> rows;
       for (int k = 100 * second; k < 100 * (second + 1); ++k) {
-        const std::vector row{0.01 * k, static_cast<double>(Phase::active), kForce_N, 0.0};
+        const std::vector row{0.01 * k, static_cast<double>(tasks::Phase::active), kForce_N, 0.0};
         signals.append_row(row);
         rows.insert(rows.end(), row.begin(), row.end());
       }
@@ -127,8 +128,8 @@ TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
       EXPECT_TRUE(clinic.store->append_blocks(trial.id, second, block).ok());
     }
     trial.samples = 300;
-    trial.status = TrialStatus::completed;
-    auto measures = score(parse_task(text, "max").value(), signals);
+    trial.status = storage::TrialStatus::completed;
+    auto measures = tasks::score(tasks::parse_task(text, "max").value(), signals);
     for (auto& measure : measures) {
       if (measure.name != "maximum_force") continue;
       --measure.version;
@@ -144,14 +145,14 @@ TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
 }
 
 TEST(Training, ALevelChangesTheTaskAndStaysInItsText) {
-  const auto easy = at_level(task(), 0.0).value();
-  const auto hard = at_level(task(), 1.0).value();
-  EXPECT_DOUBLE_EQ(std::get<ForceTrackingSpec>(easy.kind).waveform.frequency_Hz, 0.2);
-  EXPECT_DOUBLE_EQ(std::get<ForceTrackingSpec>(hard.kind).waveform.frequency_Hz, 0.4);
-  const auto again = parse_task(hard.text, "stored").value();
+  const auto easy = tasks::at_level(task(), 0.0).value();
+  const auto hard = tasks::at_level(task(), 1.0).value();
+  EXPECT_DOUBLE_EQ(std::get<tasks::ForceTrackingSpec>(easy.kind).waveform.frequency_Hz, 0.2);
+  EXPECT_DOUBLE_EQ(std::get<tasks::ForceTrackingSpec>(hard.kind).waveform.frequency_Hz, 0.4);
+  const auto again = tasks::parse_task(hard.text, "stored").value();
   EXPECT_EQ(again.difficulty->chosen, 1.0);
-  EXPECT_DOUBLE_EQ(std::get<ForceTrackingSpec>(again.kind).waveform.frequency_Hz, 0.4);
+  EXPECT_DOUBLE_EQ(std::get<tasks::ForceTrackingSpec>(again.kind).waveform.frequency_Hz, 0.4);
 }
 
 }  // namespace
-}  // namespace isograsp::training_test
+}  // namespace isograsp::session::training_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::work_limits_test {
+namespace isograsp::session::work_limits_test {
 namespace {
 
 std::vector<Measure> maximum(double value_N, const char* channel = "grip") {
@@ -98,4 +98,4 @@ TEST(WorkLimits, StrapsAreDueOnNumbSkinTwentyMinutesAfterTheyWereSeenLast) {
 }
 
 }  // namespace
-}  // namespace isograsp::work_limits_test
+}  // namespace isograsp::session::work_limits_test

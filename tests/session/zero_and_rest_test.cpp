@@ -17,28 +17,29 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace isograsp::zero_and_rest_test {
+namespace isograsp::session::zero_and_rest_test {
 namespace {
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
 constexpr ZeroRequest kEmpty{true, false, 0.0};
 constexpr ZeroRequest kServiced{true, true, 0.0};
 
-TaskSpec task(const std::string& keys) {
-  return parse_task("format = \"isograsp-task-1\"\nname = \"T\"\ninstruction = \"T\"\n" + keys, "t")
+tasks::TaskSpec task(const std::string& keys) {
+  return tasks::parse_task(
+             "format = \"isograsp-task-1\"\nname = \"T\"\ninstruction = \"T\"\n" + keys, "t")
       .value();
 }
-const TaskSpec& short_rest() {
-  static const TaskSpec spec = task("kind = \"rest\"\nduration_s = 1.0\n");
+const tasks::TaskSpec& short_rest() {
+  static const tasks::TaskSpec spec = task("kind = \"rest\"\nduration_s = 1.0\n");
   return spec;
 }
-TaskSpec library_task(const std::string& name) {
+tasks::TaskSpec library_task(const std::string& name) {
   const auto path = find_in_library(kLibrary, "tasks", name).value();
-  return parse_task(read_text(path).value(), path).value();
+  return tasks::parse_task(read_text(path).value(), path).value();
 }
 
 struct Clinic {
-  Clinic() { EXPECT_TRUE(open_store(database, OpenMode::create)); }
+  Clinic() { EXPECT_TRUE(storage::open_store(database, storage::OpenMode::create)); }
 
   std::unique_ptr<Session> open(const std::string& uri = "sim://paretic?seed=3") {
     SessionConfig c;
@@ -51,10 +52,10 @@ struct Clinic {
     c.virtual_time = true;
     return Session::open(c).value();
   }
-  std::unique_ptr<SessionStore> store() const {
-    return open_store(database, OpenMode::existing).value();
+  std::unique_ptr<storage::SessionStore> store() const {
+    return storage::open_store(database, storage::OpenMode::existing).value();
   }
-  SessionRecord last_session() const {
+  storage::SessionRecord last_session() const {
     const auto records = store();
     return records->sessions(records->find_patient("TEST-01").value()->id).value().back();
   }
@@ -67,7 +68,7 @@ ZeroOutcome zero(Session& session, const ZeroRequest& request) {
   EXPECT_TRUE(session.start_zero(request));
   return session.wait_for_news().at(0).zero.value();
 }
-TrialOutcome trial(Session& session, const TaskSpec& spec) {
+TrialOutcome trial(Session& session, const tasks::TaskSpec& spec) {
   const auto started = session.start_trial(spec, false);
   EXPECT_TRUE(started) << started.error().message();
   return session.wait_for_news().at(0).trial.value();
@@ -102,10 +103,10 @@ TEST(InstrumentZero, IsKeptWithWhoWhenAndTheEmptyNoise) {
 /// A zero of the same device in an earlier session that read `offset_N` at the index finger.
 void add_earlier_zero(Clinic& clinic, double offset_N, bool same_sensors = true) {
   const auto store = clinic.store();
-  SessionRecord earlier = clinic.last_session();
+  storage::SessionRecord earlier = clinic.last_session();
   earlier.uuid.clear();  // another one
   if (!same_sensors) earlier.serial_numbers = {"A", "B", "C"};
-  InstrumentZeroRecord zero;
+  storage::InstrumentZeroRecord zero;
   zero.session_id = store->begin_session(earlier).value();
   for (auto& mean : zero.mean) mean.setZero();
   for (auto& sd : zero.sd) sd.setZero();
@@ -209,7 +210,8 @@ TEST(RestingForce, WaitsAMinuteAfterStrappingWhereThatIsKnown) {
 
 TEST(RestingForce, IsNeverSubtracted) {
   // The same person presses twice; one of the sessions measures the resting force before.
-  const TaskSpec handling = task("kind = \"observe\"\nscene = \"planar_block\"\nduration_s = 2\n");
+  const tasks::TaskSpec handling =
+      task("kind = \"observe\"\nscene = \"planar_block\"\nduration_s = 2\n");
   Clinic with_rest;
   auto measured = with_rest.open();
   zero(*measured, kEmpty);
@@ -284,14 +286,14 @@ struct Bench {
   Bench() {
     EXPECT_TRUE(device.start(clock));
     acquisition.emplace(device, clock, clock.now(), Acquisition::Options{});
-    auto store = open_store(folder.path("c.db"), OpenMode::create).value();
-    const PatientRecord patient = store->add_patient("P-1").value();
+    auto store = storage::open_store(folder.path("c.db"), storage::OpenMode::create).value();
+    const storage::PatientRecord patient = store->add_patient("P-1").value();
     record.patient_id = patient.id;
     record.started_utc = "2026-03-01T09:30:00Z";
     record.rate_Hz = 100.0;
     record.id = store->begin_session(record).value();
     recorder.emplace(std::make_unique<SessionWriter>(std::move(store), patient, record,
-                                                     std::vector<SessionAnswer>(), true),
+                                                     std::vector<storage::SessionAnswer>(), true),
                      record, acquisition->records(), false);
   }
   void run(double seconds) {
@@ -308,21 +310,24 @@ struct Bench {
   void trial() {
     auto& setup = *setups.emplace_back(std::make_unique<TrialSetup>());
     setup.spec = short_rest();
-    setup.task = make_task(setup.spec, TaskContext{}).value();
+    setup.task = tasks::make_task(setup.spec, tasks::TaskContext{}).value();
     setup.record.session_id = record.id;
     setup.record.number = static_cast<int>(setups.size());
     EXPECT_TRUE(acquisition->commands().push({Command::Kind::begin, &setup}));
     run(1.1);
     EXPECT_TRUE(recorder->take_news().at(0).trial);
   }
-  std::vector<TrialRecord> trials() {
-    return open_store(folder.path("c.db"), OpenMode::read_only).value()->trials(record.id).value();
+  std::vector<storage::TrialRecord> trials() {
+    return storage::open_store(folder.path("c.db"), storage::OpenMode::read_only)
+        .value()
+        ->trials(record.id)
+        .value();
   }
 
   test::TemporaryFolder folder;
   ManualClock clock;
   ScriptedDevice device;
-  SessionRecord record;
+  storage::SessionRecord record;
   std::optional<Acquisition> acquisition;
   std::optional<Recorder> recorder;
   std::vector<std::unique_ptr<TrialSetup>> setups;
@@ -389,8 +394,10 @@ TEST(Recorded, NetPushHealthAndTimingStandWithTheTrial) {
   bench.device.wrench_C[0].force.x() = 2.0;
   bench.trial();
   const auto trial = bench.trials().at(0);
-  const auto signals =
-      open_store(bench.folder.path("c.db"), OpenMode::read_only).value()->signals(trial).value();
+  const auto signals = storage::open_store(bench.folder.path("c.db"), storage::OpenMode::read_only)
+                           .value()
+                           ->signals(trial)
+                           .value();
   EXPECT_EQ(signals.column("net_fy_N")[5], 2.0) << "x of the thumb's contact is y of the platform";
   EXPECT_TRUE(std::isnan(signals.column("net_push_percent")[5])) << "no grip";
   for (const char* counter :
@@ -493,4 +500,4 @@ TEST(Session, RequiredRealTimeThatIsRefusedLeavesNoTrace) {
 }
 
 }  // namespace
-}  // namespace isograsp::zero_and_rest_test
+}  // namespace isograsp::session::zero_and_rest_test

@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp::zeroing_test {
+namespace isograsp::session::zeroing_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -125,4 +125,4 @@ TEST(Zeroing, ALostSampleIsLeftOutAGapStartsAnewAndEndlessGapsAreGivenUp) {
 }
 
 }  // namespace
-}  // namespace isograsp::zeroing_test
+}  // namespace isograsp::session::zeroing_test

@@ -11,7 +11,7 @@
 
 #include "tests/statistics/subject_tables.hpp"
 
-namespace isograsp::anova_test {
+namespace isograsp::statistics::anova_test {
 namespace {
 
 using test::null_table;
@@ -369,4 +369,4 @@ TEST(Squares, OfValuesBeyondTheNumbersOfAComputerAreNotComputedAndSayWhy) {
 }
 
 }  // namespace
-}  // namespace isograsp::anova_test
+}  // namespace isograsp::statistics::anova_test

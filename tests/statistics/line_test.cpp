@@ -5,7 +5,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::line_test {
+namespace isograsp::statistics::line_test {
 namespace {
 
 TEST(Line, ALineIsFoundExactlyAtIrregularTimesToo) {
@@ -28,4 +28,4 @@ TEST(Line, TheDeviationIsThatOfTheResiduals) {
 }
 
 }  // namespace
-}  // namespace isograsp::line_test
+}  // namespace isograsp::statistics::line_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::percentile_test {
+namespace isograsp::statistics::percentile_test {
 namespace {
 
 TEST(Percentile, IsTheValueAtItsShareOfTheWayFromTheFirstToTheLast) {
@@ -33,4 +33,4 @@ TEST(Percentile, BetweenTheLargestNumbersOfEitherSignIsANumber) {
 }
 
 }  // namespace
-}  // namespace isograsp::percentile_test
+}  // namespace isograsp::statistics::percentile_test

@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp::quantile_test {
+namespace isograsp::statistics::quantile_test {
 namespace {
 
 TEST(Quantile, EqualWeightsGiveTheSortedValueOfThatRank) {
@@ -38,4 +38,4 @@ TEST(Quantile, AValueCountsAsLongAsItHolds) {
 }
 
 }  // namespace
-}  // namespace isograsp::quantile_test
+}  // namespace isograsp::statistics::quantile_test

@@ -14,7 +14,7 @@
 #include "statistics/robust_trend.hpp"
 #include "tests/statistics/subject_tables.hpp"
 
-namespace isograsp::rank_tests_test {
+namespace isograsp::statistics::rank_tests_test {
 namespace {
 
 using test::null_table;
@@ -31,7 +31,7 @@ std::vector<double> mid_ranks(const std::vector<double>& values) {
 }
 SignedRank signed_rank(const std::vector<double>& differences, int comparisons = 1,
                        double confidence = 0.95) {
-  return isograsp::signed_rank(differences, tie_width(differences), comparisons, confidence);
+  return statistics::signed_rank(differences, tie_width(differences), comparisons, confidence);
 }
 
 /// Counts all sign patterns one by one.
@@ -172,7 +172,7 @@ TEST(SignedRank, OneBitOfOneValueIsWorthNoP) {
     EXPECT_TRUE(test.exact);
     EXPECT_EQ(number(test.p), 194.0 / 1024.0) << "0.189";
     // Without ties the bit has a rank of its own: 0.221.
-    EXPECT_EQ(number(isograsp::signed_rank(changes, 0.0).p), 226.0 / 1024.0);
+    EXPECT_EQ(number(statistics::signed_rank(changes, 0.0).p), 226.0 / 1024.0);
   }
 }
 
@@ -387,4 +387,4 @@ TEST(BoxPlot, WhiskersEndAtValuesAndWhatLiesBeyondIsListed) {
 }
 
 }  // namespace
-}  // namespace isograsp::rank_tests_test
+}  // namespace isograsp::statistics::rank_tests_test

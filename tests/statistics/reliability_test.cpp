@@ -10,7 +10,7 @@
 
 #include "tests/statistics/subject_tables.hpp"
 
-namespace isograsp::reliability_test {
+namespace isograsp::statistics::reliability_test {
 namespace {
 
 constexpr double kRounding = 1e-11;
@@ -131,4 +131,4 @@ TEST(Reliability, OfValuesBeyondTheNumbersOfAComputerIsNotComputedAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace isograsp::reliability_test
+}  // namespace isograsp::statistics::reliability_test

@@ -12,8 +12,9 @@
 namespace isograsp::test {
 
 /// Every subject has a level of its own; conditions do not differ. Standard deviation 1 each.
-inline SubjectTable null_table(Random& random, Eigen::Index subjects, Eigen::Index conditions) {
-  SubjectTable table(subjects, conditions);
+inline statistics::SubjectTable null_table(Random& random, Eigen::Index subjects,
+                                           Eigen::Index conditions) {
+  statistics::SubjectTable table(subjects, conditions);
   for (Eigen::Index row = 0; row < subjects; ++row) {
     const double level = random.gaussian();
     for (Eigen::Index column = 0; column < conditions; ++column)
@@ -23,7 +24,7 @@ inline SubjectTable null_table(Random& random, Eigen::Index subjects, Eigen::Ind
 }
 
 /// The rows of `table` in another order.
-inline SubjectTable turned(const SubjectTable& table) {
+inline statistics::SubjectTable turned(const statistics::SubjectTable& table) {
   return table.colwise().reverse();
 }
 

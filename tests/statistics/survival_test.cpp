@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::survival_test {
+namespace isograsp::statistics::survival_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -99,4 +99,4 @@ TEST(Survival, RanksTieTimeOutsWorstHoweverLongTheyTried) {
 }
 
 }  // namespace
-}  // namespace isograsp::survival_test
+}  // namespace isograsp::statistics::survival_test

@@ -9,7 +9,7 @@
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp::access_test {
+namespace isograsp::storage::access_test {
 namespace {
 const Identity kPerson{"Vera Nováková", "1950-03-05", "+49 123\nBerlin"};
 
@@ -397,4 +397,4 @@ TEST(Create, RefusesAShortPassphraseAndAnExistingFileAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace isograsp::access_test
+}  // namespace isograsp::storage::access_test

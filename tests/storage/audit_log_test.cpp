@@ -14,7 +14,7 @@
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp::audit_log_test {
+namespace isograsp::storage::audit_log_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -300,4 +300,4 @@ TEST(UnprotectedAudit, AnActAndItsEntryAreStoredTogether) {
 }
 
 }  // namespace
-}  // namespace isograsp::audit_log_test
+}  // namespace isograsp::storage::audit_log_test

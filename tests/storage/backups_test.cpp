@@ -12,7 +12,7 @@
 #include "storage/file/file_stats.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::backups_test {
+namespace isograsp::storage::backups_test {
 namespace {
 constexpr std::time_t kDay_s = 86400;
 const std::time_t kStart = *time_of_utc("2026-01-05T17:00:00Z");  // a Monday
@@ -195,4 +195,4 @@ TEST_F(Backup, StatsCountWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace isograsp::backups_test
+}  // namespace isograsp::storage::backups_test

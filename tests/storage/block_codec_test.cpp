@@ -3,7 +3,7 @@
 
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::block_codec_test {
+namespace isograsp::storage::block_codec_test {
 namespace {
 
 TEST(BlockCodec, EveryBitOfEveryDoubleComesBack) {
@@ -59,4 +59,4 @@ TEST(BlockCodec, WrongSizeOrTornBytesAreNoBlock) {
 }
 
 }  // namespace
-}  // namespace isograsp::block_codec_test
+}  // namespace isograsp::storage::block_codec_test

@@ -9,7 +9,7 @@
 #include "core/time.hpp"
 #include "tests/storage/one_patient.hpp"
 
-namespace isograsp::change_records_test {
+namespace isograsp::storage::change_records_test {
 namespace {
 
 struct ChangeRecords : OnePatient {};
@@ -234,4 +234,4 @@ TEST_F(ChangeRecords, HealthyValuesAreThoseOfPeopleWithoutAnAffectedSide) {
 }
 
 }  // namespace
-}  // namespace isograsp::change_records_test
+}  // namespace isograsp::storage::change_records_test

@@ -6,7 +6,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::damage_test {
+namespace isograsp::storage::damage_test {
 namespace {
 
 struct Damage : testing::Test {
@@ -237,4 +237,4 @@ TEST_F(Damage, BackupOverwritesNothingAndLeavesNothingHalfMade) {
 }
 
 }  // namespace
-}  // namespace isograsp::damage_test
+}  // namespace isograsp::storage::damage_test

@@ -14,7 +14,7 @@
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp::erasure_test {
+namespace isograsp::storage::erasure_test {
 namespace {
 
 /// Rows in every table that a person can have rows in.
@@ -343,4 +343,4 @@ TEST_F(ProtectedClinic, TheLastWordOnAPurposeCounts) {
 }
 
 }  // namespace
-}  // namespace isograsp::erasure_test
+}  // namespace isograsp::storage::erasure_test

@@ -19,7 +19,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 /// A folder of its own for one test, removed afterwards.
 class TemporaryFolder {
@@ -143,4 +143,4 @@ inline std::vector<std::vector<double>> example_rows(const TrialRecord& trial, s
   return blocks;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -8,7 +8,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::file_watch_test {
+namespace isograsp::storage::file_watch_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST(FileWatch, ATrialThatAnotherProgramHasClosedIsNotEndedOnceMore) {
 }
 
 }  // namespace
-}  // namespace isograsp::file_watch_test
+}  // namespace isograsp::storage::file_watch_test

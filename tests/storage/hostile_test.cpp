@@ -16,7 +16,7 @@
 #include "storage/sqlite/block_codec.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::hostile_test {
+namespace isograsp::storage::hostile_test {
 namespace {
 
 /// What `work` says in a process of its own that may have this much more memory than now.
@@ -216,4 +216,4 @@ TEST_F(HostileDatabase, WhatStandsBesideADatabaseIsForThoseWhoMayUseTheDatabase)
 }
 
 }  // namespace
-}  // namespace isograsp::hostile_test
+}  // namespace isograsp::storage::hostile_test

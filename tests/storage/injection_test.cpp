@@ -9,7 +9,7 @@
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp::injection_test {
+namespace isograsp::storage::injection_test {
 namespace {
 
 const std::vector<std::string> kInjections{
@@ -136,4 +136,4 @@ TEST_F(ProtectedClinic, OversizedOrBinaryIdentitiesAreRefused) {
 }
 
 }  // namespace
-}  // namespace isograsp::injection_test
+}  // namespace isograsp::storage::injection_test

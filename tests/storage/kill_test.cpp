@@ -7,7 +7,7 @@
 #include "tests/storage/examples.hpp"
 #include "tests/storage/writer_process.hpp"
 
-namespace isograsp::kill_test {
+namespace isograsp::storage::kill_test {
 namespace {
 
 /// Every confirmed second and event is there, nothing is half there, the values are right.
@@ -125,4 +125,4 @@ TEST(FullDisk, WhileTheFileIsMadeLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace isograsp::kill_test
+}  // namespace isograsp::storage::kill_test

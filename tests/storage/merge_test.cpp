@@ -14,7 +14,7 @@
 #include "storage/person/erasure.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::merge_test {
+namespace isograsp::storage::merge_test {
 namespace {
 
 /// Two sessions of two trials with everything that a file can hold of them.
@@ -395,4 +395,4 @@ TEST_F(Merge, IsRefusedWithAFileThatCannotBeMerged) {
 }
 
 }  // namespace
-}  // namespace isograsp::merge_test
+}  // namespace isograsp::storage::merge_test

@@ -14,7 +14,7 @@
 #include "storage/file/database.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::migration_test {
+namespace isograsp::storage::migration_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -235,4 +235,4 @@ TEST_P(Migration, IsRefusedWhileSomebodyRecords) {
 }
 
 }  // namespace
-}  // namespace isograsp::migration_test
+}  // namespace isograsp::storage::migration_test

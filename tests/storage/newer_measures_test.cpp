@@ -14,7 +14,7 @@
 #include "storage/person/erasure.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp::newer_measures_test {
+namespace isograsp::storage::newer_measures_test {
 namespace {
 
 Measure measure(const std::string& name, int version, std::optional<double> value) {
@@ -281,4 +281,4 @@ TEST_F(MergeOfNewer, ResultsOfOneVersionThatDifferAreAConflict) {
 }
 
 }  // namespace
-}  // namespace isograsp::newer_measures_test
+}  // namespace isograsp::storage::newer_measures_test

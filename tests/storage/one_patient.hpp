@@ -5,7 +5,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 struct OnePatient : testing::Test {
   TemporaryFolder folder;
@@ -19,4 +19,4 @@ struct OnePatient : testing::Test {
   }
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -10,7 +10,7 @@
 #include "storage/file/database.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::open_test {
+namespace isograsp::storage::open_test {
 namespace {
 
 /// Opening fails in all the given ways, the message says `why`, and the folder is as before.
@@ -206,4 +206,4 @@ TEST(OpenStore, ClosingOneStoreKeepsTheLocksOfAnotherInTheSameProcess) {
 }
 
 }  // namespace
-}  // namespace isograsp::open_test
+}  // namespace isograsp::storage::open_test

@@ -3,7 +3,7 @@
 
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::patient_code_test {
+namespace isograsp::storage::patient_code_test {
 namespace {
 
 TEST(PatientCode, GeneratedCodesAreAccepted) {
@@ -33,4 +33,4 @@ TEST(PatientCode, RefusalNamesTheFieldAndTheRemedy) {
 }
 
 }  // namespace
-}  // namespace isograsp::patient_code_test
+}  // namespace isograsp::storage::patient_code_test

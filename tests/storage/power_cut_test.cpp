@@ -8,7 +8,7 @@
 #include "tests/storage/examples.hpp"
 #include "tests/storage/power_cut_vfs.hpp"
 
-namespace isograsp::power_cut_test {
+namespace isograsp::storage::power_cut_test {
 namespace {
 
 constexpr int kRows = 100;
@@ -153,4 +153,4 @@ TEST(FullDisk, AtAnyWriteOfTheCloseLosesNoSecond) {
 }
 
 }  // namespace
-}  // namespace isograsp::power_cut_test
+}  // namespace isograsp::storage::power_cut_test

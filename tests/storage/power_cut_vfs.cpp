@@ -10,7 +10,7 @@
 
 #include <sqlite3.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 namespace {
 
@@ -229,4 +229,4 @@ void PowerCutVfs::Cut::restore(const std::string& folder) const {
     std::ofstream(std::filesystem::path(folder) / name, std::ios::binary) << bytes;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

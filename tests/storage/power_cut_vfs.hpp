@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 class PowerCutVfs {
  public:
@@ -56,4 +56,4 @@ class PowerCutVfs {
   std::vector<Cut> cuts_;
 };
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -5,7 +5,7 @@
 
 #include "tests/storage/one_patient.hpp"
 
-namespace isograsp::profile_test {
+namespace isograsp::storage::profile_test {
 namespace {
 
 struct Profile : OnePatient {};
@@ -145,4 +145,4 @@ TEST_F(Profile, WhatAnotherProgramWroteWronglyIsRefusedByTheTablesOrFoundByTheCh
 }
 
 }  // namespace
-}  // namespace isograsp::profile_test
+}  // namespace isograsp::storage::profile_test

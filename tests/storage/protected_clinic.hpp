@@ -6,7 +6,7 @@
 #include "storage/access/audit_log.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp {
+namespace isograsp::storage {
 
 inline Secret secret(const char* text) {
   return Secret{std::string_view(text)};
@@ -45,4 +45,4 @@ std::string refusal(const Result<T>& result) {
   return result ? "" : result.error().message();
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

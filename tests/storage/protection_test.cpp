@@ -12,7 +12,7 @@
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
 
-namespace isograsp::protection_test {
+namespace isograsp::storage::protection_test {
 namespace {
 
 /// Free text in every column that can hold it, of two people; some of it removed again.
@@ -171,4 +171,4 @@ TEST_F(PlainClinic, IsNotMergedWithAProtectedOneWhicheverWayRound) {
 }
 
 }  // namespace
-}  // namespace isograsp::protection_test
+}  // namespace isograsp::storage::protection_test

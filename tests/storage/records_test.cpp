@@ -5,7 +5,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::records_test {
+namespace isograsp::storage::records_test {
 namespace {
 
 struct Records : testing::Test {
@@ -562,4 +562,4 @@ TEST(Uuids, OfAScratchFileAreTheSameEachTimeAndOfAnyOtherNever) {
 }
 
 }  // namespace
-}  // namespace isograsp::records_test
+}  // namespace isograsp::storage::records_test

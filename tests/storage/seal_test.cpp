@@ -7,7 +7,7 @@
 #include "storage/access/vault.hpp"
 #include "tests/storage/examples.hpp"
 
-namespace isograsp::seal_test {
+namespace isograsp::storage::seal_test {
 namespace {
 
 const std::string kText = "Frau Žižková\nspricht nicht";
@@ -130,4 +130,4 @@ TEST(SecretFile, GivesItsFirstLine) {
 }
 
 }  // namespace
-}  // namespace isograsp::seal_test
+}  // namespace isograsp::storage::seal_test

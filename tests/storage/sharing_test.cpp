@@ -4,7 +4,7 @@
 #include "tests/storage/examples.hpp"
 #include "tests/storage/writer_process.hpp"
 
-namespace isograsp::sharing_test {
+namespace isograsp::storage::sharing_test {
 namespace {
 
 TEST(Sharing, ARecordingProgramIsNotInterruptedByAnotherThatOpensTheFile) {
@@ -61,4 +61,4 @@ TEST(Sharing, AStoreClosedWhileRecordingLeavesAnInterruptedTrial) {
 }
 
 }  // namespace
-}  // namespace isograsp::sharing_test
+}  // namespace isograsp::storage::sharing_test

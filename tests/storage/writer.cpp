@@ -24,8 +24,9 @@ void say(const std::string& line) {
   std::exit(3);
 }
 
-void record(isograsp::SessionStore& store, isograsp::RowId session_id, int number, int seconds) {
-  using namespace isograsp;
+void record(isograsp::storage::SessionStore& store, isograsp::storage::RowId session_id, int number,
+            int seconds) {
+  using namespace isograsp::storage;
   TrialRecord trial;
   trial.session_id = session_id;
   trial.number = number;
@@ -60,7 +61,7 @@ void record(isograsp::SessionStore& store, isograsp::RowId session_id, int numbe
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace isograsp;
+  using namespace isograsp::storage;
   if (argc < 2) return 2;
   const int seconds = argc > 2 ? std::atoi(argv[2]) : 1 << 20;
   const int trials = argc > 3 ? std::atoi(argv[3]) : 1;

@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace isograsp {
+namespace isograsp::storage {
 
 class WriterProcess {
  public:
@@ -95,4 +95,4 @@ inline int count_lines(const std::string& text, const std::string& word) {
   return count;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::storage

@@ -7,7 +7,7 @@
 
 #include "tasks/staircase.hpp"
 
-namespace isograsp::agenda_test {
+namespace isograsp::tasks::agenda_test {
 namespace {
 
 ProtocolStep step_of(std::vector<std::string> tasks, int repetitions, Order order) {
@@ -167,4 +167,4 @@ TEST(Staircase, StaysBetweenEasiestAndHardest) {
 }
 
 }  // namespace
-}  // namespace isograsp::agenda_test
+}  // namespace isograsp::tasks::agenda_test

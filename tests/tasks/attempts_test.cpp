@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::attempts_test {
+namespace isograsp::tasks::attempts_test {
 namespace {
 
 using Forces = std::vector<double>;
@@ -37,4 +37,4 @@ TEST(Attempts, OneAttemptAgreesWithNothing) {
 }
 
 }  // namespace
-}  // namespace isograsp::attempts_test
+}  // namespace isograsp::tasks::attempts_test

@@ -14,7 +14,7 @@
 #include "tasks/measures/fitts.hpp"
 #include "tasks/protocol.hpp"
 
-namespace isograsp::library_test {
+namespace isograsp::tasks::library_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -242,4 +242,4 @@ TEST(Library, CoversEveryKeyOfTheTaskAndProtocolFormats) {
 }
 
 }  // namespace
-}  // namespace isograsp::library_test
+}  // namespace isograsp::tasks::library_test

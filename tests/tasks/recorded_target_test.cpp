@@ -7,7 +7,7 @@
 #include "tasks/waveform.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
 
-namespace isograsp::recorded_target_test {
+namespace isograsp::tasks::recorded_target_test {
 namespace {
 
 constexpr double kRate_Hz = 100.0;
@@ -145,4 +145,4 @@ TEST(TargetByDoing, RefusesWhatHardlyMovedAndWhatTurnedAboutTwoAxes) {
 }
 
 }  // namespace
-}  // namespace isograsp::recorded_target_test
+}  // namespace isograsp::tasks::recorded_target_test

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::score_pairs_test {
+namespace isograsp::tasks::score_pairs_test {
 namespace {
 
 using test::find;
@@ -150,4 +150,4 @@ TEST(ScorePairs, AWrittenAndReadBackRecordHasTheSameScoreBitForBit) {
 }
 
 }  // namespace
-}  // namespace isograsp::score_pairs_test
+}  // namespace isograsp::tasks::score_pairs_test

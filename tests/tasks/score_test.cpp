@@ -10,7 +10,7 @@
 #include "tasks/task.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::score_test {
+namespace isograsp::tasks::score_test {
 namespace {
 
 using test::edited;
@@ -225,4 +225,4 @@ TEST(Score, ObserveMeasuresGripPathAndContact) {
 }
 
 }  // namespace
-}  // namespace isograsp::score_test
+}  // namespace isograsp::tasks::score_test

@@ -6,7 +6,7 @@
 
 #include "tasks/protocol.hpp"
 
-namespace isograsp::task_spec_test {
+namespace isograsp::tasks::task_spec_test {
 namespace {
 
 std::string task_text(const std::string& rest) {
@@ -119,4 +119,4 @@ TEST(ProtocolSpec, EveryMistakeNamesLineFieldAndRemedy) {
 }
 
 }  // namespace
-}  // namespace isograsp::task_spec_test
+}  // namespace isograsp::tasks::task_spec_test

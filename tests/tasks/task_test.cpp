@@ -8,7 +8,7 @@
 
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp::task_test {
+namespace isograsp::tasks::task_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -244,4 +244,4 @@ TEST(Task, TheFrameRateChangesNeitherTargetNorDuration) {
 }
 
 }  // namespace
-}  // namespace isograsp::task_test
+}  // namespace isograsp::tasks::task_test

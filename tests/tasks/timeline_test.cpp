@@ -13,7 +13,7 @@
 #include "tasks/waveform.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp::timeline_test {
+namespace isograsp::tasks::timeline_test {
 namespace {
 
 TaskContext context_of(double maximum_N = 40.0) {
@@ -328,4 +328,4 @@ TEST(Timeline, TheLeadInHoldsTheFirstValueOfEveryForm) {
 }
 
 }  // namespace
-}  // namespace isograsp::timeline_test
+}  // namespace isograsp::tasks::timeline_test

@@ -16,7 +16,8 @@ inline constexpr double kFrame_s = 0.01;
 /// Presses the sensors at 1 kHz and hands over a frame every 10 ms, late and quantised as they are.
 class SensedPatient {
  public:
-  SensedPatient(const PatientTraits& traits, std::uint64_t seed) : patient(traits, seed) {}
+  SensedPatient(const virtual_patient::PatientTraits& traits, std::uint64_t seed)
+      : patient(traits, seed) {}
 
   FingerWrenches next_frame() noexcept {
     const int last_ms = 10 * frame_++;
@@ -31,7 +32,7 @@ class SensedPatient {
   /// Time of the frame handed over last [s].
   [[nodiscard]] double t_s() const noexcept { return kFrame_s * (frame_ - 1); }
 
-  VirtualPatient patient;
+  virtual_patient::VirtualPatient patient;
   FingerWrenches pressed;  ///< by the fingertips, at t_s()
 
  private:

@@ -4,7 +4,7 @@
 
 #include "tests/virtual_patient/people.hpp"
 
-namespace isograsp::course_test {
+namespace isograsp::virtual_patient::course_test {
 namespace {
 
 using test::kPatients;
@@ -178,4 +178,4 @@ TEST(Courses, BadFilesSayWhere) {
 }
 
 }  // namespace
-}  // namespace isograsp::course_test
+}  // namespace isograsp::virtual_patient::course_test

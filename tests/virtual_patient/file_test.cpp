@@ -4,7 +4,7 @@
 
 #include "tests/virtual_patient/people.hpp"
 
-namespace isograsp::file_test {
+namespace isograsp::virtual_patient::file_test {
 namespace {
 
 using test::kPatients;
@@ -114,4 +114,4 @@ TEST(Traits, ARecoveryOfOneIsHealthyAndOfZeroIsNobodyElse) {
 }
 
 }  // namespace
-}  // namespace isograsp::file_test
+}  // namespace isograsp::virtual_patient::file_test

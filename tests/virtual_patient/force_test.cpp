@@ -11,7 +11,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/virtual_patient/closed_loop.hpp"
 
-namespace isograsp::force_test {
+namespace isograsp::virtual_patient::force_test {
 namespace {
 
 using test::grip_N;
@@ -224,4 +224,4 @@ TEST(VirtualPatientForce, ASessionThatBeginsAgainIsPlayedAgain) {
 }
 
 }  // namespace
-}  // namespace isograsp::force_test
+}  // namespace isograsp::virtual_patient::force_test

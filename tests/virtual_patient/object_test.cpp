@@ -11,7 +11,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/virtual_patient/closed_loop.hpp"
 
-namespace isograsp::object_test {
+namespace isograsp::virtual_patient::object_test {
 namespace {
 
 using test::kFrame_s;
@@ -280,4 +280,4 @@ TEST(VirtualPatientObject, MovingAnObjectAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace isograsp::object_test
+}  // namespace isograsp::virtual_patient::object_test

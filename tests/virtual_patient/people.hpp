@@ -28,11 +28,11 @@ inline std::vector<std::string> names_in(const std::string& folder) {
   return names;
 }
 
-inline PatientTraits shipped(const std::string& name) {
+inline virtual_patient::PatientTraits shipped(const std::string& name) {
   const std::string path = kPatients + "/" + name + ".toml";
   const auto text = read_text(path);
   EXPECT_TRUE(text) << path;
-  const auto patient = parse_patient(*text, path);
+  const auto patient = virtual_patient::parse_patient(*text, path);
   EXPECT_TRUE(patient) << patient.error().message();
   return patient->traits;
 }
@@ -40,7 +40,7 @@ inline PatientTraits shipped(const std::string& name) {
 /// A person before a screen.
 class Played {
  public:
-  Played(const PatientTraits& traits, std::uint64_t seed) : person(traits, seed) {}
+  Played(const virtual_patient::PatientTraits& traits, std::uint64_t seed) : person(traits, seed) {}
 
   using EachForce = std::function<void(double t_s, const FingerWrenches& wrench_C)>;
   /// Shows `screen` for a while, with its time and the channel's force set; `each` sees every
@@ -72,7 +72,7 @@ class Played {
     return sum / std::round(1000.0 * mean_s);
   }
 
-  VirtualPatient person;
+  virtual_patient::VirtualPatient person;
   FingerWrenches pressed;
 
  private:

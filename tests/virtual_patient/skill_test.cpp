@@ -6,7 +6,7 @@
 #include "tests/virtual_patient/people.hpp"
 #include "virtual_patient/force_skill.hpp"
 
-namespace isograsp::skill_test {
+namespace isograsp::virtual_patient::skill_test {
 namespace {
 
 using test::every_channel;
@@ -275,4 +275,4 @@ TEST(Skill, ForcesAreFiniteAndNothingIsAllocated) {
 }
 
 }  // namespace
-}  // namespace isograsp::skill_test
+}  // namespace isograsp::virtual_patient::skill_test

@@ -6,7 +6,7 @@
 #include "tests/virtual_patient/people.hpp"
 #include "virtual_patient/force_skill.hpp"
 
-namespace isograsp::trouble_test {
+namespace isograsp::virtual_patient::trouble_test {
 namespace {
 
 using test::following;
@@ -307,4 +307,4 @@ TEST(Trouble, SlowWanderIsSlow) {
 }
 
 }  // namespace
-}  // namespace isograsp::trouble_test
+}  // namespace isograsp::virtual_patient::trouble_test

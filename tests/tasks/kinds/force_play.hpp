@@ -18,7 +18,7 @@ namespace isograsp::test {
 constexpr double kPeriod_s = 0.01;
 
 /// What the hand does in a frame, seen in that frame; t_s since the trial began.
-using Answer = std::function<FingerWrenches(const TaskView&, double t_s)>;
+using Answer = std::function<FingerWrenches(const tasks::TaskView&, double t_s)>;
 
 inline FingerWrenches pressing(double thumb_N, double index_N, double middle_N) {
   FingerWrenches wrench_C;
@@ -33,15 +33,15 @@ inline FingerWrenches grip_of(double grip_N) {
 }
 
 template <class Kind>
-TaskSpec spec_of(Kind kind) {
-  TaskSpec spec;
+tasks::TaskSpec spec_of(Kind kind) {
+  tasks::TaskSpec spec;
   spec.kind = std::move(kind);
   return spec;
 }
 
 /// Of a hand with maxima of 40 N and no tone.
-inline TaskContext force_context() {
-  TaskContext made;
+inline tasks::TaskContext force_context() {
+  tasks::TaskContext made;
   made.period_s = kPeriod_s;
   made.seed = 3;
   made.references.resting_C = grip_of(0.0);
@@ -50,9 +50,9 @@ inline TaskContext force_context() {
   return made;
 }
 
-inline Signals play_force(const TaskSpec& spec, const Answer& answer, double start_s = 0.0) {
-  const TaskContext made = force_context();
-  auto task = make_task(spec, made);
+inline Signals play_force(const tasks::TaskSpec& spec, const Answer& answer, double start_s = 0.0) {
+  const tasks::TaskContext made = force_context();
+  auto task = tasks::make_task(spec, made);
   EXPECT_TRUE(task) << (task ? "" : task.error().message());
   std::vector<std::string> names{"t_s",
                                  "phase",
@@ -74,7 +74,7 @@ inline Signals play_force(const TaskSpec& spec, const Answer& answer, double sta
   Signals signals(names);
   FingerWrenches wrench_C = grip_of(0.0);
   for (int k = 0;; ++k) {
-    const TaskView view = (*task)->step({wrench_C});
+    const tasks::TaskView view = (*task)->step({wrench_C});
     wrench_C = answer(view, k * kPeriod_s);
     std::vector<double> row{start_s + k * kPeriod_s,
                             static_cast<double>(view.phase),
@@ -95,7 +95,7 @@ inline Signals play_force(const TaskSpec& spec, const Answer& answer, double sta
         row.push_back(view.digit_targets.shown[f] ? view.digit_targets.force_C[f][axis]
                                                   : std::nan(""));
     signals.append_row(row);
-    if (view.phase == Phase::done) return signals;
+    if (view.phase == tasks::Phase::done) return signals;
   }
 }
 

@@ -9,7 +9,7 @@
 #include "tests/tasks/kinds/force_play.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::force_scores_test {
+namespace isograsp::tasks::force_scores_test {
 namespace {
 
 using test::Answer;
@@ -342,4 +342,4 @@ TEST(ForceScores, EveryTaskSaysWhyItHasNoValuesOfAnEmptyRecord) {
 }
 
 }  // namespace
-}  // namespace isograsp::force_scores_test
+}  // namespace isograsp::tasks::force_scores_test

@@ -9,7 +9,7 @@
 #include "tasks/task.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::grasp_score_test {
+namespace isograsp::tasks::grasp_score_test {
 namespace {
 
 using test::edited;
@@ -194,4 +194,4 @@ TEST(ScoreGrasp, EveryTaskInWhichAnObjectIsMovedGivesTheMeasuresOfTheGrasp) {
 }
 
 }  // namespace
-}  // namespace isograsp::grasp_score_test
+}  // namespace isograsp::tasks::grasp_score_test

@@ -20,12 +20,12 @@ struct Handled {
 };
 
 /// `hand` sees the view of the frame before and the object, which the task may have put somewhere.
-inline Signals play_object(const TaskSpec& spec,
-                           const std::function<Handled(const TaskView&, const Pose&)>& hand,
+inline Signals play_object(const tasks::TaskSpec& spec,
+                           const std::function<Handled(const tasks::TaskView&, const Pose&)>& hand,
                            double rate_Hz = 100.0) {
-  TaskContext context;
+  tasks::TaskContext context;
   context.period_s = 1.0 / rate_Hz;
-  const auto task = make_task(spec, context);
+  const auto task = tasks::make_task(spec, context);
   EXPECT_TRUE(task);
   Signals signals({"t_s",          "phase",           "sample_flags", "actual_force_N",
                    "target_x_m",   "target_y_m",      "target_z_m",   "target_angle_rad",
@@ -35,18 +35,18 @@ inline Signals play_object(const TaskSpec& spec,
                    "target_index", "targets_reached", "drops",        "contact_thumb",
                    "slip_thumb"});
   const auto about_z = [](const Quat& q) { return 2.0 * std::atan2(q.z(), q.w()); };
-  TaskView view;
+  tasks::TaskView view;
   Pose object;
   for (int k = 0;; ++k) {
     const Handled now = hand(view, object);
     ObjectState state;
     state.pose = now.pose;
-    TaskInput input;
+    tasks::TaskInput input;
     input.object = &state;
     input.contact[0] = now.contact;
     input.wrench_C[0].force.z() = input.wrench_C[1].force.z() = now.grip_N;
     view = (*task)->step(input);
-    if (view.phase == Phase::done) return signals;
+    if (view.phase == tasks::Phase::done) return signals;
     const Vec3& a = now.pose.p_WO;
     const Quat& q = now.pose.q_WO;
     const Vec3& b = view.target.p_WO;

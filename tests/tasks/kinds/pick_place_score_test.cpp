@@ -6,7 +6,7 @@
 #include "tests/tasks/kinds/object_play.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::pick_place_score_test {
+namespace isograsp::tasks::pick_place_score_test {
 namespace {
 
 using test::edited;
@@ -143,4 +143,4 @@ TEST(ScorePickPlace, AnObjectThatLeansHasThatErrorOfItsAxisAndOneThatTurnsOnTheS
 }
 
 }  // namespace
-}  // namespace isograsp::pick_place_score_test
+}  // namespace isograsp::tasks::pick_place_score_test

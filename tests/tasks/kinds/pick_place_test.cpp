@@ -5,7 +5,7 @@
 #include "tasks/task.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp::pick_place_test {
+namespace isograsp::tasks::pick_place_test {
 namespace {
 
 constexpr double kPeriod_s = 0.01;
@@ -257,4 +257,4 @@ TEST(PickPlace, NeverAllocates) {
 }
 
 }  // namespace
-}  // namespace isograsp::pick_place_test
+}  // namespace isograsp::tasks::pick_place_test

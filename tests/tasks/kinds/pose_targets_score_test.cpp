@@ -13,7 +13,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::pose_targets_score_test {
+namespace isograsp::tasks::pose_targets_score_test {
 namespace {
 
 using test::edited;
@@ -422,4 +422,4 @@ TEST(ScorePoseTargets, AWrittenAndReadBackTrialHasTheSameScoreBitForBit) {
 }
 
 }  // namespace
-}  // namespace isograsp::pose_targets_score_test
+}  // namespace isograsp::tasks::pose_targets_score_test

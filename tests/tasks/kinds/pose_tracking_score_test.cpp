@@ -8,7 +8,7 @@
 #include "tests/tasks/kinds/object_play.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::pose_tracking_score_test {
+namespace isograsp::tasks::pose_tracking_score_test {
 namespace {
 
 using test::find;
@@ -183,4 +183,4 @@ TEST(ScorePoseTracking, WithoutItsColumnsAMeasureSaysWhichIsMissing) {
 }
 
 }  // namespace
-}  // namespace isograsp::pose_tracking_score_test
+}  // namespace isograsp::tasks::pose_tracking_score_test

@@ -7,7 +7,7 @@
 #include "tasks/task.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace isograsp::pose_tracking_test {
+namespace isograsp::tasks::pose_tracking_test {
 namespace {
 
 using Axis = PoseTrackingSpec::Axis;
@@ -182,4 +182,4 @@ TEST(PoseTracking, StaysDoneAndRelaxedAndNeverAllocates) {
 }
 
 }  // namespace
-}  // namespace isograsp::pose_tracking_test
+}  // namespace isograsp::tasks::pose_tracking_test

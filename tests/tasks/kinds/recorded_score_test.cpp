@@ -9,7 +9,7 @@
 #include "tasks/task.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::recorded_score_test {
+namespace isograsp::tasks::recorded_score_test {
 namespace {
 
 using test::edited;
@@ -200,4 +200,4 @@ TEST(Recorded, TooFewCyclesGiveNoSynergy) {
 }
 
 }  // namespace
-}  // namespace isograsp::recorded_score_test
+}  // namespace isograsp::tasks::recorded_score_test

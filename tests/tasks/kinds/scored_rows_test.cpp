@@ -7,7 +7,7 @@
 #include "tests/tasks/kinds/force_play.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::scored_rows_test {
+namespace isograsp::tasks::scored_rows_test {
 namespace {
 
 using test::find;
@@ -178,4 +178,4 @@ TEST(ScoredRows, TheLastRowOfTheLastHalfCycleCounts) {
 }
 
 }  // namespace
-}  // namespace isograsp::scored_rows_test
+}  // namespace isograsp::tasks::scored_rows_test

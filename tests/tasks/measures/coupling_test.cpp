@@ -6,7 +6,7 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::coupling_test {
+namespace isograsp::tasks::coupling_test {
 namespace {
 
 using test::sampled;
@@ -37,8 +37,8 @@ TEST(Coupling, AGripThatFollowsLoadHasItsLagInBothDirectionsAtAnyRate) {
 
 TEST(Coupling, CorrelationIsPearsonsOfTheOverlapAtTheBestLag) {
   Random random(9);
-  UniformSamples grip{0.01, {}};
-  UniformSamples load{0.01, {}};
+  statistics::UniformSamples grip{0.01, {}};
+  statistics::UniformSamples load{0.01, {}};
   double wander = 0.0;
   for (int k = 0; k < 400; ++k) {
     wander = 0.9 * wander + random.gaussian();
@@ -59,11 +59,11 @@ TEST(Coupling, CorrelationIsPearsonsOfTheOverlapAtTheBestLag) {
 }
 
 TEST(Coupling, WithoutVariationOrTimeThereIsAReason) {
-  const UniformSamples flat{0.01, std::vector<double>(500, 0.1)};
-  const UniformSamples moving{0.01, sampled(times(500), load_at)};
+  const statistics::UniformSamples flat{0.01, std::vector<double>(500, 0.1)};
+  const statistics::UniformSamples moving{0.01, sampled(times(500), load_at)};
   EXPECT_EQ(grip_load_coupling(flat, moving).correlation.reason, "grip or load does not vary");
   EXPECT_EQ(grip_load_coupling(moving, flat).slope.reason, "grip or load does not vary");
-  const UniformSamples brief{0.01, std::vector<double>(50, 0.1)};
+  const statistics::UniformSamples brief{0.01, std::vector<double>(50, 0.1)};
   EXPECT_EQ(grip_load_coupling(brief, brief).lag_s.reason, "shorter than the lags that are tried");
   // A single rise, answered too late: correlation still grows at the largest lag tried.
   const auto rise = [](double t) { return std::tanh(t - 5.0); };
@@ -94,4 +94,4 @@ TEST(Coupling, SafetyMarginIsZeroWhereTheGripIsTheOneThatIsNeeded) {
 }
 
 }  // namespace
-}  // namespace isograsp::coupling_test
+}  // namespace isograsp::tasks::coupling_test

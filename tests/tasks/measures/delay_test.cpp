@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::delay_test {
+namespace isograsp::tasks::delay_test {
 namespace {
 
 using test::sampled;
@@ -20,7 +20,7 @@ double wander(double s) {
   return std::sin(1.3 * s) + 0.6 * std::sin(2.9 * s + 1.0);
 }
 
-Computed lag_of_delay(double delay_s, double rate_Hz) {
+statistics::Computed lag_of_delay(double delay_s, double rate_Hz) {
   const auto t = times(static_cast<std::size_t>(30.0 * rate_Hz), rate_Hz);
   return lag({1.0 / rate_Hz, sampled(t, wander)},
              {1.0 / rate_Hz, sampled(t, [&](double s) { return wander(s - delay_s); })});
@@ -30,7 +30,7 @@ TEST(Delay, LagOfAPureDelayIsTheDelayInBothDirectionsAndAtAnyRate) {
   constexpr double kParabola_s = 2e-4;  // a parabola is not quite the top of the correlation
   for (const double delay_s : {0.05, 0.15, 0.253, -0.2, 0.0, 1.2})
     for (const double rate_Hz : {100.0, 500.0}) {
-      const Computed found = lag_of_delay(delay_s, rate_Hz);
+      const statistics::Computed found = lag_of_delay(delay_s, rate_Hz);
       ASSERT_TRUE(found.value) << found.reason;
       EXPECT_NEAR(*found.value, delay_s, kParabola_s) << rate_Hz;
     }
@@ -39,7 +39,7 @@ TEST(Delay, LagOfAPureDelayIsTheDelayInBothDirectionsAndAtAnyRate) {
 TEST(Delay, LagIsFoundOnARampWithKneesWhereSumsOverAShrinkingOverlapFindZero) {
   const auto t = times(2000);
   const auto ramp = [](double s) { return std::clamp(s - 5.0, 0.0, 10.0); };
-  const Computed found =
+  const statistics::Computed found =
       lag({0.01, sampled(t, ramp)}, {0.01, sampled(t, [&](double s) { return ramp(s - 0.25); })});
   constexpr double kOneSample_s = 0.01;
   ASSERT_TRUE(found.value) << found.reason;
@@ -47,8 +47,8 @@ TEST(Delay, LagIsFoundOnARampWithKneesWhereSumsOverAShrinkingOverlapFindZero) {
 }
 
 /// The definition word by word: every shift, every overlap, two passes.
-std::optional<double> lag_by_definition(const UniformSamples& target,
-                                        const UniformSamples& actual) {
+std::optional<double> lag_by_definition(const statistics::UniformSamples& target,
+                                        const statistics::UniformSamples& actual) {
   const auto n = static_cast<int>(target.values.size());
   const int most = static_cast<int>(std::lround(1.5 / target.step_s));
   const auto r = [&](int shift) {
@@ -86,14 +86,14 @@ TEST(Delay, LagIsThatOfTheDefinitionOnNoisyShortAndLopsidedRecords) {
       for (const double offset : {0.0, 1e4})
         for (const double delay_s : {0.237, -0.4}) {
           const auto t = times(count);
-          UniformSamples target{0.01, sampled(t, wander)};
-          UniformSamples actual{0.01, {}};
+          statistics::UniformSamples target{0.01, sampled(t, wander)};
+          statistics::UniformSamples actual{0.01, {}};
           for (const double s : t)
             actual.values.push_back(offset + 3.0 * wander(s - delay_s) + noise * random.gaussian());
           // Rest for the first half: many overlaps hold hardly any of the change.
           if (noise == 0.05)
             std::fill_n(target.values.begin(), count / 2, target.values[count / 2]);
-          const Computed found = lag(target, actual);
+          const statistics::Computed found = lag(target, actual);
           const auto expected = lag_by_definition(target, actual);
           ASSERT_EQ(found.value.has_value(), expected.has_value()) << found.reason;
           if (expected) {
@@ -108,10 +108,10 @@ TEST(Delay, LagIsThatOfTheDefinitionOnRecordsShorterThanTheShifts) {
   int with_value = 0;
   for (const std::size_t count : {5u, 6u, 7u, 8u, 12u, 20u, 60u, 140u, 152u, 153u, 160u})
     for (int repetition = 0; repetition < 20; ++repetition) {
-      UniformSamples target{0.01, sampled(times(count), wander)};
-      UniformSamples actual = target;
+      statistics::UniformSamples target{0.01, sampled(times(count), wander)};
+      statistics::UniformSamples actual = target;
       for (double& value : actual.values) value += 0.1 * random.gaussian();
-      const Computed found = lag(target, actual);
+      const statistics::Computed found = lag(target, actual);
       const auto expected = lag_by_definition(target, actual);
       ASSERT_EQ(found.value.has_value(), expected.has_value()) << found.reason << " " << count;
       if (!expected) continue;
@@ -123,31 +123,32 @@ TEST(Delay, LagIsThatOfTheDefinitionOnRecordsShorterThanTheShifts) {
 }
 
 TEST(Delay, AStepAtTheVeryEndIsFoundThoughMostOverlapsAreConstant) {
-  UniformSamples target{0.01, std::vector<double>(1000, 2.0)};
-  UniformSamples actual = target;
+  statistics::UniformSamples target{0.01, std::vector<double>(1000, 2.0)};
+  statistics::UniformSamples actual = target;
   for (std::size_t k = 990; k < 1000; ++k) target.values[k] = 3.0;
   for (std::size_t k = 994; k < 1000; ++k) actual.values[k] = 3.0;
-  const Computed found = lag(target, actual);
+  const statistics::Computed found = lag(target, actual);
   ASSERT_TRUE(found.value) << found.reason;
   EXPECT_NEAR(*found.value, 0.04, 0.005);
 }
 
 TEST(Delay, LagHasNoValueWithoutVariationCorrelationOrPeak) {
   const auto t = times(1000);
-  const UniformSamples flat{0.01, std::vector<double>(1000, 0.1)};
-  const UniformSamples moving{0.01, sampled(t, wander)};
+  const statistics::UniformSamples flat{0.01, std::vector<double>(1000, 0.1)};
+  const statistics::UniformSamples moving{0.01, sampled(t, wander)};
   EXPECT_FALSE(lag(moving, flat).value);
   EXPECT_FALSE(lag(flat, moving).value);
-  UniformSamples noise{0.01, {}};
+  statistics::UniformSamples noise{0.01, {}};
   std::uint64_t state = 1;
   for (int k = 0; k < 1000; ++k) {
     state = (1103515245u * state + 12345u) % (1u << 31);
     noise.values.push_back(static_cast<double>(state));
   }
   EXPECT_FALSE(lag(moving, noise).value);
-  const UniformSamples late{0.01, sampled(times(1000), [](double s) { return wander(s - 1.9); })};
+  const statistics::UniformSamples late{
+      0.01, sampled(times(1000), [](double s) { return wander(s - 1.9); })};
   EXPECT_FALSE(lag(moving, late).value) << "the peak lies beyond the search range";
 }
 
 }  // namespace
-}  // namespace isograsp::delay_test
+}  // namespace isograsp::tasks::delay_test

@@ -9,7 +9,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp::digits_test {
+namespace isograsp::tasks::digits_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -156,4 +156,4 @@ TEST(Digits, SharesAddUpToAllAndABalancedThumbHasHalf) {
 }
 
 }  // namespace
-}  // namespace isograsp::digits_test
+}  // namespace isograsp::tasks::digits_test

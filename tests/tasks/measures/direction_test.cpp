@@ -7,7 +7,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp::direction_test {
+namespace isograsp::tasks::direction_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -87,4 +87,4 @@ TEST(Direction, NetPushIsRelativeToTheGripOfTheSameMoment) {
 }
 
 }  // namespace
-}  // namespace isograsp::direction_test
+}  // namespace isograsp::tasks::direction_test

@@ -8,7 +8,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::error_test {
+namespace isograsp::tasks::error_test {
 namespace {
 
 using test::sampled;
@@ -27,7 +27,7 @@ TEST(MeasuresError, RmseOfASineWithGainAndLagIsTheClosedForm) {
   const double omega = 2.0 * std::numbers::pi * 0.2;
   const auto t = times(3000);
   const auto target = sampled(t, [&](double s) { return 20.0 + 10.0 * std::sin(omega * s); });
-  const auto weight = hold_lengths(t);
+  const auto weight = statistics::hold_lengths(t);
   for (const Sine& c :
        {Sine{1.0, 0.15, 1.3309}, Sine{0.8343, 0.0, 1.1717}, Sine{0.8343, 0.15, 1.6884}}) {
     const auto actual = sampled(
@@ -46,7 +46,7 @@ TEST(MeasuresError, AConstantOffsetIsFoundByEveryErrorMeasureWithItsSign) {
   const auto target = sampled(t, [](double s) { return 5.0 + s; });
   auto actual = target;
   for (double& value : actual) value -= 0.75;
-  const auto weight = hold_lengths(t);
+  const auto weight = statistics::hold_lengths(t);
   EXPECT_NEAR(constant_error(target, actual, weight).value.value(), -0.75, kRounding);
   EXPECT_NEAR(mae(target, actual, weight).value.value(), 0.75, kRounding);
   EXPECT_NEAR(rmse(target, actual, weight).value.value(), 0.75, kRounding);
@@ -54,7 +54,7 @@ TEST(MeasuresError, AConstantOffsetIsFoundByEveryErrorMeasureWithItsSign) {
 
 TEST(MeasuresError, RowsWeighAsLongAsTheyHold) {
   const std::vector<double> t{0.0, 1.0, 4.0, 5.0};  // holds 1, 3, 1, 1
-  const auto weight = hold_lengths(t);
+  const auto weight = statistics::hold_lengths(t);
   const std::vector<double> target{0.0, 0.0, 0.0, 0.0};
   const std::vector<double> actual{1.0, 2.0, 0.0, -1.0};
   EXPECT_DOUBLE_EQ(constant_error(target, actual, weight).value.value(), 6.0 / 6.0);
@@ -97,7 +97,7 @@ TEST(MeasuresError, ACorridorWithoutWidthHasTheErrorsOfItsTarget) {
   const auto t = times(500);
   const auto target = sampled(t, [](double s) { return std::sin(s); });
   const auto actual = sampled(t, [](double s) { return std::sin(s - 0.2); });
-  const auto weight = hold_lengths(t);
+  const auto weight = statistics::hold_lengths(t);
   const Corridor found = corridor(target, target, actual, weight);
   EXPECT_NEAR(found.mean_outside.value.value(), mae(target, actual, weight).value.value(),
               kRounding);
@@ -121,7 +121,7 @@ TEST(MeasuresError, CvIsBlindToALineAndKnowsTheSineRoundIt) {
 
 TEST(MeasuresError, CvWithoutAMeanHasAReasonAndNoValue) {
   const auto t = times(4);
-  const Computed none = cv(t, std::vector<double>{1.0, -1.0, -1.0, 1.0});
+  const statistics::Computed none = cv(t, std::vector<double>{1.0, -1.0, -1.0, 1.0});
   EXPECT_FALSE(none.value);
   EXPECT_EQ(none.reason, "the mean is zero");
 }
@@ -145,19 +145,20 @@ TEST(MeasuresError, AWindowThatEndsWithinARowTakesItsShare) {
 }
 
 TEST(MeasuresError, HoldLengthsFollowTheRuleOfTheFileFormat) {
-  EXPECT_EQ(hold_lengths(std::vector<double>{0.0, 0.1, 0.2, 0.30000000000000004}),
+  EXPECT_EQ(statistics::hold_lengths(std::vector<double>{0.0, 0.1, 0.2, 0.30000000000000004}),
             std::vector<double>(4, 0.1));
-  EXPECT_EQ(hold_lengths(std::vector<double>{0.0, 1.0, 3.0}), (std::vector<double>{1.0, 2.0, 2.0}));
+  EXPECT_EQ(statistics::hold_lengths(std::vector<double>{0.0, 1.0, 3.0}),
+            (std::vector<double>{1.0, 2.0, 2.0}));
 }
 
 TEST(MeasuresError, NoSamplesIsAReasonNotANumber) {
   const std::vector<double> none;
-  for (const Computed& computed : {rmse(none, none, none), mae(none, none, none),
-                                   time_in_range(none, none, none), cv(none, none)}) {
+  for (const statistics::Computed& computed : {rmse(none, none, none), mae(none, none, none),
+                                               time_in_range(none, none, none), cv(none, none)}) {
     EXPECT_FALSE(computed.value);
     EXPECT_FALSE(computed.reason.empty());
   }
 }
 
 }  // namespace
-}  // namespace isograsp::error_test
+}  // namespace isograsp::tasks::error_test

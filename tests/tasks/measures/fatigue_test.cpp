@@ -5,7 +5,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::fatigue_test {
+namespace isograsp::tasks::fatigue_test {
 namespace {
 
 using test::sampled;
@@ -33,7 +33,7 @@ TEST(Fatigue, EnduranceEndsWhereTheForceFallsBelowEightyPercentForGood) {
     auto x = fading(t, 40.0, 0.02);  // 80 % at 15 s
     for (std::size_t k = 0; k < static_cast<std::size_t>(0.9 * rate_Hz); ++k)
       x[static_cast<std::size_t>(8.0 * rate_Hz) + k] = 1.0;  // a lapse of 0.9 s
-    const EventTime found = time_to_fatigue(t, x);
+    const statistics::EventTime found = time_to_fatigue(t, x);
     EXPECT_GE(found.time_s.value.value(), 15.0 - 1e-9);
     EXPECT_LE(found.time_s.value.value(), 15.0 + 1.0 / rate_Hz + 1e-9);
     EXPECT_FALSE(found.longer_than_s);
@@ -42,7 +42,7 @@ TEST(Fatigue, EnduranceEndsWhereTheForceFallsBelowEightyPercentForGood) {
 
 TEST(Fatigue, WhoHoldsOutIsCensoredAtTheEnd) {
   const auto t = times(3001);
-  const EventTime found = time_to_fatigue(t, fading(t, 40.0, 0.001));
+  const statistics::EventTime found = time_to_fatigue(t, fading(t, 40.0, 0.001));
   EXPECT_FALSE(found.time_s.value);
   EXPECT_NEAR(found.longer_than_s.value(), 30.0, 1e-12);
 }
@@ -58,4 +58,4 @@ TEST(Fatigue, WithoutFiveSecondsOfForceThereIsAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp::fatigue_test
+}  // namespace isograsp::tasks::fatigue_test

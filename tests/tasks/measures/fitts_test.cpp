@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::fitts_test {
+namespace isograsp::tasks::fitts_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -54,4 +54,4 @@ TEST(Fitts, TooFewOrIdenticalTrialsHaveAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp::fitts_test
+}  // namespace isograsp::tasks::fitts_test

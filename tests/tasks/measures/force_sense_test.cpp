@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::force_sense_test {
+namespace isograsp::tasks::force_sense_test {
 namespace {
 
 TEST(ForceSense, BiasAndScatterAreToldApart) {
@@ -39,4 +39,4 @@ TEST(ForceSense, OneRepetitionHasNoScatterAndNoneNothing) {
 }
 
 }  // namespace
-}  // namespace isograsp::force_sense_test
+}  // namespace isograsp::tasks::force_sense_test

@@ -7,7 +7,7 @@
 
 #include "tasks/record.hpp"
 
-namespace isograsp::known_delay_test {
+namespace isograsp::tasks::known_delay_test {
 namespace {
 
 TEST(KnownDelay, IsTakenOffAndTheRawValueStaysBeside) {
@@ -47,4 +47,4 @@ TEST(KnownDelay, IsThatOfTheSensorsAndOfADisplayThatWasMeasured) {
 }
 
 }  // namespace
-}  // namespace isograsp::known_delay_test
+}  // namespace isograsp::tasks::known_delay_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace isograsp::motion_test {
+namespace isograsp::tasks::motion_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -84,4 +84,4 @@ TEST(Motion, AStraightPathIsEfficientADetourCostsItsLength) {
 }
 
 }  // namespace
-}  // namespace isograsp::motion_test
+}  // namespace isograsp::tasks::motion_test

@@ -5,7 +5,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::onset_test {
+namespace isograsp::tasks::onset_test {
 namespace {
 
 using test::sampled;
@@ -121,4 +121,4 @@ TEST(Onset, TheLevelBeforeACueIsThatOfItsLastSecond) {
 }
 
 }  // namespace
-}  // namespace isograsp::onset_test
+}  // namespace isograsp::tasks::onset_test

@@ -8,7 +8,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::rate_test {
+namespace isograsp::tasks::rate_test {
 namespace {
 
 using test::sampled;
@@ -18,8 +18,8 @@ constexpr double kForgottenStart = 1e-5;  ///< what the filter still knows of it
 
 TEST(Rate, OfARampIsItsSlopeAtAnySampleAndRate) {
   for (const double rate_Hz : {100.0, 500.0}) {
-    const UniformSamples ramp{1.0 / rate_Hz,
-                              sampled(times(500, rate_Hz), [](double s) { return 2.0 - 7.0 * s; })};
+    const statistics::UniformSamples ramp{
+        1.0 / rate_Hz, sampled(times(500, rate_Hz), [](double s) { return 2.0 - 7.0 * s; })};
     const auto slopes = rate_of_change(ramp);
     ASSERT_TRUE(slopes);
     for (const double slope : slopes->values) EXPECT_NEAR(slope, -7.0, 7.0 * kForgottenStart);
@@ -103,4 +103,4 @@ TEST(Rate, TooFewOrTooSlowSamplesAreAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp::rate_test
+}  // namespace isograsp::tasks::rate_test

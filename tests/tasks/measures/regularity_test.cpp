@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::regularity_test {
+namespace isograsp::tasks::regularity_test {
 namespace {
 
 using test::sampled;
@@ -112,4 +112,4 @@ TEST(Regularity, SampleEntropyIgnoresScaleAndRefusesWhatItCannotCount) {
 }
 
 }  // namespace
-}  // namespace isograsp::regularity_test
+}  // namespace isograsp::tasks::regularity_test

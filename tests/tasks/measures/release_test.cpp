@@ -5,7 +5,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::release_test {
+namespace isograsp::tasks::release_test {
 namespace {
 
 using test::sampled;
@@ -119,4 +119,4 @@ TEST(Release, ToneAsHighAsWhatIsAskedIsNoGripUnlessMoreCanBeToldFromIt) {
 }
 
 }  // namespace
-}  // namespace isograsp::release_test
+}  // namespace isograsp::tasks::release_test

@@ -8,7 +8,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::sine_test {
+namespace isograsp::tasks::sine_test {
 namespace {
 
 using test::sampled;
@@ -128,4 +128,4 @@ TEST(Sines, WhatTheTargetDoesNotAskHasNoGainAndWhatIsNotAnsweredNoPhase) {
 }
 
 }  // namespace
-}  // namespace isograsp::sine_test
+}  // namespace isograsp::tasks::sine_test

@@ -12,7 +12,7 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::smoothness_test {
+namespace isograsp::tasks::smoothness_test {
 namespace {
 
 using test::sampled;
@@ -20,10 +20,10 @@ using test::times;
 
 constexpr double kPrintedDigits = 0.5e-5;  ///< reference values are printed with five decimals
 
-UniformSamples gaussian_bump() {
+statistics::UniformSamples gaussian_bump() {
   return {0.01, sampled(times(200, 100.0, -1.0), [](double t) { return std::exp(-5.0 * t * t); })};
 }
-UniformSamples minimum_jerk() {
+statistics::UniformSamples minimum_jerk() {
   return {0.01, sampled(times(101), [](double t) { return 30.0 * t * t * (1.0 - t) * (1.0 - t); })};
 }
 
@@ -36,7 +36,7 @@ TEST(MeasuresSmoothness, SparcAndLdljReproduceThePublishedValues) {
 }
 
 /// By its definition, from all lines of the padded spectrum.
-double slow_sparc(const UniformSamples& speed) {
+double slow_sparc(const statistics::UniformSamples& speed) {
   std::vector<std::complex<double>> spectrum(std::bit_ceil(speed.values.size()) * 16);
   std::copy(speed.values.begin(), speed.values.end(), spectrum.begin());
   fourier_transform(spectrum);
@@ -61,7 +61,7 @@ TEST(MeasuresSmoothness, SparcIsItsDefinitionAtAnyLengthAndRate) {
   Random random(3);
   for (const std::size_t count : {20u, 128u, 500u, 4000u})
     for (const double rate_Hz : {15.0, 40.0, 100.0, 500.0}) {
-      UniformSamples speed{1.0 / rate_Hz, {}};
+      statistics::UniformSamples speed{1.0 / rate_Hz, {}};
       double drift = 0.0;
       for (std::size_t k = 0; k < count; ++k) {
         drift = 0.97 * drift + random.gaussian();
@@ -73,20 +73,20 @@ TEST(MeasuresSmoothness, SparcIsItsDefinitionAtAnyLengthAndRate) {
 }
 
 TEST(MeasuresSmoothness, SizeOfTheMovementDoesNotMatterAndStopsMakeItLessSmooth) {
-  UniformSamples larger = minimum_jerk();
+  statistics::UniformSamples larger = minimum_jerk();
   for (double& v : larger.values) v *= 8.0;  // a power of two: exact
   EXPECT_EQ(sparc(larger).value, sparc(minimum_jerk()).value);
   EXPECT_EQ(ldlj(larger).value, ldlj(minimum_jerk()).value);
-  UniformSamples twice = minimum_jerk();
-  const UniformSamples once = minimum_jerk();
+  statistics::UniformSamples twice = minimum_jerk();
+  const statistics::UniformSamples once = minimum_jerk();
   twice.values.insert(twice.values.end(), once.values.begin(), once.values.end());
   EXPECT_LT(*sparc(twice).value, *sparc(once).value);
   EXPECT_LT(*ldlj(twice).value, *ldlj(once).value);
 }
 
 TEST(MeasuresSmoothness, SpeedOfASteadyDiagonalIsExactEverywhere) {
-  const UniformSamples x{0.5, {0.0, 1.5, 3.0, 4.5}};
-  const UniformSamples y{0.5, {0.0, 2.0, 4.0, 6.0}};
+  const statistics::UniformSamples x{0.5, {0.0, 1.5, 3.0, 4.5}};
+  const statistics::UniformSamples y{0.5, {0.0, 2.0, 4.0, 6.0}};
   const std::array axes{x, y};
   for (const double v : speed_of(axes).values) EXPECT_DOUBLE_EQ(v, 5.0);
 }
@@ -94,8 +94,8 @@ TEST(MeasuresSmoothness, SpeedOfASteadyDiagonalIsExactEverywhere) {
 TEST(MeasuresSmoothness, AForceHasTheSmoothnessOfAMovementOfItsShapeUpOrDown) {
   // The integral of the minimum-jerk speed: rises by one.
   const auto rise = [](double t) { return t * t * t * (10.0 - 15.0 * t + 6.0 * t * t); };
-  const UniformSamples up{0.01, sampled(times(101), rise)};
-  UniformSamples down = up;
+  const statistics::UniformSamples up{0.01, sampled(times(101), rise)};
+  statistics::UniformSamples down = up;
   for (double& value : down.values) value = 1.0 - value;
   constexpr double kDifferences = 1e-2;  // central differences instead of the speed itself
   EXPECT_NEAR(sparc(rate_of(up)).value.value(), -1.40583, kDifferences);
@@ -105,7 +105,7 @@ TEST(MeasuresSmoothness, AForceHasTheSmoothnessOfAMovementOfItsShapeUpOrDown) {
 }
 
 TEST(MeasuresSmoothness, WithoutMovementThereIsAReasonAndNoValue) {
-  const UniformSamples still{0.01, std::vector<double>(50, 0.0)};
+  const statistics::UniformSamples still{0.01, std::vector<double>(50, 0.0)};
   EXPECT_EQ(sparc(still).reason, "nothing moved");
   EXPECT_EQ(ldlj(still).reason, "nothing moved");
 }
@@ -113,7 +113,7 @@ TEST(MeasuresSmoothness, WithoutMovementThereIsAReasonAndNoValue) {
 TEST(MeasuresSmoothness, IrregularTimesAreResampledAtTheMedianStepAndALineStaysALine) {
   const std::vector<double> t{0.0, 0.1, 0.2, 0.3, 0.55, 0.65, 0.75};
   const auto x = sampled(t, [](double s) { return 2.0 + 3.0 * s; });
-  const UniformSamples even = on_uniform_grid(t, x);
+  const statistics::UniformSamples even = statistics::on_uniform_grid(t, x);
   constexpr double kRounding = 1e-12;
   EXPECT_NEAR(even.step_s, 0.1, kRounding);
   ASSERT_EQ(even.values.size(), 8u);
@@ -122,4 +122,4 @@ TEST(MeasuresSmoothness, IrregularTimesAreResampledAtTheMedianStepAndALineStaysA
 }
 
 }  // namespace
-}  // namespace isograsp::smoothness_test
+}  // namespace isograsp::tasks::smoothness_test

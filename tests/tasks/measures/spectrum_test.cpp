@@ -8,22 +8,22 @@
 #include "core/random.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::spectrum_test {
+namespace isograsp::tasks::spectrum_test {
 namespace {
 
 using test::sampled;
 using test::times;
 
-UniformSamples signal(double rate_Hz, double length_s, double (*f)(double)) {
+statistics::UniformSamples signal(double rate_Hz, double length_s, double (*f)(double)) {
   const auto t = times(static_cast<std::size_t>(length_s * rate_Hz), rate_Hz);
   return {1.0 / rate_Hz, sampled(t, f)};
 }
 double sine(double frequency_Hz, double t) {
   return std::sin(2.0 * std::numbers::pi * frequency_Hz * t);
 }
-UniformSamples white(std::size_t count, double rate_Hz) {
+statistics::UniformSamples white(std::size_t count, double rate_Hz) {
   Random random(5);
-  UniformSamples noise{1.0 / rate_Hz, {}};
+  statistics::UniformSamples noise{1.0 / rate_Hz, {}};
   for (std::size_t k = 0; k < count; ++k) noise.values.push_back(3.0 * random.gaussian());
   return noise;
 }
@@ -41,7 +41,7 @@ TEST(Spectrum, PowerOfASineIsHalfItsSquaredAmplitudeAtEitherRate) {
 
 TEST(Spectrum, AllFrequenciesTogetherAreThePowerOfTheWindowedSignal) {
   // Parseval: exact for one window.
-  UniformSamples one = white(400, 100.0);
+  statistics::UniformSamples one = white(400, 100.0);
   // Symmetric about its middle, with mean 0: the line that is removed is zero.
   for (std::size_t k = 0; k < 200; ++k) one.values[399 - k] = one.values[k];
   double mean = 0.0;
@@ -67,7 +67,7 @@ TEST(Spectrum, WhiteNoiseHasItsVarianceSpreadEvenly) {
 }
 
 TEST(Spectrum, SizeAndStartDoNotMatterForSharesAndAddingBandsAddsPower) {
-  UniformSamples noise = white(6000, 100.0);
+  statistics::UniformSamples noise = white(6000, 100.0);
   const PowerSpectrum spectrum = welch(noise);
   for (double& value : noise.values) value = 4.0 * value + 100.0;
   constexpr double kRounding = 1e-9;
@@ -98,4 +98,4 @@ TEST(Spectrum, WithoutAWholeWindowOrTheRateForABandThereIsAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp::spectrum_test
+}  // namespace isograsp::tasks::spectrum_test

@@ -7,7 +7,7 @@
 
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::steadiness_test {
+namespace isograsp::tasks::steadiness_test {
 namespace {
 
 using test::sampled;
@@ -76,4 +76,4 @@ TEST(Steadiness, WithoutSamplesOrMeanThereIsAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp::steadiness_test
+}  // namespace isograsp::tasks::steadiness_test

@@ -8,7 +8,7 @@
 #include "core/csv.hpp"
 #include "tests/tasks/samples.hpp"
 
-namespace isograsp::step_test {
+namespace isograsp::tasks::step_test {
 namespace {
 
 using test::sampled;
@@ -179,4 +179,4 @@ TEST(CuedStep, WhatIsNotReachedIsCensoredAndWhatWasNotAskedIsNot) {
 }
 
 }  // namespace
-}  // namespace isograsp::step_test
+}  // namespace isograsp::tasks::step_test

@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 
-namespace isograsp::synergy_test {
+namespace isograsp::tasks::synergy_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -95,4 +95,4 @@ TEST(Synergy, FewTrialsOrConstantForcesHaveAReason) {
 }
 
 }  // namespace
-}  // namespace isograsp::synergy_test
+}  // namespace isograsp::tasks::synergy_test

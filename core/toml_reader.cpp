@@ -77,7 +77,7 @@ std::optional<double> finite_number(const toml::node& node) {
   return std::nullopt;
 }
 
-std::string joined(std::initializer_list<std::string_view> names) {
+std::string joined(std::span<const std::string_view> names) {
   std::string text;
   for (const auto name : names) text += (text.empty() ? "" : ", ") + std::string(name);
   return text;
@@ -266,7 +266,7 @@ std::string TomlReader::text(std::string_view key, std::optional<std::string> fa
   return std::move(fallback).value_or("");
 }
 
-std::size_t TomlReader::choice(std::string_view key, std::initializer_list<std::string_view> names,
+std::size_t TomlReader::choice(std::string_view key, std::span<const std::string_view> names,
                                std::optional<std::size_t> fallback) {
   const bool present = has(key);
   if (!present && fallback) return *fallback;

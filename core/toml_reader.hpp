@@ -15,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,8 +39,12 @@ class TomlReader {
   bool boolean(std::string_view key, std::optional<bool> fallback = {});
   std::string text(std::string_view key, std::optional<std::string> fallback = {});
   /// The index of the text among `names`; anything else is an error that lists them.
-  std::size_t choice(std::string_view key, std::initializer_list<std::string_view> names,
+  std::size_t choice(std::string_view key, std::span<const std::string_view> names,
                      std::optional<std::size_t> fallback = {});
+  std::size_t choice(std::string_view key, std::initializer_list<std::string_view> names,
+                     std::optional<std::size_t> fallback = {}) {
+    return choice(key, std::span(names.begin(), names.size()), fallback);
+  }
   /// An array of finite numbers, between `least` and `most` of them. An absent key gives an empty
   /// vector if `required` is false.
   std::vector<double> numbers(std::string_view key, std::size_t least, std::size_t most,

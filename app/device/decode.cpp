@@ -12,6 +12,7 @@
 #include "app/device/live_device.hpp"
 #include "core/csv.hpp"
 #include "device/config/device_config.hpp"
+#include "device/config/family_facts.hpp"
 #include "device/recording/log_samples.hpp"
 
 namespace isograsp::app {
@@ -107,8 +108,7 @@ Result<void> run_decode(const DecodeOptions& options) {
 void add_decode(CommandLine& line) {
   auto options = std::make_shared<DecodeOptions>();
   Subcommand command = line.subcommand("decode", "A raw log to samples, offline");
-  command.option("--protocol", options->protocol, "rft, ati-netcanoem, jr3-can or net-ft")
-      .required();
+  command.option("--protocol", options->protocol, family_names()).required();
   command.option("--config", options->config, "Device file (TOML) with addresses and scales");
   command.option("LOG", options->log, "candump log; for net-ft a log of datagrams").required();
   command.option("--out", options->out, "Samples to write (CSV)").required();

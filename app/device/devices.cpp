@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +15,7 @@
 #include "app/device/live_device.hpp"
 #include "device/bus/bus.hpp"
 #include "device/config/device_config.hpp"
+#include "device/config/family_facts.hpp"
 #include "device/sensors/device_check.hpp"
 
 namespace isograsp::app {
@@ -28,24 +32,27 @@ struct DevicesOptions {
 };
 
 struct Scheme {
-  const char* uri;
-  const char* what;
-  const char* needs;
+  std::string uri;
+  std::string_view what;
+  std::string_view needs;
 };
-constexpr std::array<Scheme, 8> kSchemes{
-    {{"sim://healthy", "simulated sensors, pressed by a healthy virtual patient", "nothing"},
-     {"sim://paretic", "simulated sensors, pressed by a paretic virtual patient", "nothing"},
-     {"replay://FILE.csv?speed=1", "a recorded finger-forces file", "the file"},
-     {"can://IFACE?protocol=rft", "three Robotous RFT sensors on one CAN bus",
-      "a CAN adapter with a Linux driver, 1 Mbit/s, switched on"},
-     {"can://IFACE?protocol=ati-netcanoem", "three ATI sensors with CAN boards",
-      "a CAN adapter with a Linux driver, 250 kbit/s or as the boards are set, switched on"},
-     {"can://IFACE?protocol=jr3-can", "three JR3 sensors with open CAN adaptors",
-      "a CAN adapter with a Linux driver, 1 Mbit/s, switched on"},
-     {"udp://HOST,HOST,HOST?protocol=net-ft", "three ATI Net F/T boxes",
-      "a network to the boxes, their web page reachable"},
-     {"serial://PORT,PORT,PORT?protocol=rft", "three Robotous RFT sensors on serial lines",
-      "the right to open the ports (group dialout)"}}};
+
+/// What can be connected: the software, then the families of sensors, bus by bus.
+std::vector<Scheme> schemes() {
+  std::vector<Scheme> all{
+      {"sim://healthy", "simulated sensors, pressed by a healthy virtual patient", "nothing"},
+      {"sim://paretic", "simulated sensors, pressed by a paretic virtual patient", "nothing"},
+      {"replay://FILE.csv?speed=1", "a recorded finger-forces file", "the file"}};
+  constexpr std::array<std::string_view, 3> kBuses{"can://IFACE", "udp://HOST,HOST,HOST",
+                                                   "serial://PORT,PORT,PORT"};
+  for (const auto address : kBuses)
+    for (const FamilyFacts* family : all_families())
+      for (const FamilyBus& bus : family->buses)
+        if (address.substr(0, address.find(':')) == bus.scheme && !bus.devices.empty())
+          all.push_back({std::string(address) + "?protocol=" + std::string(family->name),
+                         bus.devices, bus.needs});
+  return all;
+}
 
 std::string needs_of(const CanInterface& interface) {
   return interface.up
@@ -53,33 +60,10 @@ std::string needs_of(const CanInterface& interface) {
              : "sudo ip link set " + interface.name + " up type can bitrate 1000000 restart-ms 100";
 }
 
-/// How a sensor is reached, in words.
-std::string way_of(const SensorConfig& sensor) {
-  char text[96];
-  if (const auto* rft = std::get_if<RftSensor>(&sensor.way)) {
-    if (!rft->address.empty()) return rft->address;
-    std::snprintf(text, sizeof text, "command 0x%02X, data 0x%02X and 0x%02X",
-                  static_cast<unsigned>(rft->ids.command), static_cast<unsigned>(rft->ids.first),
-                  static_cast<unsigned>(rft->ids.second));
-  } else if (const auto* ati = std::get_if<AtiSensor>(&sensor.way)) {
-    std::snprintf(text, sizeof text, "base 0x%02X, identifiers from 0x%03X, calibration %u",
-                  static_cast<unsigned>(ati->base), static_cast<unsigned>(ati->base) << 4,
-                  static_cast<unsigned>(ati->calibration));
-  } else if (const auto* jr3 = std::get_if<Jr3Sensor>(&sensor.way)) {
-    std::snprintf(text, sizeof text, "node %u", static_cast<unsigned>(jr3->node));
-  } else if (const auto* box = std::get_if<NetFtSensor>(&sensor.way)) {
-    return "box " + box->host;
-  } else {
-    std::snprintf(text, sizeof text, "subdevice %u",
-                  std::get<Jr3ComediSensor>(sensor.way).subdevice);
-  }
-  return text;
-}
-
 nlohmann::ordered_json as_json(const std::string& path, const DeviceConfig& config) {
   nlohmann::ordered_json document{
       {"config", path},
-      {"protocol", name_of(config.protocol)},
+      {"protocol", config.family->name},
       {"hand", config.hand ? nlohmann::ordered_json(name_of(*config.hand)) : "both"},
       {"rate_Hz", config.rate_Hz},
       {"filter_Hz", config.filter_Hz},
@@ -89,7 +73,7 @@ nlohmann::ordered_json as_json(const std::string& path, const DeviceConfig& conf
     const auto& s = config.sensors[f];
     document["sensors"].push_back(
         {{"finger", kFingerNames[f]},
-         {"way", way_of(s)},
+         {"way", config.family->place(s)},
          {"serial_number", s.serial_number},
          {"calibration", s.calibration ? nlohmann::ordered_json(s.calibration->file)
                                        : nlohmann::ordered_json(nullptr)}});
@@ -99,11 +83,11 @@ nlohmann::ordered_json as_json(const std::string& path, const DeviceConfig& conf
 
 void print_config(const std::string& path, const DeviceConfig& config) {
   print("%s is good: %s, %g Hz.\n", printable(path).c_str(),
-        std::string(title_of(config.protocol)).c_str(), config.rate_Hz);
+        std::string(config.family->title).c_str(), config.rate_Hz);
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& s = config.sensors[f];
     print("  %-6s  %s, serial number %s\n", std::string(kFingerNames[f]).c_str(),
-          printable(way_of(s)).c_str(),
+          printable(config.family->place(s)).c_str(),
           s.serial_number.empty() ? "any" : printable(s.serial_number).c_str());
   }
 }
@@ -206,7 +190,7 @@ Result<void> run_devices(const DevicesOptions& options) {
   if (options.json) {
     nlohmann::ordered_json document{{"schemes", nlohmann::ordered_json::array()},
                                     {"can_interfaces", nlohmann::ordered_json::array()}};
-    for (const auto& s : kSchemes)
+    for (const auto& s : schemes())
       document["schemes"].push_back({{"uri", s.uri}, {"what", s.what}, {"needs", s.needs}});
     for (const auto& i : interfaces)
       document["can_interfaces"].push_back(
@@ -215,8 +199,9 @@ Result<void> run_devices(const DevicesOptions& options) {
     return {};
   }
   print_lines("Devices");
-  for (const auto& s : kSchemes)
-    print("  %-26s  %s\n  %-26s  needs %s\n", s.uri, s.what, "", s.needs);
+  for (const auto& s : schemes())
+    print("  %-26s  %s\n  %-26s  needs %s\n", s.uri.c_str(), std::string(s.what).c_str(), "",
+          std::string(s.needs).c_str());
   print_lines("CAN interfaces of this computer");
   if (interfaces.empty()) print_lines("  none");
   for (const auto& i : interfaces)

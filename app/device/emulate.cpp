@@ -12,10 +12,10 @@
 #include "app/console.hpp"
 #include "app/device/live_device.hpp"
 #include "device/bus/bus.hpp"
+#include "device/config/family_facts.hpp"
 #include "device/emulator/emulator.hpp"
-#include "device/emulator/net_ft_server.hpp"
 #include "device/emulator/slcan_adapter.hpp"
-#include "device/sensors/open_sensors.hpp"
+#include "device/family/buses.hpp"
 #include "hand/finger_forces.hpp"
 #include "tasks/task.hpp"
 #include "virtual_patient/virtual_patient.hpp"
@@ -159,37 +159,6 @@ class AdapterFaults {
   std::size_t next_ = 0;
 };
 
-/// Three boxes on an address of this computer and the two after it. `where` becomes the device that
-/// finds them.
-Result<std::unique_ptr<Bus>> open_boxes(const std::string& on, const DeviceConfig& config,
-                                        std::string& where) {
-  const auto first = NetFtAddress::parse(on);
-  if (!first)
-    return Error{Error::Code::bad_input,
-                 "'" + on + "' is no address of boxes",
-                 "use --on 127.0.0.1:49152:8080 (records, web pages)",
-                 "",
-                 0,
-                 "--on"};
-  NetFtServerOptions options;
-  where = "udp://";
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    auto& box = options.boxes[f];
-    box.records = first->records;
-    box.pages = first->pages;
-    box.records.address += static_cast<std::uint32_t>(f);
-    box.pages.address += static_cast<std::uint32_t>(f);
-    box.config.rate_Hz = config.rate_Hz;
-    const auto& serial = config.sensors[f].serial_number;
-    box.config.serial_number = serial.empty() ? "EMUL-" + std::to_string(f + 1) : serial;
-    where += (f == 0 ? "" : ",") + box.records.text() + ":" + std::to_string(box.pages.port);
-  }
-  where += "?protocol=net-ft";
-  auto server = NetFtServer::open(std::move(options));
-  if (!server) return server.error();
-  return std::unique_ptr<Bus>(*std::move(server));
-}
-
 /// Plays until time is up or Ctrl-C; `every_look` is called at least ten times a second.
 void play_on(Bus& bus, Clock& clock, Emulator& emulator, double duration_s,
              const std::function<void(double)>& every_look) {
@@ -247,17 +216,17 @@ Result<void> run_emulate(const EmulateOptions& options) {
                  "",
                  0,
                  "--fault"};
-  if (config.protocol == Protocol::net_ft) {
-    auto boxes = open_boxes(options.on, config, where);
-    if (!boxes) return boxes.error();
-    bus = *std::move(boxes);
+  if (config.family->open_emulated != nullptr) {
+    auto opened = config.family->open_emulated(options.on, config, where);
+    if (!opened) return opened.error();
+    bus = *std::move(opened);
   } else if (adapter) {
     auto opened = SlcanAdapter::open(options.on.substr(kAdapter.size()));
     if (!opened) return opened.error();
     adapter_faults.emplace(faults, **opened);
     bus = *std::move(opened);
   } else {
-    auto opened = open_socketcan(options.on, command_ids(config));
+    auto opened = open_socketcan(options.on, can_ids(config).heard);
     if (!opened) return opened.error();
     bus = *std::move(opened);
   }
@@ -266,7 +235,7 @@ Result<void> run_emulate(const EmulateOptions& options) {
   watch_for_interrupt();
   Emulator emulator(*std::move(emulated), *std::move(play));
   if (!options.json)
-    print_note("three " + std::string(title_of(config.protocol)) + " sensors play on " + where);
+    print_note("three " + std::string(config.family->title) + " sensors play on " + where);
   play_on(*bus, clock, emulator, options.duration_s, [&](double play_time_s) {
     if (adapter_faults) adapter_faults->strike(play_time_s);
   });
@@ -279,8 +248,7 @@ Result<void> run_emulate(const EmulateOptions& options) {
 void add_emulate(CommandLine& line) {
   auto options = std::make_shared<EmulateOptions>();
   Subcommand command = line.subcommand("emulate", "Three sensors in software on a real bus");
-  command.option("--protocol", options->protocol, "rft, ati-netcanoem, jr3-can or net-ft")
-      .required();
+  command.option("--protocol", options->protocol, family_names()).required();
   command
       .option(
           "--on", options->on,

@@ -7,6 +7,7 @@
 
 #include "app/console.hpp"
 #include "app/paths.hpp"
+#include "device/config/family_facts.hpp"
 #include "device/config/uri.hpp"
 #include "device/sensors/frame_reader.hpp"
 #include "session/simulated_person.hpp"
@@ -48,19 +49,19 @@ Stimulus press_hold_release(double t_s, double grip_N) {
 }
 
 Result<DeviceConfig> family_config(const std::string& name, const std::string& file) {
-  const auto protocol = protocol_from_name(name);
-  if (!protocol || *protocol == Protocol::jr3_comedi)
+  const FamilyFacts* family = family_named(name);
+  if (family == nullptr || !family->on_wire())
     return Error{Error::Code::bad_input,
                  "no protocol is called '" + name + "'",
-                 "use rft, ati-netcanoem, jr3-can or net-ft",
+                 "use " + family_names(),
                  "",
                  0,
                  "--protocol"};
-  if (file.empty()) return DeviceConfig::standard(*protocol);
+  if (file.empty()) return DeviceConfig::standard(*family);
   auto config = DeviceConfig::read(file);
-  if (config && config->protocol != *protocol)
+  if (config && config->family != family)
     return Error{Error::Code::bad_input,
-                 "the file is for " + std::string(name_of(config->protocol)),
+                 "the file is for " + std::string(config->family->name),
                  "give a device file of this protocol",
                  file,
                  0,

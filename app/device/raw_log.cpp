@@ -5,6 +5,7 @@
 
 #include "device/bus/candump_log.hpp"
 #include "device/bus/datagram_log.hpp"
+#include "device/family/buses.hpp"
 #include "device/sensors/open_sensors.hpp"
 
 namespace isograsp::app {

@@ -4,16 +4,14 @@
 // SI units.
 #pragma once
 
+#include <any>
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "core/result.hpp"
 #include "core/spatial.hpp"
-#include "device/codec/rft_codec.hpp"
 #include "device/config/platform.hpp"
 #include "hand/finger.hpp"
 
@@ -21,15 +19,7 @@ namespace isograsp {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-enum class Protocol : std::uint8_t { rft, ati_netcanoem, jr3_can, net_ft, jr3_comedi };
-inline constexpr std::array<std::string_view, 5> kProtocolNames{"rft", "ati-netcanoem", "jr3-can",
-                                                                "net-ft", "jr3-comedi"};
-[[nodiscard]] constexpr std::string_view name_of(Protocol protocol) noexcept {
-  return kProtocolNames[static_cast<std::size_t>(protocol)];
-}
-/// For people: "Robotous RFT".
-[[nodiscard]] std::string_view title_of(Protocol protocol) noexcept;
-[[nodiscard]] std::optional<Protocol> protocol_from_name(std::string_view name) noexcept;
+struct FamilyFacts;
 
 /// How a sensor is mounted. The default is the half turn about the sensor's x axis: a sensor that
 /// is positive in tension has a negative Fz when a finger presses, and that is +z of C.
@@ -44,27 +34,6 @@ struct Mounting {
   [[nodiscard]] Wrench to_sensor(const Wrench& wrench_C) const noexcept;
 };
 
-// How one sensor is reached and read, by protocol.
-struct RftSensor {
-  RftIds ids;           ///< on CAN
-  std::string address;  ///< elsewhere: "192.168.0.200:311" or "/dev/ttyUSB0"
-  RftDivisors divisors;
-};
-struct AtiSensor {
-  std::uint8_t base = 0x20;      ///< upper seven bits of its identifiers
-  std::uint8_t calibration = 0;  ///< slot of the board that is used, 0 … 15
-};
-struct Jr3Sensor {
-  std::uint8_t node = 1;  ///< 1 … 127
-};
-struct NetFtSensor {
-  std::string host = "192.168.1.1";  ///< or with ports (NetFtAddress)
-};
-struct Jr3ComediSensor {
-  unsigned subdevice = 0;
-};
-using SensorWay = std::variant<RftSensor, AtiSensor, Jr3Sensor, NetFtSensor, Jr3ComediSensor>;
-
 /// A correction measured by the clinic: the true wrench is matrix times the sensor's own.
 struct ClinicCalibration {
   std::string file;
@@ -77,18 +46,27 @@ struct ClinicCalibration {
 };
 
 struct SensorConfig {
-  SensorWay way;
+  std::any way;  ///< how it is reached and set: RftSensor, AtiSensor, …, as its family has it
   std::string serial_number;                                   ///< empty: any sensor is accepted
   Vec6 range = (Vec6() << 150, 150, 200, 4, 4, 4).finished();  ///< rating [N, N m], sensor axes
   std::optional<ClinicCalibration> calibration;
   Mounting mounting;
 
+  /// @pre the family of the sensor has this type
+  template <class Way>
+  [[nodiscard]] const Way& as() const {
+    return std::any_cast<const Way&>(way);
+  }
+  template <class Way>
+  [[nodiscard]] Way& as() {
+    return std::any_cast<Way&>(way);
+  }
   /// By the clinic's calibration, if there is one; sensor frame. Real-time safe.
   [[nodiscard]] Wrench corrected(const Wrench& wrench_S) const noexcept;
 };
 
 struct DeviceConfig {
-  Protocol protocol = Protocol::rft;
+  const FamilyFacts* family = nullptr;  ///< of the three sensors; never null in what is made below
   std::string name;
   std::string interface;     ///< "can0"; a URI goes before it
   std::optional<Hand> hand;  ///< the platform serves this hand only
@@ -96,14 +74,12 @@ struct DeviceConfig {
   double filter_Hz = 30.0;   ///< low-pass in the sensor; 0: none
   int fir_taps = 0;          ///< of the low-pass on this computer, odd; 0: none
   double fir_cutoff_Hz = 31.25;
-  RftFilterTable filter_table = RftFilterTable::manual;
-  unsigned baud = 115200;  ///< serial lines only
   std::array<SensorConfig, kFingerCount> sensors;
   Platform platform;
 
   /// Addresses as the makers or this program recommend them, any serial number, mounted the default
   /// way.
-  [[nodiscard]] static DeviceConfig standard(Protocol protocol);
+  [[nodiscard]] static DeviceConfig standard(const FamilyFacts& family);
   /// Calibration files are looked for beside `file`. Errors name file, line and key.
   [[nodiscard]] static Result<DeviceConfig> parse(std::string_view text, const std::string& file);
   [[nodiscard]] static Result<DeviceConfig> read(const std::string& path);

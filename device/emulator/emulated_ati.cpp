@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <variant>
 
 #include <Eigen/LU>
+
+#include "device/config/ati_sensor.hpp"
 
 namespace isograsp {
 
@@ -119,7 +120,7 @@ void EmulatedAti::answer_unasked(Timestamp now, EmulatorWorld& world) {
 }
 
 std::unique_ptr<EmulatedSensor> make_emulated_ati(std::size_t finger, const DeviceConfig& config) {
-  const AtiSensor& sensor = std::get<AtiSensor>(config.sensors[finger].way);
+  const AtiSensor& sensor = config.sensors[finger].as<AtiSensor>();
   EmulatedAtiSettings settings;
   settings.base = sensor.base;
   settings.good_slot = sensor.calibration;

@@ -3,9 +3,11 @@
 // chosen calibration when its power dips. Matrix rows are Fx Fy Fz Tx Ty Tz of the sensor frame.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "device/codec/ati_codec.hpp"
+#include "device/config/device_config.hpp"
 #include "device/emulator/emulated_sensor.hpp"
 
 namespace isograsp {
@@ -51,5 +53,9 @@ class EmulatedAti final : public EmulatedSensor {
   Timestamp deaf_until_ = Timestamp::min();
   Timestamp play_start_ = Timestamp::max();
 };
+
+/// @pre config.sensors[finger] is reached as an AtiSensor
+[[nodiscard]] std::unique_ptr<EmulatedSensor> make_emulated_ati(std::size_t finger,
+                                                                const DeviceConfig& config);
 
 }  // namespace isograsp

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <variant>
+
+#include "device/config/jr3_sensor.hpp"
 
 namespace isograsp {
 
@@ -119,7 +120,7 @@ void EmulatedJr3::answer_unasked(Timestamp now, EmulatorWorld& world) {
 
 std::unique_ptr<EmulatedSensor> make_emulated_jr3(std::size_t finger, const DeviceConfig& config) {
   EmulatedJr3Settings settings;
-  settings.node = std::get<Jr3Sensor>(config.sensors[finger].way).node;
+  settings.node = config.sensors[finger].as<Jr3Sensor>().node;
   return std::make_unique<EmulatedJr3>(finger, settings);
 }
 

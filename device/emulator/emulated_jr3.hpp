@@ -4,8 +4,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "device/codec/jr3_codec.hpp"
+#include "device/config/device_config.hpp"
 #include "device/emulator/emulated_sensor.hpp"
 
 namespace isograsp {
@@ -51,5 +53,9 @@ class EmulatedJr3 final : public EmulatedSensor {
   RawCounts zero_{};
   Timestamp play_start_ = Timestamp::max();
 };
+
+/// @pre config.sensors[finger] is reached as a Jr3Sensor
+[[nodiscard]] std::unique_ptr<EmulatedSensor> make_emulated_jr3(std::size_t finger,
+                                                                const DeviceConfig& config);
 
 }  // namespace isograsp

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Net F/T box in software: idle at power-up, measures 7000 times a second inside and sends every
-// n-th measurement with both numbers. What of the faults is the network's is played by the
-// emulator round it.
+#include "device/emulator/emulated_net_ft.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include "device/codec/net_ft_codec.hpp"
-#include "device/emulator/emulated_sensor.hpp"
 
 namespace isograsp {
 

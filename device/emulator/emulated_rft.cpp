@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Robotous RFT sensor in software: idle at power-up, deaf to all but stop and bias while it
-// streams, identifiers that act after the next power-up.
+#include "device/emulator/emulated_rft.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <variant>
 
 #include "device/codec/rft_codec.hpp"
 #include "device/codec/rft_stream.hpp"
-#include "device/emulator/emulated_sensor.hpp"
+#include "device/config/rft_sensor.hpp"
 
 namespace isograsp {
 
@@ -24,7 +23,7 @@ class EmulatedRft final : public EmulatedSensor {
   EmulatedRft(std::size_t finger, const DeviceConfig& config)
       : EmulatedSensor(finger),
         sensor_(config.sensors[finger]),
-        rft_(std::get<RftSensor>(sensor_.way)),
+        rft_(sensor_.as<RftSensor>()),
         ids_(rft_.ids),
         ids_after_reboot_(ids_) {}
 

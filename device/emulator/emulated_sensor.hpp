@@ -5,14 +5,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 
 #include "core/spatial.hpp"
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
-#include "device/config/device_config.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp {
@@ -64,14 +62,5 @@ class EmulatedSensor {
  private:
   std::size_t finger_;
 };
-
-[[nodiscard]] std::unique_ptr<EmulatedSensor> make_emulated_rft(std::size_t finger,
-                                                                const DeviceConfig& config);
-[[nodiscard]] std::unique_ptr<EmulatedSensor> make_emulated_ati(std::size_t finger,
-                                                                const DeviceConfig& config);
-[[nodiscard]] std::unique_ptr<EmulatedSensor> make_emulated_jr3(std::size_t finger,
-                                                                const DeviceConfig& config);
-[[nodiscard]] std::unique_ptr<EmulatedSensor> make_emulated_net_ft(std::size_t finger,
-                                                                   const DeviceConfig& config);
 
 }  // namespace isograsp

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "device/config/family_facts.hpp"
+
 namespace isograsp {
 
 namespace {
@@ -14,17 +16,6 @@ using Kind = Fault::Kind;
 constexpr Timestamp kAnswerDelay = std::chrono::microseconds(600);  // assumed; not specified
 constexpr double kBeyondRange = 1.3;                                // of a saturated sensor
 constexpr std::uint8_t kFramesOnDemand = 64;
-
-std::unique_ptr<EmulatedSensor> make_sensor(std::size_t finger, const DeviceConfig& config) {
-  switch (config.protocol) {
-    case Protocol::ati_netcanoem: return make_emulated_ati(finger, config);
-    case Protocol::jr3_can: return make_emulated_jr3(finger, config);
-    case Protocol::net_ft: return make_emulated_net_ft(finger, config);
-    case Protocol::rft:
-    case Protocol::jr3_comedi: break;  // a card is no wire: the caller has refused it
-  }
-  return make_emulated_rft(finger, config);
-}
 
 bool happens_once(const Fault& fault) noexcept {
   return fault.kind == Kind::restart || fault.kind == Kind::burst;
@@ -37,7 +28,7 @@ Emulator::Emulator(EmulatorOptions options, FingerPlay play)
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     clock_error_[f] = options_.clock_error * (2.0 * uniform() - 1.0);
     phase_[f] = uniform();
-    sensors_[f] = make_sensor(f, options_.config);
+    sensors_[f] = options_.config.family->make_emulated(f, options_.config);
   }
   struck_.resize(options_.faults.size());
   departures_.reserve(kFramesOnDemand);

@@ -13,6 +13,7 @@
 
 #include "core/time.hpp"
 #include "device/config/device_config.hpp"
+#include "device/config/rft_sensor.hpp"
 #include "device/emulator/emulated_sensor.hpp"
 #include "device/emulator/fault.hpp"
 #include "device/emulator/finger_play.hpp"
@@ -21,7 +22,8 @@
 namespace isograsp {
 
 struct EmulatorOptions {
-  DeviceConfig config = DeviceConfig::standard(Protocol::rft);
+  /// Of a family whose sensors can be emulated (FamilyFacts::on_wire).
+  DeviceConfig config = DeviceConfig::standard(kRftFamily);
   std::uint64_t seed = 1;
   double clock_error = 200e-6;  ///< each sensor's own, uniform within plus or minus this
   int noise_counts = 0;         ///< each axis, uniform within plus or minus this

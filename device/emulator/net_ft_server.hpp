@@ -8,11 +8,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "core/result.hpp"
 #include "device/bus/bus.hpp"
 #include "device/bus/endpoint.hpp"
 #include "device/codec/net_ft_box_config.hpp"
+#include "device/config/device_config.hpp"
 
 namespace isograsp {
 
@@ -35,5 +37,11 @@ class NetFtServer : public Bus {
   [[nodiscard]] virtual Endpoint records(std::size_t finger) const = 0;
   [[nodiscard]] virtual Endpoint pages(std::size_t finger) const = 0;
 };
+
+/// Three boxes at `on` ("127.0.0.1:49152:8080": records, web pages) and the two addresses after it,
+/// with rate and serial numbers of the configuration. `uri` becomes the device that finds them.
+[[nodiscard]] Result<std::unique_ptr<Bus>> open_net_ft_boxes(const std::string& on,
+                                                             const DeviceConfig& config,
+                                                             std::string& uri);
 
 }  // namespace isograsp

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
@@ -19,6 +20,9 @@ struct AtiSample {
   AtiReading reading;
   Wrench wrench_S;     ///< [N, N m], before zero
   bool valid = false;  ///< no critical status and no saturated gage
+
+  [[nodiscard]] std::string flags() const { return ati_flags(reading); }  ///< words, for logs
+  [[nodiscard]] const RawCounts& raw() const noexcept { return reading.gages; }
 };
 
 /// Nothing is invented: a reading whose calibration is unknown makes no sample and is counted. A
@@ -39,6 +43,8 @@ class AtiDecoder {
   /// A decoder for the second reading of the same log, with what the first one learned.
   [[nodiscard]] AtiDecoder again() const noexcept { return AtiDecoder(base_, learned()); }
   [[nodiscard]] bool owns(const BusFrame& frame) const noexcept { return ati_owns(base_, frame); }
+  /// Every command is for one sensor.
+  [[nodiscard]] static bool for_all(const BusFrame&) noexcept { return false; }
   /// The sample that this frame completes. Frames in the order of the log, requests included.
   /// @pre owns(frame)
   [[nodiscard]] std::optional<AtiSample> push(const BusFrame& frame, Timestamp stamp) noexcept;

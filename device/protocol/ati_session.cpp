@@ -2,7 +2,8 @@
 #include "device/protocol/ati_session.hpp"
 
 #include <cstdio>
-#include <variant>
+
+#include "device/config/ati_sensor.hpp"
 
 namespace isograsp {
 
@@ -33,7 +34,7 @@ std::string name_of(std::uint8_t base) {
 }
 
 const AtiSensor& sensor_of(const DeviceConfig& config, std::size_t finger) {
-  return std::get<AtiSensor>(config.sensors[finger].way);
+  return config.sensors[finger].as<AtiSensor>();
 }
 
 }  // namespace

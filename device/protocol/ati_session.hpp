@@ -21,7 +21,7 @@ namespace isograsp {
 /// none; it is set up again then, as after 100 ms of silence.
 class AtiSession final : public SensorSession {
  public:
-  /// @pre config.protocol is Protocol::ati_netcanoem and config.rate_Hz > 0
+  /// @pre config.sensors[finger] is reached as an AtiSensor and config.rate_Hz > 0
   AtiSession(const DeviceConfig& config, std::size_t finger);
 
   [[nodiscard]] bool owns(const BusFrame& frame) const noexcept override;

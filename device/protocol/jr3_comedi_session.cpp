@@ -3,7 +3,8 @@
 
 #include <array>
 #include <charconv>
-#include <variant>
+
+#include "device/config/jr3_comedi_sensor.hpp"
 
 namespace isograsp {
 
@@ -12,7 +13,7 @@ namespace {
 constexpr Timestamp kCardAnswerTime = std::chrono::milliseconds(100);
 
 unsigned subdevice_of(const DeviceConfig& config, std::size_t finger) {
-  return std::get<Jr3ComediSensor>(config.sensors[finger].way).subdevice;
+  return config.sensors[finger].as<Jr3ComediSensor>().subdevice;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace isograsp {
 /// driver may have found another one, and it takes about ten seconds to begin.
 class Jr3ComediSession final : public SensorSession {
  public:
-  /// @pre config.protocol is Protocol::jr3_comedi, config.rate_Hz > 0 and
+  /// @pre config.sensors[finger] is reached as a Jr3ComediSensor, config.rate_Hz > 0 and
   /// jr3_comedi_filter(config.filter_Hz) exists
   Jr3ComediSession(const DeviceConfig& config, std::size_t finger);
 

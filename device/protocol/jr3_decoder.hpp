@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
@@ -18,6 +19,9 @@ struct Jr3Sample {
   Jr3Reading reading;
   Wrench wrench_S;     ///< [N, N m], before zero
   bool valid = false;  ///< no axis at the end of its number
+
+  [[nodiscard]] std::string flags() const { return valid ? "" : "saturated"; }  ///< for logs
+  [[nodiscard]] const RawCounts& raw() const noexcept { return reading.raw; }
 };
 
 /// Nothing is invented: a reading without known full scales makes no sample and is counted. Hosts
@@ -35,8 +39,9 @@ class Jr3Decoder {
 
   /// A decoder for the second reading of the same log, with what the first one learned.
   [[nodiscard]] Jr3Decoder again() const noexcept { return Jr3Decoder(node_, learned()); }
-  /// The synchronisation frame belongs to no sensor: is_jr3_sync().
   [[nodiscard]] bool owns(const BusFrame& frame) const noexcept { return jr3_owns(node_, frame); }
+  /// The synchronisation frame belongs to no sensor.
+  [[nodiscard]] static bool for_all(const BusFrame& frame) noexcept { return is_jr3_sync(frame); }
   /// The sample that this frame completes. Frames in the order of the log, requests included.
   /// @pre owns(frame)
   [[nodiscard]] std::optional<Jr3Sample> push(const BusFrame& frame, Timestamp stamp) noexcept;

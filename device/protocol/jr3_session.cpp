@@ -2,7 +2,8 @@
 #include "device/protocol/jr3_session.hpp"
 
 #include <numbers>
-#include <variant>
+
+#include "device/config/jr3_sensor.hpp"
 
 namespace isograsp {
 
@@ -20,7 +21,7 @@ struct Jr3Step {
 };
 
 std::uint8_t node_of(const DeviceConfig& config, std::size_t finger) {
-  return std::get<Jr3Sensor>(config.sensors[finger].way).node;
+  return config.sensors[finger].as<Jr3Sensor>().node;
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ namespace isograsp {
 /// The adaptor does not tell a serial number.
 class Jr3Session final : public SensorSession {
  public:
-  /// @pre config.protocol is Protocol::jr3_can, config.rate_Hz > 0 and jr3_cutoff(config.filter_Hz)
-  /// exists
+  /// @pre config.sensors[finger] is reached as a Jr3Sensor, config.rate_Hz > 0 and
+  /// jr3_cutoff(config.filter_Hz) exists
   Jr3Session(const DeviceConfig& config, std::size_t finger);
 
   [[nodiscard]] bool owns(const BusFrame& frame) const noexcept override;

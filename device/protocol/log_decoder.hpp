@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A raw log of a CAN bus to samples, offline. Values are in the sensor frames, before zero,
-// calibration of the clinic and mounting. Pure.
+// A raw log to samples, offline: those of a CAN bus frame by frame. Values are in the sensor
+// frames, before zero, calibration of the clinic and mounting. Pure.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "core/result.hpp"
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
-#include "device/config/device_config.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp {
@@ -42,6 +43,8 @@ class LogDecoder {
   virtual ~LogDecoder() = default;
   /// Whether the frame belongs to one of the sensors, as command, answer or sample.
   [[nodiscard]] virtual bool owns(const BusFrame& frame) const noexcept = 0;
+  /// Whether the frame is a command that is meant for all sensors, and belongs to none.
+  [[nodiscard]] virtual bool for_all(const BusFrame&) const noexcept { return false; }
   /// The sample that this frame completes. Frames in the order of the log. @pre owns(frame)
   [[nodiscard]] virtual std::optional<DecodedSample> push(const BusFrame& frame,
                                                           Timestamp stamp) = 0;
@@ -53,7 +56,18 @@ class LogDecoder {
   [[nodiscard]] virtual std::unique_ptr<LogDecoder> second_reading() const { return nullptr; }
 };
 
-/// @pre the protocol is one of CAN
-[[nodiscard]] std::unique_ptr<LogDecoder> make_log_decoder(const DeviceConfig& config);
+/// What a log held, by sensor and besides.
+struct LogReport {
+  std::array<DecodedCounts, kFingerCount> sensors{};
+  std::uint64_t commands = 0;  ///< that are meant for all sensors
+  std::uint64_t foreign = 0;   ///< frames that none of the sensors sends or hears
+};
+
+/// `time_text`: the log's own characters of the frame that completed the sample.
+using TakeSample = std::function<void(const std::string& time_text, Timestamp wall_time,
+                                      const DecodedSample& sample)>;
+
+/// `example`: a line that such a log could have.
+[[nodiscard]] Error empty_log(const std::string& path, const char* example);
 
 }  // namespace isograsp

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The conversations with three sensors, by protocol.
+// The conversations with three sensors, as their family has them.
 #pragma once
 
 #include <array>
 #include <memory>
 
-#include "device/codec/net_ft_box_config.hpp"
+#include "core/result.hpp"
 #include "device/config/device_config.hpp"
 #include "device/protocol/sensor_session.hpp"
 
@@ -13,12 +13,10 @@ namespace isograsp {
 
 using SensorSessions = std::array<std::unique_ptr<SensorSession>, kFingerCount>;
 
-/// What the boxes of Net F/T sensors said about themselves; others have none.
-using NetFtBoxes = std::array<NetFtBoxConfig, kFingerCount>;
-
-/// @pre the protocol has conversations: a card in this computer has none. The rate and filter of
-/// the configuration exist.
-[[nodiscard]] SensorSessions make_sessions(const DeviceConfig& config,
-                                           const NetFtBoxes& boxes = {});
+/// @pre rate and filter of the configuration exist
+[[nodiscard]] SensorSessions make_sessions(const DeviceConfig& config);
+/// The same, after asking sensors what their frames will not tell: what their counts mean. Errors
+/// name the finger. Not real-time safe: it may wait seconds for each sensor.
+[[nodiscard]] Result<SensorSessions> ask_sessions(const DeviceConfig& config);
 
 }  // namespace isograsp

@@ -2,9 +2,9 @@
 #include "device/protocol/net_ft_decoder.hpp"
 
 #include <algorithm>
-#include <variant>
 
 #include "device/codec/net_ft_box_config.hpp"
+#include "device/config/net_ft_sensor.hpp"
 
 namespace isograsp {
 
@@ -58,8 +58,7 @@ Result<NetFtFingers> NetFtFingers::in_order(std::vector<Endpoint> senders, const
 Result<NetFtFingers> NetFtFingers::of(const DeviceConfig& config) {
   NetFtFingers fingers;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const auto* sensor = std::get_if<NetFtSensor>(&config.sensors[f].way);
-    const std::string host = sensor != nullptr ? sensor->host : "";
+    const std::string& host = config.sensors[f].as<NetFtSensor>().host;
     if (const auto address = NetFtAddress::parse(host)) {
       fingers.box[f] = address->records;
       if (host.find(':') == std::string::npos) fingers.box[f]->port = 0;

@@ -4,7 +4,8 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <variant>
+
+#include "device/config/net_ft_sensor.hpp"
 
 namespace isograsp {
 
@@ -19,7 +20,7 @@ enum NetFtStep : int { kStop, kProbe, kSteps };
 
 NetFtSession::NetFtSession(const DeviceConfig& config, std::size_t finger, NetFtBoxConfig box)
     : SensorSession({config.sensors[finger].serial_number,
-                     std::get<NetFtSensor>(config.sensors[finger].way).host, 1.0 / config.rate_Hz}),
+                     config.sensors[finger].as<NetFtSensor>().host, 1.0 / config.rate_Hz}),
       finger_(static_cast<std::uint32_t>(finger)),
       box_(std::move(box)),
       sequence_(config.rate_Hz) {

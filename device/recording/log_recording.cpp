@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "device/config/family_facts.hpp"
 #include "device/recording/log_samples.hpp"
 #include "device/recording/recording.hpp"
 
@@ -39,7 +40,7 @@ Result<Recording> read_log_recording(const std::string& path, const DeviceConfig
   for (auto& sample : samples) sample.stamp -= first;
 
   DeviceInfo& info = recording.info;
-  info.description = "Recorded frames of " + std::string(title_of(config.protocol)) + ", " + path;
+  info.description = "Recorded frames of " + std::string(config.family->title) + ", " + path;
   info.sample_period_s = 1.0 / config.rate_Hz;
   info.hand = config.hand;
   info.platform = config.platform;

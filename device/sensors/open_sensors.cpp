@@ -8,10 +8,9 @@
 
 #include "device/bus/bus.hpp"
 #include "device/bus/tapped_bus.hpp"
-#include "device/comedi/comedi_bus.hpp"
+#include "device/config/family_facts.hpp"
 #include "device/config/fir.hpp"
 #include "device/protocol/make_sessions.hpp"
-#include "device/sensors/net_ft_setup.hpp"
 #include "device/sensors/sensor_device.hpp"
 
 namespace isograsp {
@@ -36,100 +35,18 @@ Result<std::array<std::string, kFingerCount>> addresses_in(const Uri& uri) {
   return addresses;
 }
 
-bool fits(const std::string& scheme, Protocol protocol) {
-  if (scheme == "replay") return protocol != Protocol::jr3_comedi;
-  switch (protocol) {
-    case Protocol::rft: return scheme == "can" || scheme == "udp" || scheme == "serial";
-    case Protocol::ati_netcanoem:
-    case Protocol::jr3_can: return scheme == "can";
-    case Protocol::net_ft: return scheme == "udp";
-    case Protocol::jr3_comedi: return scheme == "comedi";
-  }
-  return false;
+/// nullptr: the family is on no such bus.
+const FamilyBus* bus_of(const FamilyFacts& family, const std::string& scheme) {
+  const auto found = std::find_if(family.buses.begin(), family.buses.end(),
+                                  [&](const FamilyBus& bus) { return bus.scheme == scheme; });
+  return found == family.buses.end() ? nullptr : &*found;
 }
 
-void set_address(SensorConfig& sensor, const std::string& address) {
-  if (auto* rft = std::get_if<RftSensor>(&sensor.way)) rft->address = address;
-  if (auto* box = std::get_if<NetFtSensor>(&sensor.way)) box->host = address;
-}
-
-Result<std::unique_ptr<Bus>> open_bus(const Uri& uri, const DeviceConfig& config) {
-  if (uri.scheme == "can") return open_socketcan(config.interface, sensor_ids(config));
-  if (uri.scheme == "comedi") {
-    std::array<unsigned, kFingerCount> subdevices{};
-    for (std::size_t f = 0; f < kFingerCount; ++f)
-      subdevices[f] = std::get<Jr3ComediSensor>(config.sensors[f].way).subdevice;
-    return open_comedi_bus(uri.target, subdevices);
-  }
-  std::array<std::string, kFingerCount> addresses = udp_addresses(config);
-  if (uri.scheme == "serial")
-    for (std::size_t f = 0; f < kFingerCount; ++f)
-      addresses[f] = std::get<RftSensor>(config.sensors[f].way).address;
-  for (const auto& address : addresses)
-    if (address.empty())
-      return uri.error("config", "the address of a sensor is missing",
-                       "give address for each [[sensor]]");
-  return uri.scheme == "udp" ? open_udp(addresses) : open_serial(addresses, config.baud);
-}
-
-/// Every box tells on its web page what its counts mean.
-Result<NetFtBoxes> ask_boxes(const DeviceConfig& config) {
-  constexpr Timestamp kPatience = std::chrono::seconds(2);
-  NetFtBoxes boxes;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    auto box = set_up_net_ft_box(config, f, kPatience);
-    if (!box) return box.error();
-    boxes[f] = *std::move(box);
-  }
-  return boxes;
+bool fits(const std::string& scheme, const FamilyFacts& family) {
+  return scheme == "replay" ? family.on_wire() : bus_of(family, scheme) != nullptr;
 }
 
 }  // namespace
-
-std::array<std::string, kFingerCount> udp_addresses(const DeviceConfig& config) {
-  constexpr const char* kRftPort = ":311";
-  std::array<std::string, kFingerCount> addresses;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const SensorWay& way = config.sensors[f].way;
-    if (const auto* rft = std::get_if<RftSensor>(&way); rft != nullptr && !rft->address.empty())
-      addresses[f] = rft->address + (rft->address.find(':') == std::string::npos ? kRftPort : "");
-    if (const auto* box = std::get_if<NetFtSensor>(&way))
-      if (const auto address = NetFtAddress::parse(box->host))
-        addresses[f] = address->records.text();
-  }
-  return addresses;
-}
-
-std::vector<std::uint32_t> sensor_ids(const DeviceConfig& config) {
-  std::vector<std::uint32_t> ids;
-  for (const auto& sensor : config.sensors) {
-    if (const auto* rft = std::get_if<RftSensor>(&sensor.way)) {
-      ids.push_back(rft->ids.first);
-      ids.push_back(rft->ids.second);
-    } else if (const auto* ati = std::get_if<AtiSensor>(&sensor.way)) {
-      for (std::uint32_t op = 0; op < 16; ++op) ids.push_back(ati->base * 16U + op);
-    } else if (const auto* jr3 = std::get_if<Jr3Sensor>(&sensor.way)) {
-      for (const std::uint32_t op : {0x100U, 0x600U, 0x680U, 0x700U}) ids.push_back(op + jr3->node);
-    }
-  }
-  return ids;
-}
-
-std::vector<std::uint32_t> command_ids(const DeviceConfig& config) {
-  std::vector<std::uint32_t> ids;
-  for (const auto& sensor : config.sensors) {
-    if (const auto* rft = std::get_if<RftSensor>(&sensor.way)) {
-      ids.push_back(rft->ids.command);
-    } else if (const auto* ati = std::get_if<AtiSensor>(&sensor.way)) {
-      for (std::uint32_t op = 0; op < 16; ++op) ids.push_back(ati->base * 16U + op);
-    } else if (const auto* jr3 = std::get_if<Jr3Sensor>(&sensor.way)) {
-      constexpr std::uint32_t kSync = 0x080;
-      if (ids.empty()) ids.push_back(kSync);
-      for (std::uint32_t op = 0x180; op <= 0x580; op += 0x80) ids.push_back(op + jr3->node);
-    }
-  }
-  return ids;
-}
 
 Result<DeviceConfig> config_of(const Uri& uri) {
   const bool recorded = uri.scheme == "replay";
@@ -138,33 +55,32 @@ Result<DeviceConfig> config_of(const Uri& uri) {
       !known)
     return known.error();
   const auto name = uri.text_or("protocol", "");
-  const auto protocol = protocol_from_name(name);
-  if (!name.empty() && !protocol)
-    return uri.error("protocol", "no protocol is called '" + name + "'",
-                     "use rft, ati-netcanoem, jr3-can or net-ft");
+  const FamilyFacts* named = family_named(name);
+  if (!name.empty() && named == nullptr)
+    return uri.error("protocol", "no protocol is called '" + name + "'", "use " + family_names());
   const auto file = uri.text_or("config", "");
-  if (file.empty() && !protocol)
+  if (file.empty() && named == nullptr)
     return uri.error("protocol", "the protocol is missing", "add ?protocol=rft or ?config=FILE");
-  DeviceConfig config = DeviceConfig::standard(protocol.value_or(Protocol::rft));
-  if (!file.empty()) {
+  DeviceConfig config;
+  if (file.empty()) {
+    config = DeviceConfig::standard(*named);
+  } else {
     auto read = DeviceConfig::read(file);
     if (!read) return read.error();
-    if (protocol && *protocol != read->protocol)
-      return uri.error("protocol",
-                       "the configuration is for " + std::string(name_of(read->protocol)),
+    if (named != nullptr && named != read->family)
+      return uri.error("protocol", "the configuration is for " + std::string(read->family->name),
                        "leave protocol out or use another configuration");
     config = *std::move(read);
   }
-  if (!fits(uri.scheme, config.protocol))
-    return uri.error(
-        "protocol",
-        std::string(title_of(config.protocol)) + " sensors do not speak over " + uri.scheme + "://",
-        "see: isograsp devices");
+  const FamilyFacts& family = *config.family;
+  if (!fits(uri.scheme, family))
+    return uri.error("protocol",
+                     std::string(family.title) + " sensors do not speak over " + uri.scheme + "://",
+                     "see: isograsp devices");
   const auto rate_Hz = uri.number_or("rate", config.rate_Hz, 10.0, 1000.0);
   if (!rate_Hz) return rate_Hz.error();
-  if (config.protocol == Protocol::rft && !rft_rate_code(*rate_Hz))
-    return uri.error("rate", "the sensors have no such rate",
-                     "use 10, 20, 50, 100, 200, 333, 500 or 1000");
+  if (!family.has_rate(*rate_Hz))
+    return uri.error("rate", "the sensors have no such rate", std::string(family.rate_remedy));
   config.rate_Hz = *rate_Hz;
   const auto taps = uri.number_or("fir", config.fir_taps, 0.0, static_cast<double>(kMostFirTaps));
   if (!taps) return taps.error();
@@ -177,10 +93,11 @@ Result<DeviceConfig> config_of(const Uri& uri) {
     if (!uri.target.empty()) config.interface = uri.target;
     if (config.interface.empty())
       return uri.error("", "no interface is named", "write can://can0?protocol=rft");
-  } else if (!uri.target.empty() && uri.scheme != "comedi") {
+  } else if (!uri.target.empty() && family.set_address != nullptr) {
     const auto addresses = addresses_in(uri);
     if (!addresses) return addresses.error();
-    for (std::size_t f = 0; f < kFingerCount; ++f) set_address(config.sensors[f], (*addresses)[f]);
+    for (std::size_t f = 0; f < kFingerCount; ++f)
+      family.set_address(config.sensors[f], (*addresses)[f]);
   }
   return config;
 }
@@ -202,19 +119,14 @@ Result<std::unique_ptr<ForceDevice>> open_sensors(const Uri& uri, const DeviceOp
     error.file = uri.text;
     return error;
   };
-  NetFtBoxes boxes;
-  if (config->protocol == Protocol::net_ft) {
-    auto asked = ask_boxes(*config);
-    if (!asked) return asked.error();
-    boxes = *std::move(asked);
-  }
-  auto sessions = make_sessions(*config, boxes);
-  auto opened = open_bus(uri, *config);
+  auto sessions = ask_sessions(*config);
+  if (!sessions) return sessions.error();
+  auto opened = bus_of(*config->family, uri.scheme)->open(uri, *config);
   if (!opened) return named(opened.error());
   std::unique_ptr<Bus> bus = *std::move(opened);
   if (options.tap != nullptr) bus = std::make_unique<TappedBus>(std::move(bus), options.tap);
   return std::unique_ptr<ForceDevice>(std::make_unique<SensorDevice>(
-      std::move(bus), std::move(sessions), *config, fir, uri.text, place));
+      std::move(bus), *std::move(sessions), *config, fir, uri.text, place));
 }
 
 }  // namespace isograsp

@@ -3,11 +3,7 @@
 // three sensors on a bus.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "core/result.hpp"
 #include "device/config/device_config.hpp"
@@ -24,12 +20,5 @@ namespace isograsp {
 /// What a device URI says: the configuration file or the protocol's standard, with interface or
 /// addresses, rate and fir of the URI in force.
 [[nodiscard]] Result<DeviceConfig> config_of(const Uri& uri);
-
-/// "HOST:PORT" of each sensor on a network.
-[[nodiscard]] std::array<std::string, kFingerCount> udp_addresses(const DeviceConfig& config);
-/// Identifiers on CAN that these sensors send with.
-[[nodiscard]] std::vector<std::uint32_t> sensor_ids(const DeviceConfig& config);
-/// Identifiers on CAN that these sensors listen to.
-[[nodiscard]] std::vector<std::uint32_t> command_ids(const DeviceConfig& config);
 
 }  // namespace isograsp

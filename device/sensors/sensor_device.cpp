@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/csv.hpp"
+#include "device/config/family_facts.hpp"
 
 namespace isograsp {
 
@@ -47,7 +48,7 @@ SensorDevice::SensorDevice(std::unique_ptr<Bus> bus, SensorSessions sessions,
       place_(std::move(place)),
       fir_delay_s_(fir_delay_s(fir.size(), config.rate_Hz)) {
   info_.uri = std::move(uri);
-  info_.description = std::string(title_of(config.protocol)) + " on " + place_;
+  info_.description = std::string(config.family->title) + " on " + place_;
   info_.sample_period_s = 1.0 / config.rate_Hz;
   info_.hand = config.hand;
   info_.platform = config.platform;

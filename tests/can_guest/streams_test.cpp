@@ -8,6 +8,7 @@
 
 #include "device/bus/candump_log.hpp"
 #include "device/bus/tapped_bus.hpp"
+#include "device/config/family_facts.hpp"
 #include "device/protocol/log_decoder.hpp"
 #include "device/sensors/open_sensors.hpp"
 #include "tests/can_guest/bus_bench.hpp"
@@ -73,7 +74,7 @@ class EverySample : public testing::TestWithParam<Stream> {
 std::array<std::vector<Wrench>, kFingerCount> decode(const std::vector<TappedFrame>& frames,
                                                      const DeviceConfig& config) {
   std::array<std::vector<Wrench>, kFingerCount> samples;
-  const auto decoder = make_log_decoder(config);
+  const auto decoder = config.family->make_log_decoder(config);
   Timestamp newest{0};  // the driver lets no stamp go back
   for (const auto& frame : frames) {
     if (!decoder->owns(frame.frame)) continue;

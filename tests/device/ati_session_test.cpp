@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "device/bus/candump_log.hpp"
+#include "device/config/ati_sensor.hpp"
 #include "device/emulator/emulated_ati.hpp"
 #include "tests/device/conversation.hpp"
 #include "tests/support/no_alloc.hpp"
@@ -26,7 +27,7 @@ BusFrame frame(const std::string& text) {
 }
 
 DeviceConfig config_of(std::uint8_t slot = 0, double rate_Hz = kRate_Hz) {
-  DeviceConfig config = DeviceConfig::standard(Protocol::ati_netcanoem);
+  DeviceConfig config = DeviceConfig::standard(kAtiFamily);
   config.rate_Hz = rate_Hz;
   config.sensors[0].way = AtiSensor{0x20, slot};
   return config;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "device/config/net_ft_sensor.hpp"
 #include "device/protocol/net_ft_decoder.hpp"
 #include "tests/device/hex.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -175,7 +176,7 @@ TEST(NetFtFingers, AddressesInAscendingOrderAreThumbIndexMiddle) {
 }
 
 TEST(NetFtFingers, TheConfigurationMaySayOtherwise) {
-  auto config = DeviceConfig::standard(Protocol::net_ft);
+  auto config = DeviceConfig::standard(kNetFtFamily);
   config.sensors[0].way = NetFtSensor{"192.168.1.9"};
   config.sensors[1].way = NetFtSensor{"192.168.1.3:50000"};
   config.sensors[2].way = NetFtSensor{"192.168.1.1:49152:8080"};

@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "device/config/ati_sensor.hpp"
+#include "device/config/jr3_sensor.hpp"
+#include "device/config/net_ft_sensor.hpp"
+#include "device/config/rft_sensor.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::device_config_test {
@@ -26,7 +30,7 @@ TEST(DeviceConfig, TheShippedExampleIsTheStandardMap) {
       DeviceConfig::read(ISOGRASP_SOURCE_DIR "/library/devices/rft_three_fingers.toml");
   ASSERT_TRUE(config.ok()) << config.error().message();
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const RftIds& ids = std::get<RftSensor>(config->sensors[f].way).ids;
+    const RftIds& ids = config->sensors[f].as<RftSensor>().ids;
     EXPECT_EQ(ids.command, kRftIds[f].command);
     EXPECT_EQ(ids.first, kRftIds[f].first);
     EXPECT_EQ(ids.second, kRftIds[f].second);
@@ -38,8 +42,8 @@ TEST(DeviceConfig, TheShippedExampleIsTheStandardMap) {
 TEST(DeviceConfig, WhatIsLeftOutIsStandard) {
   const auto config = DeviceConfig::parse(kMinimal, "x.toml");
   ASSERT_TRUE(config.ok()) << config.error().message();
-  EXPECT_EQ(std::get<RftSensor>(config->sensors[1].way).divisors.force_per_N, 50.0);
-  EXPECT_EQ(std::get<RftSensor>(config->sensors[2].way).divisors.torque_per_Nm, 2000.0);
+  EXPECT_EQ(config->sensors[1].as<RftSensor>().divisors.force_per_N, 50.0);
+  EXPECT_EQ(config->sensors[2].as<RftSensor>().divisors.torque_per_Nm, 2000.0);
 }
 
 TEST(DeviceConfig, RefusesWhatCannotWork) {
@@ -85,16 +89,16 @@ TEST(DeviceConfig, EveryProtocolHasItsOwnKeys) {
   const auto ati = with("ati-netcanoem", "hand = \"left\"", "base_id = 0x30\ncalibration_slot = 3");
   ASSERT_TRUE(ati.ok()) << ati.error().message();
   EXPECT_EQ(ati->hand, Hand::left);
-  EXPECT_EQ(std::get<AtiSensor>(ati->sensors[1].way).base, 0x30);
-  EXPECT_EQ(std::get<AtiSensor>(ati->sensors[1].way).calibration, 3);
+  EXPECT_EQ(ati->sensors[1].as<AtiSensor>().base, 0x30);
+  EXPECT_EQ(ati->sensors[1].as<AtiSensor>().calibration, 3);
   const auto jr3 = with("jr3-can", "filter_Hz = 125", "node = 9");
   ASSERT_TRUE(jr3.ok()) << jr3.error().message();
   EXPECT_EQ(jr3->filter_Hz, 125.0);
-  EXPECT_EQ(std::get<Jr3Sensor>(jr3->sensors[1].way).node, 9);
+  EXPECT_EQ(jr3->sensors[1].as<Jr3Sensor>().node, 9);
   const auto box = with("net-ft", "rate_Hz = 500\nfir_taps = 33", "address = \"10.0.0.7\"");
   ASSERT_TRUE(box.ok()) << box.error().message();
   EXPECT_EQ(box->fir_taps, 33);
-  EXPECT_EQ(std::get<NetFtSensor>(box->sensors[1].way).host, "10.0.0.7");
+  EXPECT_EQ(box->sensors[1].as<NetFtSensor>().host, "10.0.0.7");
   const auto mounted = with("rft", "", "sign = -1\nsupport_position_m = [0.03, 0, 0]");
   ASSERT_TRUE(mounted.ok()) << mounted.error().message();
   EXPECT_EQ(mounted->sensors[1].mounting.sign, -1.0);

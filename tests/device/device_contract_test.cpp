@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every device promises, whatever its scheme. To add a device, add a maker below.
+// What every device promises, whatever its scheme. Families of sensors are those of the table; to
+// add another device, add a maker below.
 #include <cstring>
+#include <functional>
 
 #include <gtest/gtest.h>
 
+#include "device/config/net_ft_sensor.hpp"
+#include "device/config/rft_sensor.hpp"
 #include "device/recording/replay_device.hpp"
 #include "device/simulated/sim_device.hpp"
 #include "hand/finger_forces.hpp"
+#include "tests/device/families.hpp"
 #include "tests/device/scripted_source.hpp"
 #include "tests/device/sensor_bench.hpp"
 #include "tests/support/no_alloc.hpp"
@@ -54,9 +59,9 @@ std::unique_ptr<Rig> replayed(double jitter_s, const std::string& query) {
 }
 
 /// Real driver and emulated sensors on a bus made of memory.
-std::unique_ptr<Rig> wired(Protocol protocol, int fir_taps = 0, double rate_Hz = 100.0) {
+std::unique_ptr<Rig> wired(const FamilyFacts& family, int fir_taps = 0, double rate_Hz = 100.0) {
   auto rig = std::make_unique<Rig>();
-  DeviceConfig config = DeviceConfig::standard(protocol);
+  DeviceConfig config = DeviceConfig::standard(family);
   config.rate_Hz = rate_Hz;
   config.fir_taps = fir_taps;
   EmulatorOptions options;
@@ -70,8 +75,8 @@ std::unique_ptr<Rig> wired(Protocol protocol, int fir_taps = 0, double rate_Hz =
 }
 
 struct Maker {
-  const char* name;
-  std::unique_ptr<Rig> (*make)();
+  std::string name;
+  std::function<std::unique_ptr<Rig>()> make;
 };
 const Maker kRepeatable[] = {
     {"sim", [] { return simulated("sim://healthy?seed=7"); }},
@@ -81,15 +86,16 @@ const Maker kRepeatable[] = {
     {"replay_slow", [] { return replayed(0.0, "?speed=0.5"); }},
     {"replay_no_waiting", [] { return replayed(0.0, "?speed=0"); }},
 };
-// Real sensors run on, each by its own clock: what they send is never the same twice.
-const Maker kWired[] = {
-    {"rft", [] { return wired(Protocol::rft); }},
-    {"rft_500Hz_fir", [] { return wired(Protocol::rft, 33, 500.0); }},
-    {"ati_netcanoem", [] { return wired(Protocol::ati_netcanoem); }},
-    {"jr3_can", [] { return wired(Protocol::jr3_can); }},
-    {"net_ft", [] { return wired(Protocol::net_ft); }},
-    {"net_ft_1kHz_fir", [] { return wired(Protocol::net_ft, 65, 1000.0); }},
-};
+/// Every family of sensors, and two of them fast. Real sensors run on, each by its own clock: what
+/// they send is never the same twice.
+std::vector<Maker> wired_devices() {
+  std::vector<Maker> makers;
+  for (const FamilyFacts* family : test::emulated_families())
+    makers.push_back({test::test_name(*family), [family] { return wired(*family); }});
+  makers.push_back({"rft_500Hz_fir", [] { return wired(kRftFamily, 33, 500.0); }});
+  makers.push_back({"net_ft_1kHz_fir", [] { return wired(kNetFtFamily, 65, 1000.0); }});
+  return makers;
+}
 
 class DeviceContract : public ::testing::TestWithParam<Maker> {
  protected:
@@ -240,7 +246,8 @@ std::string name_of_maker(const ::testing::TestParamInfo<Maker>& info) {
 }
 INSTANTIATE_TEST_SUITE_P(Repeatable, DeviceContract, ::testing::ValuesIn(kRepeatable),
                          name_of_maker);
-INSTANTIATE_TEST_SUITE_P(Wired, DeviceContract, ::testing::ValuesIn(kWired), name_of_maker);
+INSTANTIATE_TEST_SUITE_P(Wired, DeviceContract, ::testing::ValuesIn(wired_devices()),
+                         name_of_maker);
 INSTANTIATE_TEST_SUITE_P(Repeatable, RepeatableDevice, ::testing::ValuesIn(kRepeatable),
                          name_of_maker);
 

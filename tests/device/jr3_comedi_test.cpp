@@ -8,6 +8,7 @@
 
 #include "device/codec/jr3_comedi_codec.hpp"
 #include "device/comedi/comedi_bus.hpp"
+#include "device/config/jr3_comedi_sensor.hpp"
 #include "device/protocol/jr3_comedi_session.hpp"
 #include "device/sensors/sensor_device.hpp"
 #include "tests/device/fake_comedi_card.hpp"
@@ -54,7 +55,7 @@ struct ComediBench {
     return samples;
   }
 
-  DeviceConfig config = DeviceConfig::standard(Protocol::jr3_comedi);
+  DeviceConfig config = DeviceConfig::standard(kJr3ComediFamily);
   FakeJr3 hardware;
   ManualClock clock;
   std::unique_ptr<SensorDevice> device;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "device/bus/candump_log.hpp"
+#include "device/config/jr3_sensor.hpp"
 #include "device/emulator/emulated_jr3.hpp"
 #include "tests/device/conversation.hpp"
 #include "tests/support/no_alloc.hpp"
@@ -25,7 +26,7 @@ BusFrame frame(const std::string& text) {
 }
 
 DeviceConfig config_of() {
-  DeviceConfig config = DeviceConfig::standard(Protocol::jr3_can);
+  DeviceConfig config = DeviceConfig::standard(kJr3Family);
   config.rate_Hz = 100.0;
   config.filter_Hz = 31.25;
   return config;

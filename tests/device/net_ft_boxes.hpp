@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "device/config/net_ft_sensor.hpp"
 #include "device/emulator/emulator.hpp"
 #include "device/emulator/net_ft_server.hpp"
 #include "device/protocol/net_ft_session.hpp"

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "device/config/net_ft_sensor.hpp"
+#include "device/emulator/emulated_net_ft.hpp"
 #include "tests/device/conversation.hpp"
 #include "tests/device/hex.hpp"
 #include "tests/support/no_alloc.hpp"
@@ -40,7 +42,7 @@ struct Bench : test::Conversation {
         sent.begin(), sent.end(), [&](const Sent& one) { return one.finger == finger; }));
   }
 
-  DeviceConfig config = DeviceConfig::standard(Protocol::net_ft);
+  DeviceConfig config = DeviceConfig::standard(kNetFtFamily);
 };
 
 TEST(NetFtSession, StopsAsksOnceAndStarts) {

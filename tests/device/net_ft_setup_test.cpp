@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pages of emulated boxes over real connections of the loopback interface.
-#include "device/sensors/net_ft_setup.hpp"
+#include "device/protocol/net_ft_setup.hpp"
 
 #include <atomic>
 #include <memory>
@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "device/bus/http_get.hpp"
+#include "device/config/net_ft_sensor.hpp"
 #include "device/emulator/net_ft_server.hpp"
 
 namespace isograsp::net_ft_setup_test {
@@ -51,7 +52,7 @@ class Boxes {
     return config;
   }
   [[nodiscard]] DeviceConfig device(double rate_Hz = 100.0) const {
-    auto config = DeviceConfig::standard(Protocol::net_ft);
+    auto config = DeviceConfig::standard(kNetFtFamily);
     config.rate_Hz = rate_Hz;
     for (std::size_t f = 0; f < kFingerCount; ++f)
       config.sensors[f].way =

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "device/config/fir.hpp"
+#include "device/config/rft_sensor.hpp"
 #include "device/sensors/sensor_device.hpp"
 #include "tests/device/counting_play.hpp"
 #include "tests/device/emulated_bus.hpp"
@@ -18,7 +19,7 @@ struct SensorBench {
   /// The driver believes `config`; the emulator has its own in `options`, of the same protocol,
   /// rate and filter.
   explicit SensorBench(EmulatorOptions options = {},
-                       const DeviceConfig& config = DeviceConfig::standard(Protocol::rft),
+                       const DeviceConfig& config = DeviceConfig::standard(kRftFamily),
                        FingerPlay play = counting_play(3000)) {
     options.config.rate_Hz = config.rate_Hz;
     auto owned = std::make_unique<EmulatedBus>(std::move(options), std::move(play));

@@ -8,7 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "device/config/ati_sensor.hpp"
+#include "device/config/net_ft_sensor.hpp"
+#include "device/config/rft_sensor.hpp"
 #include "device/sensors/frame_clock.hpp"
+#include "tests/device/families.hpp"
 #include "tests/device/sensor_bench.hpp"
 #include "tests/support/no_alloc.hpp"
 
@@ -162,8 +166,8 @@ TEST(SensorDevice, GoesOnWithTheOtherSensorsWhenOneStaysSilent) {
 }
 
 TEST(SensorDevice, NamesTheSensorThatDoesNotAnswer) {
-  DeviceConfig config = DeviceConfig::standard(Protocol::rft);
-  std::get<RftSensor>(config.sensors[1].way).ids = {0x70, 0x71, 0x72};  // nobody has these
+  DeviceConfig config = DeviceConfig::standard(kRftFamily);
+  config.sensors[1].as<RftSensor>().ids = {0x70, 0x71, 0x72};  // nobody has these
   test::SensorBench bench({}, config);
   const auto started = bench.device->start(bench.clock);
   ASSERT_FALSE(started.ok());
@@ -175,7 +179,7 @@ TEST(SensorDevice, NamesTheSensorThatDoesNotAnswer) {
 }
 
 TEST(SensorDevice, RefusesASensorWithAnotherSerialNumber) {
-  DeviceConfig config = DeviceConfig::standard(Protocol::rft);
+  DeviceConfig config = DeviceConfig::standard(kRftFamily);
   config.sensors[2].serial_number = "A-17";
   test::SensorBench bench({}, config);
   const auto started = bench.device->start(bench.clock);
@@ -204,7 +208,7 @@ TEST(SensorDevice, TellsWhatIsWrongWithTheBusAndForgetsItWhenFramesArrive) {
 }
 
 TEST(SensorDevice, FlagsOverloadAndSaturationAtOnce) {
-  DeviceConfig config = DeviceConfig::standard(Protocol::rft);
+  DeviceConfig config = DeviceConfig::standard(kRftFamily);
   config.sensors[0].range.head<3>().setConstant(0.04);  // two counts
   EmulatorOptions options;
   options.config = config;
@@ -247,7 +251,7 @@ TEST(SensorDevice, ReadingAllocatesNothing) {
 
 TEST(SensorDevice, FillsTheGridAtEveryRateOfTheSensors) {
   for (const double rate_Hz : {50.0, 100.0, 200.0, 333.0, 500.0, 1000.0}) {
-    DeviceConfig config = DeviceConfig::standard(Protocol::rft);
+    DeviceConfig config = DeviceConfig::standard(kRftFamily);
     config.rate_Hz = rate_Hz;
     test::SensorBench bench({}, config);
     ASSERT_TRUE(bench.device->start(bench.clock).ok());
@@ -276,23 +280,23 @@ struct Named {
   Finger finger;
 };
 
-class EveryProtocol : public ::testing::TestWithParam<Protocol> {
+class EveryProtocol : public ::testing::TestWithParam<const FamilyFacts*> {
  protected:
   [[nodiscard]] static test::SensorBench bench_with(const char* text) {
     EmulatorOptions options;
-    options.config = DeviceConfig::standard(GetParam());
+    options.config = DeviceConfig::standard(*GetParam());
     constexpr int kSensorNoise = 3;
     options.noise_counts = kSensorNoise;
     if (text != nullptr) options.faults = {fault(text)};
     FingerPlay still;
     still.t_s = {0.0};
     still.wrench_C = {FingerWrenches{}};
-    return test::SensorBench(options, DeviceConfig::standard(GetParam()), still);
+    return test::SensorBench(options, DeviceConfig::standard(*GetParam()), still);
   }
 };
 
 TEST_P(EveryProtocol, NamesTheFaultAndItsFingerAndRecoversWithinASecond) {
-  const bool numbered_datagrams = GetParam() == Protocol::net_ft;
+  const bool numbered_datagrams = GetParam() == &kNetFtFamily;
   const Named faults[] = {
       {"silence=index:1s@2s", DeviceFault::silence, Finger::index},
       // The same datagram again is a duplicate: nothing new comes.
@@ -337,13 +341,13 @@ TEST_P(EveryProtocol, RefusesToStartWithASilentSensorAndNamesIt) {
 TEST_P(EveryProtocol, ValuesThatMeanNothingAreNeverValid) {
   // Far beyond what any of these numbers can say.
   EmulatorOptions options;
-  options.config = DeviceConfig::standard(GetParam());
+  options.config = DeviceConfig::standard(*GetParam());
   FingerPlay crush;
   crush.t_s = {0.0};
   FingerWrenches wrenches{};
   for (auto& wrench : wrenches) wrench.force.z() = 1e7;
   crush.wrench_C = {wrenches};
-  test::SensorBench bench(options, DeviceConfig::standard(GetParam()), crush);
+  test::SensorBench bench(options, DeviceConfig::standard(*GetParam()), crush);
   ASSERT_TRUE(bench.device->start(bench.clock).ok());
   const auto samples = bench.read_for(200ms);
   ASSERT_FALSE(samples.empty());
@@ -353,20 +357,13 @@ TEST_P(EveryProtocol, ValuesThatMeanNothingAreNeverValid) {
   }
 }
 
-std::string name_of_protocol(const ::testing::TestParamInfo<Protocol>& tested) {
-  std::string name(name_of(tested.param));
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-INSTANTIATE_TEST_SUITE_P(Protocols, EveryProtocol,
-                         ::testing::Values(Protocol::rft, Protocol::ati_netcanoem,
-                                           Protocol::jr3_can, Protocol::net_ft),
-                         name_of_protocol);
+INSTANTIATE_TEST_SUITE_P(Protocols, EveryProtocol, ::testing::ValuesIn(test::emulated_families()),
+                         test::name_of_family);
 
 TEST(SensorDevice, RefusesTheWrongSensorOfEveryFamilyThatTellsItsNumber) {
-  for (const Protocol protocol : {Protocol::rft, Protocol::ati_netcanoem}) {
+  for (const FamilyFacts* family : {&kRftFamily, &kAtiFamily}) {
     EmulatorOptions options;
-    options.config = DeviceConfig::standard(protocol);
+    options.config = DeviceConfig::standard(*family);
     options.config.sensors[0].serial_number = "FT100";
     options.faults = {fault("wrongserial=thumb")};
     test::SensorBench bench(options, options.config);
@@ -382,7 +379,7 @@ TEST(SensorDevice, RefusesTheWrongSensorOfEveryFamilyThatTellsItsNumber) {
 TEST(SensorDevice, OverSampledForcesComeSmoothAndLateByTheDelayThatItTells) {
   // A step of the finger at a known time; the filter's answer passes half its height after the
   // delay.
-  DeviceConfig config = DeviceConfig::standard(Protocol::rft);
+  DeviceConfig config = DeviceConfig::standard(kRftFamily);
   config.rate_Hz = 500.0;
   config.filter_Hz = 0.0;
   config.fir_taps = 33;
@@ -435,7 +432,7 @@ TEST(SensorDevice, AFrozenSensorIsKnownWithinAFifthOfASecond) {
 }
 
 TEST(SensorDevice, AClinicsCalibrationActsInTheSensorFrame) {
-  DeviceConfig config = DeviceConfig::standard(Protocol::rft);
+  DeviceConfig config = DeviceConfig::standard(kRftFamily);
   ClinicCalibration calibration;
   calibration.matrix(2, 2) = 1.1;
   calibration.matrix(0, 2) = 0.05;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/device/families.hpp"
 #include "tests/device/sensor_bench.hpp"
 #include "tests/support/no_alloc.hpp"
 
@@ -13,10 +14,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-EmulatorOptions with_faults(Protocol protocol, std::initializer_list<const char*> faults,
+EmulatorOptions with_faults(const FamilyFacts& family, std::initializer_list<const char*> faults,
                             std::uint64_t seed) {
   EmulatorOptions options;
-  options.config = DeviceConfig::standard(protocol);
+  options.config = DeviceConfig::standard(family);
   options.seed = seed;
   constexpr int kSensorNoise = 3;
   options.noise_counts = kSensorNoise;
@@ -56,17 +57,17 @@ Taken read_for(test::SensorBench& bench, Timestamp duration) {
   return taken;
 }
 
-class Soak : public ::testing::TestWithParam<Protocol> {};
+class Soak : public ::testing::TestWithParam<const FamilyFacts*> {};
 
 TEST_P(Soak, WhatIsCountedIsWhatHappened) {
-  const Protocol protocol = GetParam();
+  const FamilyFacts& family = *GetParam();
   test::SensorBench bench(
       with_faults(
-          protocol,
+          family,
           {"lose=thumb:all:0.002", "lose=index:tx1:0.002", "lose=middle:tx2:0.002",
            "duplicate=all:0.002", "foreign=all:0.002", "length=index:0.001", "answer=all:0.002"},
           11),
-      DeviceConfig::standard(protocol), constant_play());
+      DeviceConfig::standard(family), constant_play());
   bench.bus->log_sent = false;
   ASSERT_TRUE(bench.device->start(bench.clock).ok());
   const auto emulated_before = bench.bus->emulator().counters();
@@ -95,7 +96,7 @@ TEST_P(Soak, WhatIsCountedIsWhatHappened) {
 }
 
 TEST_P(Soak, NoStateSticks) {
-  const Protocol protocol = GetParam();
+  const FamilyFacts& family = *GetParam();
   std::vector<std::string> texts;
   constexpr double kEvery_s = 7.0;
   const Timestamp whole = std::getenv("ISOGRASP_LONG") != nullptr ? 1h : 10min;
@@ -112,9 +113,9 @@ TEST_P(Soak, NoStateSticks) {
       default: texts.push_back("burst=" + finger + ":300" + at); break;
     }
   }
-  EmulatorOptions options = with_faults(protocol, {}, 12);
+  EmulatorOptions options = with_faults(family, {}, 12);
   for (const auto& text : texts) options.faults.push_back(Fault::parse(text).value());
-  test::SensorBench bench(options, DeviceConfig::standard(protocol), constant_play());
+  test::SensorBench bench(options, DeviceConfig::standard(family), constant_play());
   bench.bus->log_sent = false;
   ASSERT_TRUE(bench.device->start(bench.clock).ok());
   Timestamp faulted_since = Timestamp::max();
@@ -141,15 +142,8 @@ TEST_P(Soak, NoStateSticks) {
   EXPECT_GE(faults_told, texts.size() / 4);
 }
 
-std::string name_of_protocol(const ::testing::TestParamInfo<Protocol>& tested) {
-  std::string name(name_of(tested.param));
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-INSTANTIATE_TEST_SUITE_P(Protocols, Soak,
-                         ::testing::Values(Protocol::rft, Protocol::ati_netcanoem,
-                                           Protocol::jr3_can, Protocol::net_ft),
-                         name_of_protocol);
+INSTANTIATE_TEST_SUITE_P(Protocols, Soak, ::testing::ValuesIn(test::emulated_families()),
+                         test::name_of_family);
 
 }  // namespace
 }  // namespace isograsp::soak_test

@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "device/config/net_ft_sensor.hpp"
 #include "tests/device/net_ft_boxes.hpp"
 
 namespace isograsp::udp_boxes_test {
@@ -54,7 +55,7 @@ std::unique_ptr<Run> run_without_interruption(const EmulatorOptions& options) {
 
 TEST(UdpBusWithBoxes, EverySampleOfThreeBoxesArrivesWithItsValue) {
   EmulatorOptions options;
-  options.config = DeviceConfig::standard(Protocol::net_ft);
+  options.config = DeviceConfig::standard(kNetFtFamily);
   const auto run = run_without_interruption(options);
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& samples = run->samples[f];
@@ -76,7 +77,7 @@ TEST(UdpBusWithBoxes, EverySampleOfThreeBoxesArrivesWithItsValue) {
 
 TEST(UdpBusWithBoxes, CountsExactlyWhatTheNetworkDid) {
   EmulatorOptions options;
-  options.config = DeviceConfig::standard(Protocol::net_ft);
+  options.config = DeviceConfig::standard(kNetFtFamily);
   options.config.rate_Hz = 500.0;
   for (const char* fault : {"lose=thumb:all:0.05", "duplicate=index:0.05", "delay=middle:0.05:7ms"})
     options.faults.push_back(Fault::parse(fault).value());
@@ -99,7 +100,7 @@ TEST(UdpBusWithBoxes, CountsExactlyWhatTheNetworkDid) {
 
 TEST(UdpBusWithBoxes, ABoxThatRebootsComesBackByItself) {
   EmulatorOptions options;
-  options.config = DeviceConfig::standard(Protocol::net_ft);
+  options.config = DeviceConfig::standard(kNetFtFamily);
   options.faults.push_back(Fault::parse("reboot=index@0.3s").value());
   test::Boxes boxes(options);
   SteadyClock clock;
@@ -129,7 +130,7 @@ std::size_t resident_bytes() {
 TEST(UdpBusWithBoxes, MinutesOfFaultsLeaveNothingBehind) {
   const auto duration = std::getenv("ISOGRASP_LONG") != nullptr ? Timestamp(10min) : Timestamp(6s);
   EmulatorOptions options;
-  options.config = DeviceConfig::standard(Protocol::net_ft);
+  options.config = DeviceConfig::standard(kNetFtFamily);
   options.config.rate_Hz = 500.0;
   for (const char* fault : {"lose=all:all:0.01", "duplicate=all:0.01", "delay=middle:0.01:7ms"})
     options.faults.push_back(Fault::parse(fault).value());

@@ -2,13 +2,15 @@
 // The conversation with an ATI NETCANOEM sensor.
 #include "device/protocol/ati_session.hpp"
 
+#include "device/config/ati_sensor.hpp"
+#include "device/emulator/emulated_ati.hpp"
 #include "tests/fuzz/conversation.hpp"
 
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kFinger = 1;
-  static const DeviceConfig config = DeviceConfig::standard(Protocol::ati_netcanoem);
+  static const DeviceConfig config = DeviceConfig::standard(kAtiFamily);
   AtiSession session(config, kFinger);
   const auto sensor = make_emulated_ati(kFinger, config);
   fuzz::Numbers in(data, size);

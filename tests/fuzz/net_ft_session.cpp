@@ -2,13 +2,15 @@
 // The conversation with a Net F/T box.
 #include "device/protocol/net_ft_session.hpp"
 
+#include "device/config/net_ft_sensor.hpp"
+#include "device/emulator/emulated_net_ft.hpp"
 #include "tests/fuzz/conversation.hpp"
 
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kFinger = 2;
-  static const DeviceConfig config = DeviceConfig::standard(Protocol::net_ft);
+  static const DeviceConfig config = DeviceConfig::standard(kNetFtFamily);
   NetFtSession session(config, kFinger, NetFtBoxConfig());
   const auto sensor = make_emulated_net_ft(kFinger, config);
   fuzz::Numbers in(data, size);

@@ -2,14 +2,16 @@
 // The conversation with an RFT sensor on CAN.
 #include "device/protocol/rft_session.hpp"
 
+#include "device/config/rft_sensor.hpp"
+#include "device/emulator/emulated_rft.hpp"
 #include "tests/fuzz/conversation.hpp"
 
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kFinger = 1;
-  static const DeviceConfig config = DeviceConfig::standard(Protocol::rft);
-  const RftIds ids = std::get<RftSensor>(config.sensors[kFinger].way).ids;
+  static const DeviceConfig config = DeviceConfig::standard(kRftFamily);
+  const RftIds ids = config.sensors[kFinger].as<RftSensor>().ids;
   RftSession::Settings settings;
   settings.way = ids;
   RftSession session(settings);

@@ -6,6 +6,7 @@
 
 #include <sys/resource.h>
 
+#include "device/config/net_ft_sensor.hpp"
 #include "operator.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/device/net_ft_boxes.hpp"
@@ -40,7 +41,7 @@ class FaultDuringATrial : public QtTest {
   /// Three boxes, one of which will have that fault; free handling is chosen.
   void connect(const std::string& fault) {
     EmulatorOptions options;
-    options.config = DeviceConfig::standard(Protocol::net_ft);
+    options.config = DeviceConfig::standard(kNetFtFamily);
     constexpr int kDither = 3;  // counts
     options.noise_counts = kDither;
     if (!fault.empty()) options.faults.push_back(*Fault::parse(fault));

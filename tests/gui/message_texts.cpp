@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/files.hpp"
-#include "device/config/device_config.hpp"
+#include "device/config/family_facts.hpp"
 #include "tests/gui/source_messages.hpp"
 
 namespace isograsp::gui {
@@ -67,10 +67,6 @@ Texts named_in_messages() {
       // of a file
       "a table", "an array", "text", "an integer", "a number", "true or false", "a date or time",
       "%1 values", "%1 to %2", "missing", "mass", "inertia",
-      "use 0 (none), 500, 300, 200, 150, 100, 50, 40, 30, 20, 10, 5, 3, 2 or 1",
-      "use 0 (none) to 655.35", "use 0 (none), 500, 125, 31.25, 7.8125, 1.953125 or 0.48828125",
-      "this board has none: leave filter_Hz out and use fir_taps",
-      "set it in the box's web page, leave filter_Hz out",
       // of this computer
       "SCHED_FIFO %1, memory locked", "SCHED_FIFO %1, memory not locked (%2)",
       "ordinary scheduling (%1), memory locked", "ordinary scheduling (%1), memory not locked (%2)",
@@ -79,7 +75,9 @@ Texts named_in_messages() {
       // of people and what is stored of them
       "right", "left", "thumb", "index", "middle", "therapist", "researcher", "administrator",
       "maximum force", "comfortable force", "primary measure", "stable time", "treatment mark",
-      "clinical score", "'%1' is the name of another file", "No tasks in %1/tasks."};
+      "clinical score", "'%1' is the name of another file", "No tasks in %1/tasks.",
+      // of the families of sensors
+      "use " + family_names()};
   // Of the system, in the words of the C library.
   for (const int failure :
        {EACCES,       EADDRINUSE,   EADDRNOTAVAIL, EBUSY,  ECONNREFUSED, ECONNRESET, EDQUOT,
@@ -146,9 +144,8 @@ Texts named_in_messages() {
 /// What a device or a recording is called where it is not one of the library.
 Texts descriptions() {
   Texts texts{"Recorded forces, %1", "Simulated sensors, %1 patient"};
-  for (const auto protocol : {Protocol::rft, Protocol::ati_netcanoem, Protocol::jr3_can,
-                              Protocol::net_ft, Protocol::jr3_comedi}) {
-    const std::string title(title_of(protocol));
+  for (const FamilyFacts* family : all_families()) {
+    const std::string title(family->title);
     texts.insert(title + " on %1");
     texts.insert("Recorded frames of " + title + ", %1");
   }

@@ -3,6 +3,7 @@
 // run begins no trial with it, like the windows. Real datagrams of emulated boxes, in real time.
 #include <gtest/gtest.h>
 
+#include "device/config/net_ft_sensor.hpp"
 #include "session/acquisition/zeroing.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "storage/access/open_store.hpp"
@@ -55,7 +56,7 @@ class BoxesAtRest {
  private:
   [[nodiscard]] static EmulatorOptions options() {
     EmulatorOptions options;
-    options.config = DeviceConfig::standard(Protocol::net_ft);
+    options.config = DeviceConfig::standard(kNetFtFamily);
     constexpr int kDither = 3;  // counts
     options.noise_counts = kDither;
     options.faults.push_back(*Fault::parse("dip=index@12s"));

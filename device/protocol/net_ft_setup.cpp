@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "device/sensors/net_ft_setup.hpp"
+#include "device/protocol/net_ft_setup.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "core/csv.hpp"
 #include "device/bus/http_get.hpp"
+#include "device/config/net_ft_sensor.hpp"
 
 namespace isograsp {
 
@@ -70,7 +70,7 @@ bool same_rate(double a_Hz, double b_Hz) noexcept {
 Result<NetFtBoxConfig> set_up_net_ft_box(const DeviceConfig& config, std::size_t finger,
                                          Timestamp limit) {
   const SensorConfig& sensor = config.sensors[finger];
-  const std::string& host = std::get<NetFtSensor>(sensor.way).host;
+  const std::string& host = sensor.as<NetFtSensor>().host;
   const auto address = NetFtAddress::parse(host);
   if (!address)
     return Error{Error::Code::bad_input,

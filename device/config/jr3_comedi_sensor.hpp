@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a JR3 sensor on a PCI card is reached (SensorConfig::way).
+#pragma once
+
+namespace isograsp {
+
+struct FamilyFacts;
+
+struct Jr3ComediSensor {
+  unsigned subdevice = 0;  ///< 0 … 3
+};
+
+extern const FamilyFacts kJr3ComediFamily;
+
+}  // namespace isograsp

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Adding a family of sensors takes new files and one row of the table: triax.patch does it, and
+// this program is built with what it makes (see CMakeLists.txt). The contract of all devices,
+// compiled into it too, then holds for the new family unasked.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "core/files.hpp"
+#include "device/bus/candump_log.hpp"
+#include "device/codec/triax_codec.hpp"
+#include "device/config/triax_sensor.hpp"
+#include "device/family/buses.hpp"
+#include "device/recording/log_samples.hpp"
+#include "device/sensors/open_sensors.hpp"
+#include "tests/device/sensor_bench.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::new_family_test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+struct Change {
+  bool new_file = false;
+  std::vector<std::string> added;
+  int removed = 0;
+};
+
+/// By the path of the file that is there afterwards.
+std::map<std::string, Change> changes_of(const std::string& patch) {
+  std::map<std::string, Change> changes;
+  Change* change = nullptr;
+  std::string before;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = patch.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    const std::string line = patch.substr(begin, end - begin);
+    if (line.starts_with("--- ")) {
+      before = line.substr(4);
+    } else if (line.starts_with("+++ b/")) {
+      change = &changes[line.substr(6)];
+      change->new_file = before == "/dev/null";
+    } else if (line.starts_with("+++ ")) {
+      ADD_FAILURE() << "a file is taken away: " << before;
+    } else if (change != nullptr && line.starts_with("+")) {
+      change->added.push_back(line.substr(1));
+    } else if (change != nullptr && line.starts_with("-")) {
+      ++change->removed;
+    }
+  }
+  return changes;
+}
+
+TEST(NewFamily, IsNewFilesAndOneRow) {
+  const auto patch = read_text(ISOGRASP_SOURCE_DIR "/tests/new_family/triax.patch");
+  const auto lists = read_text(ISOGRASP_PATCHED_TREE "/device/CMakeLists.txt");
+  ASSERT_TRUE(patch.ok() && lists.ok());
+  int new_files = 0;
+  for (const auto& [file, change] : changes_of(*patch)) {
+    EXPECT_EQ(change.removed, 0) << file;
+    if (change.new_file) {
+      ++new_files;
+      EXPECT_FALSE(fs::exists(fs::path(ISOGRASP_SOURCE_DIR) / file)) << file;
+      if (file.ends_with(".cpp")) {
+        EXPECT_NE(lists->find(file.substr(file.find('/') + 1)), std::string::npos) << file;
+      }
+    } else if (file == "device/family/families.cpp") {
+      EXPECT_EQ(change.added,
+                (std::vector<std::string>{"#include \"device/config/triax_sensor.hpp\"",
+                                          "    &kTriaxFamily,"}));
+    } else {
+      EXPECT_EQ(file, "device/CMakeLists.txt") << "beside the table, the list of sources alone";
+    }
+  }
+  EXPECT_EQ(new_files, 9);
+}
+
+TEST(NewFamily, IsKnownByItsName) {
+  EXPECT_EQ(all_families().size(), 6U);
+  EXPECT_EQ(family_named("triax"), &kTriaxFamily);
+  EXPECT_EQ(family_names(), "rft, ati-netcanoem, jr3-can, net-ft or triax");
+}
+
+Result<DeviceConfig> with(const std::string& index) {
+  return DeviceConfig::parse(
+      "format = \"isograsp-device-1\"\nprotocol = \"triax\"\n[[sensor]]\nfinger = \"thumb\"\n"
+      "[[sensor]]\nfinger = \"middle\"\n[[sensor]]\nfinger = \"index\"\n" +
+          index,
+      "x.toml");
+}
+
+TEST(NewFamily, HasItsOwnKeys) {
+  const auto config = with("node = 9\n");
+  ASSERT_TRUE(config.ok()) << config.error().message();
+  EXPECT_EQ(config->family, &kTriaxFamily);
+  EXPECT_EQ(config->sensors[1].as<TriaxSensor>().node, 9);
+  EXPECT_EQ(config->sensors[2].as<TriaxSensor>().node, 3) << "as it is standard";
+  EXPECT_EQ(can_ids(*config).heard, (std::vector<std::uint32_t>{0x281, 0x289, 0x283}));
+  EXPECT_FALSE(with("node = 128\n").ok());
+  EXPECT_FALSE(with("node = 3\n").ok()) << "the middle finger has it";
+  EXPECT_FALSE(with("first_id = 3\n").ok()) << "a key of another family";
+}
+
+TEST(NewFamily, IsReachedByItsAddress) {
+  const auto config = config_of(*Uri::parse("can://can0?protocol=triax&rate=250"));
+  ASSERT_TRUE(config.ok()) << config.error().message();
+  EXPECT_EQ(config->rate_Hz, 250.0);
+  const auto elsewhere = config_of(*Uri::parse("udp://1.1.1.1,1.1.1.2,1.1.1.3?protocol=triax"));
+  ASSERT_FALSE(elsewhere.ok());
+  EXPECT_EQ(elsewhere.error().what, "Triax sensors do not speak over udp://");
+}
+
+TEST(NewFamily, WhatItsEmulatedSensorsFeelArrives) {
+  EmulatorOptions options;
+  options.config = DeviceConfig::standard(kTriaxFamily);
+  options.noise_counts = 3;  // a value that never changes is that of a frozen sensor
+  constexpr double kNoise_N = 0.06;
+  FingerPlay play;
+  play.t_s = {0.0};
+  FingerWrenches wrenches{};
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    wrenches[f].force = Vec3(1.25, -2.0, 10.0 + static_cast<double>(f));
+  play.wrench_C = {wrenches};
+  test::SensorBench bench(options, options.config, play);
+  ASSERT_TRUE(bench.device->start(bench.clock).ok());
+  EXPECT_EQ(bench.device->info().description, "Triax on test");
+  const auto samples = bench.read_for(1s);
+  EXPECT_NEAR(static_cast<double>(samples.size()), 300.0, 3.0);
+  for (const auto& sample : samples) {
+    EXPECT_TRUE(sample.valid);
+    EXPECT_LT((sample.wrench_C.force - wrenches[index_of(sample.finger)].force).norm(), kNoise_N);
+  }
+}
+
+TEST(NewFamily, ItsLogsAreRead) {
+  const test::TemporaryFolder folder;
+  std::string log;
+  for (std::uint8_t node = 1; node <= 3; ++node)
+    log +=
+        format_candump_line(1s, "can0", triax_sample_frame(node, {1, {0, 0, 100 * node}})) + "\n";
+  const auto config = DeviceConfig::standard(kTriaxFamily);
+  std::vector<double> force_N;
+  const auto report = read_log(folder.write("frames.log", log), config, false,
+                               [&](const std::string&, Timestamp, const DecodedSample& sample) {
+                                 force_N.push_back(sample.wrench_S.force.z());
+                               });
+  ASSERT_TRUE(report.ok()) << report.error().message();
+  EXPECT_EQ(force_N, (std::vector<double>{1.0, 2.0, 3.0}));
+}
+
+}  // namespace
+}  // namespace isograsp::new_family_test

@@ -39,7 +39,7 @@ std::map<std::string, Change> changes_of(const std::string& patch) {
   Change* change = nullptr;
   std::string before;
   std::size_t begin = 0;
-  for (std::size_t end; (end = patch.find('\n', begin)) != std::string::npos; begin = end + 1) {
+  for (std::size_t end = 0; (end = patch.find('\n', begin)) != std::string::npos; begin = end + 1) {
     const std::string line = patch.substr(begin, end - begin);
     if (line.starts_with("--- ")) {
       before = line.substr(4);

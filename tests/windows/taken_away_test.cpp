@@ -52,7 +52,10 @@ TEST_P(TakenAway, DuringATrialBothScreensSaySoAndTheNextStartBringsItBack) {
   EXPECT_EQ(desktop_.seen().find("Trial stored"), std::string::npos) << desktop_.seen();
   ASSERT_EQ(emergency_files().size(), 1u);
   const std::string kept = "SELECT status, sample_count >= 300 FROM trials";
-  EXPECT_EQ(asked(emergency_files()[0], kept), "aborted|1\n");
+  // The words stand while the last trial is still being written behind them.
+  EXPECT_TRUE(desktop_.wait_until([&] {
+    return asked(emergency_files()[0], kept) == "aborted|1\n";
+  })) << asked(emergency_files()[0], kept);
   expect_clean_end();
 
   start();

@@ -43,7 +43,8 @@ statistics::Computed mean_between(std::span<const double> t_s, std::span<const d
     sum += length_s * x[k];
     covered_s += length_s;
   }
-  if (covered_s < kLeastCovered * (to_s - from_s)) return "not recorded 5 s after the cue";
+  if (statistics::is_earlier(covered_s, kLeastCovered * (to_s - from_s)))
+    return "not recorded 5 s after the cue";
   return sum / covered_s;
 }
 

@@ -87,7 +87,7 @@ def add_steps(results, task, record):
     """All measures of step_response."""
     force, channel = record.column("actual_force_N"), task["channel"]
     columns = ["target_force_N", "actual_force_N"]
-    selection = of_parts(record, columns)
+    selection = of_parts(record, columns[1:])  # the levels of a step are constants of its parts
     reactions, t63, settling, rises, overshoots, errors = [], [], [], [], [], []
     for repetition in repetitions_of(record, force):
         start = record.of_part("target_force_N", repetition.before)
@@ -116,7 +116,7 @@ def add_steps(results, task, record):
     add_censored(results, "settling_time", channel, settling, limit, selection)
     results.add("rise_time", channel, mean_of(rises), selection)
     results.add("overshoot", channel, mean_of(overshoots), selection)
-    results.add("rmse", channel, mean_of(errors), selection)
+    results.add("rmse", channel, mean_of(errors), of_parts(record, columns))
 
 
 def shifted(outcome, cue):

@@ -30,6 +30,9 @@ OWN = {
                  'band_fraction = 0.3\nrepetitions = 2\nhold_s = 2.5\n',
     "own_let_go": 'kind = "grip_release"\nchannel = "middle"\nscale = "newton"\nlevel_N = 3\nband_fraction = 0.3\n'
                   'repetitions = 3\nafter_s = 3.7\n',
+    # Ends in the middle of the window of residual_force: half of it is covered.
+    "own_half_recorded": 'kind = "grip_release"\nscale = "newton"\nlevel_N = 3\nband_fraction = 0.3\nrepetitions = 2\n'
+                         'after_s = 5\n',
     "own_sense": 'kind = "force_sense"\nchannel = "pinch"\nscale = "newton"\nlevel_N = 3\nband_fraction = 0.3\n'
                  'repetitions = 1\nwindow_s = 1.3\n',
     "own_fatigue": 'kind = "fatigue"\nchannel = "pinch"\nscale = "newton"\nlevel_N = 4\nband_fraction = 0.2\n'

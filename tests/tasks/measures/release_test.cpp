@@ -67,6 +67,17 @@ TEST(Release, ResidualForceIsTheMeanOf200MillisecondsAroundTheFifthSecond) {
   EXPECT_TRUE(cut.release.time_s.value);
 }
 
+TEST(Release, ARecordThatEndsInTheMiddleOfThatWindowHasItsMeanWhereverItsTimeBegins) {
+  for (const double shift_s : {0.0, 0.003, 0.1, 0.3, 0.7, 17.013, 1234.5})
+    for (const std::size_t cue_row : {300U, 317U, 345U, 402U}) {
+      const auto t = times(cue_row + 500, 100.0, shift_s);  // half of the 200 ms are recorded
+      const auto x = let_go(t, t[cue_row] + 0.3, 10.0, 4.0);
+      const Release found = release(t, x, t[cue_row], kGrip);
+      ASSERT_TRUE(found.residual_N.value) << shift_s << " s, row " << cue_row;
+      EXPECT_NEAR(*found.residual_N.value, 4.0, 1e-9);
+    }
+}
+
 TEST(Release, ADipThatDoesNotLastIsNoRelease) {
   const auto t = times(1000);
   auto x = let_go(t, kCue_s + 1.0, 1000.0);

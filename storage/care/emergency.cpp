@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include <soci/soci.h>
+#include <unistd.h>
 
 #include "core/time.hpp"
 #include "storage/access/access.hpp"
@@ -157,7 +158,8 @@ Result<void> put_back(const std::string& database, const EmergencyFile& file) {
   if (!file.has_whole)
     return no_emergency(database, "is not there, so nothing can be taken into it",
                         "put it back or restore the last backup, then rescue again");
-  const std::string part = database + ".part";
+  const std::string part = database + ".part" + std::to_string(getpid());
+  fs::remove(part, ignored);  // of a program of that number that was killed
   std::error_code failure;
   fs::copy_file(file.whole(), part, failure);
   const bool synced = !failure && sync_path(part);

@@ -6,6 +6,7 @@
 #include <soci/sqlite3/soci-sqlite3.h>
 
 #include "storage/access/open_store.hpp"
+#include "storage/care/emergency.hpp"
 #include "tests/storage/examples.hpp"
 
 namespace isograsp::storage::file_watch_test {
@@ -148,6 +149,20 @@ TEST(FileWatch, OtherProgramsThatReadWriteAndCheckpointAreNoFault) {
   TrialRecord end = recording.trial;
   end.status = TrialStatus::completed;
   must(recording.store->end_trial(end, {}));
+}
+
+TEST(PutBack, ACopyTakesThePlaceOfADeletedFileAndTouchesNoOtherFile) {
+  const TemporaryFolder folder;
+  const std::string database = folder.file("clinic.db");
+  EmergencyFile emergency;
+  emergency.path = folder.file("emergency.db");
+  emergency.has_whole = true;
+  std::ofstream(emergency.whole()) << "the whole";
+  std::ofstream(database + ".part") << "of somebody else, or of a copy that was broken off";
+  const auto done = put_back(database, emergency);
+  ASSERT_TRUE(done.ok()) << done.error().message();
+  EXPECT_EQ(std::filesystem::file_size(database), std::filesystem::file_size(emergency.whole()));
+  EXPECT_GT(std::filesystem::file_size(database + ".part"), 0u);
 }
 
 TEST(FileWatch, ATrialThatAnotherProgramHasClosedIsNotEndedOnceMore) {

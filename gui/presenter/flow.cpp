@@ -20,6 +20,12 @@ bool has_zero(const FlowFacts& facts) {
   return zero_of(facts) == session::ZeroStanding::good;
 }
 
+/// A trial that the therapist has paused goes on as it stands. After a fault, or the restart of a
+/// sensor during that pause: from rest only, and with a zero that has not moved.
+bool may_go_on(const FlowFacts& facts) {
+  return facts.at_rest || (facts.pause_cause == session::PauseCause::therapist && has_zero(facts));
+}
+
 DeviceCondition condition_of(const FlowFacts& facts) {
   using Condition = DeviceCondition;
   if (!facts.connection_error.empty()) return Condition::failed;
@@ -139,7 +145,8 @@ Situation in_session(const FlowFacts& facts, DeviceCondition condition) {
     case session::Stage::zeroing: return Situation::zeroing;
     case session::Stage::trial: return Situation::in_trial;
     case session::Stage::paused:
-      if (facts.pause_cause == session::PauseCause::therapist) return Situation::paused;
+      if (facts.pause_cause == session::PauseCause::therapist)
+        return may_go_on(facts) ? Situation::paused : Situation::let_go;
       return facts.health.fault == DeviceFault::none && !facts.at_rest ? Situation::let_go
                                                                        : Situation::paused_by_fault;
     case session::Stage::idle:
@@ -434,9 +441,7 @@ FlowView judge(const FlowFacts& facts) {
   view.must_stand_by = view.device_mood == Mood::fault || facts.straps_due || !has_zero(facts) ||
                        !facts.zero_refusal.empty();
   view.may_pause = open && facts.stage == session::Stage::trial;
-  // After a fault: from rest only, and with a zero that has not moved.
-  view.may_resume = open && facts.stage == session::Stage::paused && sound &&
-                    (facts.pause_cause == session::PauseCause::therapist || facts.at_rest);
+  view.may_resume = open && facts.stage == session::Stage::paused && sound && may_go_on(facts);
   view.may_stop = open && in_trial(facts);
   view.offers_end = view.may_disconnect && ends_here(view.situation);
   view.press = press_for(view.situation, facts, view);

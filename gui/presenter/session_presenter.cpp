@@ -292,6 +292,7 @@ void SessionPresenter::connect_device() {
           clock_asked_ = error.field == "clock";
           if (clock_asked_) error.remedy = "set the clock, or connect again if it is right";
           connection_error_ = shown(error).toStdString();
+          room_.begin();  // perhaps the disk is full
         }
         update();
         Q_EMIT settled();
@@ -564,9 +565,8 @@ void SessionPresenter::poll() {
       Q_EMIT score_changed();
     }
   }
-  if (broken_off_ && connection_ == Connection::none && room_.has_come_back()) {
+  if (!connection_error_.empty() && connection_ == Connection::none && room_.has_come_back())
     forget_failure();
-  }
   if (newer_library_ && connection_ != Connection::opening && !view_.may_stop && !starting_)
     take_library(*std::exchange(newer_library_, std::nullopt));
   follow_time();

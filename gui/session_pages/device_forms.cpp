@@ -180,7 +180,7 @@ void ZeroForm::refresh() {
   const auto& view = presenter_.view();
   zero_->setEnabled(view.may_zero);
   mark_next(*zero_, view.press == NextPress::zero);
-  mark_next(*confirmed_, true);
+  mark_next(*confirmed_, view.press == NextPress::zero);
   changed_->setVisible(view.may_accept_changed);
   if (!view.may_zero && confirm_->isVisibleTo(this)) {
     confirm_->hide();

@@ -213,5 +213,20 @@ TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) 
   EXPECT_GT(signals->rows(), 150U) << "the seconds before";
 }
 
+TEST_F(FaultDuringATrial, ASessionThatAFullDiskRefusedIsToldUntilThereIsRoom) {
+  operator_.prepare_person();
+  presenter_.choose_protocol(SessionPresenter::kByHand);
+  presenter_.choose_device("sim://healthy?seed=7");
+  {
+    const FullDisk full(0);
+    operator_.press("connect");
+    ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+    EXPECT_EQ(presenter_.view().situation, Situation::session_failed) << presenter_.view().sentence;
+    QTest::qWait(100);  // the disk is seen full
+  }
+  EXPECT_TRUE(wait_until([&] { return presenter_.view().mood != Mood::fault; }))
+      << "there is room again: " << presenter_.view().sentence;
+}
+
 }  // namespace
 }  // namespace isograsp::gui::test::fault_test

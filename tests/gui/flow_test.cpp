@@ -414,6 +414,17 @@ TEST(Flow, AfterAFaultATrialGoesOnFromRestOnly) {
   EXPECT_TRUE(decide(facts).may_resume) << "a pause of the therapist";
 }
 
+TEST(Flow, ASensorThatStartsAnewWhileTheTherapistPausesAsksForRestToo) {
+  FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
+  facts.stage = session::Stage::paused;
+  facts.pause_cause = session::PauseCause::therapist;
+  facts.restarted = Finger::middle;
+  EXPECT_FALSE(decide(facts).may_resume);
+  EXPECT_NE(decide(facts).sentence.find("lets go"), std::string::npos) << decide(facts).sentence;
+  facts.at_rest = true;
+  EXPECT_TRUE(decide(facts).may_resume);
+}
+
 TEST(Flow, AfterAFaultNothingBeginsByItself) {
   FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
   facts.protocol.goes_on = true;

@@ -189,6 +189,8 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   if (begins && view.device_mood == Mood::fault) return "Start with a fault";
   if (begins && !facts.anything_arrived) return "Start without samples";
   if (begins && view.may_stop) return "Start in a trial";
+  if (view.may_resume && !fresh_zero && !facts.at_rest)
+    return "Resume with a zero older than a restart, and not from rest";
   const bool rest = facts.task_chosen && facts.task_kind == TaskKind::rest && !facts.recorded;
   if (view.may_begin && rest && (!facts.strapped || facts.settling_s > 0))
     return "a resting force without its minute";

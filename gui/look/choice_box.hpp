@@ -20,10 +20,12 @@ class ChoiceBox final : public QComboBox {
     QComboBox::paintEvent(event);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    const double larger = scaled(100) / 100.0;
+    painter.translate(width() - 15.0 * larger, height() / 2.0);
+    painter.scale(larger, larger);
     painter.setPen(QPen(isEnabled() ? look::kText : look::kLine, 1.6, Qt::SolidLine, Qt::RoundCap,
                         Qt::RoundJoin));
-    const QPointF tip(width() - 15.0, height() / 2.0 + 2.5);
-    painter.drawPolyline(polygon({tip + QPointF(-4.5, -4.5), tip, tip + QPointF(4.5, -4.5)}));
+    painter.drawPolyline(polygon({{-4.5, -2.0}, {0.0, 2.5}, {4.5, -2.0}}));
   }
 };
 

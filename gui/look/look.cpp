@@ -46,7 +46,7 @@ QPushButton[flat_head="true"] { background: transparent; border: none; border-ra
   text-align: left; padding: 4px; }
 QPushButton[flat_head="true"]:hover { background: #F4F9FE; }
 QPushButton[flat_head="true"]:focus { border: 2px solid #0B5CAD; }
-QLabel[section] { border: none; }
+QLabel[section] { border: none; background: transparent; }
 QLabel[section="done"] { color: #1B7F4B; font-weight: bold; }
 QLabel[section="next"] { color: #0B5CAD; font-weight: bold; }
 QLabel[section="open"] { color: #52606D; }

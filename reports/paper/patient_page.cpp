@@ -104,7 +104,7 @@ Panel patient_page(const ReportContent& content) {
 PlotView dose_plot(const PracticeDose& dose, bool large, QSizeF size, double unit) {
   PlotView view(size, unit);
   const double font = large ? 15.0 : 6.8;
-  const double left = large ? 46.0 : kLeft;
+  const double left = large ? 68.0 : kLeft;  // "0.75" and the name of the axis
   const double below = large ? 58.0 : kBelow;
   QCPAxisRect& rect =
       view.add_axes({left, 6.0, size.width() - left - kRight, size.height() - 6.0 - below});

@@ -13,6 +13,7 @@
 #include <QTabWidget>
 #include <QTableWidget>
 
+#include "gui/look/choice_box.hpp"
 #include "gui/record_pages/patient_page.hpp"
 #include "gui/session_pages/state_light.hpp"
 #include "gui/session_pages/step_section.hpp"
@@ -205,6 +206,24 @@ TEST_P(LargestLetters, FitIntoTheRowsOfListsAndTheFieldsOfChoices) {
   for (const auto& text : cut) ADD_FAILURE() << text;
 }
 
+/// Of an empty choice, as it is painted.
+int arrow_width_px() {
+  ChoiceBox box;
+  box.resize(scaled(200), scaled(40));
+  const QImage picture = box.grab().toImage();
+  const int border_px = 4;
+  int first = picture.width();
+  int last = -1;
+  for (int x = border_px; x < picture.width() - border_px; ++x)
+    for (int y = border_px; y < picture.height() - border_px; ++y)
+      if (qGray(picture.pixel(x, y)) < qGray(look::kQuietText.rgb())) {
+        first = std::min(first, x);
+        last = x;
+      }
+  EXPECT_GE(last, first) << "no arrow";
+  return last - first + 1;
+}
+
 TEST_P(LargestLetters, ComeWithLargeSigns) {
   auto& window = windows_->therapist();
   constexpr int kUsual_px = 28;
@@ -216,8 +235,10 @@ TEST_P(LargestLetters, ComeWithLargeSigns) {
     return qApp->style()->pixelMetric(size);
   };
   const int large_px = indicator_px(QStyle::PM_IndicatorWidth);
+  const int large_arrow_px = arrow_width_px();
   dress(*qApp, 100);
   EXPECT_EQ(large_px, 2 * indicator_px(QStyle::PM_IndicatorWidth));
+  EXPECT_GE(large_arrow_px, 1.7 * arrow_width_px()) << "of a choice";
 }
 
 TEST_P(EveryPage, GivesEachMnemonicOnceAndNamesItInTheTooltip) {

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "gui/file_in_use.hpp"
+#include "gui/look/look.hpp"
 #include "gui/session_pages/step_section.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
@@ -80,6 +81,11 @@ TEST_F(SessionWindow, OneButtonIsFilledAndTheHandSettlesBeforeAnythingStarts) {
   EXPECT_EQ(filled(), Names{"strapped"});
   QTest::keyClick(&windows_.therapist(), Qt::Key_F8);
   EXPECT_FALSE(presenter_.under_way()) << "F8 does not skip the minute";
+  operator_.open_section(Step::zero);  // once more, though nothing asks for it
+  operator_.press("zero");
+  EXPECT_TRUE(operator_.find<QWidget>("zero_confirmed").isVisible());
+  EXPECT_EQ(filled(), Names{"strapped"});
+  operator_.press("zero_not_yet");
   operator_.press("strapped");
   ASSERT_TRUE(wait_until([&] { return presenter_.view().may_stop; }))
       << "it goes on by itself: " << presenter_.view().sentence;
@@ -145,6 +151,19 @@ TEST_F(SessionWindow, ALongSummaryKeepsItsBeginning) {
   EXPECT_TRUE(shown.startsWith("Comfort")) << shown.toStdString();
   EXPECT_TRUE(shown.endsWith(QStringLiteral("…"))) << shown.toStdString();
   EXPECT_TRUE(section.findChild<QPushButton*>("section_3")->toolTip().contains("pain 3 of 10"));
+}
+
+TEST_F(SessionWindow, TheWordsOfAStepLeaveTheRingOfTheFocusWhole) {
+  operator_.add_patient();
+  windows_.therapist().show_page(TherapistWindow::Page::session);
+  auto& head = operator_.find<QPushButton>("section_2");  // next: its name and number are marked
+  head.setFocus();
+  ASSERT_TRUE(wait_until([&] { return head.isVisible() && head.hasFocus(); }));
+  const QImage picture = head.grab().toImage();
+  constexpr int kCorner_px = 10;
+  for (const int y : {1, picture.height() - 2})
+    for (int x = kCorner_px; x < picture.width() - kCorner_px; ++x)
+      ASSERT_EQ(picture.pixelColor(x, y), look::kAccent) << x << ", " << y;
 }
 
 /// Presses that button of the question as soon as it stands there.

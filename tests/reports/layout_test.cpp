@@ -208,6 +208,20 @@ TEST_F(Layout, ThePageForThePatientEndsAboveItsFooter) {
   })) << "the picture is on the page of the patient";
 }
 
+TEST_F(Layout, MinutesOfAShortPracticeAreNamedInsideThePageForThePatient) {
+  auto content = rich();
+  ASSERT_FALSE(content.dose.weeks.empty());
+  for (auto& week : content.dose.weeks) week.active_s = 33.0;  // ticks "0.25", "0.5", "0.75"
+  const ReportPages pages(content);
+  int named = 0;
+  for (const auto& text : painted(pages, pages.pages() - 1).texts) {
+    if (text.text != "minutes") continue;
+    ++named;
+    EXPECT_TRUE(kInside.contains(text.box)) << text.box.x() << " to " << text.box.right();
+  }
+  EXPECT_EQ(named, 1);
+}
+
 TEST_F(Layout, WhatFitsOnNoPageGoesOnOnTheNext) {
   auto content = rich();
   for (int i = 0; i < 90; ++i)

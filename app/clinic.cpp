@@ -179,18 +179,13 @@ Result<void> make_clinic(const std::string& database, const std::vector<DemoGrou
                          int threads) {
   std::error_code failure;
   if (fs::exists(database, failure))
-    return Error{Error::Code::bad_input, "exists already", "name a new file", database, 0, ""};
+    return refused("exists already", "name a new file").at(database);
   const Parts parts(database, groups.size());
   Workers workers(groups, parts, threads);
   if (auto done = put_together(groups.size(), parts, workers); !done) return done;
   fs::rename(parts.whole(), database, failure);
   if (failure)
-    return Error{Error::Code::failed,
-                 "could not be made: " + failure.message(),
-                 "choose another folder",
-                 database,
-                 0,
-                 ""};
+    return failed("could not be made: " + failure.message(), "choose another folder").at(database);
   return {};
 }
 

@@ -140,7 +140,7 @@ Result<Action> CommandLine::parse(int argc, const char* const* argv) {
     state_->app.exit(asked);
     return Action([]() -> Result<void> { return {}; });
   } catch (const CLI::ParseError& wrong) {
-    return Error{Error::Code::bad_input, wrong.what(), "see isograsp --help", "", 0, ""};
+    return refused(wrong.what(), "see isograsp --help");
   }
   return state_->chosen;
 }

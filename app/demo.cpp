@@ -85,12 +85,8 @@ struct DemoOptions {
 
 Result<void> run_demo(const DemoOptions& options) {
   if (!options.at_utc.empty() && !time_of_utc(options.at_utc))
-    return Error{Error::Code::bad_input,
-                 "'" + options.at_utc + "' is no time",
-                 "write it as 2026-03-05T09:30:00Z",
-                 "",
-                 0,
-                 "--at"};
+    return refused("'" + options.at_utc + "' is no time", "write it as 2026-03-05T09:30:00Z")
+        .about("--at");
   const std::string at = options.at_utc.empty() ? now_utc() : options.at_utc;
   if (!options.clinic.empty())
     return make_clinic(options.clinic, options.small ? small_clinic(at) : large_clinic(at),

@@ -30,14 +30,10 @@ struct ExportOptions {
 Result<void> run_export(const ExportOptions& options) {
   const auto format = exports::export_format_from_name(options.format);
   if (!format)
-    return Error{Error::Code::bad_input,
-                 "'" + options.format + "' is not an export format",
-                 "available are: csv, hdf5, bids, fhir",
-                 "",
-                 0,
-                 "--format"};
-  if (options.out.empty())
-    return Error{Error::Code::bad_input, "no folder is given", "name one", "", 0, "--out"};
+    return refused("'" + options.format + "' is not an export format",
+                   "available are: csv, hdf5, bids, fhir")
+        .about("--format");
+  if (options.out.empty()) return refused("no folder is given", "name one").about("--out");
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
   const auto store = storage::open_store_to_read(options.database);

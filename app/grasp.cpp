@@ -153,7 +153,7 @@ Result<void> grasp(const GraspOptions& options) {
         std::tuple{options.torsion_scale_m, &scales.torsion_m, "--torsion-scale"}}) {
     if (!given) continue;
     if (!(*given > 0.0) || !std::isfinite(*given))
-      return Error{Error::Code::bad_input, "is not a positive length", "give metres", "", 0, name};
+      return refused("is not a positive length", "give metres").about(name);
     *scale = *given;
   }
   const auto subsets = subsets_of(*scene, scales);

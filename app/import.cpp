@@ -107,12 +107,7 @@ Result<Sidecar> read_sidecar(const std::string& signals) {
   if (!text) return text.error();
   const auto json = nlohmann::json::parse(*text, nullptr, false);
   const auto wrong = [&path](const char* field, const char* what) {
-    return Error{Error::Code::bad_input,
-                 what,
-                 "export the trial again, or move this file away",
-                 path,
-                 0,
-                 field};
+    return refused(what, "export the trial again, or move this file away").at(path).about(field);
   };
   if (!json.is_object() || !json.contains("format") || json["format"] != "isograsp-trial-2")
     return wrong("format", "is no sidecar of an exported trial");
@@ -128,12 +123,10 @@ Result<void> import_signals(const ImportOptions& options) {
   const auto sidecar = read_sidecar(options.signals);
   if (!sidecar) return sidecar.error();
   if (!options.hand.empty() && !sidecar->hand.empty() && options.hand != sidecar->hand)
-    return Error{Error::Code::bad_input,
-                 "these signals are of the " + sidecar->hand + " hand",
-                 "leave --hand out, or move the JSON file beside them away",
-                 options.signals,
-                 0,
-                 "--hand"};
+    return refused("these signals are of the " + sidecar->hand + " hand",
+                   "leave --hand out, or move the JSON file beside them away")
+        .at(options.signals)
+        .about("--hand");
   const std::string given = options.hand.empty() ? sidecar->hand : options.hand;
   const auto hand = hand_option(given.empty() ? "right" : given);
   if (!hand) return hand.error();
@@ -166,7 +159,7 @@ Result<void> import_signals(const ImportOptions& options) {
 /// What has to be given with what.
 Result<void> check_import(const ImportOptions& options) {
   const auto wrong = [](const char* field, const char* what, const char* remedy) {
-    return Error{Error::Code::bad_input, what, remedy, "", 0, field};
+    return refused(what, remedy).about(field);
   };
   const bool one = !options.forces.empty() || !options.signals.empty();
   if (one + !options.recording.empty() != 1 ||

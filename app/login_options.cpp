@@ -7,18 +7,14 @@ namespace isograsp::app {
 
 namespace {
 
-Error wrong(std::string field, std::string what, std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::move(field)};
-}
-
 Result<void> log_in_to(storage::Access& access, const LoginOptions& options) {
   if (options.user.empty() != options.password_file.empty())
-    return wrong("--user", "a name and a password belong together",
-                 "give --user and --password-file");
+    return refused("a name and a password belong together", "give --user and --password-file")
+        .about("--user");
   const bool by_passphrase = !options.passphrase_file.empty();
   const bool by_recovery = !options.recovery_key_file.empty();
   if (by_passphrase && by_recovery)
-    return wrong("--recovery-key-file", "stands beside a passphrase", "give one of them");
+    return refused("stands beside a passphrase", "give one of them").about("--recovery-key-file");
   if (by_passphrase || by_recovery) {
     const auto secret = storage::Secret::from_file(by_passphrase ? options.passphrase_file
                                                                  : options.recovery_key_file);
@@ -54,16 +50,13 @@ Result<std::unique_ptr<storage::Access>> log_in(const std::string& database,
   if (storage::is_protected_database(database)) return open_access(database, options);
   std::error_code ignored;
   if (options.given())
-    return Error{Error::Code::bad_input,
-                 std::filesystem::exists(database, ignored)
-                     ? "is not protected: it asks for no login"
-                     : "does not exist, and is not made with protection here",
-                 std::filesystem::exists(database, ignored)
-                     ? "leave the login out, or check the name of the file"
-                     : "make it with isograsp db init --protected",
-                 database,
-                 0,
-                 ""};
+    return refused(std::filesystem::exists(database, ignored)
+                       ? "is not protected: it asks for no login"
+                       : "does not exist, and is not made with protection here",
+                   std::filesystem::exists(database, ignored)
+                       ? "leave the login out, or check the name of the file"
+                       : "make it with isograsp db init --protected")
+        .at(database);
   return std::unique_ptr<storage::Access>();
 }
 
@@ -73,19 +66,10 @@ Result<std::unique_ptr<storage::Access>> open_access(const std::string& database
   if (!access) return access.error();
   const bool asks = (*access)->is_protected();
   if (asks && !options.given())
-    return Error{Error::Code::bad_input,
-                 "is protected",
-                 "give --passphrase-file, or --user and --password-file",
-                 database,
-                 0,
-                 ""};
+    return refused("is protected", "give --passphrase-file, or --user and --password-file")
+        .at(database);
   if (!asks && options.given())
-    return Error{Error::Code::bad_input,
-                 "is not protected: it asks for no login",
-                 "leave the login out",
-                 database,
-                 0,
-                 ""};
+    return refused("is not protected: it asks for no login", "leave the login out").at(database);
   if (asks)
     if (const auto done = log_in_to(**access, options); !done) return done.error();
   return access;

@@ -39,8 +39,8 @@ int main(int argc, char** argv) {
     const auto done = *action ? (*action)() : isograsp::app::run_gui("", "");
     return done ? 0 : isograsp::app::print_error(done.error());
   } catch (const std::exception& unforeseen) {  // such as no memory
-    return isograsp::app::print_error({isograsp::Error::Code::failed,
-                                       std::string("unexpected: ") + unforeseen.what(),
-                                       "report it (SECURITY.md if a file caused it)", "", 0, ""});
+    return isograsp::app::print_error(
+        isograsp::failed(std::string("unexpected: ") + unforeseen.what(),
+                         "report it (SECURITY.md if a file caused it)"));
   }
 }

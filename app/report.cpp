@@ -23,12 +23,9 @@ Result<void> write_report(const std::string& database, const std::string& patien
                           const std::string& path) {
   const bool as_pdf = path.ends_with(".pdf");
   if (!as_pdf && !path.ends_with(".html"))
-    return Error{Error::Code::bad_input,
-                 "reports are PDF or HTML files",
-                 "let the name end in .pdf or .html",
-                 path,
-                 0,
-                 "--out"};
+    return refused("reports are PDF or HTML files", "let the name end in .pdf or .html")
+        .at(path)
+        .about("--out");
   auto store = storage::open_store_to_read(database);
   if (!store) return store.error();
   ProgressBar bar("Report");

@@ -92,10 +92,6 @@ Result<std::vector<std::string>> codes_of(const std::string& database) {
   return codes;
 }
 
-Error problem(const std::string& what, const std::string& remedy, const std::string& file) {
-  return {Error::Code::failed, what, remedy, file, 0, ""};
-}
-
 /// True while `child` runs; a child that crashed counts as an error.
 bool is_running(pid_t& child, Shared& shared) {
   if (child == 0) return false;
@@ -103,8 +99,8 @@ bool is_running(pid_t& child, Shared& shared) {
   if (waitpid(child, &status, WNOHANG) == 0) return true;
   child = 0;
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    tell_error(shared, problem("a process that writes reports ended unexpectedly",
-                               "write them again, with --threads 1", ""));
+    tell_error(shared, failed("a process that writes reports ended unexpectedly",
+                              "write them again, with --threads 1"));
   return false;
 }
 
@@ -116,10 +112,10 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
   std::error_code failure;
   fs::create_directories(options.folder, failure);
   if (failure)
-    return problem("cannot be made: " + failure.message(), "choose another folder", options.folder);
+    return failed("cannot be made: " + failure.message(), "choose another folder")
+        .at(options.folder);
   const SharedMemory memory;
-  if (memory.get() == nullptr)
-    return problem("no memory for the processes", "close other programs", "");
+  if (memory.get() == nullptr) return failed("no memory for the processes", "close other programs");
   Shared& shared = *memory.get();
   std::vector<pid_t> children;
   const pid_t parent = getpid();
@@ -134,7 +130,7 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
     }
     children.push_back(child);
   }
-  if (children.empty()) return problem("no process could be started", "close other programs", "");
+  if (children.empty()) return failed("no process could be started", "close other programs");
   ProgressBar bar("Reports");
   const auto count = static_cast<int>(codes->size());
   for (bool running = true; running;) {
@@ -147,10 +143,11 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
   }
   bar.end();
   if (shared.failed == 0 && shared.done == count) return {};
-  return problem(std::to_string(std::max<int>(shared.failed, count - shared.done)) + " of " +
-                     std::to_string(count) +
-                     " reports are missing; first: " + std::string(shared.error),
-                 "mend the cause and write the reports again", options.folder);
+  return failed(std::to_string(std::max<int>(shared.failed, count - shared.done)) + " of " +
+                    std::to_string(count) +
+                    " reports are missing; first: " + std::string(shared.error),
+                "mend the cause and write the reports again")
+      .at(options.folder);
 }
 
 }  // namespace isograsp::app

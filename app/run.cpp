@@ -20,12 +20,7 @@ namespace isograsp::app {
 
 Result<Hand> hand_option(const std::string& text) {
   if (const auto hand = hand_from_name(text)) return *hand;
-  return Error{Error::Code::bad_input,
-               "'" + text + "' is not a hand",
-               "write right or left",
-               "",
-               0,
-               "--hand"};
+  return refused("'" + text + "' is not a hand", "write right or left").about("--hand");
 }
 
 void print_measure(const Measure& measure) {
@@ -93,12 +88,9 @@ Result<void> run_session(const RunOptions& options) {
   if (!hand) return hand.error();
   const auto allowed = tasks::effort_from_name(options.allowed);
   if (!allowed && !options.allowed.empty())
-    return Error{Error::Code::bad_input,
-                 "'" + options.allowed + "' is no outcome of a screening",
-                 "write maximum, comfortable or none",
-                 "",
-                 0,
-                 "--allowed"};
+    return refused("'" + options.allowed + "' is no outcome of a screening",
+                   "write maximum, comfortable or none")
+        .about("--allowed");
   const auto protocol = protocol_of(options);
   if (!protocol) return protocol.error();
   session::SessionConfig config;
@@ -160,12 +152,9 @@ Result<void> run_session(const RunOptions& options) {
   bar.end();
   if (const auto lost = (*session)->failure()) return *lost;
   if (const auto signal = StopSignals::name(); !signal.empty() && !result)
-    return Error{Error::Code::failed,
-                 "the session was ended by " + signal + "; what was measured is stored",
-                 "run it again with --resume to go on",
-                 options.database,
-                 0,
-                 ""};
+    return failed("the session was ended by " + signal + "; what was measured is stored",
+                  "run it again with --resume to go on")
+        .at(options.database);
   if (!result) return result.error();
   if (!ended) return ended;
   if (options.quiet) return {};

@@ -80,12 +80,9 @@ Result<void> run_score(const ScoreOptions& options) {
     if (!signals) return signals.error();
     measures = tasks::score_pairs(*signals);
     if (measures.empty())
-      return Error{Error::Code::bad_input,
-                   "has no column target_X with its actual_X",
-                   "name the pairs so, with units, or say which --task it was",
-                   options.signals,
-                   0,
-                   ""};
+      return refused("has no column target_X with its actual_X",
+                     "name the pairs so, with units, or say which --task it was")
+          .at(options.signals);
   } else {
     const auto task = session::load_task(options.task);
     if (!task) return task.error();

@@ -28,16 +28,13 @@ struct StudyOptions {
 
 Result<void> check_out(const StudyOptions& options) {
   if (options.out.empty() && !options.json)
-    return Error{
-        Error::Code::bad_input, "nothing is asked for", "give --out or --json", "", 0, "--out"};
+    return refused("nothing is asked for", "give --out or --json").about("--out");
   for (const char* ending : {".html", ".pdf", ".csv"})
     if (options.out.empty() || options.out.ends_with(ending)) return {};
-  return Error{Error::Code::bad_input,
-               "group reports are HTML, PDF or CSV files",
-               "let the name end in .html, .pdf or .csv",
-               options.out,
-               0,
-               "--out"};
+  return refused("group reports are HTML, PDF or CSV files",
+                 "let the name end in .html, .pdf or .csv")
+      .at(options.out)
+      .about("--out");
 }
 
 Result<void> write_study(const StudyOptions& options, const reports::Study& study) {

@@ -26,33 +26,32 @@ struct TargetOptions {
   tasks::RecordedTarget wanted{"Recorded target"};
 };
 
-Error bad(const std::string& option, std::string what, std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, option};
-}
-
 Result<storage::TrialRecord> find_trial(storage::SessionStore& store,
                                         const TargetOptions& options) {
   const auto patient = store.find_patient(options.patient);
   if (!patient) return patient.error();
   if (!*patient)
-    return bad("--patient", "there is no patient '" + options.patient + "'", "check the code");
+    return refused("there is no patient '" + options.patient + "'", "check the code")
+        .about("--patient");
   const auto sessions = store.sessions((*patient)->id);
   if (!sessions) return sessions.error();
   if (options.session > static_cast<int>(sessions->size()))
-    return bad("--session", "this patient has " + std::to_string(sessions->size()) + " sessions",
-               "give one of them, from 1");
+    return refused("this patient has " + std::to_string(sessions->size()) + " sessions",
+                   "give one of them, from 1")
+        .about("--session");
   const auto trials = store.trials((*sessions)[static_cast<std::size_t>(options.session) - 1].id);
   if (!trials) return trials.error();
   for (const storage::TrialRecord& trial : *trials)
     if (trial.number == options.trial) return trial;
-  return bad("--trial", "this session has " + std::to_string(trials->size()) + " trials",
-             "give one of them, from 1");
+  return refused("this session has " + std::to_string(trials->size()) + " trials",
+                 "give one of them, from 1")
+      .about("--trial");
 }
 
 Result<void> make_target(const TargetOptions& options) {
   std::error_code ignored;
   if (std::filesystem::exists(options.out, ignored))
-    return bad("--out", options.out + " exists already", "choose another name");
+    return refused(options.out + " exists already", "choose another name").about("--out");
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
   const auto store = storage::open_store_to_read(options.database);

@@ -197,12 +197,13 @@ void flip_bits(const std::string& path, const std::string& copy) {
     int broken = 0;
     bool same = true;
     const auto damaged = storage::open_store(copy, storage::OpenMode::read_only);
-    const auto trials =
-        damaged ? (*damaged)->trials(1) : Result<std::vector<storage::TrialRecord>>(Error{});
+    const auto trials = damaged ? (*damaged)->trials(1)
+                                : Result<std::vector<storage::TrialRecord>>(damaged.error());
     if (trials)
       for (std::size_t t = 0; t < sound.size(); ++t) {
-        const auto signals =
-            t < trials->size() ? (*damaged)->signals((*trials)[t]) : Result<Signals>(Error{});
+        const auto signals = t < trials->size()
+                                 ? (*damaged)->signals((*trials)[t])
+                                 : Result<Signals>(failed("the trial is missing", ""));
         if (!signals)
           ++broken;
         else

@@ -147,12 +147,8 @@ Result<CsvReader> CsvReader::open(const std::string& path) {
     const auto more = reader.read_line();
     if (!more) return more.error();
     if (!*more)
-      return Error{Error::Code::bad_input,
-                   "holds no header line",
-                   "give a CSV file whose first line names the columns",
-                   path,
-                   0,
-                   ""};
+      return refused("holds no header line", "give a CSV file whose first line names the columns")
+          .at(path);
     if (reader.text_.starts_with('#'))
       reader.comments_.emplace_back(trimmed(reader.text_.substr(1)));
   } while (reader.text_.empty() || reader.text_.starts_with('#'));
@@ -205,8 +201,7 @@ int CsvReader::find(std::string_view name) const noexcept {
 }
 
 Error CsvReader::error_here(std::string field, std::string what, std::string remedy) const {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), path(), line(),
-          std::move(field)};
+  return refused(std::move(what), std::move(remedy)).at(path(), line(), std::move(field));
 }
 
 Error CsvReader::too_short(std::size_t column) const {

@@ -73,10 +73,6 @@ bool sync_folder_of(const std::string& path) {
   return opened.is_open() && (fsync(opened.number()) == 0 || errno == EINVAL);
 }
 
-Error file_error(Error::Code code, std::string what, std::string remedy, const std::string& path) {
-  return {code, std::move(what), std::move(remedy), path, 0, ""};
-}
-
 }  // namespace
 
 Descriptor::Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
@@ -96,15 +92,14 @@ Error cannot_open(const std::string& path, const char* purpose) {
                               ? "is a folder"
                               : std::string("cannot be opened for ") + purpose;
   const bool reading = std::string_view(purpose) == "reading";
-  return file_error(reading ? Error::Code::bad_input : Error::Code::failed, why,
-                    "check the path and its permissions", path);
+  const auto error = reading ? refused : failed;
+  return error(why, "check the path and its permissions").at(path);
 }
 
 Result<void> check_different(const std::string& in, const std::string& out) {
   std::error_code ignored;
   if (!fs::equivalent(in, out, ignored)) return {};
-  return file_error(Error::Code::bad_input, "is the input: it would be lost", "give another name",
-                    out);
+  return refused("is the input: it would be lost", "give another name").at(out);
 }
 
 Result<InputFile> InputFile::open(const std::string& path) {
@@ -116,8 +111,9 @@ Result<InputFile> InputFile::open(const std::string& path) {
   if (!file.file_.is_open() || fstat(file.file_.number(), &status) != 0 ||
       !S_ISREG(status.st_mode)) {
     if (S_ISDIR(status.st_mode)) return cannot_open(path, "reading");
-    return file_error(Error::Code::bad_input, "is not a file but a pipe, a socket or a device",
-                      "write it to a file first and name that", path);
+    return refused("is not a file but a pipe, a socket or a device",
+                   "write it to a file first and name that")
+        .at(path);
   }
   file.size_ = static_cast<std::uint64_t>(status.st_size);
   return file;
@@ -152,8 +148,9 @@ Result<FileWriter> FileWriter::create(const std::string& path) {
   const std::string temporary = temporary_name(writer.path_);
   writer.out_ = create_exclusively(temporary);
   if (!writer.out_.is_open() && errno == EBUSY)
-    return file_error(Error::Code::failed, "is being written by another program now",
-                      "wait until it is done, or give another name", path);
+    return failed("is being written by another program now",
+                  "wait until it is done, or give another name")
+        .at(path);
   if (!writer.out_.is_open()) return cannot_open(path, "writing");
   writer.temporary_ = temporary;
   struct stat old {};
@@ -196,12 +193,12 @@ Result<void> FileWriter::commit() {
     good_ = good_ && fsync(out_.number()) == 0 && is_named(out_.number(), temporary_) &&
             ::rename(temporary_.c_str(), path_.c_str()) == 0;
   if (!good_)
-    return file_error(Error::Code::failed, "could not be written completely",
-                      "free some disk space and check the permissions of the folder", path_);
+    return failed("could not be written completely",
+                  "free some disk space and check the permissions of the folder")
+        .at(path_);
   const bool named = !std::exchange(temporary_, "").empty();
   if (named && !sync_folder_of(path_))
-    return file_error(Error::Code::failed, "is written, but its folder cannot be synchronised",
-                      "check the disk", path_);
+    return failed("is written, but its folder cannot be synchronised", "check the disk").at(path_);
   out_ = Descriptor();
   return {};
 }
@@ -211,8 +208,7 @@ Result<std::string> read_text(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return file.error();
   if (file->size() > kLargestText)
-    return file_error(Error::Code::bad_input, "is larger than 64 MiB",
-                      "check that it is the right file", path);
+    return refused("is larger than 64 MiB", "check that it is the right file").at(path);
   std::string text(file->size(), '\0');
   if (file->read(text) != static_cast<std::ptrdiff_t>(text.size()))
     return cannot_open(path, "reading");

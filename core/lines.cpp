@@ -18,10 +18,6 @@ Result<LineReader> LineReader::open(const std::string& path, std::size_t longest
   return reader;
 }
 
-Error LineReader::error_at_next(Error::Code code, std::string what, std::string remedy) const {
-  return {code, std::move(what), std::move(remedy), path_, line_ + 1, ""};
-}
-
 /// Moves what is left to the front of the block and reads on; a line longer than the block makes
 /// it larger. False: the disk fails.
 bool LineReader::fill() {
@@ -43,13 +39,12 @@ Result<bool> LineReader::next() {
   while (length == std::string_view::npos && !at_end_) {
     const std::size_t searched = end_ - begin_;
     if (searched > longest_line_)
-      return error_at_next(
-          Error::Code::bad_input,
-          "this line is longer than " + (longest_line_ >> 20 > 0
-                                             ? std::to_string(longest_line_ >> 20) + " MiB"
-                                             : std::to_string(longest_line_ >> 10) + " KiB"),
-          remedy_);
-    if (!fill()) return error_at_next(Error::Code::failed, "cannot be read", "check the disk");
+      return refused("this line is longer than " +
+                         (longest_line_ >> 20 > 0 ? std::to_string(longest_line_ >> 20) + " MiB"
+                                                  : std::to_string(longest_line_ >> 10) + " KiB"),
+                     remedy_)
+          .at(path_, line_ + 1);
+    if (!fill()) return failed("cannot be read", "check the disk").at(path_, line_ + 1);
     length = rest().find('\n', searched);
   }
   text_ = rest().substr(0, length);

@@ -28,7 +28,6 @@ class LineReader {
  private:
   explicit LineReader(InputFile file) : file_(std::move(file)) {}
   [[nodiscard]] bool fill();
-  [[nodiscard]] Error error_at_next(Error::Code code, std::string what, std::string remedy) const;
 
   std::string path_;
   std::string remedy_;

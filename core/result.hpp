@@ -10,22 +10,41 @@
 
 namespace isograsp {
 
-/// Why something could not be done, in words a user can act on. Parts that do not apply stay empty.
+/// Why something could not be done, in words a user can act on. Made by refused() or failed()
+/// alone:
+///   return refused("is not a number", "write one").at(path, line, "mass_kg");
 struct Error {
   enum class Code {
     bad_input,  ///< wrong usage, file or value: exit status 2
     failed      ///< the operation failed (device, disk, permission): exit status 1
   };
-  Code code = Code::bad_input;
-  std::string what;    ///< what is wrong
-  std::string remedy;  ///< what to do
-  std::string file;    ///< path as the user gave it
-  int line = 0;        ///< 1-based; 0: no line
-  std::string field;   ///< column or key
+  Code code;
+  std::string what;         ///< what is wrong
+  std::string remedy;       ///< what to do; may be empty
+  std::string file;         ///< path as the user gave it; empty: not about a file
+  std::optional<int> line;  ///< 1-based
+  std::string field;        ///< column, key or option; empty: not about a single one
+
+  /// Where it stands.
+  [[nodiscard]] Error at(std::string in_file, std::optional<int> in_line = std::nullopt,
+                         std::string in_field = {}) &&;
+  /// The column, key or option that is meant.
+  [[nodiscard]] Error about(std::string in_field) &&;
 
   /// "<file>:<line>: <field>: <what>; <remedy>", absent parts left out; printable().
   [[nodiscard]] std::string message() const;
+
+ private:
+  Error(Code the_code, std::string the_what, std::string the_remedy)
+      : code(the_code), what(std::move(the_what)), remedy(std::move(the_remedy)) {}
+  friend Error refused(std::string what, std::string remedy);
+  friend Error failed(std::string what, std::string remedy);
 };
+
+/// Wrong usage, file or value: what is wrong, and what to do about it.
+[[nodiscard]] Error refused(std::string what, std::string remedy);
+/// The operation failed (device, disk, permission): what went wrong, and what to do about it.
+[[nodiscard]] Error failed(std::string what, std::string remedy);
 
 /// A value of T or an Error; never both. T may be void.
 template <class T>

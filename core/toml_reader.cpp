@@ -39,11 +39,10 @@ struct TomlReader::Document {
   std::optional<Error> first_error;
   std::set<const toml::node*> asked;
 
-  void report(int line, std::string field, std::string what, std::string remedy) {
+  void report(std::optional<int> line, std::string field, std::string what, std::string remedy) {
     if (first_error) return;
-    first_error =
-        Error{Error::Code::bad_input,     shortened(std::move(what)), std::move(remedy), file, line,
-              shortened(std::move(field))};
+    first_error = refused(shortened(std::move(what)), std::move(remedy))
+                      .at(file, line, shortened(std::move(field)));
   }
 };
 
@@ -54,8 +53,10 @@ struct TomlReader::Node {
 
 namespace {
 
-int line_of(const toml::node& node) {
-  return static_cast<int>(node.source().begin.line);
+/// Nothing for what does not stand in the text.
+std::optional<int> line_of(const toml::node& node) {
+  const auto line = static_cast<int>(node.source().begin.line);
+  return line > 0 ? std::optional(line) : std::nullopt;
 }
 
 std::string kind_of(const toml::node& node) {
@@ -124,8 +125,8 @@ constexpr int kMostKeyParts = 64;
 class KeyDepth {
  public:
   explicit KeyDepth(std::string_view text) : text_(text) {}
-  /// Line of the first key with too many parts; 0: there is none.
-  [[nodiscard]] int first_too_deep() {
+  /// Line of the first key with too many parts.
+  [[nodiscard]] std::optional<int> first_too_deep() {
     int dots = 0;
     while (at_ < text_.size()) {
       const char c = text_[at_];
@@ -142,7 +143,7 @@ class KeyDepth {
       if (std::string_view("=[]{},\n").find(c) != std::string_view::npos) dots = 0;
       ++at_;
     }
-    return 0;
+    return std::nullopt;
   }
 
  private:
@@ -179,28 +180,16 @@ class KeyDepth {
 Result<TomlReader> TomlReader::parse(std::string_view text, std::string file,
                                      std::string_view format) {
   if (text.size() > kLargestText)
-    return Error{Error::Code::bad_input,
-                 "is larger than 4 MiB",
-                 "check that it is the right file",
-                 std::move(file),
-                 0,
-                 ""};
-  if (const int line = KeyDepth(text).first_too_deep(); line > 0)
-    return Error{Error::Code::bad_input,
-                 "has a key of more than " + std::to_string(kMostKeyParts) + " parts",
-                 "correct the syntax",
-                 std::move(file),
-                 line,
-                 ""};
+    return refused("is larger than 4 MiB", "check that it is the right file").at(std::move(file));
+  if (const auto line = KeyDepth(text).first_too_deep())
+    return refused("has a key of more than " + std::to_string(kMostKeyParts) + " parts",
+                   "correct the syntax")
+        .at(std::move(file), line);
   toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const auto& error = parsed.error();
-    return Error{Error::Code::bad_input,
-                 "not valid TOML: " + std::string(error.description()),
-                 "correct the syntax",
-                 std::move(file),
-                 static_cast<int>(error.source().begin.line),
-                 ""};
+    return refused("not valid TOML: " + std::string(error.description()), "correct the syntax")
+        .at(std::move(file), static_cast<int>(error.source().begin.line));
   }
   auto document = std::make_shared<Document>();
   document->root = std::move(parsed).table();
@@ -365,7 +354,7 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) {
 }
 
 void TomlReader::fail(std::string_view key, std::string what, std::string remedy) {
-  int line = 0;
+  std::optional<int> line;
   if (node_->table != nullptr) {
     const toml::node* node = node_->table->get(key);
     line = line_of(node == nullptr ? static_cast<const toml::node&>(*node_->table) : *node);
@@ -377,8 +366,8 @@ Result<void> TomlReader::finish() const {
   if (document_->first_error) return *document_->first_error;
   std::string field;
   if (const auto* node = first_unasked(document_->root, document_->asked, "", field))
-    return Error{Error::Code::bad_input, "unknown key",  "remove it or correct its spelling",
-                 document_->file,        line_of(*node), shortened(field)};
+    return refused("unknown key", "remove it or correct its spelling")
+        .at(document_->file, line_of(*node), shortened(field));
   return {};
 }
 

@@ -100,7 +100,7 @@ class Hdf5Export final : public ExportWriter {
       work();
       return {};
     } catch (const Hdf5Error& why) {
-      return Error{Error::Code::failed, why.what(), "check the disk", folder_ / kFile, 0, ""};
+      return failed(why.what(), "check the disk").at(folder_ / kFile);
     }
   }
 

@@ -66,12 +66,10 @@ void add_forces_of_the_hand(ExportTrial& exported) {
 }  // namespace
 
 Error not_released(const std::string& code, const std::string& file, const std::string& field) {
-  return {Error::Code::bad_input,
-          "the records of " + code + " are not released for research",
-          "leave this person out, or record the consent that was given",
-          file,
-          0,
-          field};
+  return refused("the records of " + code + " are not released for research",
+                 "leave this person out, or record the consent that was given")
+      .at(file)
+      .about(field);
 }
 
 Result<std::size_t> count_not_released(storage::SessionStore& store, const ExportRequest& request) {
@@ -126,12 +124,9 @@ Result<void> for_each_trial(storage::SessionStore& store, const ExportRequest& r
     }
   }
   if (!found)
-    return Error{Error::Code::bad_input,
-                 "there is no patient '" + request.patient + "'",
-                 "check the code",
-                 store.path(),
-                 0,
-                 "--patient"};
+    return refused("there is no patient '" + request.patient + "'", "check the code")
+        .at(store.path())
+        .about("--patient");
   return {};
 }
 

@@ -28,12 +28,8 @@ Result<void> make_folder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (!failure) return {};
-  return Error{Error::Code::failed,
-               "the folder cannot be made: " + failure.message(),
-               "check its permissions",
-               folder,
-               0,
-               ""};
+  return failed("the folder cannot be made: " + failure.message(), "check its permissions")
+      .at(folder);
 }
 
 Result<void> write_below(const std::filesystem::path& path, std::string_view text) {

@@ -13,12 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 Error not_written(const fs::filesystem_error& why, const std::string& folder) {
-  return {Error::Code::failed,
-          why.code().message(),
-          "check the disk and the permissions",
-          folder,
-          0,
-          "--out"};
+  return failed(why.code().message(), "check the disk and the permissions")
+      .at(folder)
+      .about("--out");
 }
 
 /// Moves every file of `from` to the same place in `to`. Nothing is overwritten.
@@ -28,12 +25,7 @@ Result<void> publish(const fs::path& from, const fs::path& to) {
     if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), from));
   for (const auto& file : files)
     if (fs::exists(fs::symlink_status(to / file)))
-      return Error{Error::Code::bad_input,
-                   "exists already",
-                   "choose an empty folder for --out",
-                   to / file,
-                   0,
-                   ""};
+      return refused("exists already", "choose an empty folder for --out").at(to / file);
   std::size_t moved = 0;
   try {
     for (; moved < files.size(); ++moved) {
@@ -95,22 +87,14 @@ Result<std::size_t> write_export(storage::SessionStore& store, const ExportReque
   });
   if (!counted) return counted.error();
   if (total == 0)
-    return Error{Error::Code::bad_input,
-                 "holds no such trial",
-                 "check --patient and --session (1 is the patient's first)",
-                 store.path(),
-                 0,
-                 ""};
+    return refused("holds no such trial",
+                   "check --patient and --session (1 is the patient's first)")
+        .at(store.path());
   const fs::path out = folder;
   std::error_code failure;
   const bool made = fs::create_directories(out, failure);
   if (failure || !fs::is_directory(out))
-    return Error{Error::Code::bad_input,
-                 "the folder cannot be made",
-                 "choose another one",
-                 folder,
-                 0,
-                 "--out"};
+    return refused("the folder cannot be made", "choose another one").at(folder).about("--out");
   const fs::path staging = out / (".part" + std::to_string(getpid()));
   auto written = write_all(store, request, format, staging, total, progress);
   if (written) try {

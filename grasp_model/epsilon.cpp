@@ -13,8 +13,7 @@ namespace isograsp {
 
 Result<double> epsilon_quality(const Eigen::MatrixXd& wrenches) {
   const Eigen::Index dimensions = wrenches.rows();
-  if (!wrenches.allFinite())
-    return Error{Error::Code::bad_input, "not a finite wrench", "leave it out", "", 0, ""};
+  if (!wrenches.allFinite()) return refused("not a finite wrench", "leave it out");
   if (wrenches.cols() <= dimensions) return 0.0;
   const Eigen::MatrixXd about_mean = wrenches.colwise() - wrenches.rowwise().mean();
   if (criteria(about_mean).rank < static_cast<int>(dimensions)) return 0.0;  // a flat hull
@@ -42,12 +41,8 @@ Result<double> epsilon_quality(const Eigen::MatrixXd& wrenches) {
   const std::string message(said, length);
   std::free(said);
   if (status != qh_ERRnone)
-    return Error{Error::Code::failed,
-                 "no convex hull of these wrenches: " + message.substr(0, message.find('\n')),
-                 "leave out wrenches that almost coincide",
-                 "",
-                 0,
-                 ""};
+    return failed("no convex hull of these wrenches: " + message.substr(0, message.find('\n')),
+                  "leave out wrenches that almost coincide");
   return std::max(0.0, least);
 }
 

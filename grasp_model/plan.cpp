@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-Error refused(const Scene& scene, std::string field, std::string what, std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), scene.file, 0,
-          std::move(field)};
-}
-
 /// Matrix of springs or dampers along axes turned against the world.
 Mat3 in_world(const Mat3& R_WA, const Vec3& values) {
   if (values.x() == values.y() && values.y() == values.z()) return values.asDiagonal();
@@ -29,18 +24,22 @@ Mat3 in_world(const Mat3& R_WA, const Vec3& values) {
 
 Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
   if (!(hold_s > 0.0) || !std::isfinite(hold_s))
-    return refused(scene, "", "a hold of " + std::to_string(hold_s) + " s is not possible",
-                   "give times that increase");
+    return refused("a hold of " + std::to_string(hold_s) + " s is not possible",
+                   "give times that increase")
+        .at(scene.file);
   const int free_rotations = int{scene.free[3]} + int{scene.free[4]} + int{scene.free[5]};
   if (free_rotations == 2)
-    return refused(scene, "dynamics.free",
-                   "two free rotations are not a rotation group: what the locked one means would "
-                   "depend on the order of turning",
-                   "free one rotation or all three");
+    return refused(
+               "two free rotations are not a rotation group: what the locked one means would "
+               "depend on the order of turning",
+               "free one rotation or all three")
+        .at(scene.file)
+        .about("dynamics.free");
   if (free_rotations == 3 && (scene.inertia_kg_m2.array() == 0.0).count() == 2)
-    return refused(scene, "object.inertia_kg_m2",
-                   "no body has one principal moment alone: each is at most the sum of the others",
-                   "give at least two moments, or none");
+    return refused("no body has one principal moment alone: each is at most the sum of the others",
+                   "give at least two moments, or none")
+        .at(scene.file)
+        .about("object.inertia_kg_m2");
   Plan plan;
   plan.scene_ = scene;
   plan.hold_s_ = hold_s;
@@ -71,10 +70,12 @@ Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
   plan.force_follows_ =
       scene.wrench_frame == WrenchFrame::object && free_rotations > 0 && plan.axis_count_ > 0;
   if (plan.coupled_ && plan.force_follows_)
-    return refused(scene, "dynamics.wrench_frame",
-                   "the force turns with the object while springs or dampers stand at an angle to "
-                   "the world's axes",
-                   "align them, or write wrench_frame = \"hand\"");
+    return refused(
+               "the force turns with the object while springs or dampers stand at an angle to "
+               "the world's axes",
+               "align them, or write wrench_frame = \"hand\"")
+        .at(scene.file)
+        .about("dynamics.wrench_frame");
 
   plan.travel_.fill({-kUnbounded, kUnbounded});
   for (const auto& limit : scene.limits) {
@@ -82,21 +83,25 @@ Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
     plan.travel_[dof] = {limit.least, limit.most};
     plan.limited_[dof] = scene.free[dof];
     if (dof >= 3 && free_rotations == 3)
-      return refused(scene, "dynamics.limits",
-                     "a travel limit of " + std::string(kDofNames[dof]) +
+      return refused("a travel limit of " + std::string(kDofNames[dof]) +
                          " has no meaning while all three rotations are free",
-                     "remove the limit, or free one rotation only");
+                     "remove the limit, or free one rotation only")
+          .at(scene.file)
+          .about("dynamics.limits");
     if (dof < 3 && plan.coupled_)
-      return refused(scene, "dynamics.limits",
-                     "a travel limit of " + std::string(kDofNames[dof]) +
+      return refused("a travel limit of " + std::string(kDofNames[dof]) +
                          " while springs or dampers at an angle couple the axes",
-                     "remove the limit, or align springs and dampers with the world");
+                     "remove the limit, or align springs and dampers with the world")
+          .at(scene.file)
+          .about("dynamics.limits");
   }
   const double angle_rad = plan.initial_state().angle_rad;
   const Travel& turn = plan.travel_[static_cast<std::size_t>(plan.axis_) + 3];
   if (free_rotations == 1 && (angle_rad < turn.least || angle_rad > turn.most))
-    return refused(scene, "initial.quaternion_wxyz", "starts outside the limit of the rotation",
-                   "start inside the limit, or widen it");
+    return refused("starts outside the limit of the rotation",
+                   "start inside the limit, or widen it")
+        .at(scene.file)
+        .about("initial.quaternion_wxyz");
 
   plan.compile_contacts();
   plan.steps_ = plan.coefficients(hold_s);

@@ -32,12 +32,7 @@ bool reaches_x_server() {
 }
 
 Error no_display(const std::string& what) {
-  return {Error::Code::failed,
-          what,
-          "start it from a desktop, or run a session without windows: isograsp run",
-          "",
-          0,
-          ""};
+  return failed(what, "start it from a desktop, or run a session without windows: isograsp run");
 }
 
 bool is_to_end(const ApplicationConfig& config) {

@@ -20,8 +20,7 @@ Result<std::string> csv_table(const std::string& path) {
   std::string text = "\n[csv_data]\n";
   for (const char* column : {"t_s", "target"}) {
     if (!signals->has(column))
-      return Error{
-          Error::Code::bad_input, "is missing", "name the columns t_s and target", path, 1, column};
+      return refused("is missing", "name the columns t_s and target").at(path, 1, column);
     text += std::string(column) + " = [";
     const char* separator = "";
     for (const double value : signals->column(column)) {
@@ -64,27 +63,26 @@ class ProtocolReader {
     return spec;
   }
 
-  Error refused(std::string what, std::string remedy) const {
-    return {Error::Code::bad_input,
-            std::move(what),
-            std::move(remedy),
-            ready_.spec.file,
-            0,
-            "step[" + std::to_string(ready_.tasks.size()) + "].task"};
+  [[nodiscard]] std::string task_key() const {
+    return "step[" + std::to_string(ready_.tasks.size()) + "].task";
   }
 
   /// What a task needs must have been measured by an earlier step.
   Result<void> check(const tasks::TaskSpec& task, const tasks::ProtocolStep& step) {
     if (step.adaptive && !task.difficulty)
       return refused("'" + task.name + "' has no difficulty to adapt",
-                     "add a [difficulty] table to the task, or leave out adaptive");
+                     "add a [difficulty] table to the task, or leave out adaptive")
+          .at(ready_.spec.file)
+          .about(task_key());
     const auto* maximum = std::get_if<tasks::MaximumSpec>(&task.kind);
     const bool above_rest =
         maximum != nullptr || std::holds_alternative<tasks::DirectionalMaximaSpec>(task.kind);
     if (above_rest && !rested_)
       return refused(
-          "a maximum is measured above the resting force, which no earlier step measures",
-          "put a resting-force task before it");
+                 "a maximum is measured above the resting force, which no earlier step measures",
+                 "put a resting-force task before it")
+          .at(ready_.spec.file)
+          .about(task_key());
     for (const auto& [scale, measured, what] :
          {std::tuple{tasks::Scale::of_maximum, &maxima_, "maximum"},
           std::tuple{tasks::Scale::of_comfortable, &comfortable_, "comfortable force"}})
@@ -92,7 +90,9 @@ class ProtocolReader {
         if (std::find(measured->begin(), measured->end(), channel) == measured->end())
           return refused("the target is a share of the " + std::string(what) + " of '" +
                              name_of(channel) + "' that no earlier step measures",
-                         "put a task that measures it before");
+                         "put a task that measures it before")
+              .at(ready_.spec.file)
+              .about(task_key());
     rested_ = rested_ || std::holds_alternative<tasks::RestSpec>(task.kind);
     if (maximum != nullptr)
       (maximum->comfortable ? comfortable_ : maxima_).push_back(maximum->channel);
@@ -129,12 +129,9 @@ Result<std::string> find_in_library(const std::string& library, const std::strin
   places.push_back(fs::path(library) / folder / file);
   for (const auto& path : places)
     if (fs::is_regular_file(path, ignored)) return path.lexically_normal().string();
-  return Error{Error::Code::bad_input,
-               "there is no file of this name",
-               "put it into " + (fs::path(library) / folder).string(),
-               file,
-               0,
-               ""};
+  return refused("there is no file of this name",
+                 "put it into " + (fs::path(library) / folder).string())
+      .at(file);
 }
 
 Result<tasks::TaskSpec> load_task(const std::string& path) {

@@ -10,12 +10,8 @@ namespace isograsp::session {
 namespace {
 
 Error nothing_to_resume(std::string why) {
-  return {Error::Code::bad_input,
-          "there is nothing to resume: " + std::move(why),
-          "begin a new session",
-          "",
-          0,
-          "resume"};
+  return refused("there is nothing to resume: " + std::move(why), "begin a new session")
+      .about("resume");
 }
 
 /// Seconds from one time to another; 0 where a text is no time.

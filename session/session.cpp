@@ -93,15 +93,9 @@ double Session::settling_s() noexcept {
 
 Result<void> Session::start_zero(const ZeroRequest& request) {
   if (!request.device_is_empty)
-    return Error{Error::Code::bad_input,
-                 "nobody has confirmed that the device is empty",
-                 "take the hand out, let nothing touch the supports, and confirm that",
-                 "",
-                 0,
-                 ""};
-  if (parts_->pending)
-    return Error{
-        Error::Code::failed, "a trial or a zero is still running", "wait for its end", "", 0, ""};
+    return refused("nobody has confirmed that the device is empty",
+                   "take the hand out, let nothing touch the supports, and confirm that");
+  if (parts_->pending) return failed("a trial or a zero is still running", "wait for its end");
   auto sent =
       parts_->send({Command::Kind::zero, nullptr, "", request.accept_changed, request.settle_s});
   parts_->pending = sent.ok();
@@ -112,17 +106,11 @@ Result<void> Session::start_zero(const ZeroRequest& request) {
 Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
                                   std::optional<storage::TrialPlace> place) {
   Parts& p = *parts_;
-  if (p.pending)
-    return Error{
-        Error::Code::failed, "a trial or a zero is still running", "wait for its end", "", 0, ""};
+  if (p.pending) return failed("a trial or a zero is still running", "wait for its end");
   if (const double wait_s = settling_s();
       wait_s > 0.0 && std::holds_alternative<tasks::RestSpec>(spec.kind))
-    return Error{Error::Code::failed,
-                 "the hand was strapped less than a minute ago and still settles",
-                 "wait another " + std::to_string(std::lround(std::ceil(wait_s))) + " s",
-                 "",
-                 0,
-                 ""};
+    return failed("the hand was strapped less than a minute ago and still settles",
+                  "wait another " + std::to_string(std::lround(std::ceil(wait_s))) + " s");
   if (auto fresh = p.check_zero_is_fresh(); !fresh) return fresh;
   const tasks::TaskContext context = next_context();
   const auto scene =

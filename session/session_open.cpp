@@ -66,14 +66,12 @@ double resolution_N(const DeviceInfo& info) {
 
 Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for, Hand hand) {
   if (mounted_for == name_of(hand)) return {};
-  return Error{Error::Code::bad_input,
-               "the device is set up for the " + std::string(mounted_for) +
-                   " hand, the session for the " + std::string(name_of(hand)),
-               "turn the platform and choose the configuration for that hand, or choose the " +
-                   std::string(mounted_for) + " hand",
-               device_uri,
-               0,
-               "hand"};
+  return refused("the device is set up for the " + std::string(mounted_for) +
+                     " hand, the session for the " + std::string(name_of(hand)),
+                 "turn the platform and choose the configuration for that hand, or choose the " +
+                     std::string(mounted_for) + " hand")
+      .at(device_uri)
+      .about("hand");
 }
 
 Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
@@ -87,8 +85,9 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   for (const storage::SessionAnswer& answer : config.answers)
     if (auto good = storage::check_answer(answer); !good) return good.error();
   if (config.scratch_database && !config.virtual_time)
-    return uri->error("", "a session in real time is not recorded into a scratch file",
-                      "give a database that is kept");
+    return refused("a session in real time is not recorded into a scratch file",
+                   "give a database that is kept")
+        .at(uri->text);
   auto viewer = simulated_person(*uri, config.library);
   if (!viewer) return viewer.error();
   parts->viewer = std::move(*viewer);
@@ -102,7 +101,7 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
     if (auto same = check_hand(config.device_uri, name_of(*info.hand), config.hand); !same)
       return same.error();
   if (config.virtual_time && !info.simulated && !info.recorded)
-    return uri->error("", "a real device cannot run in virtual time", "leave out --fast");
+    return refused("a real device cannot run in virtual time", "leave out --fast").at(uri->text);
   if (!config.virtual_time)
     if (auto made = parts->make_acquisition_thread(); !made) return made.error();
 
@@ -124,13 +123,11 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   if (!newest) return newest.error();
   const auto behind = config.started_utc.empty() ? clock_behind(*newest) : std::nullopt;
   if (behind && !config.clock_is_right)
-    return Error{Error::Code::bad_input,
-                 "the clock of this computer says " + utc_text(std::time(nullptr)) +
-                     ", but the newest session of this file is of " + *behind,
-                 "set the clock, or say that it is right",
-                 config.database,
-                 0,
-                 "clock"};
+    return refused("the clock of this computer says " + utc_text(std::time(nullptr)) +
+                       ", but the newest session of this file is of " + *behind,
+                   "set the clock, or say that it is right")
+        .at(config.database)
+        .about("clock");
   auto patient = (*store)->find_patient(config.patient_code);
   if (!patient) return patient.error();
   if (!*patient) {

@@ -113,8 +113,7 @@ struct Session::Parts {
 
   Result<void> send(const Command& command) {
     if (acquisition->commands().push(command)) return {};
-    return Error{
-        Error::Code::failed, "the session does not answer", "close it and start again", "", 0, ""};
+    return failed("the session does not answer", "close it and start again");
   }
 
   /// An outdated zero would be subtracted from the forces of a sensor that it does not belong to.
@@ -124,13 +123,10 @@ struct Session::Parts {
     if (standing_of_zero(device->info().recorded, now.zeroed, now.restarted.has_value()) !=
         ZeroStanding::outdated)
       return {};
-    return Error{Error::Code::failed,
-                 "since the zero was set a sensor started anew (" +
-                     std::string(name_of(*now.restarted)) + ")",
-                 "take the hand out and set the zero again",
-                 "",
-                 0,
-                 "zero"};
+    return failed("since the zero was set a sensor started anew (" +
+                      std::string(name_of(*now.restarted)) + ")",
+                  "take the hand out and set the zero again")
+        .about("zero");
   }
 
   /// What the news say about references, zero and training. Trials that were helped are marked.

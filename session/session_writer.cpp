@@ -59,12 +59,9 @@ Result<void> read_back(const std::string& database, const storage::TrialRecord& 
                        std::span<const Measure> measures,
                        std::span<const SecondOfSignals> seconds) {
   const auto wrong = [&](const std::string& what) {
-    return Error{Error::Code::failed,
-                 "reading back trial " + std::to_string(ended.number) + ": " + what,
-                 "check the disk, and restore the last backup",
-                 database,
-                 0,
-                 ""};
+    return failed("reading back trial " + std::to_string(ended.number) + ": " + what,
+                  "check the disk, and restore the last backup")
+        .at(database);
   };
   const auto store = storage::open_store(database, storage::OpenMode::read_only);
   if (!store) return wrong(store.error().what);

@@ -45,8 +45,10 @@ Result<std::string> chosen(const Uri& uri, const std::string& field, const std::
     return (folder / (name + ".toml")).string();
   std::string list;
   for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
-  return uri.error(field, "there is no " + what + " '" + name + "'",
-                   list.empty() ? "this library has none" : "use one of: " + list);
+  return refused("there is no " + what + " '" + name + "'",
+                 list.empty() ? "this library has none" : "use one of: " + list)
+      .at(uri.text)
+      .about(field);
 }
 
 Result<virtual_patient::PatientTraits> named(const Uri& uri, const std::string& library) {
@@ -105,12 +107,14 @@ Result<virtual_patient::PatientTraits> simulated_traits(const Uri& uri,
   const std::string course_name = uri.text_or("course", "");
   if (uri.parameters.count("day") == 0) {
     if (course_name.empty()) return traits;
-    return uri.error("day", "a course needs a day", "write for example day=0");
+    return refused("a course needs a day", "write for example day=0").at(uri.text).about("day");
   }
   const auto day = uri.number_or("day", 0.0, 0.0, kLatestDay);
   if (!day) return day.error();
   if (*day != std::floor(*day))
-    return uri.error("day", "is not a whole number", "write a whole number such as day=14");
+    return refused("is not a whole number", "write a whole number such as day=14")
+        .at(uri.text)
+        .about("day");
   const auto person = static_cast<std::uint64_t>(*seed);
   const auto today = static_cast<std::uint64_t>(*day);
   if (course_name.empty())

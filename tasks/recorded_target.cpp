@@ -23,10 +23,6 @@ constexpr double kStillness = 0.02;  // of the range
 constexpr double kKeptStill_s = 0.5;
 constexpr double kShortest_s = 1.0;
 
-Error refused_course(const TaskSpec& spec, std::string what, std::string remedy) {
-  return {Error::Code::bad_input, spec.name + ": " + std::move(what), std::move(remedy), "", 0, ""};
-}
-
 /// One thing that moved: a degree of freedom or the force.
 struct Course {
   std::string dof;   ///< empty: the force
@@ -59,15 +55,15 @@ class Recording {
 
   Result<std::string> text() {
     if (!(wanted_.slower > 0.0))
-      return refused_course(spec_,
-                            "the time cannot be stretched by " + format_number(wanted_.slower),
-                            "give a number above 0");
+      return refused("the time cannot be stretched by " + format_number(wanted_.slower),
+                     "give a number above 0")
+          .about(spec_.name);
     if (auto found = wanted_.force || spec_.scene().empty() ? find_force() : find_path(); !found)
       return found.error();
     cut_stillness();
     if (duration_s() < kShortest_s)
-      return refused_course(spec_, "the movement lasted less than a second",
-                            "record it again, slower");
+      return refused("the movement lasted less than a second", "record it again, slower")
+          .about(spec_.name);
     std::string text = spec_.scene().empty() || wanted_.force ? force_task() : pose_task();
     if (auto good = parse_task(text, wanted_.name); !good) return good.error();
     return text;
@@ -96,11 +92,11 @@ class Recording {
   Result<void> find_force() {
     const Section rows =
         record_.select({Phase::active, Phase::transport, Phase::hold}, {"actual_force_N"});
-    if (!enough(rows)) return refused_course(spec_, "it holds no force", "record one");
+    if (!enough(rows)) return refused("it holds no force", "record one").about(spec_.name);
     auto force_N = smooth(rows, rows.values("actual_force_N"));
     if (range_of(force_N) < kLeast_N)
-      return refused_course(spec_, "the force changed by less than 0.5 N",
-                            "press while it is recorded");
+      return refused("the force changed by less than 0.5 N", "press while it is recorded")
+          .about(spec_.name);
     add("", "N", 1.0, std::move(force_N));
     return {};
   }
@@ -109,7 +105,8 @@ class Recording {
     const Section rows = record_.select({Phase::active, Phase::transport, Phase::hold},
                                         {"actual_x_m", "actual_y_m", "actual_z_m", "actual_qw",
                                          "actual_qx", "actual_qy", "actual_qz"});
-    if (!enough(rows)) return refused_course(spec_, "it holds no path of an object", "record one");
+    if (!enough(rows))
+      return refused("it holds no path of an object", "record one").about(spec_.name);
     int axes_turned = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string name(1, "xyz"[axis]);
@@ -121,11 +118,13 @@ class Recording {
       add("r" + name, "deg", std::numbers::pi / 180.0, std::move(turn_rad));
     }
     if (courses_.empty())
-      return refused_course(spec_, "the object moved by less than 5 mm and 5 degrees",
-                            "move it while it is recorded");
+      return refused("the object moved by less than 5 mm and 5 degrees",
+                     "move it while it is recorded")
+          .about(spec_.name);
     if (axes_turned > 1)
-      return refused_course(spec_, "the object turned about more than one axis",
-                            "choose a scene in which it can turn about one alone");
+      return refused("the object turned about more than one axis",
+                     "choose a scene in which it can turn about one alone")
+          .about(spec_.name);
     return {};
   }
 

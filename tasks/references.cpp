@@ -10,17 +10,14 @@ namespace {
 constexpr std::array<std::string_view, 3> kEfforts{"none", "comfortable", "maximum"};
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-Error refused_scale(std::string what, std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, "scale"};
-}
-
 Result<double> measured(const std::map<ForceChannel, double>& values, ForceChannel channel,
                         const std::string& what, const std::string& remedy) {
   const auto found = values.find(channel);
   if (found != values.end() && found->second > 0.0) return found->second;
-  return refused_scale("the target is a share of the " + what + " of '" + name_of(channel) +
-                           "', and no trial of this session measured one",
-                       remedy);
+  return refused("the target is a share of the " + what + " of '" + name_of(channel) +
+                     "', and no trial of this session measured one",
+                 remedy)
+      .about("scale");
 }
 
 }  // namespace
@@ -65,9 +62,10 @@ Result<double> ForceReferences::unit_N(Scale scale, ForceChannel channel, double
   constexpr double kMostOfToday = 0.5;
   const double today_N = maximum(channel);
   if (!(largest * *load <= kMostOfToday * today_N))
-    return refused_scale("the fixed load of " + format_number(largest * *load) +
-                             " N is above half of today's maximum, or that was not measured",
-                         "measure today's maximum, or use the task relative to it");
+    return refused("the fixed load of " + format_number(largest * *load) +
+                       " N is above half of today's maximum, or that was not measured",
+                   "measure today's maximum, or use the task relative to it")
+        .about("scale");
   return load;
 }
 

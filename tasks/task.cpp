@@ -29,19 +29,13 @@ TaskView blank_view(const ForceReferences& references, ForceChannel channel) {
 
 Result<std::unique_ptr<Task>> make_task(const TaskSpec& spec, const TaskContext& context) {
   if (!(context.period_s > 0.0))
-    return Error{Error::Code::bad_input,
-                 "the frame period is not positive",
-                 "give a rate of 50 to 1000 Hz",
-                 spec.file,
-                 0,
-                 ""};
+    return refused("the frame period is not positive", "give a rate of 50 to 1000 Hz")
+        .at(spec.file);
   if (std::holds_alternative<RecordedSpec>(spec.kind))
-    return Error{Error::Code::bad_input,
-                 "is a task of recordings, which nobody can do live",
-                 "choose another task, or read the recording with isograsp import",
-                 spec.file,
-                 0,
-                 "kind"};
+    return refused("is a task of recordings, which nobody can do live",
+                   "choose another task, or read the recording with isograsp import")
+        .at(spec.file)
+        .about("kind");
   if (const auto* targets = std::get_if<PoseTargetsSpec>(&spec.kind))
     return make_pose_targets(*targets, context);
   if (const auto* tracking = std::get_if<PoseTrackingSpec>(&spec.kind))

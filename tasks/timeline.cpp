@@ -11,12 +11,6 @@ namespace isograsp::tasks {
 
 namespace {
 
-Error refused_timeline(const TaskSpec& spec, std::string field, std::string what,
-                       std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), spec.file, 0,
-          std::move(field)};
-}
-
 /// Largest target of the segment [N].
 double largest_N(const Segment& segment) {
   double largest = 0.0;
@@ -30,15 +24,18 @@ Result<void> check_effort(const TaskSpec& spec, const Timeline& timeline,
                           const ForceReferences& references) {
   if (std::holds_alternative<RestSpec>(spec.kind)) return {};
   if (references.allowed == Effort::none)
-    return refused_timeline(spec, "kind", "the screening allows this hand no effort",
-                            "leave the task out, or repeat the screening");
+    return refused("the screening allows this hand no effort",
+                   "leave the task out, or repeat the screening")
+        .at(spec.file)
+        .about("kind");
   if (references.allowed == Effort::maximum) return {};
   const bool squeezes = std::any_of(timeline.segments.begin(), timeline.segments.end(),
                                     [](const Segment& s) { return s.cue == Cue::squeeze; });
   if (squeezes || std::holds_alternative<FatigueSpec>(spec.kind))
-    return refused_timeline(
-        spec, "kind", "the screening allows this hand comfortable force only",
-        "use the comfortable-force task, and targets in newtons or of comfortable force");
+    return refused("the screening allows this hand comfortable force only",
+                   "use the comfortable-force task, and targets in newtons or of comfortable force")
+        .at(spec.file)
+        .about("kind");
   return {};
 }
 
@@ -62,11 +59,12 @@ Result<void> check_resolution(const TaskSpec& spec, const Segment& segment,
   const double band = aim->band_fraction * target_N;
   constexpr double kRounding = 1e-9;
   if (band >= least_band_N * (1.0 - kRounding)) return {};
-  return refused_timeline(spec, "band_fraction",
-                          "the target of " + newtons(target_N) + " has a band of +-" +
-                              newtons(band) + ", which the sensors cannot resolve",
-                          "choose a level of at least " +
-                              newtons(least_band_N / aim->band_fraction) + ", or a wider band");
+  return refused("the target of " + newtons(target_N) + " has a band of +-" + newtons(band) +
+                     ", which the sensors cannot resolve",
+                 "choose a level of at least " + newtons(least_band_N / aim->band_fraction) +
+                     ", or a wider band")
+      .at(spec.file)
+      .about("band_fraction");
 }
 
 Result<void> check(const TaskSpec& spec, const Timeline& timeline,
@@ -74,11 +72,10 @@ Result<void> check(const TaskSpec& spec, const Timeline& timeline,
   if (auto allowed = check_effort(spec, timeline, references); !allowed) return allowed;
   for (const Segment& segment : timeline.segments) {
     if (references.ceiling_N && largest_N(segment) > *references.ceiling_N)
-      return refused_timeline(spec, "",
-                              "the target of " + newtons(largest_N(segment)) +
-                                  " is above the ceiling of " + newtons(*references.ceiling_N) +
-                                  " for this hand",
-                              "choose a lower level");
+      return refused("the target of " + newtons(largest_N(segment)) + " is above the ceiling of " +
+                         newtons(*references.ceiling_N) + " for this hand",
+                     "choose a lower level")
+          .at(spec.file);
     if (auto resolved = check_resolution(spec, segment, references); !resolved) return resolved;
   }
   return {};
@@ -154,9 +151,10 @@ std::int64_t Timeline::frames() const noexcept {
 Result<Timeline> timeline_of(const TaskSpec& spec, const TaskContext& context) {
   if (const auto* tracking = std::get_if<ForceTrackingSpec>(&spec.kind))
     if (tracking->waveform.shape == Waveform::Shape::csv && tracking->waveform.values.empty())
-      return refused_timeline(spec, "csv",
-                              "the points of " + tracking->waveform.csv + " were not loaded",
-                              "put the file beside the task");
+      return refused("the points of " + tracking->waveform.csv + " were not loaded",
+                     "put the file beside the task")
+          .at(spec.file)
+          .about("csv");
   std::optional<Error> problem;
   const Aim* aim = spec.aim();
   const Unit unit = [&](ForceChannel channel) {

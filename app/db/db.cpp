@@ -48,15 +48,12 @@ Result<std::unique_ptr<storage::SessionStore>> read_store(const std::string& fil
 Result<void> init(const DbOptions& options) {
   if (options.protected_file) return init_protected({options.file, options.json, options.login});
   if (options.login.given())
-    return Error{Error::Code::bad_input,
-                 "a database without protection asks for no login",
-                 "add --protected, or leave the login out",
-                 "",
-                 0,
-                 "--passphrase-file"};
+    return refused("a database without protection asks for no login",
+                   "add --protected, or leave the login out")
+        .about("--passphrase-file");
   std::error_code ignored;
   if (std::filesystem::exists(options.file, ignored))
-    return Error{Error::Code::bad_input, "exists already", "name a new file", options.file, 0, ""};
+    return refused("exists already", "name a new file").at(options.file);
   const auto store = storage::open_store(options.file, storage::OpenMode::create);
   if (!store) return store.error();
   print_answer(options.json, {{"file", options.file}, {"format", storage::kDatabaseFormat}},
@@ -76,13 +73,10 @@ Result<void> check(const DbOptions& options) {
   for (const auto& problem : *problems) text.add(problem);
   print_answer(options.json, {{"file", options.file}, {"problems", *problems}}, text);
   if (problems->empty()) return {};
-  return Error{Error::Code::failed,
-               "the check found " + std::to_string(problems->size()) +
-                   (problems->size() == 1 ? " problem" : " problems"),
-               "restore the last backup, or export what can still be read",
-               options.file,
-               0,
-               ""};
+  return failed("the check found " + std::to_string(problems->size()) +
+                    (problems->size() == 1 ? " problem" : " problems"),
+                "restore the last backup, or export what can still be read")
+      .at(options.file);
 }
 
 Result<void> verify(const DbOptions& options) {
@@ -119,14 +113,11 @@ Result<void> verify(const DbOptions& options) {
                 {"problems", result.problems}},
                text);
   if (result.problems.empty()) return {};
-  return Error{Error::Code::failed,
-               std::to_string(result.problems.size()) +
-                   " stored results are not those that the stored signals give (first: " +
-                   result.problems.front() + ")",
-               "run isograsp db check; compare the software versions of the sessions",
-               options.file,
-               0,
-               ""};
+  return failed(std::to_string(result.problems.size()) +
+                    " stored results are not those that the stored signals give (first: " +
+                    result.problems.front() + ")",
+                "run isograsp db check; compare the software versions of the sessions")
+      .at(options.file);
 }
 
 Result<void> scheduled_backup(const DbOptions& options) {
@@ -149,12 +140,9 @@ Result<void> backup(const DbOptions& options) {
   if (!access) return access.error();
   if (options.scheduled) return scheduled_backup(options);
   if (options.to.empty())
-    return Error{Error::Code::bad_input,
-                 "no file for the backup is given",
-                 "name one with --to, or let --scheduled choose it",
-                 "",
-                 0,
-                 "--to"};
+    return refused("no file for the backup is given",
+                   "name one with --to, or let --scheduled choose it")
+        .about("--to");
   const auto store = read_store(options.file);
   if (!store) return store.error();
   if (const auto done = (*store)->backup(options.to); !done) return done.error();
@@ -247,13 +235,10 @@ Result<void> merge(const DbOptions& options) {
                 {"conflicts", done->conflicts}},
                text);
   if (done->conflicts.empty()) return {};
-  return Error{Error::Code::failed,
-               "nothing was merged: " + std::to_string(done->conflicts.size()) +
-                   (done->conflicts.size() == 1 ? " conflict" : " conflicts"),
-               "make both files agree, then merge again",
-               options.file,
-               0,
-               ""};
+  return failed("nothing was merged: " + std::to_string(done->conflicts.size()) +
+                    (done->conflicts.size() == 1 ? " conflict" : " conflicts"),
+                "make both files agree, then merge again")
+      .at(options.file);
 }
 
 Result<void> migrate(const DbOptions& options) {

@@ -45,12 +45,9 @@ Result<void> list_users(storage::Access& access, const AccountOptions& options) 
 Result<void> add(storage::Access& access, const AccountOptions& options) {
   const auto role = storage::role_from_name(options.role);
   if (!role)
-    return Error{Error::Code::bad_input,
-                 "'" + options.role + "' is no role",
-                 "give therapist, researcher or administrator",
-                 "",
-                 0,
-                 "--role"};
+    return refused("'" + options.role + "' is no role",
+                   "give therapist, researcher or administrator")
+        .about("--role");
   const auto password = storage::Secret::from_file(options.new_file);
   if (!password) return password.error();
   const auto user = storage::add_user(access, options.name, *role, *password);
@@ -142,12 +139,8 @@ Result<storage::AuditHead> head_in(const std::string& text) {
   constexpr std::size_t kDigits = 64;
   if (colon == std::string::npos || end != text.c_str() + colon || head.count < 1 ||
       text.size() - colon - 1 != kDigits)
-    return Error{Error::Code::bad_input,
-                 "is no head of an audit log",
-                 "give COUNT:HASH as isograsp db audit printed it",
-                 "",
-                 0,
-                 "--contains"};
+    return refused("is no head of an audit log", "give COUNT:HASH as isograsp db audit printed it")
+        .about("--contains");
   head.hash = text.substr(colon + 1);
   return head;
 }
@@ -192,12 +185,9 @@ Result<void> audit(storage::Access& access, const AuditOptions& options) {
   }
   print_answer(options.common.json, json, text);
   if (problems->empty() && contained) return {};
-  return Error{Error::Code::failed,
-               contained ? problems->front() : "the log does not hold the head that was noted",
-               "compare with the backups: isograsp db audit on each",
-               options.common.file,
-               0,
-               ""};
+  return failed(contained ? problems->front() : "the log does not hold the head that was noted",
+                "compare with the backups: isograsp db audit on each")
+      .at(options.common.file);
 }
 
 }  // namespace

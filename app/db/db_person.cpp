@@ -30,32 +30,28 @@ struct PersonOptions {
   storage::Consent consent;
 };
 
-Error bad_json(const std::string& path, std::string what) {
-  return {Error::Code::bad_input,
-          std::move(what),
-          R"(give {"name": "…", "birth_date": "1950-03-05", "contact": "…"})",
-          path,
-          0,
-          ""};
-}
+constexpr const char* kIdentityShape =
+    R"(give {"name": "…", "birth_date": "1950-03-05", "contact": "…"})";
 
 /// Errors never repeat what the file holds.
 Result<storage::Identity> read_identity_file(const std::string& path) {
   constexpr std::size_t kMost = std::size_t{64} << 10;
   auto text = read_text(path);
   if (!text) return text.error();
-  if (text->size() > kMost) return bad_json(path, "is larger than 64 KiB");
+  if (text->size() > kMost) return refused("is larger than 64 KiB", kIdentityShape).at(path);
   const Json json = Json::parse(*text, nullptr, false);
   (void)storage::Secret::taken_from(*text);
-  if (!json.is_object()) return bad_json(path, "is no JSON object");
+  if (!json.is_object()) return refused("is no JSON object", kIdentityShape).at(path);
   storage::Identity identity;
   for (const auto& [key, value] : json.items()) {
     std::string* const field = key == "name"         ? &identity.name
                                : key == "birth_date" ? &identity.birth_date
                                : key == "contact"    ? &identity.contact
                                                      : nullptr;
-    if (field == nullptr) return bad_json(path, "has a key other than name, birth_date, contact");
-    if (!value.is_string()) return bad_json(path, "holds something other than text");
+    if (field == nullptr)
+      return refused("has a key other than name, birth_date, contact", kIdentityShape).at(path);
+    if (!value.is_string())
+      return refused("holds something other than text", kIdentityShape).at(path);
     *field = value.get<std::string>();
   }
   return identity;

@@ -15,12 +15,9 @@ using Json = nlohmann::ordered_json;
 
 Result<storage::Secret> passphrase_of(const AccessOptions& options, const char* field) {
   if (options.login.passphrase_file.empty())
-    return Error{Error::Code::bad_input,
-                 "no passphrase is given",
-                 "write it into a file that only you may read and give --passphrase-file",
-                 "",
-                 0,
-                 field};
+    return refused("no passphrase is given",
+                   "write it into a file that only you may read and give --passphrase-file")
+        .about(field);
   return storage::Secret::from_file(options.login.passphrase_file);
 }
 

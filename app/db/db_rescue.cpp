@@ -40,12 +40,9 @@ Result<void> take_in(const std::string& database, const storage::EmergencyFile& 
   const auto done = storage::rescue(database, file);
   if (!done) return done.error();
   if (!done->conflicts.empty())
-    return Error{Error::Code::failed,
-                 "nothing of " + file.path + " was taken in: " + done->conflicts.front(),
-                 "make both files agree, then rescue again; the emergency file stays",
-                 database,
-                 0,
-                 ""};
+    return failed("nothing of " + file.path + " was taken in: " + done->conflicts.front(),
+                  "make both files agree, then rescue again; the emergency file stays")
+        .at(database);
   Json one = json_of(file);
   one["trials_added"] = done->trials_added;
   one["trials_present"] = done->trials_present;

@@ -204,20 +204,15 @@ Result<int> export_person(storage::Access& access, const std::string& code,
   const auto patient = (*store)->find_patient(code);
   if (!patient) return patient.error();
   if (!*patient)
-    return Error{Error::Code::bad_input,
-                 "there is no patient of this code",
-                 "see the list of patients",
-                 access.path(),
-                 0,
-                 "--patient"};
+    return refused("there is no patient of this code", "see the list of patients")
+        .at(access.path())
+        .about("--patient");
   std::error_code failure;
   if (!fs::create_directory(folder, failure))
-    return Error{Error::Code::bad_input,
-                 failure ? "cannot be made: " + failure.message() : "exists already",
-                 "name a new folder in one that exists",
-                 folder,
-                 0,
-                 "--out"};
+    return refused(failure ? "cannot be made: " + failure.message() : "exists already",
+                   "name a new folder in one that exists")
+        .at(folder)
+        .about("--out");
   fs::permissions(folder, fs::perms::owner_all, failure);
   Result<int> done = 0;
   try {
@@ -225,7 +220,7 @@ Result<int> export_person(storage::Access& access, const std::string& code,
   } catch (const Stopped& stopped) {
     done = stopped.error;
   } catch (const std::exception& why) {
-    done = Error{Error::Code::failed, why.what(), "check the disk", folder, 0, ""};
+    done = failed(why.what(), "check the disk").at(folder);
   }
   if (!done) fs::remove_all(folder, failure);
   if (access.can_log())

@@ -110,12 +110,10 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
   const Hand hand = options.hand.value_or(info.hand.value_or(Hand::right));
   if (info.hand) {
     if (hand != *info.hand)
-      return Error{Error::Code::bad_input,
-                   "the device is set up for the " + std::string(name_of(*info.hand)) + " hand",
-                   "leave out --hand",
-                   device,
-                   0,
-                   "--hand"};
+      return refused("the device is set up for the " + std::string(name_of(*info.hand)) + " hand",
+                     "leave out --hand")
+          .at(device)
+          .about("--hand");
   } else if (!options.hand) {
     say("The platform is taken to stand for the right hand; add --hand left for the other one.");
   }
@@ -146,11 +144,8 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
                      {"sentence", r.sentence()}});
     if (r.verdict != CheckVerdict::good && wrong == nullptr) wrong = &r;
   }
-  if (!check.complete())
-    return Error{
-        Error::Code::failed, "the check was not finished", "begin it again", device, 0, ""};
-  if (wrong != nullptr)
-    return Error{Error::Code::failed, "the device did not pass", wrong->sentence(), device, 0, ""};
+  if (!check.complete()) return failed("the check was not finished", "begin it again").at(device);
+  if (wrong != nullptr) return failed("the device did not pass", wrong->sentence()).at(device);
   say("The device passed.");
   return steps;
 }
@@ -184,8 +179,7 @@ Result<void> check_config(const DevicesOptions& options) {
 Result<void> run_devices(const DevicesOptions& options) {
   if (!options.config.empty()) return check_config(options);
   if (options.check)
-    return Error{
-        Error::Code::bad_input, "there is nothing to check", "add --config FILE", "", 0, "--check"};
+    return refused("there is nothing to check", "add --config FILE").about("--check");
   const auto interfaces = list_can_interfaces();
   if (options.json) {
     nlohmann::ordered_json document{{"schemes", nlohmann::ordered_json::array()},

@@ -73,8 +73,7 @@ Result<FingerPlay> file_play(const std::string& path) {
     play.t_s.push_back(row.t_s - first_t_s);
     play.wrench_C.push_back(wrenches);
   }
-  if (play.t_s.empty())
-    return Error{Error::Code::bad_input, "the file has no rows", "give at least one", path, 0, ""};
+  if (play.t_s.empty()) return refused("the file has no rows", "give at least one").at(path);
   return play;
 }
 
@@ -86,12 +85,9 @@ Result<FingerPlay> make_play(const EmulateOptions& options, EmulatorOptions& emu
     return patient_play(*traits, options.seed);
   }
   if (!options.play.ends_with(".csv"))
-    return Error{Error::Code::bad_input,
-                 "'" + options.play + "' is neither a person nor a file",
-                 "use healthy, paretic or a finger-forces file FILE.csv",
-                 "",
-                 0,
-                 "--play"};
+    return refused("'" + options.play + "' is neither a person nor a file",
+                   "use healthy, paretic or a finger-forces file FILE.csv")
+        .about("--play");
   return file_play(options.play);
 }
 
@@ -210,12 +206,8 @@ Result<void> run_emulate(const EmulateOptions& options) {
   constexpr std::string_view kAdapter = "slcan:";
   const bool adapter = options.on.starts_with(kAdapter);
   if (of_bus && !adapter)
-    return Error{Error::Code::bad_input,
-                 "faults of the bus need an emulated adapter",
-                 "use --on slcan:can0",
-                 "",
-                 0,
-                 "--fault"};
+    return refused("faults of the bus need an emulated adapter", "use --on slcan:can0")
+        .about("--fault");
   if (config.family->open_emulated != nullptr) {
     auto opened = config.family->open_emulated(options.on, config, where);
     if (!opened) return opened.error();

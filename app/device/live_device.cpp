@@ -51,21 +51,15 @@ Stimulus press_hold_release(double t_s, double grip_N) {
 Result<DeviceConfig> family_config(const std::string& name, const std::string& file) {
   const FamilyFacts* family = family_named(name);
   if (family == nullptr || !family->on_wire())
-    return Error{Error::Code::bad_input,
-                 "no protocol is called '" + name + "'",
-                 "use " + family_names(),
-                 "",
-                 0,
-                 "--protocol"};
+    return refused("no protocol is called '" + name + "'", "use " + family_names())
+        .about("--protocol");
   if (file.empty()) return DeviceConfig::standard(*family);
   auto config = DeviceConfig::read(file);
   if (config && config->family != family)
-    return Error{Error::Code::bad_input,
-                 "the file is for " + std::string(config->family->name),
-                 "give a device file of this protocol",
-                 file,
-                 0,
-                 "protocol"};
+    return refused("the file is for " + std::string(config->family->name),
+                   "give a device file of this protocol")
+        .at(file)
+        .about("protocol");
   return config;
 }
 

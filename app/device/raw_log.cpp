@@ -14,12 +14,9 @@ Result<std::unique_ptr<RawLog>> RawLog::open(const std::string& device, const st
   const auto uri = Uri::parse(device);
   if (!uri) return uri.error();
   if (uri->scheme != "can" && uri->scheme != "udp")
-    return Error{Error::Code::bad_input,
-                 "only devices on a CAN bus or a network have raw frames",
-                 "leave it out, or record a can:// or udp:// device",
-                 "",
-                 0,
-                 "--raw"};
+    return refused("only devices on a CAN bus or a network have raw frames",
+                   "leave it out, or record a can:// or udp:// device")
+        .about("--raw");
   const auto config = config_of(*uri);
   if (!config) return config.error();
   std::string interface;
@@ -31,8 +28,9 @@ Result<std::unique_ptr<RawLog>> RawLog::open(const std::string& device, const st
     for (std::size_t f = 0; f < kFingerCount; ++f) {
       const auto endpoint = parse_endpoint(addresses[f]);
       if (!endpoint)
-        return uri->error("", "'" + addresses[f] + "' is no address in numbers",
-                          "give addresses like 192.168.1.1");
+        return refused("'" + addresses[f] + "' is no address in numbers",
+                       "give addresses like 192.168.1.1")
+            .at(uri->text);
       sensors[f] = *endpoint;
     }
   }
@@ -79,12 +77,9 @@ Result<void> RawLog::finish() {
   stop();
   if (auto written = file_.commit(); !written) return written;
   if (const auto overrun = tap_->overrun.load(); overrun > 0)
-    return Error{Error::Code::failed,
-                 std::to_string(overrun) + " frames are missing: this computer was too slow",
-                 "close other programs and record again",
-                 path_,
-                 0,
-                 ""};
+    return failed(std::to_string(overrun) + " frames are missing: this computer was too slow",
+                  "close other programs and record again")
+        .at(path_);
   return {};
 }
 

@@ -17,10 +17,6 @@ constexpr std::uint32_t kLargestStandardId = 0x7FF;
 constexpr const char* kFrameLineShape =
     "write lines as (1700000000.001000) can0 064#0C00000000000000";
 
-Error bad_frame_line(std::string field, std::string what) {
-  return {Error::Code::bad_input, std::move(what), kFrameLineShape, "", 0, std::move(field)};
-}
-
 bool is_digit(char c) noexcept {
   return c >= '0' && c <= '9';
 }
@@ -72,13 +68,13 @@ bool parse_classic(std::string_view text, BusFrame& frame) noexcept {
 Result<bool> parse_frame(std::string_view text, CandumpEntry& entry) {
   const auto hash = text.find('#');
   if (hash == std::string_view::npos)
-    return bad_frame_line(std::string(text), "a frame without '#'");
+    return refused("a frame without '#'", kFrameLineShape).about(std::string(text));
   const auto digits = text.substr(0, hash);
   std::uint32_t id = 0;
   if ((digits.size() != 3 && digits.size() != 8) ||
       !std::all_of(digits.begin(), digits.end(), is_hex_digit) || !parse_whole(digits, id, 16))
-    return bad_frame_line(std::string(text),
-                          "an identifier that has neither 3 nor 8 hexadecimal digits");
+    return refused("an identifier that has neither 3 nor 8 hexadecimal digits", kFrameLineShape)
+        .about(std::string(text));
   BusFrame& frame = entry.frame;
   frame = {};
   frame.extended = digits.size() == 8;
@@ -88,7 +84,7 @@ Result<bool> parse_frame(std::string_view text, CandumpEntry& entry) {
     id &= ~kErrorBit;
   }
   if (id > (digits.size() == 8 ? kLargestExtendedId : kLargestStandardId))
-    return bad_frame_line(std::string(text), "an identifier that is too large");
+    return refused("an identifier that is too large", kFrameLineShape).about(std::string(text));
   frame.id = id;
 
   auto data = text.substr(hash + 1);
@@ -97,10 +93,11 @@ Result<bool> parse_frame(std::string_view text, CandumpEntry& entry) {
     constexpr std::size_t kMostBytes = 64;
     if (data.size() < 2 || !is_hex_digit(data[1]) ||
         !parse_bytes(data.substr(2), kMostBytes, frame))
-      return bad_frame_line(std::string(text), "data of a CAN FD frame that cannot be read");
+      return refused("data of a CAN FD frame that cannot be read", kFrameLineShape)
+          .about(std::string(text));
   } else if (!parse_classic(data, frame)) {
-    return bad_frame_line(std::string(text),
-                          "data that are not up to 8 bytes of two hexadecimal digits");
+    return refused("data that are not up to 8 bytes of two hexadecimal digits", kFrameLineShape)
+        .about(std::string(text));
   }
   return true;
 }
@@ -113,21 +110,25 @@ Result<std::optional<CandumpEntry>> parse_candump_line(std::string_view line) {
 
   CandumpEntry entry;
   const auto close = line.find(')');
-  if (close == std::string_view::npos) return bad_frame_line("time", "a time without ')'");
+  if (close == std::string_view::npos)
+    return refused("a time without ')'", kFrameLineShape).about("time");
   entry.time_text = line.substr(1, close - 1);
   const auto wall_time = parse_log_time(entry.time_text);
   if (!wall_time)
-    return bad_frame_line(entry.time_text, "not a time in seconds with 6 or 9 fraction digits");
+    return refused("not a time in seconds with 6 or 9 fraction digits", kFrameLineShape)
+        .about(entry.time_text);
   entry.wall_time = *wall_time;
   line.remove_prefix(close + 1);
 
   entry.interface = take_word(line);
   const auto frame = take_word(line);
-  if (frame.empty()) return bad_frame_line("frame", "the line ends before the frame");
+  if (frame.empty())
+    return refused("the line ends before the frame", kFrameLineShape).about("frame");
   if (auto parsed = parse_frame(frame, entry); !parsed) return parsed.error();
   const auto direction = take_word(line);
   if ((!direction.empty() && direction != "R" && direction != "T") || !take_word(line).empty())
-    return bad_frame_line(std::string(direction), "text after the frame that is not R or T");
+    return refused("text after the frame that is not R or T", kFrameLineShape)
+        .about(std::string(direction));
   return std::optional(std::move(entry));
 }
 

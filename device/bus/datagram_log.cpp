@@ -17,7 +17,7 @@ constexpr const char* kDatagramLineShape =
 Error bad_datagram_line(std::string field, std::string what) {
   constexpr std::size_t kLongestField = 60;
   if (field.size() > kLongestField) field = field.substr(0, kLongestField) + "...";
-  return {Error::Code::bad_input, std::move(what), kDatagramLineShape, "", 0, std::move(field)};
+  return refused(std::move(what), kDatagramLineShape).about(std::move(field));
 }
 
 }  // namespace

@@ -41,13 +41,9 @@ std::string reason(const beast::error_code& failure) {
 
 Result<std::string> http_get(const Endpoint& server, const std::string& target, Timestamp limit) {
   const std::string host = server.port == kUsualPort ? server.address_text() : server.text();
-  const auto failed = [&](std::string what) {
-    return Error{Error::Code::failed,
-                 std::move(what),
-                 "check the device's power, its network cable and its address",
-                 "http://" + host + target,
-                 0,
-                 ""};
+  const auto not_answered = [&](std::string what) {
+    return failed(std::move(what), "check the device's power, its network cable and its address")
+        .at("http://" + host + target);
   };
   try {
     asio::io_context io(1);
@@ -55,25 +51,25 @@ Result<std::string> http_get(const Endpoint& server, const std::string& target, 
     stream.expires_after(limit);
     const asio::ip::tcp::endpoint peer(asio::ip::address_v4(server.address), server.port);
     auto failure = run_step(io, [&](auto done) { stream.async_connect(peer, done); });
-    if (failure) return failed("the device cannot be reached: " + reason(failure));
+    if (failure) return not_answered("the device cannot be reached: " + reason(failure));
 
     http::request<http::empty_body> request(http::verb::get, target, kHttp11);
     request.set(http::field::host, host);
     request.set(http::field::connection, "close");
     failure = run_step(io, [&](auto done) { http::async_write(stream, request, done); });
-    if (failure) return failed("the device cannot be asked: " + reason(failure));
+    if (failure) return not_answered("the device cannot be asked: " + reason(failure));
 
     beast::flat_buffer buffer;
     http::response_parser<http::string_body> response;
     response.body_limit(kLargestBody);
     failure = run_step(io, [&](auto done) { http::async_read(stream, buffer, response, done); });
-    if (failure) return failed("the device's answer cannot be read: " + reason(failure));
+    if (failure) return not_answered("the device's answer cannot be read: " + reason(failure));
     if (response.get().result() != http::status::ok)
-      return failed("the device answers with HTTP status " +
-                    std::to_string(response.get().result_int()));
+      return not_answered("the device answers with HTTP status " +
+                          std::to_string(response.get().result_int()));
     return std::move(response.get().body());
   } catch (const std::exception& problem) {
-    return failed(std::string("the device cannot be asked: ") + problem.what());
+    return not_answered(std::string("the device cannot be asked: ") + problem.what());
   }
 }
 

@@ -15,12 +15,9 @@ class KernelBus : public Bus {
  public:
   Result<void> start(Clock& clock) override {
     if (clock.is_virtual())
-      return Error{Error::Code::bad_input,
-                   "a real bus does not run in virtual time",
-                   "leave out --fast, or use sim:// or replay://",
-                   "",
-                   0,
-                   name()};
+      return refused("a real bus does not run in virtual time",
+                     "leave out --fast, or use sim:// or replay://")
+          .about(name());
     clock_ = &clock;
     return {};
   }

@@ -217,34 +217,30 @@ class Serial final : public KernelBus {
   Timestamp reopen_at_ = Timestamp::max();
 };
 
-Error port_error(Error::Code code, const std::string& port, std::string what, std::string remedy) {
-  return {code, std::move(what), std::move(remedy), "", 0, port};
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Bus>> open_serial(const std::array<std::string, kFingerCount>& ports,
                                          unsigned baud) {
-  using Code = Error::Code;
   auto bus = std::make_unique<Serial>();
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     if (std::count(ports.begin(), ports.end(), ports[f]) > 1)
-      return port_error(Code::bad_input, ports[f], "two sensors have this serial port",
-                        "give every sensor its own");
+      return refused("two sensors have this serial port", "give every sensor its own")
+          .about(ports[f]);
     bus->port(f).set(ports[f], baud);
     try {
       const auto failure = bus->port(f).open();
       if (!failure) continue;
-      return port_error(failure == boost::system::errc::no_such_file_or_directory ? Code::bad_input
-                                                                                  : Code::failed,
-                        ports[f], "the serial port cannot be opened: " + failure.message(),
-                        failure == boost::system::errc::permission_denied
-                            ? "ask an administrator to put you into the group dialout"
-                            : "plug in the adapter and check the name of the port");
+      const bool no_such_port = failure == boost::system::errc::no_such_file_or_directory;
+      const auto error = no_such_port ? refused : failed;
+      return error("the serial port cannot be opened: " + failure.message(),
+                   failure == boost::system::errc::permission_denied
+                       ? "ask an administrator to put you into the group dialout"
+                       : "plug in the adapter and check the name of the port")
+          .about(ports[f]);
     } catch (const std::exception& problem) {
-      return port_error(Code::failed, ports[f],
-                        std::string("the serial port cannot be opened: ") + problem.what(),
-                        "close other programs and try again");
+      return failed(std::string("the serial port cannot be opened: ") + problem.what(),
+                    "close other programs and try again")
+          .about(ports[f]);
     }
   }
   return std::unique_ptr<Bus>(std::move(bus));

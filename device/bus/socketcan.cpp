@@ -221,11 +221,6 @@ class SocketCan final : public KernelBus {
   Timestamp look_at_{0};  ///< whether the interface is back
 };
 
-Error interface_error(Error::Code code, const std::string& interface, std::string what,
-                      std::string remedy) {
-  return {code, std::move(what), std::move(remedy), "", 0, interface};
-}
-
 std::string names_of(const std::vector<CanInterface>& interfaces) {
   std::string names;
   for (const auto& i : interfaces) names += (names.empty() ? "" : ", ") + i.name;
@@ -236,21 +231,21 @@ std::string names_of(const std::vector<CanInterface>& interfaces) {
 
 Result<std::unique_ptr<Bus>> open_socketcan(const std::string& interface,
                                             std::span<const std::uint32_t> ids) {
-  using Code = Error::Code;
   const auto present = list_can_interfaces();
   const auto found = std::find_if(present.begin(), present.end(),
                                   [&](const auto& i) { return i.name == interface; });
   if (found == present.end())
-    return interface_error(Code::bad_input, interface, "there is no such CAN interface",
-                           present.empty() ? "plug in the CAN adapter and load its driver"
-                                           : "use one of those present: " + names_of(present));
+    return refused("there is no such CAN interface",
+                   present.empty() ? "plug in the CAN adapter and load its driver"
+                                   : "use one of those present: " + names_of(present))
+        .about(interface);
   if (!found->up)
-    return interface_error(
-        Code::failed, interface, "the CAN interface is switched off",
-        "run: sudo ip link set " + interface + " up type can bitrate 1000000 restart-ms 100");
+    return failed(
+               "the CAN interface is switched off",
+               "run: sudo ip link set " + interface + " up type can bitrate 1000000 restart-ms 100")
+        .about(interface);
   const auto not_opened = [&](const std::string& why, std::string remedy) {
-    return interface_error(Code::failed, interface, "the CAN interface cannot be opened: " + why,
-                           std::move(remedy));
+    return failed("the CAN interface cannot be opened: " + why, std::move(remedy)).about(interface);
   };
   try {
     auto bus = std::make_unique<SocketCan>(interface, ids);

@@ -229,33 +229,26 @@ class Udp final : public KernelBus {
   Timestamp reconnect_at_{0};
 };
 
-Error address_error(Error::Code code, const std::string& address, std::string what,
-                    std::string remedy) {
-  return {code, std::move(what), std::move(remedy), "", 0, address};
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Bus>> open_udp(const std::array<std::string, kFingerCount>& addresses) {
-  using Code = Error::Code;
   auto bus = std::make_unique<Udp>();
   std::array<Endpoint, kFingerCount> peers;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto peer = parse_endpoint(addresses[f]);
     if (!peer)
-      return address_error(Code::bad_input, addresses[f],
-                           "this is no address in numbers with a port",
-                           "write it as 192.168.1.1:49152");
+      return refused("this is no address in numbers with a port", "write it as 192.168.1.1:49152")
+          .about(addresses[f]);
     if (std::find(peers.begin(), peers.begin() + static_cast<std::ptrdiff_t>(f), *peer) !=
         peers.begin() + static_cast<std::ptrdiff_t>(f))
-      return address_error(Code::bad_input, addresses[f], "two sensors have this address",
-                           "give every sensor its own");
+      return refused("two sensors have this address", "give every sensor its own")
+          .about(addresses[f]);
     peers[f] = *peer;
     if (const int failure = bus->open(f, *peer); failure != 0)
-      return address_error(
-          Code::failed, addresses[f],
-          std::string("there is no way to this address: ") + std::strerror(failure),
-          "plug in the network cable and give this computer an address in the same network");
+      return failed(
+                 std::string("there is no way to this address: ") + std::strerror(failure),
+                 "plug in the network cable and give this computer an address in the same network")
+          .about(addresses[f]);
   }
   return std::unique_ptr<Bus>(std::move(bus));
 }

@@ -96,36 +96,41 @@ class Page {
  public:
   Page(const Tree& root, std::string where) : root_(root), where_(std::move(where)) {}
 
-  [[nodiscard]] Error error(std::string field, std::string what) const {
-    return {Error::Code::bad_input, std::move(what), kRemedy, where_, 0, std::move(field)};
-  }
   /// nullopt: no such element.
   [[nodiscard]] Result<std::optional<std::string>> text(const char* name) const {
     const auto count = root_.count(name);
     if (count == 0) return std::optional<std::string>();
-    if (count > 1) return error(name, "the box's page has this element twice");
+    if (count > 1)
+      return refused("the box's page has this element twice", kRemedy).at(where_).about(name);
     const Tree& element = root_.find(name)->second;
     const auto value = trimmed(element.data());
     if (!element.empty() || value.size() > kLongestText)
-      return error(name, "the box's page has more than a short text here");
+      return refused("the box's page has more than a short text here", kRemedy)
+          .at(where_)
+          .about(name);
     return std::optional<std::string>(value);
   }
   [[nodiscard]] Result<double> positive(const char* name) const {
     const auto found = text(name);
     if (!found) return found.error();
-    if (!*found) return error(name, "the box's page does not have this element");
+    if (!*found)
+      return refused("the box's page does not have this element", kRemedy).at(where_).about(name);
     double value = 0.0;
     if (!parse_quantity(**found, value) || value <= 0.0)
-      return error(name, "'" + **found + "' is not a positive number");
+      return refused("'" + **found + "' is not a positive number", kRemedy).at(where_).about(name);
     return value;
   }
   template <class SizeOf>
   [[nodiscard]] Result<double> unit(const char* name, SizeOf size_of_name) const {
     const auto found = text(name);
     if (!found) return found.error();
-    if (!*found) return error(name, "the box's page does not have this element");
+    if (!*found)
+      return refused("the box's page does not have this element", kRemedy).at(where_).about(name);
     const auto size = size_of_name(**found);
-    if (!size) return error(name, "'" + **found + "' is not a unit that is known here");
+    if (!size)
+      return refused("'" + **found + "' is not a unit that is known here", kRemedy)
+          .at(where_)
+          .about(name);
     return *size;
   }
   /// 0 if there is no such element.
@@ -134,7 +139,9 @@ class Page {
     if (!found) return found.error();
     double value = 0.0;
     if (*found && (!parse_quantity(**found, value) || value < 0.0))
-      return error(name, "'" + **found + "' is not a number that makes sense here");
+      return refused("'" + **found + "' is not a number that makes sense here", kRemedy)
+          .at(where_)
+          .about(name);
     return value;
   }
   [[nodiscard]] Result<std::optional<Vec6>> six(const char* name) const {
@@ -142,7 +149,8 @@ class Page {
     if (!found) return found.error();
     if (!*found) return std::optional<Vec6>();
     const auto values = parse_six(**found);
-    if (!values) return error(name, "'" + **found + "' is not six numbers");
+    if (!values)
+      return refused("'" + **found + "' is not six numbers", kRemedy).at(where_).about(name);
     return values;
   }
 
@@ -223,20 +231,19 @@ std::optional<NetFtAddress> NetFtAddress::parse(std::string_view text) noexcept 
 }
 
 Result<NetFtBoxConfig> NetFtBoxConfig::parse(std::string_view xml, const std::string& where) {
-  const auto bad = [&](std::string what) {
-    return Error{Error::Code::bad_input, std::move(what), kRemedy, where, 0, ""};
-  };
   if (xml.size() > kLargestPage || std::count(xml.begin(), xml.end(), '<') > kMostTags)
-    return bad("this is no page of a Net F/T box: it is too large");
+    return refused("this is no page of a Net F/T box: it is too large", kRemedy).at(where);
   Tree tree;
   try {
     std::istringstream in{std::string(xml)};
     boost::property_tree::read_xml(in, tree);
   } catch (const boost::property_tree::xml_parser_error& problem) {
     // Without its line: the parser counts them in text that it has already changed.
-    return bad("this is no XML: " + problem.message());
+    return refused("this is no XML: " + problem.message(), kRemedy).at(where);
   }
-  if (tree.size() != 1) return bad("this is no page of a Net F/T box: it has not one root element");
+  if (tree.size() != 1)
+    return refused("this is no page of a Net F/T box: it has not one root element", kRemedy)
+        .at(where);
   return read(Page(tree.front().second, where));
 }
 

@@ -82,17 +82,16 @@ BusEvent ComediBus::receive(Timestamp deadline, ReceivedFrame& out) noexcept {
 Result<std::unique_ptr<Bus>> make_comedi_bus(std::unique_ptr<ComediCard> card,
                                              std::span<const unsigned> subdevices,
                                              const std::string& path) {
-  const auto error = [&](std::string what, std::string remedy) {
-    return Error{Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
-  };
   for (const unsigned subdevice : subdevices) {
     if (subdevice >= card->subdevices())
-      return error("the card has no subdevice " + std::to_string(subdevice),
-                   "correct subdevice in the configuration: the first sensor is 0");
+      return failed("the card has no subdevice " + std::to_string(subdevice),
+                    "correct subdevice in the configuration: the first sensor is 0")
+          .at(path);
     if (card->channels(subdevice) != kJr3ComediChannels ||
         card->highest_sample(subdevice, 0) != kJr3HighestSample)
-      return error("subdevice " + std::to_string(subdevice) + " is no JR3 sensor",
-                   "name the card that the driver jr3_pci serves");
+      return failed("subdevice " + std::to_string(subdevice) + " is no JR3 sensor",
+                    "name the card that the driver jr3_pci serves")
+          .at(path);
   }
   return std::unique_ptr<Bus>(std::make_unique<ComediBus>(std::move(card)));
 }

@@ -5,12 +5,9 @@
 namespace isograsp {
 
 Result<std::unique_ptr<ComediCard>> open_comedi_card(const std::string& path) {
-  return Error{Error::Code::failed,
-               "this program was built without libcomedi",
-               "install libcomedi-dev and build it again",
-               path,
-               0,
-               ""};
+  return failed("this program was built without libcomedi",
+                "install libcomedi-dev and build it again")
+      .at(path);
 }
 
 }  // namespace isograsp

@@ -49,13 +49,14 @@ Result<Uri> Uri::parse(std::string_view text) {
   uri.text = text;
   const auto colon = text.find("://");
   if (colon == std::string_view::npos || !is_scheme(text.substr(0, colon)))
-    return uri.error("", "not a device URI", kUriShape);
+    return refused("not a device URI", kUriShape).at(uri.text);
   uri.scheme = text.substr(0, colon);
 
   std::string_view rest = text.substr(colon + 3);
   const auto question = rest.find('?');
   if (!decode_percent(rest.substr(0, question), uri.target))
-    return uri.error("", "a '%' without two hexadecimal digits", "write %25 for a percent sign");
+    return refused("a '%' without two hexadecimal digits", "write %25 for a percent sign")
+        .at(uri.text);
   if (question == std::string_view::npos) return uri;
 
   rest.remove_prefix(question + 1);
@@ -64,15 +65,18 @@ Result<Uri> Uri::parse(std::string_view text) {
     const auto pair = rest.substr(0, ampersand);
     const auto equals = pair.find('=');
     if (equals == std::string_view::npos || equals == 0)
-      return uri.error(std::string(pair), "not a parameter of the form key=value", kUriShape);
+      return refused("not a parameter of the form key=value", kUriShape)
+          .at(uri.text)
+          .about(std::string(pair));
     std::string key;
     std::string value;
     if (!decode_percent(pair.substr(0, equals), key) ||
         !decode_percent(pair.substr(equals + 1), value))
-      return uri.error(std::string(pair), "a '%' without two hexadecimal digits",
-                       "write %25 for a percent sign");
+      return refused("a '%' without two hexadecimal digits", "write %25 for a percent sign")
+          .at(uri.text)
+          .about(std::string(pair));
     if (!uri.parameters.emplace(key, value).second)
-      return uri.error(key, "the parameter is given twice", "give it once");
+      return refused("the parameter is given twice", "give it once").at(uri.text).about(key);
     if (ampersand == std::string_view::npos) return uri;
     rest.remove_prefix(ampersand + 1);
   }
@@ -86,8 +90,10 @@ Result<void> Uri::require_known(std::initializer_list<std::string_view> known) c
       if (!names.empty()) names += ", ";
       names += name;
     }
-    return error(key, "unknown parameter of " + scheme + "://",
-                 names.empty() ? "leave it out" : "use " + names);
+    return refused("unknown parameter of " + scheme + "://",
+                   names.empty() ? "leave it out" : "use " + names)
+        .at(text)
+        .about(key);
   }
   return {};
 }
@@ -104,13 +110,11 @@ Result<double> Uri::number_or(const std::string& key, double fallback, double le
   if (found == parameters.end()) return fallback;
   double value = 0.0;
   if (!parse_number(found->second, value) || value < least || value > most)
-    return error(key, "'" + found->second + "' is not a number that this parameter takes",
-                 "give one from " + format_number(least) + " to " + format_number(most));
+    return refused("'" + found->second + "' is not a number that this parameter takes",
+                   "give one from " + format_number(least) + " to " + format_number(most))
+        .at(text)
+        .about(key);
   return value;
-}
-
-Error Uri::error(std::string field, std::string what, std::string remedy) const {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), text, 0, std::move(field)};
 }
 
 }  // namespace isograsp

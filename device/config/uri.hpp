@@ -24,8 +24,6 @@ struct Uri {
   /// A finite number within [least, most].
   [[nodiscard]] Result<double> number_or(const std::string& key, double fallback, double least,
                                          double most) const;
-  /// An error that names this URI and `field`.
-  [[nodiscard]] Error error(std::string field, std::string what, std::string remedy) const;
 };
 
 }  // namespace isograsp

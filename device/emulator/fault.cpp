@@ -94,8 +94,8 @@ bool parse_fingers(std::string_view name, std::array<bool, kFingerCount>& finger
 Error bad_fault(std::string_view text, std::string what) {
   std::string all;
   for (const auto& word : kWords) all += (all.empty() ? "" : ", ") + std::string(word.example);
-  return {Error::Code::bad_input,        std::move(what), "write it like one of: " + all, "", 0,
-          "--fault " + std::string(text)};
+  return refused(std::move(what), "write it like one of: " + all)
+      .about("--fault " + std::string(text));
 }
 
 }  // namespace

@@ -10,12 +10,9 @@ Result<std::unique_ptr<Bus>> open_net_ft_boxes(const std::string& on, const Devi
                                                std::string& uri) {
   const auto first = NetFtAddress::parse(on);
   if (!first)
-    return Error{Error::Code::bad_input,
-                 "'" + on + "' is no address of boxes",
-                 "use --on 127.0.0.1:49152:8080 (records, web pages)",
-                 "",
-                 0,
-                 "--on"};
+    return refused("'" + on + "' is no address of boxes",
+                   "use --on 127.0.0.1:49152:8080 (records, web pages)")
+        .about("--on");
   NetFtServerOptions options;
   uri = "udp://";
   for (std::size_t f = 0; f < kFingerCount; ++f) {

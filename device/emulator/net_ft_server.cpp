@@ -108,12 +108,7 @@ class OpenBoxes final : public NetFtServer {
 
   Result<void> start(Clock& clock) override {
     if (clock.is_virtual())
-      return Error{Error::Code::bad_input,
-                   "a real network does not run in virtual time",
-                   "use the real clock",
-                   "",
-                   0,
-                   ""};
+      return refused("a real network does not run in virtual time", "use the real clock");
     clock_ = &clock;
     return {};
   }
@@ -148,12 +143,9 @@ class OpenBoxes final : public NetFtServer {
 
  private:
   static Error not_opened(const Endpoint& where, const beast::error_code& failure) {
-    return {Error::Code::failed,
-            "an emulated box cannot listen here: " + failure.message(),
-            "use another address or port, or end the program that has it",
-            "",
-            0,
-            where.text()};
+    return failed("an emulated box cannot listen here: " + failure.message(),
+                  "use another address or port, or end the program that has it")
+        .about(where.text());
   }
 
   void accept(std::size_t finger) {
@@ -235,12 +227,8 @@ Result<std::unique_ptr<NetFtServer>> NetFtServer::open(NetFtServerOptions option
     if (const auto failure = boxes->open()) return *failure;
     return std::unique_ptr<NetFtServer>(std::move(boxes));
   } catch (const std::exception& problem) {
-    return Error{Error::Code::failed,
-                 std::string("the emulated boxes cannot be opened: ") + problem.what(),
-                 "close other programs and try again",
-                 "",
-                 0,
-                 ""};
+    return failed(std::string("the emulated boxes cannot be opened: ") + problem.what(),
+                  "close other programs and try again");
   }
 }
 

@@ -26,13 +26,9 @@ constexpr int kSlcanDiscipline = 17;  // N_SLCAN
 constexpr Timestamp kLongestSwitchingOn = std::chrono::seconds(5);
 constexpr Timestamp kLookAtPort = std::chrono::milliseconds(10);
 
-Error adapter_error(const std::string& interface, std::string what, std::string remedy) {
-  return {Error::Code::failed, std::move(what), std::move(remedy), "", 0, interface};
-}
-
 Error system_error(const std::string& interface, const std::string& what) {
-  return adapter_error(interface, what + ": " + std::strerror(errno),
-                       "run as root on a kernel with the module slcan");
+  return failed(what + ": " + std::strerror(errno), "run as root on a kernel with the module slcan")
+      .about(interface);
 }
 
 /// @pre the interface is switched off. False: errno says why.
@@ -61,34 +57,28 @@ SlcanAdapter::~SlcanAdapter() {
 Result<std::unique_ptr<SlcanAdapter>> SlcanAdapter::open(const std::string& interface,
                                                          unsigned bit_rate) {
   if (interface.empty() || interface.size() >= IFNAMSIZ)
-    return Error{Error::Code::bad_input,
-                 "no interface can have this name",
-                 "use slcan:can0",
-                 "",
-                 0,
-                 interface};
+    return refused("no interface can have this name", "use slcan:can0").about(interface);
   std::unique_ptr<SlcanAdapter> adapter(new SlcanAdapter(interface, bit_rate));
   if (auto plugged = adapter->plug_in(); !plugged) return plugged.error();
   const Timestamp give_up_at = adapter->clock_->now() + kLongestSwitchingOn;
   ReceivedFrame ignored;
   while (adapter->switching_on_ >= 0 && adapter->clock_->now() < give_up_at)
     if (adapter->receive(adapter->clock_->now() + kLookAtPort, ignored) == BusEvent::interface_gone)
-      return adapter_error(interface, "the interface could not be switched on",
-                           "run as root; the program ip must be installed");
+      return failed("the interface could not be switched on",
+                    "run as root; the program ip must be installed")
+          .about(interface);
   if (!adapter->open_)
-    return adapter_error(interface, "the kernel did not open the adapter",
-                         "use the kernel's slcan driver of Linux 6.0 or later");
+    return failed("the kernel did not open the adapter",
+                  "use the kernel's slcan driver of Linux 6.0 or later")
+        .about(interface);
   return adapter;
 }
 
 Result<void> SlcanAdapter::plug_in() {
   if (if_nametoindex(interface_.c_str()) != 0)
-    return Error{Error::Code::bad_input,
-                 "there is an interface of this name already",
-                 "choose another name for the adapter",
-                 "",
-                 0,
-                 interface_};
+    return refused("there is an interface of this name already",
+                   "choose another name for the adapter")
+        .about(interface_);
   auto done = attach();
   if (done) done = begin_switching_on();
   if (!done) unplug();
@@ -129,8 +119,8 @@ Result<void> SlcanAdapter::begin_switching_on() {
       posix_spawnp(&switching_on_, "ip", nullptr, nullptr, arguments.data(), environ);
   if (failure == 0) return {};
   switching_on_ = -1;
-  return adapter_error(interface_, std::string("ip cannot be run: ") + std::strerror(failure),
-                       "install iproute2");
+  return failed(std::string("ip cannot be run: ") + std::strerror(failure), "install iproute2")
+      .about(interface_);
 }
 
 std::optional<int> SlcanAdapter::switching_on_ended() noexcept {
@@ -188,12 +178,8 @@ void SlcanAdapter::inject(AdapterFault fault) noexcept {
 
 Result<void> SlcanAdapter::start(Clock& clock) {
   if (clock.is_virtual())
-    return Error{Error::Code::bad_input,
-                 "a real adapter does not run in virtual time",
-                 "use the real clock",
-                 "",
-                 0,
-                 interface_};
+    return refused("a real adapter does not run in virtual time", "use the real clock")
+        .about(interface_);
   clock_ = &clock;
   return {};
 }

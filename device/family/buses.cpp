@@ -32,8 +32,9 @@ Result<void> check_addresses(const Uri& uri,
                              const std::array<std::string, kFingerCount>& addresses) {
   for (const auto& address : addresses)
     if (address.empty())
-      return uri.error("config", "the address of a sensor is missing",
-                       "give address for each [[sensor]]");
+      return refused("the address of a sensor is missing", "give address for each [[sensor]]")
+          .at(uri.text)
+          .about("config");
   return {};
 }
 

@@ -4,12 +4,7 @@
 namespace isograsp {
 
 Error empty_log(const std::string& path, const char* example) {
-  return {Error::Code::bad_input,
-          "holds no frame",
-          std::string("give a log with lines like ") + example,
-          path,
-          0,
-          ""};
+  return refused("holds no frame", std::string("give a log with lines like ") + example).at(path);
 }
 
 }  // namespace isograsp

@@ -36,20 +36,14 @@ Result<NetFtFingers> NetFtFingers::in_order(std::vector<Endpoint> senders, const
   std::sort(senders.begin(), senders.end());
   senders.erase(std::unique(senders.begin(), senders.end()), senders.end());
   if (senders.empty())
-    return Error{Error::Code::bad_input,
-                 "no datagram of this log holds records of a Net F/T box",
-                 "check that it is a log of this protocol",
-                 log,
-                 0,
-                 ""};
+    return refused("no datagram of this log holds records of a Net F/T box",
+                   "check that it is a log of this protocol")
+        .at(log);
   if (senders.size() > kFingerCount)
-    return Error{Error::Code::bad_input,
-                 std::to_string(senders.size()) + " boxes send records, the last is " +
-                     senders.back().text(),
-                 "say with --config which three are under the fingers",
-                 log,
-                 0,
-                 ""};
+    return refused(std::to_string(senders.size()) + " boxes send records, the last is " +
+                       senders.back().text(),
+                   "say with --config which three are under the fingers")
+        .at(log);
   NetFtFingers fingers;
   std::copy(senders.begin(), senders.end(), fingers.box.begin());
   return fingers;
@@ -64,13 +58,10 @@ Result<NetFtFingers> NetFtFingers::of(const DeviceConfig& config) {
       if (host.find(':') == std::string::npos) fingers.box[f]->port = 0;
     }
     if (!fingers.box[f])
-      return Error{Error::Code::bad_input,
-                   "the box of the " + std::string(kFingerNames[f]) + " has the address '" + host +
-                       "', which is not in numbers",
-                   "write it as 192.168.1.1",
-                   "",
-                   0,
-                   "address"};
+      return refused("the box of the " + std::string(kFingerNames[f]) + " has the address '" +
+                         host + "', which is not in numbers",
+                     "write it as 192.168.1.1")
+          .about("address");
   }
   return fingers;
 }

@@ -45,8 +45,7 @@ class Box {
     return error;
   }
   [[nodiscard]] Error error(std::string field, const std::string& what, std::string remedy) const {
-    return {Error::Code::failed, sensor_ + " " + what, std::move(remedy), place(kPage), 0,
-            std::move(field)};
+    return failed(sensor_ + " " + what, std::move(remedy)).at(place(kPage)).about(std::move(field));
   }
 
  private:
@@ -73,12 +72,8 @@ Result<NetFtBoxConfig> set_up_net_ft_box(const DeviceConfig& config, std::size_t
   const std::string& host = sensor.as<NetFtSensor>().host;
   const auto address = NetFtAddress::parse(host);
   if (!address)
-    return Error{Error::Code::bad_input,
-                 "'" + host + "' is no address in numbers",
-                 "write it as 192.168.1.1",
-                 "",
-                 0,
-                 "address"};
+    return refused("'" + host + "' is no address in numbers", "write it as 192.168.1.1")
+        .about("address");
   Box box(finger, address->pages, limit);
   auto said = box.ask();
   if (!said) return said;

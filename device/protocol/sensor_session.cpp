@@ -169,7 +169,7 @@ void SensorSession::reset_counters() noexcept {
 Error SensorSession::error(std::string_view finger, const std::string& place) const {
   const std::string whose = finger == "thumb" ? "thumb's" : std::string(finger) + " finger's";
   const std::string sensor = "the " + whose + " sensor (" + options_.address + ")";
-  Error error{Error::Code::failed, "", "", place, 0, ""};
+  Error error = failed("", "").at(place);
   switch (failure_) {
     case Failure::wrong_serial:
       error.what = sensor + " has the serial number " + serial_number_ +

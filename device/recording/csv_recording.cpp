@@ -37,12 +37,9 @@ Result<Recording> read_csv_recording(const std::string& path) {
   if (!reader) return reader.error();
   if (std::none_of(kFingers.begin(), kFingers.end(),
                    [&](Finger finger) { return reader->has(finger); }))
-    return Error{Error::Code::bad_input,
-                 "holds no finger's forces",
-                 "add columns such as thumb_fx_N, thumb_fy_N, thumb_fz_N",
-                 path,
-                 0,
-                 ""};
+    return refused("holds no finger's forces",
+                   "add columns such as thumb_fx_N, thumb_fy_N, thumb_fz_N")
+        .at(path);
 
   const bool on_grid = fits_frames(*grid);
   Recording recording;

@@ -26,12 +26,9 @@ Result<Recording> read_log_recording(const std::string& path, const DeviceConfig
   const auto read = read_log(path, config, addresses_known, take);
   if (!read) return read.error();
   if (recording.samples.empty())
-    return Error{Error::Code::bad_input,
-                 "holds no sample of these sensors",
-                 "check protocol and addresses of the device file",
-                 path,
-                 0,
-                 ""};
+    return refused("holds no sample of these sensors",
+                   "check protocol and addresses of the device file")
+        .at(path);
   // A log may hold a record that came late: the order of the times is the order of the play.
   auto& samples = recording.samples;
   std::stable_sort(samples.begin(), samples.end(),

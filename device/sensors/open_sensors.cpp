@@ -26,10 +26,11 @@ Result<std::array<std::string, kFingerCount>> addresses_in(const Uri& uri) {
     addresses[f] = uri.target.substr(begin, end == std::string::npos ? end : end - begin);
     const bool last = f + 1 == kFingerCount;
     if (addresses[f].empty() || (end == std::string::npos) != last)
-      return uri.error("", "not the addresses of three sensors",
-                       "write thumb, index, middle separated by commas, or give them in the "
-                       "configuration and write " +
-                           uri.scheme + "://?config=FILE");
+      return refused("not the addresses of three sensors",
+                     "write thumb, index, middle separated by commas, or give them in the "
+                     "configuration and write " +
+                         uri.scheme + "://?config=FILE")
+          .at(uri.text);
     begin = end + 1;
   }
   return addresses;
@@ -57,10 +58,14 @@ Result<DeviceConfig> config_of(const Uri& uri) {
   const auto name = uri.text_or("protocol", "");
   const FamilyFacts* named = family_named(name);
   if (!name.empty() && named == nullptr)
-    return uri.error("protocol", "no protocol is called '" + name + "'", "use " + family_names());
+    return refused("no protocol is called '" + name + "'", "use " + family_names())
+        .at(uri.text)
+        .about("protocol");
   const auto file = uri.text_or("config", "");
   if (file.empty() && named == nullptr)
-    return uri.error("protocol", "the protocol is missing", "add ?protocol=rft or ?config=FILE");
+    return refused("the protocol is missing", "add ?protocol=rft or ?config=FILE")
+        .at(uri.text)
+        .about("protocol");
   DeviceConfig config;
   if (file.empty()) {
     config = DeviceConfig::standard(*named);
@@ -68,31 +73,36 @@ Result<DeviceConfig> config_of(const Uri& uri) {
     auto read = DeviceConfig::read(file);
     if (!read) return read.error();
     if (named != nullptr && named != read->family)
-      return uri.error("protocol", "the configuration is for " + std::string(read->family->name),
-                       "leave protocol out or use another configuration");
+      return refused("the configuration is for " + std::string(read->family->name),
+                     "leave protocol out or use another configuration")
+          .at(uri.text)
+          .about("protocol");
     config = *std::move(read);
   }
   const FamilyFacts& family = *config.family;
   if (!fits(uri.scheme, family))
-    return uri.error("protocol",
-                     std::string(family.title) + " sensors do not speak over " + uri.scheme + "://",
-                     "see: isograsp devices");
+    return refused(std::string(family.title) + " sensors do not speak over " + uri.scheme + "://",
+                   "see: isograsp devices")
+        .at(uri.text)
+        .about("protocol");
   const auto rate_Hz = uri.number_or("rate", config.rate_Hz, 10.0, 1000.0);
   if (!rate_Hz) return rate_Hz.error();
   if (!family.has_rate(*rate_Hz))
-    return uri.error("rate", "the sensors have no such rate", std::string(family.rate_remedy));
+    return refused("the sensors have no such rate", std::string(family.rate_remedy))
+        .at(uri.text)
+        .about("rate");
   config.rate_Hz = *rate_Hz;
   const auto taps = uri.number_or("fir", config.fir_taps, 0.0, static_cast<double>(kMostFirTaps));
   if (!taps) return taps.error();
   if (*taps != std::floor(*taps))
-    return uri.error("fir", "is not a whole number", "give an odd number of taps");
+    return refused("is not a whole number", "give an odd number of taps").at(uri.text).about("fir");
   config.fir_taps = static_cast<int>(*taps);
 
   if (recorded) return config;
   if (uri.scheme == "can") {
     if (!uri.target.empty()) config.interface = uri.target;
     if (config.interface.empty())
-      return uri.error("", "no interface is named", "write can://can0?protocol=rft");
+      return refused("no interface is named", "write can://can0?protocol=rft").at(uri.text);
   } else if (!uri.target.empty() && family.set_address != nullptr) {
     const auto addresses = addresses_in(uri);
     if (!addresses) return addresses.error();
@@ -108,7 +118,8 @@ Result<std::unique_ptr<ForceDevice>> open_sensors(const Uri& uri, const DeviceOp
   std::vector<double> fir;
   if (config->fir_taps != 0) {
     auto designed = design_fir(config->fir_taps, config->rate_Hz, config->fir_cutoff_Hz);
-    if (!designed) return uri.error("fir", designed.error().what, designed.error().remedy);
+    if (!designed)
+      return refused(designed.error().what, designed.error().remedy).at(uri.text).about("fir");
     fir = *std::move(designed);
   }
   std::string place = uri.target;

@@ -164,13 +164,10 @@ Result<void> SensorDevice::start(Clock& clock) {
       note(event);
     if (bus_fault_ != DeviceFault::none) {
       stop();
-      return Error{
-          Error::Code::failed,
-          "the bus failed while the sensors were started: " + std::string(describe(bus_fault_)),
-          "check the adapter and its cable",
-          place_,
-          0,
-          ""};
+      return failed("the bus failed while the sensors were started: " +
+                        std::string(describe(bus_fault_)),
+                    "check the adapter and its cable")
+          .at(place_);
     }
     for (std::size_t f = 0; f < kFingerCount; ++f) {
       if (sessions_[f]->failure() == SensorSession::Failure::none) continue;

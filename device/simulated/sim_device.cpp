@@ -116,15 +116,21 @@ Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const Devic
       !known)
     return known.error();
   if (uri.target.empty())
-    return uri.error("patient", "no patient is named", "write sim://healthy or sim://paretic");
+    return refused("no patient is named", "write sim://healthy or sim://paretic")
+        .at(uri.text)
+        .about("patient");
   constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: every whole number below is exact
   const auto seed = uri.number_or("seed", 1.0, 0.0, kLargestSeed);
   if (!seed) return seed.error();
   if (*seed != std::floor(*seed))
-    return uri.error("seed", "is not a whole number", "write a whole number such as seed=7");
+    return refused("is not a whole number", "write a whole number such as seed=7")
+        .at(uri.text)
+        .about("seed");
   const std::string hand = uri.text_or("hand", "right");
   if (!hand_from_name(hand))
-    return uri.error("hand", "'" + hand + "' is not a hand", "write hand=right or hand=left");
+    return refused("'" + hand + "' is not a hand", "write hand=right or hand=left")
+        .at(uri.text)
+        .about("hand");
   const auto rate_Hz = uri.number_or("rate", 100.0, 50.0, 1000.0);
   if (!rate_Hz) return rate_Hz.error();
   const auto drop = uri.number_or("drop", 0.0, 0.0, 1.0);
@@ -132,8 +138,9 @@ Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const Devic
   const auto step_N = uri.number_or("resolution", kSensorStep_N, 1e-4, 1.0);
   if (!step_N) return step_N.error();
   if (options.source == nullptr)
-    return uri.error("", "nobody presses the simulated device",
-                     "open it in a session, which brings the simulated patient");
+    return refused("nobody presses the simulated device",
+                   "open it in a session, which brings the simulated patient")
+        .at(uri.text);
 
   DeviceInfo info;
   info.uri = uri.text;

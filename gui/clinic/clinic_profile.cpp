@@ -11,9 +11,7 @@ Result<storage::RowId> patient_id(storage::SessionStore& store, const std::strin
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!*patient)
-    return Error{
-        Error::Code::bad_input, "there is no patient " + code, "choose one that is there", "", 0,
-        "patient code"};
+    return refused("there is no patient " + code, "choose one that is there").about("patient code");
   return (*patient)->id;
 }
 

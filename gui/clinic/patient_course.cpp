@@ -14,8 +14,7 @@ namespace isograsp::gui {
 Result<PatientCourse> read_course(storage::SessionStore& store, const std::string& code) {
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
-  if (!patient->has_value())
-    return Error{Error::Code::bad_input, "there is no patient " + code, "", store.path(), 0, ""};
+  if (!patient->has_value()) return refused("there is no patient " + code, "").at(store.path());
   PatientCourse course;
   course.code = (*patient)->code;
   auto points = reports::renewed_progress(store, (*patient)->id);

@@ -17,7 +17,7 @@ QString proposed_folder(const std::string& database) {
 Result<void> check_folder_of(const std::string& path) {
   const QFileInfo folder(QFileInfo(QString::fromStdString(path)).absolutePath());
   const auto refuse_folder = [&](const char* why, const char* what_to_do) {
-    return Error{Error::Code::failed, why, what_to_do, folder.filePath().toStdString(), 0, ""};
+    return failed(why, what_to_do).at(folder.filePath().toStdString());
   };
   if (!folder.exists())
     return refuse_folder("this folder does not exist", "choose another folder, or make it first");

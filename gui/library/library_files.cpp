@@ -103,15 +103,13 @@ std::string free_name(const std::string& base, const std::set<std::string>& take
   return name;
 }
 
-Error failed(const std::string& path, const std::string& what) {
-  return {
-      Error::Code::failed, what, "check the disk and the permissions of its folder", path, 0, ""};
-}
+constexpr const char* kWriteRemedy = "check the disk and the permissions of its folder";
 
 Result<void> make_own_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
-  if (failure) return failed(folder, "the folder cannot be made: " + failure.message());
+  if (failure)
+    return failed("the folder cannot be made: " + failure.message(), kWriteRemedy).at(folder);
   return {};
 }
 
@@ -227,10 +225,8 @@ Result<void> LibraryFiles::check_name(LibraryKind kind, const std::string& text,
   const auto line = find_key(text, "name");
   const int number = 1 + static_cast<int>(std::count(
                              text.begin(), text.begin() + static_cast<long>(line.begin), '\n'));
-  const auto refused = [&](std::string what, std::string remedy) {
-    return Error{Error::Code::bad_input, std::move(what), std::move(remedy), path, number, "name"};
-  };
-  if (name.empty()) return refused("is missing", "write a name, for people");
+  if (name.empty())
+    return refused("is missing", "write a name, for people").at(path, number, "name");
   for (const auto& folder : {own_, shipped_}) {
     std::error_code absent;
     for (const auto& file : fs::directory_iterator(fs::path(folder) / folder_of(kind), absent)) {
@@ -239,7 +235,8 @@ Result<void> LibraryFiles::check_name(LibraryKind kind, const std::string& text,
         continue;
       const auto other = read_text(file.path());
       if (other && name_in(*other) == name)
-        return refused("is the name of " + file.path().filename().string(), "choose another one");
+        return refused("is the name of " + file.path().filename().string(), "choose another one")
+            .at(path, number, "name");
     }
   }
   return {};
@@ -288,23 +285,15 @@ Result<LibraryEntry> LibraryFiles::duplicate(const LibraryEntry& entry,
 Result<LibraryFiles::Saved> LibraryFiles::save(const LibraryEntry& entry, const std::string& former,
                                                const std::string& text, const FileUse& use) const {
   if (!entry.own)
-    return Error{Error::Code::bad_input,
-                 "is shipped and stays as it is",
-                 "duplicate it first",
-                 entry.path,
-                 0,
-                 ""};
+    return refused("is shipped and stays as it is", "duplicate it first").at(entry.path);
   if (auto good = check(entry.kind, text, entry.path); !good) return good.error();
   if (auto good = check_name(entry.kind, text, entry.path); !good) return good.error();
   const auto there = read_text(entry.path);
   if (!there) return there.error();
   if (*there != former)
-    return Error{Error::Code::failed,
-                 "another program has changed this file meanwhile",
-                 "duplicate your text, then Revert shows what stands there",
-                 entry.path,
-                 0,
-                 ""};
+    return failed("another program has changed this file meanwhile",
+                  "duplicate your text, then Revert shows what stands there")
+        .at(entry.path);
   Saved saved{text, 0, false, ""};
   if (entry.kind == LibraryKind::tasks) {
     const auto spec = tasks::parse_task(text, entry.path);
@@ -316,12 +305,10 @@ Result<LibraryFiles::Saved> LibraryFiles::save(const LibraryEntry& entry, const 
       saved.text = with_version(text, saved.version);
       const auto raised = tasks::parse_task(saved.text, entry.path);
       if (!raised || raised->version != saved.version)
-        return Error{Error::Code::bad_input,
-                     "trials were recorded with this version",
-                     "write version = " + std::to_string(saved.version),
-                     entry.path,
-                     0,
-                     "version"};
+        return refused("trials were recorded with this version",
+                       "write version = " + std::to_string(saved.version))
+            .at(entry.path)
+            .about("version");
     }
   }
   if (use.used && saved.text != former) {
@@ -349,27 +336,26 @@ Result<std::string> LibraryFiles::put_away(const LibraryEntry& entry, const char
     fs::copy_file(entry.path, place, failure);
   else
     fs::rename(entry.path, place, failure);
-  if (failure) return failed(entry.path, "the file cannot be put away: " + failure.message());
+  if (failure)
+    return failed("the file cannot be put away: " + failure.message(), kWriteRemedy).at(entry.path);
   return place.string();
 }
 
 Result<std::string> LibraryFiles::remove(const LibraryEntry& entry) const {
-  if (!entry.own)
-    return Error{Error::Code::bad_input, "is shipped and stays as it is", "", entry.path, 0, ""};
+  if (!entry.own) return refused("is shipped and stays as it is", "").at(entry.path);
   return put_away(entry, "removed", false);
 }
 
 Result<void> LibraryFiles::bring_back(const std::string& removed, const LibraryEntry& entry) const {
   std::error_code failure;
   if (fs::exists(entry.path, failure))
-    return Error{Error::Code::failed,
-                 "another file has this name now",
-                 "rename that one, or take this one from " + removed,
-                 entry.path,
-                 0,
-                 ""};
+    return failed("another file has this name now",
+                  "rename that one, or take this one from " + removed)
+        .at(entry.path);
   fs::rename(removed, entry.path, failure);
-  if (failure) return failed(entry.path, "the file cannot be brought back: " + failure.message());
+  if (failure)
+    return failed("the file cannot be brought back: " + failure.message(), kWriteRemedy)
+        .at(entry.path);
   return {};
 }
 

@@ -165,7 +165,7 @@ QWidget* LibraryPage::make_editor() {
   connect(undo_, &QPushButton::clicked, editor_, &QPlainTextEdit::undo);
   connect(redo_, &QPushButton::clicked, editor_, &QPlainTextEdit::redo);
   connect(go_to_, &QPushButton::clicked, this, [this] {
-    if (error_) editor_->go_to_line(error_->line);
+    if (error_ && error_->line) editor_->go_to_line(*error_->line);
   });
   connect(problem_, &QLabel::linkActivated, go_to_, &QPushButton::click);
   connect(editor_, &QPlainTextEdit::textChanged, this, &LibraryPage::text_changed);

@@ -148,8 +148,9 @@ void LibraryPage::check() {
 void LibraryPage::show_checked(const std::optional<Error>& error) {
   error_ = error;
   const bool here = error && entry_ && (error->file == entry_->path || error->file.empty());
-  editor_->mark_line(here ? error->line : 0);
-  go_to_->setVisible(here && error->line > 0);
+  const auto line = here ? error->line : std::nullopt;
+  editor_->mark_line(line);
+  go_to_->setVisible(line.has_value());
   if (!error) {
     problem_->setText(tr("✓ It can be used."));
     problem_->setStyleSheet(QStringLiteral("color: %1").arg(look::kReady.name()));
@@ -157,8 +158,7 @@ void LibraryPage::show_checked(const std::optional<Error>& error) {
     // "Line 7, friction: is missing. Write …"
     QString place;
     if (!here) place = file_name(error->file);
-    if (error->line > 0)
-      place += (place.isEmpty() ? tr("Line %1") : tr(", line %1")).arg(error->line);
+    if (error->line) place += (place.isEmpty() ? tr("Line %1") : tr(", line %1")).arg(*error->line);
     if (!error->field.empty())
       place += (place.isEmpty() ? QString() : QStringLiteral(", ")) +
                QString::fromStdString(error->field);
@@ -167,11 +167,10 @@ void LibraryPage::show_checked(const std::optional<Error>& error) {
     if (!error->remedy.empty()) words += QStringLiteral(". ") + with_capital(shown(error->remedy));
     words = QStringLiteral("⚠ ") + words + QStringLiteral(".");
     problem_->setText(
-        here && error->line > 0
-            ? QStringLiteral("<a href=\"line\" style=\"color:%1;text-decoration:none\">"
-                             "%2</a>")
-                  .arg(look::kFault.name(), words.toHtmlEscaped())
-            : words);
+        line ? QStringLiteral("<a href=\"line\" style=\"color:%1;text-decoration:none\">"
+                              "%2</a>")
+                   .arg(look::kFault.name(), words.toHtmlEscaped())
+             : words);
     problem_->setStyleSheet(QStringLiteral("color: %1").arg(look::kFault.name()));
   }
   refresh();

@@ -111,7 +111,7 @@ TomlEditor::TomlEditor(QWidget* parent) : QPlainTextEdit(parent), numbers_(new L
 }
 
 void TomlEditor::show_text(const QString& text) {
-  marked_ = 0;
+  marked_.reset();
   setPlainText(text);
 }
 
@@ -121,7 +121,7 @@ void TomlEditor::replace_text(const QString& text) {
   cursor.insertText(text);
 }
 
-void TomlEditor::mark_line(int line) {
+void TomlEditor::mark_line(std::optional<int> line) {
   if (line == marked_) return;
   marked_ = line;
   refresh_marks();
@@ -154,8 +154,9 @@ void TomlEditor::select_name() {
 void TomlEditor::refresh_marks() {
   QList<QTextEdit::ExtraSelection> marks;
   if (!isReadOnly()) marks << whole_line(textCursor(), kCurrentLine);
-  const auto block = document()->findBlockByNumber(marked_ - 1);
-  if (marked_ > 0 && block.isValid()) marks << whole_line(QTextCursor(block), kErrorLine);
+  if (marked_)
+    if (const auto block = document()->findBlockByNumber(*marked_ - 1); block.isValid())
+      marks << whole_line(QTextCursor(block), kErrorLine);
   setExtraSelections(marks);
   numbers_->update();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QPlainTextEdit>
+#include <optional>
 
 namespace isograsp::gui {
 
@@ -17,9 +18,9 @@ class TomlEditor final : public QPlainTextEdit {
   void show_text(const QString& text);
   /// The same file with another text; Undo brings back what stood here.
   void replace_text(const QString& text);
-  /// 1-based; 0: none.
-  void mark_line(int line);
-  [[nodiscard]] int marked_line() const noexcept { return marked_; }
+  /// 1-based.
+  void mark_line(std::optional<int> line);
+  [[nodiscard]] std::optional<int> marked_line() const noexcept { return marked_; }
   /// The cursor to the beginning of a line, 1-based, and the focus here.
   void go_to_line(int line);
   /// Selects the value of the top-level key `name`.
@@ -36,7 +37,7 @@ class TomlEditor final : public QPlainTextEdit {
   void refresh_marks();
 
   QWidget* numbers_;
-  int marked_ = 0;
+  std::optional<int> marked_;
 };
 
 }  // namespace isograsp::gui

@@ -8122,6 +8122,30 @@
         <source>keeping results of a newer version</source>
         <translation>Ergebnisse einer neueren Version aufbewahren</translation>
     </message>
+    <message>
+        <source>does not hold all of %1 after it was taken in</source>
+        <translation>enthält nach der Übernahme nicht alles aus %1</translation>
+    </message>
+    <message>
+        <source>is not there, so nothing can be taken into it</source>
+        <translation>ist nicht da, also kann nichts in sie übernommen werden</translation>
+    </message>
+    <message>
+        <source>keep that file, run isograsp db check, and rescue again</source>
+        <translation>diese Datei behalten, isograsp db check ausführen und erneut retten</translation>
+    </message>
+    <message>
+        <source>put it back or restore the last backup, then rescue again</source>
+        <translation>sie zurücklegen oder die letzte Sicherung wiederherstellen, dann erneut retten</translation>
+    </message>
+    <message>
+        <source>set XDG_STATE_HOME to a folder that you may write to</source>
+        <translation>XDG_STATE_HOME auf einen Ordner setzen, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>the copy %1 cannot be put back</source>
+        <translation>die Kopie %1 kann nicht zurückgelegt werden</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::BackupWork</name>
@@ -9274,6 +9298,17 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::ObjectPathView</name>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Von rechts</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ObjectSketch</name>
     <message numerus="yes">
         <source>The object in the plane of x and y, with %n target(s)</source>
@@ -9289,17 +9324,6 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::gui::ObjectPathView</name>
-    <message>
-        <source>From the front</source>
-        <translation>Von vorn</translation>
-    </message>
-    <message>
-        <source>From the right</source>
-        <translation>Von rechts</translation>
     </message>
 </context>
 <context>

@@ -8122,6 +8122,30 @@
         <source>keeping results of a newer version</source>
         <translation>conservation de résultats d’une version plus récente</translation>
     </message>
+    <message>
+        <source>does not hold all of %1 after it was taken in</source>
+        <translation>ne contient pas tout ce qui est dans %1 après son intégration</translation>
+    </message>
+    <message>
+        <source>is not there, so nothing can be taken into it</source>
+        <translation>n’est pas là, donc rien ne peut y être intégré</translation>
+    </message>
+    <message>
+        <source>keep that file, run isograsp db check, and rescue again</source>
+        <translation>garder ce fichier, lancer isograsp db check, puis récupérer de nouveau</translation>
+    </message>
+    <message>
+        <source>put it back or restore the last backup, then rescue again</source>
+        <translation>la remettre en place ou restaurer la dernière sauvegarde, puis récupérer de nouveau</translation>
+    </message>
+    <message>
+        <source>set XDG_STATE_HOME to a folder that you may write to</source>
+        <translation>donner à XDG_STATE_HOME un dossier où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>the copy %1 cannot be put back</source>
+        <translation>la copie %1 ne peut pas être remise en place</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::BackupWork</name>
@@ -9274,6 +9298,17 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::ObjectPathView</name>
+    <message>
+        <source>From the front</source>
+        <translation>De face</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>De droite</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ObjectSketch</name>
     <message numerus="yes">
         <source>The object in the plane of x and y, with %n target(s)</source>
@@ -9289,17 +9324,6 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::gui::ObjectPathView</name>
-    <message>
-        <source>From the front</source>
-        <translation>De face</translation>
-    </message>
-    <message>
-        <source>From the right</source>
-        <translation>De droite</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,7 @@ tasks::Phase phase_of(double value) {
 Result<TrialReplay> TrialReplay::make(Signals signals) {
   const auto t_s = signals.column("t_s");
   const auto refuse = [](const std::string& what) {
-    return Error{Error::Code::bad_input, what, "look at its measures", "", 0, "t_s"};
+    return refused(what, "look at its measures").about("t_s");
   };
   if (t_s.empty()) return refuse("the trial has no samples");
   for (std::size_t row = 0; row < t_s.size(); ++row)

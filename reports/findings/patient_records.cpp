@@ -17,12 +17,10 @@ Result<PatientRecords> read_about(storage::SessionStore& store, const std::strin
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!patient->has_value())
-    return Error{Error::Code::bad_input,
-                 "there is no patient \"" + code + "\" in this database",
-                 "check the code, or record a session with it first",
-                 store.path(),
-                 0,
-                 "patient"};
+    return refused("there is no patient \"" + code + "\" in this database",
+                   "check the code, or record a session with it first")
+        .at(store.path())
+        .about("patient");
   auto profile = store.profile((*patient)->id);
   if (!profile) return profile.error();
   auto primaries = store.primary_measures((*patient)->id);

@@ -218,11 +218,6 @@ class CellMaker {
   bool units_differ_ = false;
 };
 
-Error wrong(const std::string& file, const std::string& field, const std::string& what,
-            const std::string& remedy) {
-  return {Error::Code::bad_input, what, remedy, file, 0, field};
-}
-
 /// A trial that counts in two conditions would be compared with itself. Not if they have different
 /// channels.
 Result<void> check_once(const std::vector<StudyCondition>& conditions, const Subject& subject,
@@ -233,10 +228,11 @@ Result<void> check_once(const std::vector<StudyCondition>& conditions, const Sub
       const auto [at, fresh] =
           seen.try_emplace({trial, conditions[c].selection.channel.value_or("")}, c);
       if (!fresh)
-        return wrong(file, "factor",
-                     "a trial of " + name + " stands in \"" + conditions[at->second].name +
-                         "\" and in \"" + conditions[c].name + "\"",
-                     "let the levels select different sessions, days, hands or tasks");
+        return refused("a trial of " + name + " stands in \"" + conditions[at->second].name +
+                           "\" and in \"" + conditions[c].name + "\"",
+                       "let the levels select different sessions, days, hands or tasks")
+            .at(file)
+            .about("factor");
     }
   return {};
 }
@@ -301,12 +297,14 @@ Result<StudyData> gather_study(storage::SessionStore& store, const Study& study,
         }
     }
   if (!any)
-    return wrong(file, "measure",
-                 "nobody has a value of \"" + study.measure + "\" in any condition",
-                 "check task, hand, channel, sessions and source");
+    return refused("nobody has a value of \"" + study.measure + "\" in any condition",
+                   "check task, hand, channel, sessions and source")
+        .at(file)
+        .about("measure");
   if (maker.units_differ())
-    return wrong(file, "factor", "the conditions have different units",
-                 "compare tasks and channels of one unit");
+    return refused("the conditions have different units", "compare tasks and channels of one unit")
+        .at(file)
+        .about("factor");
   data.unit = maker.kind()->unit;
   data.measure_version = maker.kind()->version;
   data.left_out = left_out.words();

@@ -85,14 +85,11 @@ Result<RealtimeGrant> enter_realtime(Realtime wish) {
   grant.memory_locked = grant.memory_refusal.empty();
   prefault_stack();
   if (wish == Realtime::require && (grant.fifo_priority == 0 || !grant.memory_locked))
-    return Error{Error::Code::failed,
-                 "real time is required, but the system gives " + describe(grant),
-                 "write '@isograsp - rtprio 50' and '@isograsp - memlock unlimited' to "
-                 "/etc/security/limits.d/isograsp.conf, join that group and log in again (check: "
-                 "ulimit -r, ulimit -l), or use --realtime=prefer",
-                 "",
-                 0,
-                 "--realtime"};
+    return failed("real time is required, but the system gives " + describe(grant),
+                  "write '@isograsp - rtprio 50' and '@isograsp - memlock unlimited' to "
+                  "/etc/security/limits.d/isograsp.conf, join that group and log in again (check: "
+                  "ulimit -r, ulimit -l), or use --realtime=prefer")
+        .about("--realtime");
   return grant;
 }
 

@@ -36,12 +36,10 @@ Result<void> refuse_known(ImportedGroup trials, storage::SessionStore& store) {
     const auto known = store.find_patient(trial.patient_code);
     if (!known) return known.error();
     if (*known)
-      return Error{Error::Code::bad_input,
-                   "patient " + trial.patient_code + " exists already",
-                   "import into another database; nothing was written",
-                   store.path(),
-                   0,
-                   "patient_prefix"};
+      return refused("patient " + trial.patient_code + " exists already",
+                     "import into another database; nothing was written")
+          .at(store.path())
+          .about("patient_prefix");
   }
   return {};
 }

@@ -120,12 +120,10 @@ class RecordingReader {
     std::vector<RecordedTrial> trials;
     for (Found& found : found_) {
       if (found.trial.signals.rows() < 2)
-        return Error{Error::Code::bad_input,
-                     "a trial has fewer than two rows",
-                     "complete the file, or correct the keys of the recording file",
-                     found.trial.file,
-                     0,
-                     found.trial.task.name};
+        return refused("a trial has fewer than two rows",
+                       "complete the file, or correct the keys of the recording file")
+            .at(found.trial.file)
+            .about(found.trial.task.name);
       trials.push_back(std::move(found.trial));
     }
     return trials;
@@ -136,18 +134,13 @@ class RecordingReader {
     return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
   }
 
-  Error error_here(std::string field, std::string what, std::string remedy) const {
-    return {Error::Code::bad_input, std::move(what), std::move(remedy), path_, line_,
-            std::move(field)};
-  }
-
   Result<std::size_t> column(const std::string& name) const {
     const auto found = std::find(columns_.begin(), columns_.end(), name);
     if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
     std::string names;
     for (const auto& existing : columns_) names += (names.empty() ? "" : ", ") + existing;
-    return error_here(name, "the column is missing",
-                      "correct the recording file; this file has: " + names);
+    return refused("the column is missing", "correct the recording file; this file has: " + names)
+        .at(path_, line_, name);
   }
 
   /// Where in this file the stored columns, the time and the keys are.
@@ -182,8 +175,9 @@ class RecordingReader {
   Result<double> number(const std::vector<std::string_view>& fields, std::size_t at) const {
     double value = 0.0;
     if (parse_number(fields[at], value)) return value;
-    return error_here(columns_[at], "'" + std::string(fields[at]) + "' is not a finite number",
-                      "correct the file; a number has '.' as the decimal sign");
+    return refused("'" + std::string(fields[at]) + "' is not a finite number",
+                   "correct the file; a number has '.' as the decimal sign")
+        .at(path_, line_, columns_[at]);
   }
 
   Result<double> value_of(std::size_t stored, const std::vector<std::string_view>& fields) const {
@@ -202,8 +196,9 @@ class RecordingReader {
 
   Result<void> add_row(const std::vector<std::string_view>& fields, Values& values) {
     if (fields.size() != columns_.size())
-      return error_here("", "has " + std::to_string(fields.size()) + " fields",
-                        "give every line " + std::to_string(columns_.size()) + " fields");
+      return refused("has " + std::to_string(fields.size()) + " fields",
+                     "give every line " + std::to_string(columns_.size()) + " fields")
+          .at(path_, line_, "");
     for (const auto& [key, at] : key_columns_) values[key] = fields[at];
     const auto trial = trial_of(values);
     if (!trial) return trial.error();
@@ -215,8 +210,9 @@ class RecordingReader {
       row[0] = *t_s;
     }
     if (signals.rows() > 0 && !(row[0] > signals.column("t_s").back()))
-      return error_here(spec_.time_column, "time does not increase",
-                        "sort the rows, or name the column that tells the trials apart");
+      return refused("time does not increase",
+                     "sort the rows, or name the column that tells the trials apart")
+          .at(path_, line_, spec_.time_column);
     for (std::size_t c = 0; c < spec_.columns.size(); ++c) {
       const auto value = value_of(c, fields);
       if (!value) return value.error();
@@ -250,16 +246,18 @@ class RecordingReader {
       double number = 0.0;
       if (!parse_number(text, number) || number != std::floor(number) || number < 1.0 ||
           number > kMostPatients)
-        return error_here(spec_.patient_key, "'" + text + "' is not the number of a person",
-                          "number them from 1 on: names and dates are not stored");
+        return refused("'" + text + "' is not the number of a person",
+                       "number them from 1 on: names and dates are not stored")
+            .at(path_, line_, spec_.patient_key);
       found.place.patient = static_cast<int>(number);
     }
     if (!spec_.session_key.empty()) {
       const std::string& name = values.at(spec_.session_key);
       const auto at = std::find(spec_.sessions.begin(), spec_.sessions.end(), name);
       if (at == spec_.sessions.end())
-        return error_here(spec_.session_key, "'" + name + "' is none of the sessions",
-                          "add it to `sessions` of the recording file");
+        return refused("'" + name + "' is none of the sessions",
+                       "add it to `sessions` of the recording file")
+            .at(path_, line_, spec_.session_key);
       found.place.session = static_cast<std::size_t>(at - spec_.sessions.begin());
       found.trial.session_name = name;
     }
@@ -307,30 +305,21 @@ Result<std::vector<RecordedTrial>> read_recording(const RecordingSpec& spec,
     files[name] = std::move(values);
   }
   if (failure)
-    return Error{Error::Code::bad_input,
-                 "cannot be listed: " + failure.message(),
-                 "name the folder that holds the recording",
-                 folder,
-                 0,
-                 "--from"};
+    return refused("cannot be listed: " + failure.message(),
+                   "name the folder that holds the recording")
+        .at(folder)
+        .about("--from");
   if (files.empty())
-    return Error{Error::Code::bad_input,
-                 "holds no file " + spec.file,
-                 "name the folder that holds the recording",
-                 folder,
-                 0,
-                 "--from"};
+    return refused("holds no file " + spec.file, "name the folder that holds the recording")
+        .at(folder)
+        .about("--from");
   RecordingReader reader(spec);
   for (const auto& [name, values] : files)
     if (auto done = reader.read(fs::path(folder) / name, values); !done) return done.error();
   auto trials = reader.take();
   if (trials && trials->empty())
-    return Error{Error::Code::bad_input,
-                 "holds no rows",
-                 "give a file with data",
-                 fs::path(folder) / files.begin()->first,
-                 0,
-                 ""};
+    return refused("holds no rows", "give a file with data")
+        .at(fs::path(folder) / files.begin()->first);
   return trials;
 }
 

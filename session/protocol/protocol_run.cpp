@@ -12,10 +12,6 @@ constexpr int kTrialAttempts = 2;  ///< a trial that a fault interrupted is repe
 /// The hand leaves the device and its sensors settle (filter and hold of well under a second).
 constexpr double kSettle_s = 1.0;
 
-Error failure(std::string what, std::string remedy) {
-  return {Error::Code::failed, std::move(what), std::move(remedy), "", 0, ""};
-}
-
 class Run {
  public:
   Run(Session& session, const std::function<void(const ProtocolProgress&)>& progress, bool serviced)
@@ -64,7 +60,7 @@ class Run {
   Result<void> may_go_on() {
     if (const auto lost = session_.failure()) return *lost;
     if (session_.is_to_stop())
-      return failure("the session was told to end", "run it again with --resume to go on");
+      return failed("the session was told to end", "run it again with --resume to go on");
     return {};
   }
 
@@ -90,7 +86,7 @@ class Run {
             news.zero->only_changed ? "after a service or remounting run it with --serviced" : "";
       }
     }
-    return failure("the instrument zero was refused: " + reason, remedy);
+    return failed("the instrument zero was refused: " + reason, remedy);
   }
 
   double now_s() { return session_.snapshot().session_time_s; }
@@ -118,8 +114,8 @@ class Run {
       reason = outcome->reason;
       if (session_.snapshot().stage == Stage::finished) break;
     }
-    return failure("'" + spec->name + "' could not be completed: " + reason,
-                   "mend the device and run the protocol again");
+    return failed("'" + spec->name + "' could not be completed: " + reason,
+                  "mend the device and run the protocol again");
   }
 
   /// Nobody takes the hand out here: what comes next begins with a zero, and with a person.
@@ -139,7 +135,7 @@ class Run {
     for (;;) {
       const auto news = session_.wait_for_news();
       if (const auto good = may_go_on(); !good) return good.error();
-      if (news.empty()) return failure("the device gives no more data", "check the device");
+      if (news.empty()) return failed("the device gives no more data", "check the device");
       for (const auto& item : news) {
         if (item.trial) return *item.trial;
         // Resuming is a therapist's act and there is none here; recorded data go on by themselves.

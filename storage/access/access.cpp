@@ -22,11 +22,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error refused_access(const std::string& path, std::string what, std::string remedy,
-                     std::string field = "") {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), path, 0, std::move(field)};
-}
-
 /// Wrong ones are counted where they can be; what the clock says is not trusted further than the
 /// delay itself.
 std::int64_t seconds_to_wait(const KeySlot& slot, std::int64_t now) {
@@ -52,7 +47,7 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
                       const std::string& path) {
   const std::lock_guard lock(parts.mutex);
   if (!parts.login->is_protected())
-    return refused_access(path, "asks for no login", "leave the login out");
+    return refused("asks for no login", "leave the login out").at(path);
   std::optional<KeySlot> slot;
   const auto read = parts.database.guard("logging in", [&] {
     soci::session& sql = parts.database.sql();
@@ -63,8 +58,9 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   if (!read) return read.error();
   const std::int64_t wait = slot ? seconds_to_wait(*slot, parts.clock()) : 0;
   if (wait > 0)
-    return refused_access(path, "too many wrong passwords",
-                          "wait " + std::to_string(wait) + " s, then try again");
+    return refused("too many wrong passwords",
+                   "wait " + std::to_string(wait) + " s, then try again")
+        .at(path);
 
   auto keys = slot ? open_slot(*slot, owner, password) : std::nullopt;
   const std::string now_utc = utc_text(std::time(nullptr));
@@ -85,9 +81,9 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
       if (!counted) return counted.error();
     }
     const std::int64_t next = delay_after(failed_count);
-    return refused_access(
-        path, "name or password is wrong",
-        next == 0 ? "try again" : "wait " + std::to_string(next) + " s, then try again");
+    return refused("name or password is wrong",
+                   next == 0 ? "try again" : "wait " + std::to_string(next) + " s, then try again")
+        .at(path);
   }
 
   const Login before = parts.login->login();
@@ -150,7 +146,7 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   std::error_code failure;
   const fs::path target = fs::weakly_canonical(fs::absolute(database), failure);
   if (failure || fs::exists(fs::symlink_status(target)))
-    return refused_access(database, "exists already", "name a new file");
+    return refused("exists already", "name a new file").at(database);
   if (auto good = check_password(passphrase, "passphrase"); !good) return good.error();
   const std::string part = target.string() + ".new" + std::to_string(getpid());
   const auto tidy = [&] {
@@ -176,9 +172,7 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   // Not with rename: a file that appeared meanwhile is kept.
   const bool named = ::link(part.c_str(), target.c_str()) == 0;
   tidy();
-  if (!named)
-    return Error{
-        Error::Code::failed, "could not be made", "choose another name or folder", database, 0, ""};
+  if (!named) return failed("could not be made", "choose another name or folder").at(database);
   (void)set_aside_head_file(target);  // of a database of this name that is gone
   auto access = open(database);
   if (!access) return access.error();
@@ -235,8 +229,9 @@ Result<void> Access::log_in_with_passphrase(const Secret& passphrase) {
 Result<void> Access::log_in_with_recovery_key(const Secret& key) {
   const auto digits = read_recovery_key(key);
   if (!digits)
-    return refused_access(path(), "is no recovery key: a digit is missing or mistyped",
-                          "copy all 56 digits from the printed page");
+    return refused("is no recovery key: a digit is missing or mistyped",
+                   "copy all 56 digits from the printed page")
+        .at(path());
   return open_for(*parts_, holder_of(parts_->login->database_id(), SlotKind::recovery), *digits,
                   path());
 }

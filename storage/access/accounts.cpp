@@ -13,10 +13,6 @@ namespace isograsp::storage {
 
 namespace {
 
-Error refused_account(std::string field, std::string what, std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::move(field)};
-}
-
 Result<void> check_user_name(const std::string& name) {
   constexpr std::size_t kMost = 64;
   const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
@@ -24,8 +20,9 @@ Result<void> check_user_name(const std::string& name) {
   });
   if (name.empty() || name.size() > kMost || !printable || name.front() == ' ' ||
       name.back() == ' ')
-    return refused_account("name", "is no name of an account",
-                           "give 1 to 64 characters on one line, no blank at either end");
+    return refused("is no name of an account",
+                   "give 1 to 64 characters on one line, no blank at either end")
+        .about("name");
   return {};
 }
 
@@ -35,11 +32,11 @@ Result<void> check_pin(const Secret& pin) {
   const bool good =
       digits.size() >= kLeastPin && digits.size() <= kMostPin &&
       std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!good) return refused_account("pin", "is not 4 to 12 digits", "choose another one");
+  if (!good) return refused("is not 4 to 12 digits", "choose another one").about("pin");
   for (const int step : {-1, 0, 1}) {
     bool easy = true;
     for (std::size_t i = 1; i < digits.size(); ++i) easy &= digits[i] - digits[i - 1] == step;
-    if (easy) return refused_account("pin", "is too easy to guess", "choose another one");
+    if (easy) return refused("is too easy to guess", "choose another one").about("pin");
   }
   return {};
 }
@@ -51,8 +48,8 @@ std::string pin_place(const std::string& database_id, const User& user) {
 User required_user(soci::session& sql, const std::string& name) {
   auto user = find_user(sql, name);
   if (!user)
-    throw Refusal{refused_account("name", "nobody has an account of this name",
-                                  "see isograsp db users list")};
+    throw Refusal{
+        refused("nobody has an account of this name", "see isograsp db users list").about("name")};
   return *user;
 }
 
@@ -62,12 +59,8 @@ SlotOwner slot_of(const Access::Parts& parts, const User& user) {
 
 Result<void> manage(Access& access, const std::string& act, const std::string& object) {
   if (!access.is_protected())
-    return Error{Error::Code::bad_input,
-                 "is not protected: it has no accounts",
-                 "protect it: isograsp db protect FILE",
-                 access.path(),
-                 0,
-                 ""};
+    return refused("is not protected: it has no accounts", "protect it: isograsp db protect FILE")
+        .at(access.path());
   return access.require(Right::manage, act, object);
 }
 
@@ -104,9 +97,9 @@ std::optional<User> find_user(soci::session& sql, const std::string& name) {
 
 Result<void> check_password(const Secret& password, const std::string& field) {
   if (password.size() < kLeastPassword)
-    return refused_account(field,
-                           "has fewer than " + std::to_string(kLeastPassword) + " characters",
-                           "choose a longer one; several words are easy to keep in mind");
+    return refused("has fewer than " + std::to_string(kLeastPassword) + " characters",
+                   "choose a longer one; several words are easy to keep in mind")
+        .about(field);
   return {};
 }
 
@@ -125,8 +118,9 @@ Result<User> add_user(Access& access, const std::string& name, Role role, const 
         int there = 0;
         sql << "SELECT count(*) FROM users WHERE name = :name", soci::use(name), soci::into(there);
         if (there > 0)
-          throw Refusal{refused_account("name", "is or was the name of an account",
-                                        "choose another one: the audit log names people")};
+          throw Refusal{refused("is or was the name of an account",
+                                "choose another one: the audit log names people")
+                            .about("name")};
         const std::string role_name(name_of(role));
         sql << "INSERT INTO users (name, role, created_utc) VALUES (:name, :role, :utc)",
             soci::use(name), soci::use(role_name), soci::use(user.created_utc);
@@ -204,7 +198,7 @@ Result<void> change_own_password(Access& access, const Secret& old_password, con
                                  const KeyCost& cost) {
   const auto user = access.user();
   if (!user || user->id == 0)
-    return refused_account("password", "nobody is logged in with an account", "log in with a name");
+    return refused("nobody is logged in with an account", "log in with a name").about("password");
   if (auto good = check_password(password, "password"); !good) return good;
   // Counts a wrong one as every login does.
   if (auto theirs = access.log_in(user->name, old_password); !theirs) return theirs;
@@ -219,10 +213,11 @@ Result<void> set_own_pin(Access& access, const Secret& pin) {
   const auto user = access.user();
   const Login login = access.parts().login->login();
   if (!user || user->id == 0 || login.locked)
-    return refused_account("pin", "nobody is logged in with an account", "log in with a name");
+    return refused("nobody is logged in with an account", "log in with a name").about("pin");
   if (!login.keys || login.keys->pin.empty())
-    return refused_account("pin", "the role " + std::string(name_of(user->role)) + " has no PIN",
-                           "log in with the password");
+    return refused("the role " + std::string(name_of(user->role)) + " has no PIN",
+                   "log in with the password")
+        .about("pin");
   if (auto good = check_pin(pin); !good) return good;
   std::string sealed;
   if (!pin.empty()) {
@@ -230,7 +225,7 @@ Result<void> set_own_pin(Access& access, const Secret& pin) {
     if (crypto_pwhash_str(reinterpret_cast<char*>(check.data()), pin.text().data(), pin.size(),
                           crypto_pwhash_OPSLIMIT_INTERACTIVE,
                           crypto_pwhash_MEMLIMIT_INTERACTIVE) != 0)
-      return Error{Error::Code::failed, "not enough memory", "close other programs", "", 0, ""};
+      return failed("not enough memory", "close other programs");
     sealed =
         seal(login.keys->pin, pin_place(access.parts().login->database_id(), *user), check.text());
   }
@@ -246,8 +241,8 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   const std::lock_guard lock(parts_->mutex);
   const Login before = parts_->login->login();
   if (!before.keys || before.keys->pin.empty())
-    return refused_account("pin", "nobody has opened the database with a password yet",
-                           "log in with the password");
+    return refused("nobody has opened the database with a password yet", "log in with the password")
+        .about("pin");
   std::optional<User> user;
   std::string sealed;
   int failed_count = 0;
@@ -260,10 +255,11 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   });
   if (!read) return read.error();
   if (!user || sealed.empty() || failed_count >= kMostWrongPins)
-    return refused_account("pin", "the PIN cannot be used now", "log in with the password");
+    return refused("the PIN cannot be used now", "log in with the password").about("pin");
   if (!before.keys->suffice_for(user->role))
-    return refused_account("pin", "whoever opened the database has fewer rights than this account",
-                           "log in with the password");
+    return refused("whoever opened the database has fewer rights than this account",
+                   "log in with the password")
+        .about("pin");
   const auto check =
       unseal(before.keys->pin, pin_place(parts_->login->database_id(), *user), sealed);
   const bool right = check && check->size() == crypto_pwhash_STRBYTES &&
@@ -286,9 +282,9 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   }
   if (right) return {};
   const int left = kMostWrongPins - failed_count - 1;
-  return refused_account(
-      "pin", "the PIN is wrong",
-      left > 0 ? "try again; " + std::to_string(left) + " left" : "log in with the password");
+  return refused("the PIN is wrong", left > 0 ? "try again; " + std::to_string(left) + " left"
+                                              : "log in with the password")
+      .about("pin");
 }
 
 }  // namespace isograsp::storage

@@ -90,8 +90,9 @@ Result<PatientRecord> GuardedStore::add_patient(const std::string& code,
   });
   if (!read) return read.error();
   if (!erased.empty())
-    return behind().refuse("patient " + erased + " was erased: the code is not given again",
-                           "choose another code");
+    return refused("patient " + erased + " was erased: the code is not given again",
+                   "choose another code")
+        .at(behind().path());
   return logged("add patient", code, "",
                 [&] { return behind().add_patient(code, created_utc, uuid); });
 }
@@ -102,9 +103,10 @@ Result<RowId> GuardedStore::begin_session(const SessionRecord& session,
   const std::string until =
       text_of("SELECT until_date FROM restrictions WHERE patient_id = :id", session.patient_id);
   if (!until.empty())
-    return behind().refuse("the records of " + code + " are restricted until " + until +
-                               ": the person asked for erasure",
-                           "lift the restriction if the person wishes to go on");
+    return refused("the records of " + code + " are restricted until " + until +
+                       ": the person asked for erasure",
+                   "lift the restriction if the person wishes to go on")
+        .at(behind().path());
   return logged(
       "begin session", code, "", [&] { return behind().begin_session(session, answers); },
       [&](AuditEntry& entry) {

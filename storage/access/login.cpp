@@ -80,29 +80,31 @@ std::shared_ptr<LoginState> login_state_of(Database& database) {
 }
 
 Error refusal_of(const LoginState& state, Right right, const std::string& path) {
-  const auto refused = [&](std::string what, std::string remedy) {
-    return Error{Error::Code::bad_input, std::move(what), std::move(remedy), path, 0, ""};
-  };
   if (!state.is_protected())
     return refused("identities are not stored in a database without protection",
-                   "protect it: isograsp db protect FILE");
+                   "protect it: isograsp db protect FILE")
+        .at(path);
   const Login login = state.login();
   if (!login.user)
     return refused("is protected, and nobody is logged in",
-                   "give --passphrase-file, or --user and --password-file");
-  if (login.locked) return refused("is locked", "log in again");
+                   "give --passphrase-file, or --user and --password-file")
+        .at(path);
+  if (login.locked) return refused("is locked", "log in again").at(path);
   const std::string role(name_of(login.user->role));
   switch (right) {
     case Right::read_records:
     case Right::write_records:
-      return refused("the role " + role + " may not change records", "log in as a therapist");
+      return refused("the role " + role + " may not change records", "log in as a therapist")
+          .at(path);
     case Right::read_texts:
     case Right::identities:
-      return refused("the role " + role + " may not see who people are", "log in as a therapist");
+      return refused("the role " + role + " may not see who people are", "log in as a therapist")
+          .at(path);
     case Right::manage:
-      return refused("the role " + role + " may not do this", "log in as an administrator");
+      return refused("the role " + role + " may not do this", "log in as an administrator")
+          .at(path);
   }
-  return refused("is not allowed", "log in as somebody else");
+  return refused("is not allowed", "log in as somebody else").at(path);
 }
 
 }  // namespace isograsp::storage

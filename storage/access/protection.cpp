@@ -28,8 +28,8 @@ Result<void> close_to_others(Database& database) {
     database.sql() << "PRAGMA journal_mode=DELETE", soci::into(mode);
     database.watch_no_more();  // without a log nothing is as it was opened
     if (mode != "delete")
-      throw Refusal{{Error::Code::failed, "cannot be closed to other programs",
-                     "close them, then protect it", database.path(), 0, ""}};
+      throw Refusal{failed("cannot be closed to other programs", "close them, then protect it")
+                        .at(database.path())};
   });
 }
 
@@ -65,12 +65,8 @@ int seal_column(soci::session& sql, const LoginState& state, const std::string& 
 Result<RecordingLock> nobody_records(const Database& database) {
   auto recording = RecordingLock::exclusive_if_free(database.real_path());
   if (recording && !recording->held())
-    return Error{Error::Code::failed,
-                 "another program records into the file now",
-                 "end that session, then protect it",
-                 database.path(),
-                 0,
-                 ""};
+    return failed("another program records into the file now", "end that session, then protect it")
+        .at(database.path());
   return recording;
 }
 

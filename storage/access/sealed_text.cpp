@@ -30,12 +30,9 @@ Result<void> open_text(const LoginState& state, std::string& text, const char* c
   }
   const auto opened = unseal(login.keys->text, place_of(state, column, code), text);
   if (!opened)
-    return Error{Error::Code::failed,
-                 std::string(column) + " of " + code + " was changed or is damaged",
-                 "restore the last backup",
-                 path,
-                 0,
-                 ""};
+    return failed(std::string(column) + " of " + code + " was changed or is damaged",
+                  "restore the last backup")
+        .at(path);
   text = opened->text();
   return {};
 }

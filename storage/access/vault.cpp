@@ -116,8 +116,7 @@ void write_slot(soci::session& sql, const SlotOwner& owner, const Secret& passwo
   const std::string salt = random_hex(kSaltSize);
   const auto key = key_from_password(password, salt, cost);
   if (!key)
-    throw Refusal{{Error::Code::failed, "not enough memory for the key of a password",
-                   "close other programs", "", 0, ""}};
+    throw Refusal{failed("not enough memory for the key of a password", "close other programs")};
   const std::string wrapped = seal(*key, place_of(owner), bundle(keys, owner.user.role).text());
   const std::string kind(name_of(owner.kind));
   const auto operations = static_cast<long long>(cost.operations);

@@ -20,10 +20,6 @@ constexpr std::time_t kDay_s = 86400;
 constexpr std::size_t kHourEnd = 13;    // 2026-03-05T09:30:00Z without its colons is a file name
 constexpr std::size_t kMinuteEnd = 15;  // … in the name
 
-Error backup_failed(const std::string& path, std::string what, std::string remedy) {
-  return {Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
-}
-
 std::string name_of_backup(std::time_t time) {
   std::string name = utc_text(time);
   std::erase(name, ':');
@@ -80,7 +76,7 @@ Result<std::vector<BackupFile>> Backups::list() const {
     if (const auto utc = utc_of_name(entry->path().filename().string()))
       all.push_back({entry->path().string(), *utc});
   if (failure)
-    return backup_failed(folder_, "cannot be read: " + failure.message(), "check its permissions");
+    return failed("cannot be read: " + failure.message(), "check its permissions").at(folder_);
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return a.made_utc > b.made_utc; });
   return all;
@@ -98,8 +94,7 @@ Result<Backups::Made> Backups::make(std::time_t now) const {
   std::error_code failure;
   fs::create_directory(folder_, failure);
   if (failure)
-    return backup_failed(folder_, "cannot be made: " + failure.message(),
-                         "make the folder writable");
+    return failed("cannot be made: " + failure.message(), "make the folder writable").at(folder_);
   Made made;
   made.backup = {folder_ + "/" + name_of_backup(now), utc_text(now)};
   {
@@ -116,8 +111,9 @@ Result<Backups::Made> Backups::make(std::time_t now) const {
     const std::string& path = (*all)[i].path;
     if (kept[i] || path == made.backup.path) continue;
     if (!fs::remove(path, failure))
-      return backup_failed(path, "the new backup is made, but this old one cannot be removed",
-                           "check the permissions of the folder");
+      return failed("the new backup is made, but this old one cannot be removed",
+                    "check the permissions of the folder")
+          .at(path);
     made.removed.push_back(path);
   }
   return made;

@@ -21,10 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error no_emergency(const std::string& path, std::string what, std::string remedy) {
-  return {Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
-}
-
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -41,8 +37,9 @@ Result<void> make_folder() {
   fs::create_directories(folder, failure);
   if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
   if (failure)
-    return no_emergency(folder, "the folder cannot be made: " + failure.message(),
-                        "set XDG_STATE_HOME to a folder that you may write to");
+    return failed("the folder cannot be made: " + failure.message(),
+                  "set XDG_STATE_HOME to a folder that you may write to")
+        .at(folder);
   return {};
 }
 
@@ -156,8 +153,9 @@ Result<void> put_back(const std::string& database, const EmergencyFile& file) {
   std::error_code ignored;
   if (fs::exists(database, ignored)) return {};
   if (!file.has_whole)
-    return no_emergency(database, "is not there, so nothing can be taken into it",
-                        "put it back or restore the last backup, then rescue again");
+    return failed("is not there, so nothing can be taken into it",
+                  "put it back or restore the last backup, then rescue again")
+        .at(database);
   const std::string part = database + ".part" + std::to_string(getpid());
   fs::remove(part, ignored);  // of a program of that number that was killed
   std::error_code failure;
@@ -166,8 +164,9 @@ Result<void> put_back(const std::string& database, const EmergencyFile& file) {
   if (!failure) fs::rename(part, database, failure);
   if (failure || !synced) {
     fs::remove(part, ignored);
-    return no_emergency(database, "the copy " + file.whole() + " cannot be put back",
-                        "check the disk and the folder");
+    return failed("the copy " + file.whole() + " cannot be put back",
+                  "check the disk and the folder")
+        .at(database);
   }
   static_cast<void>(sync_path(fs::path(absolute(database)).parent_path()));
   return {};
@@ -243,8 +242,9 @@ Result<MergeReport> rescue(const std::string& database, const EmergencyFile& fil
   const auto after = compare(database, file.path);
   if (!after) return after.error();
   if (after->missing > 0 || !after->poorer.empty())
-    return no_emergency(database, "does not hold all of " + file.path + " after it was taken in",
-                        "keep that file, run isograsp db check, and rescue again");
+    return failed("does not hold all of " + file.path + " after it was taken in",
+                  "keep that file, run isograsp db check, and rescue again")
+        .at(database);
   std::error_code ignored;
   for (const char* suffix : {"", "-wal", "-shm", "-lock", ".whole"})
     fs::remove(file.path + suffix, ignored);

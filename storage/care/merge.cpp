@@ -103,25 +103,17 @@ Result<void> check_mergeable(const std::string& path, OpenMode how) {
   auto database = Database::open(path, OpenMode::read_only);
   if (!database) return database.error();
   if (database->format() != kDatabaseFormat)
-    return Error{Error::Code::bad_input,
-                 "has format " + std::to_string(database->format()) + " instead of " +
-                     std::to_string(kDatabaseFormat),
-                 "run isograsp db migrate on it, or on a copy of it",
-                 path,
-                 0,
-                 ""};
+    return refused("has format " + std::to_string(database->format()) + " instead of " +
+                       std::to_string(kDatabaseFormat),
+                   "run isograsp db migrate on it, or on a copy of it")
+        .at(path);
   int running = 0;
   const auto read = database->guard("reading", [&] {
     database->sql() << "SELECT count(*) FROM trials WHERE status = 'running'", soci::into(running);
   });
   if (!read) return read.error();
   if (running > 0)
-    return Error{Error::Code::failed,
-                 "a trial is being recorded into it",
-                 "end that session, then merge",
-                 path,
-                 0,
-                 ""};
+    return failed("a trial is being recorded into it", "end that session, then merge").at(path);
   return {};
 }
 
@@ -132,14 +124,11 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
                                     const EmergencyMerge* emergency) {
   std::error_code ignored;
   if (std::filesystem::equivalent(into, from, ignored))
-    return Error{Error::Code::bad_input, "is the same file", "name two files", from, 0, "--from"};
+    return refused("is the same file", "name two files").at(from).about("--from");
   if ((emergency == nullptr && is_protected_database(into)) || is_protected_database(from))
-    return Error{Error::Code::bad_input,
-                 "a protected database cannot be merged with another one: their keys differ",
-                 "export from one, or work with both",
-                 is_protected_database(into) ? into : from,
-                 0,
-                 ""};
+    return refused("a protected database cannot be merged with another one: their keys differ",
+                   "export from one, or work with both")
+        .at(is_protected_database(into) ? into : from);
   if (const auto good = check_mergeable(into, into_how); !good) return good.error();
   if (const auto good = check_mergeable(from, OpenMode::read_only); !good) return good.error();
   auto database = Database::open(into, into_how);
@@ -159,8 +148,7 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
   const auto work = [&] {
     return database->transact("merging", [&] {
       report = merge(database->sql(), same_patients, *ours, *theirs, emergency);
-      if (!report.conflicts.empty())
-        throw Refusal{{Error::Code::failed, "the files do not agree", "", from, 0, ""}};
+      if (!report.conflicts.empty()) throw Refusal{failed("the files do not agree", "").at(from)};
     });
   };
   const auto done = database->is_scratch() ? work() : audited(*database, *state, entry, work);

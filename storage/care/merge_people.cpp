@@ -62,8 +62,9 @@ class People {
     }
     for (const std::string& code : same_patients_)
       if (!used.contains(lower(code)))
-        throw Refusal{{Error::Code::bad_input, "patient " + code + " is not in both files",
-                       "give a code that both have", "", 0, "--same-patient"}};
+        throw Refusal{
+            refused("patient " + code + " is not in both files", "give a code that both have")
+                .about("--same-patient")};
     take_tombstones();
   }
 

@@ -65,10 +65,6 @@ Result<Migration> pack_all(Database database, Migration migration) {
   return migration;
 }
 
-Error migration_failed(const std::string& path, std::string what, std::string remedy) {
-  return {Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
-}
-
 /// In one transaction.
 Result<void> change_tables(const std::string& path, const Migration& migration) {
   auto database = Database::open(path, OpenMode::existing, kOldest);
@@ -78,8 +74,7 @@ Result<void> change_tables(const std::string& path, const Migration& migration) 
     int format = 0;
     sql << "PRAGMA user_version", soci::into(format);
     if (format != migration.from)
-      throw Refusal{
-          migration_failed(path, "another program has changed the file meanwhile", "try again")};
+      throw Refusal{failed("another program has changed the file meanwhile", "try again").at(path)};
     for (++format; format <= kDatabaseFormat; ++format) {
       for (const char* statement : schema::statements_to(format)) sql << statement;
       if (format == kFirstWithUuids) give_uuids(sql);
@@ -109,8 +104,8 @@ Result<Migration> migrate_database(const std::string& path) {
   const auto lock = RecordingLock::exclusive_if_free(opened->real_path());
   if (!lock) return lock.error();
   if (!lock->held())
-    return migration_failed(path, "another program records into the file now",
-                            "end that session, then migrate");
+    return failed("another program records into the file now", "end that session, then migrate")
+        .at(path);
   migration.copy = free_name(path + ".format-" + std::to_string(migration.from));
   {
     SqliteStore as_it_was(std::move(*opened));

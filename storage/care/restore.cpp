@@ -21,10 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error restore_failed(const std::string& path, std::string what, std::string remedy) {
-  return {Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
-}
-
 /// No other program has the file open; its log, if it can be read, is in it.
 Result<void> close_for_all(const std::string& path) {
   constexpr int kPrimary = 0xFF;
@@ -35,8 +31,7 @@ Result<void> close_for_all(const std::string& path) {
   } catch (const soci::sqlite3_soci_error& why) {
     const int code = why.result() & kPrimary;
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
-      return restore_failed(path, "another program has it open",
-                            "close that program, then restore");
+      return failed("another program has it open", "close that program, then restore").at(path);
     // Damaged: it is kept with its log, as it is.
   }
   return {};
@@ -93,8 +88,8 @@ Result<void> prepare(const std::string& copy, const std::string& backup, const s
     const auto problems = (*store)->check();
     if (!problems) return problems.error();
     if (!problems->empty())
-      return restore_failed(backup, "the backup is not sound: " + problems->front(),
-                            "take an older backup");
+      return failed("the backup is not sound: " + problems->front(), "take an older backup")
+          .at(backup);
   }
   if (access == nullptr) return {};
   std::string files = fs::path(backup).filename();
@@ -106,14 +101,13 @@ Result<void> prepare(const std::string& copy, const std::string& backup, const s
 Result<void> put_in_place(const std::string& copy, const std::string& target,
                           const std::string& kept) {
   const auto not_renamed = [&](const std::error_code& why) {
-    return restore_failed(target, "cannot be renamed: " + why.message(),
-                          "make its folder writable");
+    return failed("cannot be renamed: " + why.message(), "make its folder writable").at(target);
   };
   const auto lock = RecordingLock::exclusive_if_free(target);
   if (!lock) return lock.error();
   if (!lock->held())
-    return restore_failed(target, "another program records into it now",
-                          "end that session, then restore");
+    return failed("another program records into it now", "end that session, then restore")
+        .at(target);
   Renamings renamings;
   std::error_code failure;
   if (!kept.empty())
@@ -153,9 +147,9 @@ Result<Restored> restore_backup(const std::string& backup, const std::string& da
   std::error_code failure;
   const std::string target = fs::weakly_canonical(fs::absolute(database), failure).string();
   if (failure || database.empty())
-    return Error{Error::Code::bad_input, "cannot be reached", "check the path", database, 0, ""};
+    return refused("cannot be reached", "check the path").at(database);
   if (fs::equivalent(backup, target, failure))
-    return Error{Error::Code::bad_input, "is the backup itself", "name two files", database, 0, ""};
+    return refused("is the backup itself", "name two files").at(database);
   const std::string copy = target + ".restored" + std::to_string(getpid());
   const auto tidy = [&copy] {
     std::error_code ignored;

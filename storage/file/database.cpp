@@ -27,13 +27,6 @@ namespace {
 
 constexpr int kBusyTimeout_s = 5;  // below the ten seconds that the recorder's queue bridges
 
-Error bad_file(const std::string& path, std::string what, std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), path, 0, ""};
-}
-Error opening_failed(const std::string& path, std::string what, std::string remedy) {
-  return {Error::Code::failed, std::move(what), std::move(remedy), path, 0, ""};
-}
-
 bool files_are_limited() {
   rlimit limit{};
   return getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
@@ -46,35 +39,36 @@ Error explain(const std::string& path, const std::string& doing, int code,
   switch (code & kPrimary) {
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
-      return opening_failed(path, doing + ": the database is damaged",
-                            "run isograsp db check, then restore the last backup");
+      return failed(doing + ": the database is damaged",
+                    "run isograsp db check, then restore the last backup")
+          .at(path);
     case SQLITE_FULL:
     case SQLITE_IOERR:
       if (files_are_limited())
-        return opening_failed(path,
-                              doing +
-                                  ": the file has reached the size that this program may write "
-                                  "(RLIMIT_FSIZE), or the disk is full",
-                              "raise that limit (ulimit -f unlimited), or free some space; "
-                              "everything confirmed before is stored");
-      return opening_failed(path, doing + ": the disk is full or does not answer",
-                            "free some space; everything confirmed before is stored");
+        return failed(doing +
+                          ": the file has reached the size that this program may write "
+                          "(RLIMIT_FSIZE), or the disk is full",
+                      "raise that limit (ulimit -f unlimited), or free some space; "
+                      "everything confirmed before is stored")
+            .at(path);
+      return failed(doing + ": the disk is full or does not answer",
+                    "free some space; everything confirmed before is stored")
+          .at(path);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return opening_failed(path, doing + ": the database is locked by another program",
-                            "close that program or wait until it is done");
+      return failed(doing + ": the database is locked by another program",
+                    "close that program or wait until it is done")
+          .at(path);
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
-      return opening_failed(path, doing + ": the file or its folder is not writable",
-                            "check the permissions of both, or copy the file to a writable folder");
+      return failed(doing + ": the file or its folder is not writable",
+                    "check the permissions of both, or copy the file to a writable folder")
+          .at(path);
     case SQLITE_CONSTRAINT:
-      return {Error::Code::bad_input,
-              doing + ": refused by the database (" + message + ")",
-              "give values as docs/file_formats.md describes them",
-              path,
-              0,
-              ""};
-    default: return opening_failed(path, doing + ": " + message, "run isograsp db check");
+      return refused(doing + ": refused by the database (" + message + ")",
+                     "give values as docs/file_formats.md describes them")
+          .at(path);
+    default: return failed(doing + ": " + message, "run isograsp db check").at(path);
   }
 }
 
@@ -138,9 +132,9 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
   const fs::path folder = real_path.parent_path();
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
-    return bad_file(path, "its folder does not exist", "make the folder " + folder.string());
+    return refused("its folder does not exist", "make the folder " + folder.string()).at(path);
   if (!writable(folder))
-    return opening_failed(path, "its folder is read-only", "choose a folder that you may write to");
+    return failed("its folder is read-only", "choose a folder that you may write to").at(path);
   const std::string temporary = real_path.string() + ".part" + std::to_string(getpid());
   const auto tidy = [&] {
     for (const char* suffix : {"", "-journal"}) fs::remove(temporary + suffix, ignored);
@@ -160,7 +154,7 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
     return explain(path, "making the database", why.result(), why.get_error_message());
   } catch (const std::exception& why) {
     tidy();
-    return opening_failed(path, std::string("making the database: ") + why.what(), "try again");
+    return failed(std::string("making the database: ") + why.what(), "try again").at(path);
   }
   const bool named = ::link(temporary.c_str(), real_path.c_str()) == 0 || errno == EEXIST;
   std::error_code failure;
@@ -168,7 +162,7 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
   tidy();
   static_cast<void>(sync_path(folder));
   if (failure)
-    return opening_failed(path, "could not be made: " + failure.message(), "choose another folder");
+    return failed("could not be made: " + failure.message(), "choose another folder").at(path);
   return {};
 }
 
@@ -193,8 +187,9 @@ void refuse_what_computes(soci::session& sql, const std::string& path) {
            "WHERE s.type = 'table' AND c.hidden > 1",
         soci::into(computed);
   if (views + computed > 0)
-    throw Refusal{bad_file(path, "holds views or computed columns, which isograsp never makes",
-                           "do not use it: take a backup that you trust")};
+    throw Refusal{refused("holds views or computed columns, which isograsp never makes",
+                          "do not use it: take a backup that you trust")
+                      .at(path)};
 }
 
 /// A pipe of such a name would let SQLite or a lock wait for ever.
@@ -203,7 +198,7 @@ Result<void> check_side_files(const std::string& real_path) {
   for (const char* suffix : {"-wal", "-shm", "-journal", "-lock", "-audit"}) {
     const auto status = fs::status(real_path + suffix, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status))
-      return bad_file(real_path + suffix, "is not a plain file", "remove it");
+      return refused("is not a plain file", "remove it").at(real_path + suffix);
   }
   return {};
 }
@@ -212,32 +207,31 @@ Result<void> check_side_files(const std::string& real_path) {
 Result<void> check_file(const std::string& path, const std::string& real_path, OpenMode how,
                         int oldest) {
   if (faccessat(AT_FDCWD, real_path.c_str(), R_OK, AT_EACCESS) != 0)
-    return opening_failed(path, "may not be read", "check its permissions");
+    return failed("may not be read", "check its permissions").at(path);
   const auto header = read_header(real_path);
-  if (!header) return opening_failed(path, "cannot be read", "check the disk and the permissions");
+  if (!header) return failed("cannot be read", "check the disk and the permissions").at(path);
   if (!header->sqlite)
-    return bad_file(path, "is not a database", "give a file made by isograsp db init");
+    return refused("is not a database", "give a file made by isograsp db init").at(path);
   if (header->application_id != schema::kApplicationId)
-    return bad_file(path, "is a database of another program",
-                    "give a file made by isograsp db init");
+    return refused("is a database of another program", "give a file made by isograsp db init")
+        .at(path);
   if (how == OpenMode::read_only) return {};
   if (header->user_version > kDatabaseFormat)
-    return bad_file(path,
-                    "was made by a newer isograsp (format " + std::to_string(header->user_version) +
-                        ", this program knows " + std::to_string(kDatabaseFormat) + ")",
-                    "install the newer program; report and export still read it if they can");
+    return refused("was made by a newer isograsp (format " + std::to_string(header->user_version) +
+                       ", this program knows " + std::to_string(kDatabaseFormat) + ")",
+                   "install the newer program; report and export still read it if they can")
+        .at(path);
   if (header->user_version < oldest)
-    return bad_file(path,
-                    "was made by an older isograsp (format " +
-                        std::to_string(header->user_version) + ", this program writes " +
-                        std::to_string(kDatabaseFormat) + ")",
-                    "run isograsp db migrate on it; a copy of the file as it is now is kept");
+    return refused("was made by an older isograsp (format " + std::to_string(header->user_version) +
+                       ", this program writes " + std::to_string(kDatabaseFormat) + ")",
+                   "run isograsp db migrate on it; a copy of the file as it is now is kept")
+        .at(path);
   if (!writable(real_path))
-    return opening_failed(path, "is read-only",
-                          "make it writable, or copy it to where you may write");
+    return failed("is read-only", "make it writable, or copy it to where you may write").at(path);
   if (!writable(fs::path(real_path).parent_path()))
-    return opening_failed(path, "stands in a read-only folder",
-                          "make the folder writable, or copy the file to where you may write");
+    return failed("stands in a read-only folder",
+                  "make the folder writable, or copy the file to where you may write")
+        .at(path);
   return {};
 }
 
@@ -292,8 +286,9 @@ Result<RecordingLock> RecordingLock::take(const std::string& path, int operation
     if (descriptor >= 0) give_permissions_of(path, side_file);
   }
   if (descriptor < 0)
-    return opening_failed(side_file, std::string("cannot be opened: ") + std::strerror(errno),
-                          "check the permissions of the file and its folder");
+    return failed(std::string("cannot be opened: ") + std::strerror(errno),
+                  "check the permissions of the file and its folder")
+        .at(side_file);
   int done = 0;
   do done = flock(descriptor, operation);
   while (done != 0 && errno == EINTR);
@@ -302,8 +297,9 @@ Result<RecordingLock> RecordingLock::take(const std::string& path, int operation
   else
     close(descriptor);
   if (done != 0 && errno != EWOULDBLOCK)
-    return opening_failed(side_file, std::string("cannot be locked: ") + std::strerror(errno),
-                          "keep the database on a local disk");
+    return failed(std::string("cannot be locked: ") + std::strerror(errno),
+                  "keep the database on a local disk")
+        .at(side_file);
   return lock;
 }
 
@@ -326,22 +322,21 @@ Database::Database(Database&&) noexcept = default;
 Database::~Database() = default;
 
 Result<Database> Database::open(const std::string& path, OpenMode how, int oldest) {
-  if (path.empty())
-    return Error{Error::Code::bad_input, "no database file is given", "name a file", "", 0, ""};
+  if (path.empty()) return refused("no database file is given", "name a file");
   if (path.find('"') != std::string::npos)
-    return bad_file(path, "the name of a database may not hold a quotation mark", "rename it");
+    return refused("the name of a database may not hold a quotation mark", "rename it").at(path);
   std::error_code failure;
   // SQLite keeps its journal beside the file itself, not beside a link to it; so do we.
   const fs::path real_path = fs::weakly_canonical(fs::absolute(path), failure);
-  if (failure) return bad_file(path, "cannot be reached: " + failure.message(), "check the path");
+  if (failure) return refused("cannot be reached: " + failure.message(), "check the path").at(path);
   const auto status = fs::status(real_path, failure);
-  if (fs::is_directory(status)) return bad_file(path, "is a folder", "name a file in it");
+  if (fs::is_directory(status)) return refused("is a folder", "name a file in it").at(path);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    return bad_file(path, "is not a plain file", "give a file made by isograsp db init");
+    return refused("is not a plain file", "give a file made by isograsp db init").at(path);
   const bool made_now = !fs::exists(status);
   if (made_now) {
     if (how != OpenMode::create && how != OpenMode::scratch)
-      return bad_file(path, "does not exist", "make it with isograsp db init, or check the path");
+      return refused("does not exist", "make it with isograsp db init, or check the path").at(path);
     if (const auto made = create_file(path, real_path); !made) return made.error();
   }
   if (const auto plain = check_side_files(real_path); !plain) return plain.error();
@@ -372,14 +367,16 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
     const bool wal = read_only || pragma<std::string>(sql, "journal_mode=WAL") == "wal";
     if (!wal || pragma<int>(sql, "synchronous") != synchronous ||
         pragma<int>(sql, "foreign_keys") != 1)
-      throw Refusal{opening_failed(path, "the database cannot be set to durable writing",
-                                   "keep it on a local disk")};
+      throw Refusal{
+          failed("the database cannot be set to durable writing", "keep it on a local disk")
+              .at(path)};
     if (database.scratch_ && made_now)  // the same each time; nobody's keys hang on it
       sql << "UPDATE access_settings SET database_id = lower(hex(zeroblob(16)))";
     database.format_ = pragma<int>(sql, "user_version");
     if (!read_only && (database.format_ < oldest || database.format_ > kDatabaseFormat))
-      throw Refusal{bad_file(path, "has a format that this program does not know",
-                             "use the program that made it")};
+      throw Refusal{
+          refused("has a format that this program does not know", "use the program that made it")
+              .at(path)};
     if (!read_only && !database.scratch_)
       database.watch_ = std::make_unique<FileWatch>(sql, real_path);
   });
@@ -396,7 +393,7 @@ Result<void> Database::guard(const char* doing, const std::function<void()>& wor
   } catch (const soci::sqlite3_soci_error& why) {
     return explain(path_, doing, why.result(), why.get_error_message());
   } catch (const std::exception& why) {
-    return opening_failed(path_, std::string(doing) + ": " + why.what(), "run isograsp db check");
+    return failed(std::string(doing) + ": " + why.what(), "run isograsp db check").at(path_);
   }
 }
 
@@ -427,8 +424,9 @@ Result<bool> Database::transact_if_free(const char* doing, const std::function<v
 }
 
 Error Database::lost(const char* doing, const std::string& fault) const {
-  return opening_failed(path_, std::string(doing) + ": " + fault + " while it was open",
-                        "put it back as it was, or restore the last backup");
+  return failed(std::string(doing) + ": " + fault + " while it was open",
+                "put it back as it was, or restore the last backup")
+      .at(path_);
 }
 
 Result<void> Database::in_place() {

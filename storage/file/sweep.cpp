@@ -18,10 +18,11 @@ Result<void> sweep(Database& database) {
       sql << "PRAGMA wal_checkpoint(TRUNCATE)", soci::into(busy), soci::into(unused),
           soci::into(unused);
       if (busy != 0)
-        throw Refusal{{Error::Code::failed,
-                       "what was removed may still stand in the file and its log: another program "
-                       "reads them",
-                       "close it, then do the same again", database.path(), 0, ""}};
+        throw Refusal{
+            failed("what was removed may still stand in the file and its log: another program "
+                   "reads them",
+                   "close it, then do the same again")
+                .at(database.path())};
     };
     checkpoint();
     sql << "VACUUM";

@@ -19,12 +19,7 @@ Result<void> check_word(const std::string& word, const char* field, const Names&
   if (std::find(names.begin(), names.end(), word) != names.end()) return {};
   std::string listed;
   for (const auto& name : names) listed += (listed.empty() ? "" : ", ") + std::string(name);
-  return Error{Error::Code::bad_input,
-               "'" + word + "' is not known",
-               "give one of: " + listed,
-               "",
-               0,
-               field};
+  return refused("'" + word + "' is not known", "give one of: " + listed).about(field);
 }
 
 }  // namespace

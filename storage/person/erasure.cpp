@@ -84,12 +84,8 @@ Result<std::optional<Tombstone>> tombstone_of(Access& access, const std::string&
 Result<RecordingLock> nobody_records(Access& access) {
   auto recording = RecordingLock::exclusive_if_free(access.parts().database.real_path());
   if (recording && !recording->held())
-    return Error{Error::Code::failed,
-                 "another program records into the file now",
-                 "end that session, then erase",
-                 access.path(),
-                 0,
-                 ""};
+    return failed("another program records into the file now", "end that session, then erase")
+        .at(access.path());
   return recording;
 }
 
@@ -143,12 +139,9 @@ Result<ErasurePlan> plan_erasure(Access& access, const std::string& code) {
   if (!read) return read.error();
   const auto day = date_from_iso(last.substr(0, 10));
   if (!day)
-    return Error{Error::Code::failed,
-                 "the day of the last record of " + person->code + " cannot be read",
-                 "run isograsp db check",
-                 access.path(),
-                 0,
-                 ""};
+    return failed("the day of the last record of " + person->code + " cannot be read",
+                  "run isograsp db check")
+        .at(access.path());
   const Date keep_until = years_later(*day, policy->retention_years);
   plan.last_record_date = iso_text(*day);
   plan.keep_until_date = iso_text(keep_until);

@@ -17,10 +17,6 @@ namespace {
 constexpr const char* kColumn = "identities.sealed";
 constexpr char kBetween = '\0';
 
-Error refused_identity(std::string field, std::string what, std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::move(field)};
-}
-
 /// Errors of an identity never repeat it.
 Identity identity_in(const Secret& opened) {
   const std::string_view all = opened.text();
@@ -37,24 +33,18 @@ Result<Identity> open_identity(Access& access, const std::string& sealed, const 
   const auto opened =
       unseal(login.keys->identity, place_of(*access.parts().login, kColumn, code), sealed);
   if (!opened || std::count(opened->text().begin(), opened->text().end(), kBetween) != 2)
-    return Error{Error::Code::failed,
-                 "the identity of " + code + " was changed or is damaged",
-                 "restore the last backup",
-                 access.path(),
-                 0,
-                 ""};
+    return failed("the identity of " + code + " was changed or is damaged",
+                  "restore the last backup")
+        .at(access.path());
   return identity_in(*opened);
 }
 
 /// What cannot be logged is not shown.
 Result<void> require_log(Access& access) {
   if (access.parts().writable) return {};
-  return Error{Error::Code::failed,
-               "cannot be written, so the reading of an identity could not be logged",
-               "copy the file to where you may write",
-               access.path(),
-               0,
-               ""};
+  return failed("cannot be written, so the reading of an identity could not be logged",
+                "copy the file to where you may write")
+      .at(access.path());
 }
 
 struct Reading {
@@ -81,10 +71,10 @@ Result<std::optional<Identity>> read_logged(Access& access, const std::string& c
   });
   if (!done) return done.error();
   if (closed)
-    return refused_identity(
-        "patient code",
-        "the records of " + person->code + " are restricted until " + person->restricted_until,
-        "in an emergency give the reason; it is logged");
+    return refused("the records of " + person->code + " are restricted until " +
+                       person->restricted_until,
+                   "in an emergency give the reason; it is logged")
+        .about("patient code");
   if (sealed.empty()) return std::optional<Identity>();
   const auto identity = open_identity(access, sealed, person->code);
   if (!identity) return identity.error();
@@ -96,20 +86,21 @@ Result<std::optional<Identity>> read_logged(Access& access, const std::string& c
 Result<void> check_identity(const Identity& identity) {
   const auto check = [](const std::string& text, const char* field, bool lines) -> Result<void> {
     if (text.size() > kMostIdentityText)
-      return refused_identity(field, "is longer than 4096 bytes", "shorten it");
+      return refused("is longer than 4096 bytes", "shorten it").about(field);
     const bool printable = std::none_of(text.begin(), text.end(), [lines](char c) {
       return static_cast<unsigned char>(c) < ' ' && !(lines && c == '\n');
     });
-    if (!printable) return refused_identity(field, "holds a control character", "remove it");
+    if (!printable) return refused("holds a control character", "remove it").about(field);
     return {};
   };
-  if (identity.name.empty()) return refused_identity("name", "is empty", "give the person's name");
+  if (identity.name.empty()) return refused("is empty", "give the person's name").about("name");
   if (auto good = check(identity.name, "name", false); !good) return good;
   if (auto good = check(identity.contact, "contact", true); !good) return good;
   if (identity.birth_date.empty()) return {};
   if (!check_date(identity.birth_date, "birth_date"))
-    return refused_identity("birth_date", "is no day of the calendar in the years 1900 to 2099",
-                            "give year, month and day, such as 1950-03-05");
+    return refused("is no day of the calendar in the years 1900 to 2099",
+                   "give year, month and day, such as 1950-03-05")
+        .about("birth_date");
   return {};
 }
 

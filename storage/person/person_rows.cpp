@@ -17,8 +17,8 @@ PersonRow required_person(soci::session& sql, const std::string& code) {
       soci::use(code), soci::into(person.id), soci::into(person.code),
       soci::into(person.created_utc), soci::into(person.restricted_until);
   if (!sql.got_data())
-    throw Refusal{{Error::Code::bad_input, "there is no patient of this code",
-                   "see the list of patients", "", 0, "patient code"}};
+    throw Refusal{refused("there is no patient of this code", "see the list of patients")
+                      .about("patient code")};
   return person;
 }
 
@@ -42,12 +42,9 @@ Result<void> check_reason(const std::string& reason) {
   const bool one_line = std::none_of(reason.begin(), reason.end(),
                                      [](char c) { return static_cast<unsigned char>(c) < ' '; });
   if (reason.empty() || reason.size() > kMost || !one_line)
-    return Error{Error::Code::bad_input,
-                 reason.empty() ? "no reason is given" : "is no reason of one line of 200 bytes",
-                 "say in a few words why; it is logged, so name nobody",
-                 "",
-                 0,
-                 "reason"};
+    return refused(reason.empty() ? "no reason is given" : "is no reason of one line of 200 bytes",
+                   "say in a few words why; it is logged, so name nobody")
+        .about("reason");
   return {};
 }
 

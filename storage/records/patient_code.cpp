@@ -72,12 +72,9 @@ bool holds_date(std::string_view code) {
 
 Result<void> check_patient_code(const std::string& code) {
   const auto refuse = [](std::string what) {
-    return Error{Error::Code::bad_input,
-                 std::move(what),
-                 "use a generated code of letters, digits and '-', such as P-0427",
-                 "",
-                 0,
-                 "patient code"};
+    return refused(std::move(what),
+                   "use a generated code of letters, digits and '-', such as P-0427")
+        .about("patient code");
   };
   if (code.size() < 2 || code.size() > 32)
     return refuse("has " + std::to_string(code.size()) + " characters instead of 2 to 32");

@@ -14,10 +14,6 @@ namespace {
 constexpr std::array<std::string_view, 4> kSideNames{"right", "left", "both", "none"};
 constexpr std::array<std::string_view, 3> kSexNames{"female", "male", "other"};
 
-Error refused_profile(std::string_view field, std::string what, std::string remedy) {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), "", 0, std::string(field)};
-}
-
 /// "a, b or c".
 template <class Names>
 std::string listed(const Names& names) {
@@ -69,21 +65,23 @@ const ClinicalScale* clinical_scale(std::string_view name) noexcept {
 Result<void> check_date(const std::string& iso_date, std::string_view field) {
   const std::string remedy = "give year, month and day, such as 2026-03-05";
   const auto date = date_from_iso(iso_date);
-  if (!date) return refused_profile(field, "'" + iso_date + "' is no day of the calendar", remedy);
+  if (!date)
+    return refused("'" + iso_date + "' is no day of the calendar", remedy)
+        .about(std::string(field));
   const int year = static_cast<int>(date->year());
   if (year < kFirstYear || year > kLastYear)
-    return refused_profile(field,
-                           "'" + iso_date + "' is not in the years " + std::to_string(kFirstYear) +
-                               " to " + std::to_string(kLastYear),
-                           remedy);
+    return refused("'" + iso_date + "' is not in the years " + std::to_string(kFirstYear) + " to " +
+                       std::to_string(kLastYear),
+                   remedy)
+        .about(std::string(field));
   return {};
 }
 
 Result<void> check_profile(const PatientProfile& profile) {
   if (profile.birth_year && (*profile.birth_year < kFirstYear || *profile.birth_year > kLastYear))
-    return refused_profile("birth_year",
-                           std::to_string(*profile.birth_year) + " is no year of birth",
-                           "give a year from " + std::to_string(kFirstYear) + " on");
+    return refused(std::to_string(*profile.birth_year) + " is no year of birth",
+                   "give a year from " + std::to_string(kFirstYear) + " on")
+        .about("birth_year");
   if (profile.onset_date.empty()) return {};
   return check_date(profile.onset_date, "onset_date");
 }
@@ -91,8 +89,8 @@ Result<void> check_profile(const PatientProfile& profile) {
 Result<void> check_treatment_mark(const TreatmentMark& mark) {
   if (auto good = check_date(mark.on_date, "on_date"); !good) return good;
   if (std::find(kTreatmentKinds.begin(), kTreatmentKinds.end(), mark.kind) == kTreatmentKinds.end())
-    return refused_profile("kind", "'" + mark.kind + "' is no kind of treatment",
-                           "give " + listed(kTreatmentKinds));
+    return refused("'" + mark.kind + "' is no kind of treatment", "give " + listed(kTreatmentKinds))
+        .about("kind");
   return {};
 }
 
@@ -102,22 +100,22 @@ Result<void> check_clinical_score(const ClinicalScore& score) {
   if (scale == nullptr) {
     std::array<std::string_view, kClinicalScales.size()> names;
     for (std::size_t i = 0; i < names.size(); ++i) names[i] = kClinicalScales[i].name;
-    return refused_profile("scale", "'" + score.scale + "' is no scale that is known",
-                           "give " + listed(names));
+    return refused("'" + score.scale + "' is no scale that is known", "give " + listed(names))
+        .about("scale");
   }
   const bool above = scale->above_least ? score.value > scale->least : score.value >= scale->least;
   if (!std::isfinite(score.value) || !above || score.value > scale->most)
-    return refused_profile(
-        "value", format_number(score.value) + " is no score of the " + std::string(scale->name),
-        "give " + range_of(*scale));
+    return refused(format_number(score.value) + " is no score of the " + std::string(scale->name),
+                   "give " + range_of(*scale))
+        .about("value");
   return {};
 }
 
 Result<void> check_primary_measure(const PrimaryMeasure& primary) {
-  if (primary.task_name.empty()) return refused_profile("task_name", "is empty", "name the task");
-  if (primary.measure.empty()) return refused_profile("measure", "is empty", "name the measure");
+  if (primary.task_name.empty()) return refused("is empty", "name the task").about("task_name");
+  if (primary.measure.empty()) return refused("is empty", "name the measure").about("measure");
   if (primary.chosen_by.empty())
-    return refused_profile("chosen_by", "is empty", "say who chose the measure");
+    return refused("is empty", "say who chose the measure").about("chosen_by");
   return {};
 }
 
@@ -125,17 +123,17 @@ Result<void> check_stable_period(const StablePeriod& period) {
   if (auto good = check_date(period.from_date, "from_date"); !good) return good;
   if (auto good = check_date(period.until_date, "until_date"); !good) return good;
   if (period.until_date < period.from_date)  // ISO 8601 sorts as text
-    return refused_profile("until_date",
-                           "'" + period.until_date + "' is before " + period.from_date,
-                           "give the last day of that time");
+    return refused("'" + period.until_date + "' is before " + period.from_date,
+                   "give the last day of that time")
+        .about("until_date");
   if (period.judged_by.empty())
-    return refused_profile("judged_by", "is empty", "say which clinician judged the person stable");
+    return refused("is empty", "say which clinician judged the person stable").about("judged_by");
   return {};
 }
 
 Result<void> check_answer(const SessionAnswer& answer) {
-  if (answer.topic.empty()) return refused_profile("topic", "is empty", "say what was asked about");
-  if (answer.item.empty()) return refused_profile("item", "is empty", "say what was asked");
+  if (answer.topic.empty()) return refused("is empty", "say what was asked about").about("topic");
+  if (answer.item.empty()) return refused("is empty", "say what was asked").about("item");
   return {};
 }
 

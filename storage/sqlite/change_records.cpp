@@ -61,11 +61,13 @@ Result<RowId> SqliteStore::add_primary_measure(RowId patient, const PrimaryMeasu
         soci::use(primary.task_name), soci::use(hand), soci::use(primary.measure),
         soci::use(primary.channel), soci::use(patient), soci::into(there), soci::into(same);
     if (same > 0)
-      throw Refusal{refuse(primary.measure + " of " + primary.task_name + " is a primary measure",
-                           "choose another one")};
+      throw Refusal{refused(primary.measure + " of " + primary.task_name + " is a primary measure",
+                            "choose another one")
+                        .at(path())};
     if (there >= kMostPrimaryMeasures)
-      throw Refusal{refuse("there are " + std::to_string(there) + " primary measures already",
-                           "remove one of them first")};
+      throw Refusal{refused("there are " + std::to_string(there) + " primary measures already",
+                            "remove one of them first")
+                        .at(path())};
     sql << "INSERT INTO primary_measures (patient_id, task_name, hand, measure, channel, "
            "chosen_utc, chosen_by) VALUES (:patient, :task, :hand, :measure, :channel, :utc, :by)",
         soci::use(patient), soci::use(primary.task_name), soci::use(hand),
@@ -117,8 +119,9 @@ Result<RowId> SqliteStore::add_stable_period(RowId patient, const StablePeriod& 
         soci::use(patient), soci::use(period.until_date), soci::use(period.from_date),
         soci::into(from), soci::into(until);
     if (sql.got_data())
-      throw Refusal{refuse("overlaps the stable time from " + from + " to " + until,
-                           "remove that one first, or give other days")};
+      throw Refusal{refused("overlaps the stable time from " + from + " to " + until,
+                            "remove that one first, or give other days")
+                        .at(path())};
     sql << "INSERT INTO stable_periods (patient_id, from_date, until_date, judged_utc, judged_by, "
            "text) VALUES (:patient, :from, :until, :utc, :by, :text)",
         soci::use(patient), soci::use(period.from_date), soci::use(period.until_date),

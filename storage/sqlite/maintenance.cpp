@@ -54,16 +54,14 @@ Result<std::vector<std::string>> SqliteStore::check_through(SessionStore& door) 
 }
 
 Result<void> SqliteStore::backup(const std::string& to) {
-  const auto failed = [&](std::string what, std::string remedy) {
-    return Error{Error::Code::failed, std::move(what), std::move(remedy), to, 0, ""};
-  };
   std::error_code failure;
   const fs::path target = fs::absolute(to, failure);
-  if (to.empty() || failure) return refuse("no file for the backup is given", "name a file");
+  if (to.empty() || failure)
+    return refused("no file for the backup is given", "name a file").at(path());
   if (fs::exists(fs::symlink_status(target)))
-    return Error{Error::Code::bad_input, "exists already", "name a new file", to, 0, ""};
+    return refused("exists already", "name a new file").at(to);
   if (!fs::is_directory(target.parent_path(), failure))
-    return Error{Error::Code::bad_input, "its folder does not exist", "make the folder", to, 0, ""};
+    return refused("its folder does not exist", "make the folder").at(to);
   const std::string temporary = target.string() + ".part" + std::to_string(getpid());
   const auto tidy = [&] {
     for (const char* suffix : {"", "-journal", "-wal", "-shm"})
@@ -94,13 +92,13 @@ Result<void> SqliteStore::backup(const std::string& to) {
   if (!problems || !problems->empty()) {
     tidy();
     if (!problems) return problems.error();
-    return failed("the copy is not sound: " + problems->front(), "run isograsp db check");
+    return failed("the copy is not sound: " + problems->front(), "run isograsp db check").at(to);
   }
   const bool synced = sync_path(temporary);
   fs::rename(temporary, target, failure);
   if (!synced || failure) {
     tidy();
-    return failed("the copy could not be written", "check the disk and the folder");
+    return failed("the copy could not be written", "check the disk and the folder").at(to);
   }
   static_cast<void>(sync_path(target.parent_path()));
   return {};

@@ -19,8 +19,9 @@ void SqliteStore::require(const char* table, const char* one, RowId id) {
   database_.sql() << "SELECT count(*) FROM " + std::string(table) + " WHERE id = :id",
       soci::use(id), soci::into(present);
   if (present == 0)
-    throw Refusal{refuse("there is no " + std::string(one) + " number " + std::to_string(id),
-                         "read what there is again")};
+    throw Refusal{refused("there is no " + std::string(one) + " number " + std::to_string(id),
+                          "read what there is again")
+                      .at(path())};
 }
 
 Result<PatientProfile> SqliteStore::profile(RowId patient) {

@@ -30,10 +30,10 @@ std::string_view read_blob(soci::blob& blob, soci::indicator present, std::strin
 
 Refusal SqliteStore::damaged(const TrialRecord& trial, const std::string& where,
                              const std::string& what) const {
-  return {{Error::Code::failed,
-           "trial " + std::to_string(trial.number) + " of session " +
-               std::to_string(trial.session_id) + where + ": " + what,
-           "restore the last backup; other trials can still be read", path(), 0, ""}};
+  return {failed("trial " + std::to_string(trial.number) + " of session " +
+                     std::to_string(trial.session_id) + where + ": " + what,
+                 "restore the last backup; other trials can still be read")
+              .at(path())};
 }
 
 std::size_t SqliteStore::most_rows(const TrialRecord& trial) const {

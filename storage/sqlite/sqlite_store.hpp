@@ -116,7 +116,6 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<bool> insert_newer_measures(
       RowId patient, std::span<const ScoredTrial> trials,
       const std::function<void(const Added&)>& before_commit);
-  [[nodiscard]] Error refuse(std::string what, std::string remedy) const;
 
  private:
   /// The trial that this store records now.

@@ -16,8 +16,7 @@ namespace isograsp::storage {
 
 RowId last_id(soci::session& sql, const char* table) {
   long long id = 0;
-  if (!sql.get_last_insert_id(table, id))
-    throw Refusal{{Error::Code::failed, "no row id", "", "", 0, ""}};
+  if (!sql.get_last_insert_id(table, id)) throw Refusal{failed("no row id", "")};
   return id;
 }
 
@@ -32,10 +31,6 @@ std::string pack(const std::array<Vec6, kFingerCount>& wrenches) {
 }
 
 }  // namespace
-
-Error SqliteStore::refuse(std::string what, std::string remedy) const {
-  return {Error::Code::bad_input, std::move(what), std::move(remedy), path(), 0, ""};
-}
 
 Result<void> SqliteStore::repair() {
   std::vector<RowId> running;
@@ -77,7 +72,8 @@ Result<PatientRecord> SqliteStore::add_patient(const std::string& code,
     std::string present;
     sql << "SELECT code FROM patients WHERE code = :code", soci::use(code), soci::into(present);
     if (sql.got_data())
-      throw Refusal{refuse("patient " + present + " exists already", "choose another code")};
+      throw Refusal{
+          refused("patient " + present + " exists already", "choose another code").at(path())};
     sql << "INSERT INTO patients (code, created_utc, uuid) VALUES (:code, :created, :uuid)",
         soci::use(patient.code), soci::use(patient.created_utc), soci::use(patient.uuid);
     patient.id = last_id(sql, "patients");
@@ -138,7 +134,8 @@ Result<void> SqliteStore::end_session(RowId session, const std::string& ended_ut
          soci::use(ended), soci::use(session));
     update.execute(true);
     if (update.get_affected_rows() != 1)
-      throw Refusal{refuse("there is no session " + std::to_string(session), "begin one")};
+      throw Refusal{
+          refused("there is no session " + std::to_string(session), "begin one").at(path())};
   });
 }
 
@@ -254,8 +251,9 @@ Result<void> SqliteStore::correct_rating(const RatingRecord& rating) {
     sql << "SELECT effort, pain FROM ratings WHERE id = :id AND session_id = :session",
         soci::use(rating.id), soci::use(rating.session_id), soci::into(effort), soci::into(pain);
     if (!sql.got_data())
-      throw Refusal{refuse("rating " + std::to_string(rating.id) + " does not exist",
-                           "check its number and that of its session")};
+      throw Refusal{refused("rating " + std::to_string(rating.id) + " does not exist",
+                            "check its number and that of its session")
+                        .at(path())};
     sql << "UPDATE ratings SET effort = :effort, pain = :pain WHERE id = :id",
         soci::use(rating.effort), soci::use(rating.pain), soci::use(rating.id);
     const std::string text = "Rating corrected: " + words(rating.effort, rating.pain) +
@@ -275,8 +273,9 @@ Result<void> SqliteStore::mark_helped(RowId trial, bool helped) {
          soci::use(mark), soci::use(trial));
     update.execute(true);
     if (update.get_affected_rows() != 1)
-      throw Refusal{refuse("trial " + std::to_string(trial) + " has not ended or does not exist",
-                           "wait for its end")};
+      throw Refusal{refused("trial " + std::to_string(trial) + " has not ended or does not exist",
+                            "wait for its end")
+                        .at(path())};
   });
 }
 

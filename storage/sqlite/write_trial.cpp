@@ -34,16 +34,19 @@ SqliteStore::SqliteStore(Database database) : database_(std::move(database)) {}
 SqliteStore::~SqliteStore() = default;
 
 Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
-  if (recording_) return refuse("a trial is being recorded", "end it before the next one begins");
-  if (trial.groups.empty()) return refuse("the trial has no signals", "give at least one group");
+  if (recording_)
+    return refused("a trial is being recorded", "end it before the next one begins").at(path());
+  if (trial.groups.empty())
+    return refused("the trial has no signals", "give at least one group").at(path());
   Recording recording;
   for (const SignalGroup& group : trial.groups) {
     const bool nameless =
         std::any_of(group.columns.begin(), group.columns.end(),
                     [](const auto& c) { return c.empty() || c.find('\n') != std::string::npos; });
     if (group.columns.empty() || nameless)
-      return refuse("signal group '" + group.name + "' has no columns or one without a name",
-                    "name every column");
+      return refused("signal group '" + group.name + "' has no columns or one without a name",
+                     "name every column")
+          .at(path());
     recording.column_counts.push_back(group.columns.size());
   }
   auto lock = RecordingLock::shared(database_.real_path());
@@ -64,7 +67,8 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
     sql << "SELECT rate_Hz, uuid FROM sessions WHERE id = :id", soci::use(trial.session_id),
         soci::into(recording.rate_Hz), soci::into(of_session);
     if (!sql.got_data())
-      throw Refusal{refuse("there is no session " + std::to_string(trial.session_id), "begin one")};
+      throw Refusal{refused("there is no session " + std::to_string(trial.session_id), "begin one")
+                        .at(path())};
     const std::string uuid = trial.uuid.empty()
                                  ? new_uuid(of_session + "\n" + std::to_string(trial.number))
                                  : trial.uuid;
@@ -103,40 +107,47 @@ Result<void> SqliteStore::check_blocks(int second,
                                        std::span<const std::vector<double>> rows) const {
   const Recording& now = *recording_;
   if (second != now.next_second)
-    return refuse(
-        "second " + std::to_string(second) + " came instead of " + std::to_string(now.next_second),
-        "append the seconds in order");
+    return refused("second " + std::to_string(second) + " came instead of " +
+                       std::to_string(now.next_second),
+                   "append the seconds in order")
+        .at(path());
   if (now.short_block_seen)
-    return refuse("a second follows one that was not full", "end the trial after the last second");
+    return refused("a second follows one that was not full", "end the trial after the last second")
+        .at(path());
   if (rows.size() != now.column_counts.size())
-    return refuse("blocks for " + std::to_string(rows.size()) + " instead of " +
-                      std::to_string(now.column_counts.size()) + " groups",
-                  "give all groups of the trial at once");
+    return refused("blocks for " + std::to_string(rows.size()) + " instead of " +
+                       std::to_string(now.column_counts.size()) + " groups",
+                   "give all groups of the trial at once")
+        .at(path());
   const std::size_t row_count = rows[0].size() / now.column_counts[0];
   for (std::size_t g = 0; g < rows.size(); ++g)
     if (row_count == 0 || rows[g].size() != row_count * now.column_counts[g])
-      return refuse("the groups of second " + std::to_string(second) +
-                        " do not hold the same number of whole rows",
-                    "give every group one row per sample");
+      return refused("the groups of second " + std::to_string(second) +
+                         " do not hold the same number of whole rows",
+                     "give every group one row per sample")
+          .at(path());
   if (static_cast<double>(row_count) > std::ceil(now.rate_Hz))
-    return refuse("second " + std::to_string(second) + " holds " + std::to_string(row_count) +
-                      " rows, more than one second",
-                  "append one second at a time");
+    return refused("second " + std::to_string(second) + " holds " + std::to_string(row_count) +
+                       " rows, more than one second",
+                   "append one second at a time")
+        .at(path());
   const auto columns =
       std::accumulate(now.column_counts.begin(), now.column_counts.end(), std::size_t{0});
   const double rows_then = second * std::ceil(now.rate_Hz) + static_cast<double>(row_count);
   if (rows_then * static_cast<double>(columns) > static_cast<double>(kMostTrialValues))
-    return refuse("the trial holds more values than can be read again",
-                  "end it and go on with another one");
+    return refused("the trial holds more values than can be read again",
+                   "end it and go on with another one")
+        .at(path());
   return {};
 }
 
 void SqliteStore::require_lock() const {
   if (recording_->lock.in_place(database_.real_path())) return;
-  throw Refusal{{Error::Code::failed,
-                 "the lock (-lock) beside the file was deleted or replaced while it was recorded "
-                 "into: other programs take the running trial for an interrupted one",
-                 "leave the file -lock where it is while a program records", path(), 0, ""}};
+  throw Refusal{
+      failed("the lock (-lock) beside the file was deleted or replaced while it was recorded "
+             "into: other programs take the running trial for an interrupted one",
+             "leave the file -lock where it is while a program records")
+          .at(path())};
 }
 
 Result<void> SqliteStore::in_place() {
@@ -149,7 +160,8 @@ Result<void> SqliteStore::in_place() {
 Result<void> SqliteStore::append_blocks(RowId trial, int second,
                                         std::span<const std::vector<double>> rows) {
   if (!recording_ || recording_->trial != trial)
-    return refuse("trial " + std::to_string(trial) + " is not being recorded", "begin it first");
+    return refused("trial " + std::to_string(trial) + " is not being recorded", "begin it first")
+        .at(path());
   if (const auto sound = check_blocks(second, rows); !sound) return sound.error();
   const auto row_count = static_cast<long long>(rows[0].size() / recording_->column_counts[0]);
   const auto done = database_.transact("storing a second of signals", [&] {
@@ -179,13 +191,15 @@ Result<void> SqliteStore::append_blocks(RowId trial, int second,
 
 Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Measure> measures) {
   if (!recording_ || recording_->trial != end.id)
-    return refuse("trial " + std::to_string(end.id) + " is not being recorded", "begin it first");
+    return refused("trial " + std::to_string(end.id) + " is not being recorded", "begin it first")
+        .at(path());
   if (end.status == TrialStatus::running)
-    return refuse("a trial cannot end as running", "say completed or aborted");
+    return refused("a trial cannot end as running", "say completed or aborted").at(path());
   for (const Measure& measure : measures)
     if (measure.value && !std::isfinite(*measure.value))
-      return refuse("measure " + measure.name + " is not a finite number",
-                    "leave the value out and give the reason");
+      return refused("measure " + measure.name + " is not a finite number",
+                     "leave the value out and give the reason")
+          .at(path());
   const std::string status(name_of(end.status));
   NullableNumber age(end.display_age_s);
   NullableNumber gain(end.visual_gain_deg_per_N);
@@ -207,9 +221,9 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
          soci::use(distance.value, distance.present), soci::use(end.id));
     update.execute(true);
     if (update.get_affected_rows() != 1)
-      throw Refusal{{Error::Code::failed,
-                     "closing a trial: another program has closed or removed it",
-                     "let only one program record into a file", path(), 0, ""}};
+      throw Refusal{failed("closing a trial: another program has closed or removed it",
+                           "let only one program record into a file")
+                        .at(path())};
     require_lock();
     insert_measures(end.id, measures);
   });

@@ -45,8 +45,7 @@ TEST(Printable, BytesThatAreNoUtf8AreWrittenOut) {
 }
 
 TEST(ErrorMessage, IsOneLineWhateverTheFileIsCalledAndHolds) {
-  const Error error{
-      Error::Code::bad_input, "'\x1b[31m' is not a number", "write one", "a\nb.csv", 3, "x\ry"};
+  const Error error = refused("'\x1b[31m' is not a number", "write one").at("a\nb.csv", 3, "x\ry");
   EXPECT_EQ(error.message(), "a\\nb.csv:3: x\\ry: '\\x1b[31m' is not a number; write one");
 }
 

@@ -33,7 +33,8 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) noex
 /// An error about a file helps only if it says what, what to do, and a line that exists.
 inline void require_helpful(const Error& error, std::string_view text) {
   require(!error.what.empty() && !error.remedy.empty(), "an error says what and what to do");
-  require(error.line >= 0 && error.line <= 1 + std::count(text.begin(), text.end(), '\n'),
+  require(!error.line ||
+              (*error.line >= 1 && *error.line <= 1 + std::count(text.begin(), text.end(), '\n')),
           "an error names a line of the file");
 }
 

@@ -190,10 +190,10 @@ TEST_F(LibraryPageTest, TheReadersOwnErrorIsShownWithItsLineAsOneTypes) {
   EXPECT_TRUE(problem().contains(QString::fromStdString(spec.error().what).toHtmlEscaped()));
   type("knd = ", "kind = ");
   ASSERT_TRUE(wait_until([&] { return problem().contains("✓"); }));
-  EXPECT_EQ(editor().marked_line(), 0);
+  EXPECT_FALSE(editor().marked_line());
   type("most_fraction = 0.3", "most_fraction = oops");
-  ASSERT_TRUE(wait_until([&] { return editor().marked_line() > 0; }));
-  const auto line = editor().document()->findBlockByNumber(editor().marked_line() - 1).text();
+  ASSERT_TRUE(wait_until([&] { return editor().marked_line().has_value(); }));
+  const auto line = editor().document()->findBlockByNumber(*editor().marked_line() - 1).text();
   EXPECT_TRUE(line.contains("oops")) << line.toStdString();
   keep("library_error");
   editor().moveCursor(QTextCursor::Start);

@@ -128,7 +128,7 @@ class Reader {
   [[nodiscard]] bool is_message(std::size_t i) const {
     static const std::regex kCall(
         "(fail|failed|failure|refused?|refuse|bad|wrong|damaged|error|give_up|nothing_to_resume|"
-        "guard|transact|audited|explain|empty_log|report|no_row)(_\\w+)?|Error|Hdf5Error|"
+        "guard|transact|audited|explain|empty_log|report|no_row)(_\\w+)?|Hdf5Error|"
         "\\w*_(error|failed)|not_\\w+");
     static const std::regex kName("\\w*what|\\w*remedy|why|doing|k\\w*(Remedy|Shape)");
     auto around = open_.rbegin();
@@ -139,18 +139,10 @@ class Reader {
     if (around != open_.rend() && std::regex_match(around->before, kCall)) return true;
     const auto from = tokens_.begin() + static_cast<std::ptrdiff_t>(statement_);
     const auto is_one = [&](const Token& token) {
-      return !token.literal && (token.text == "Error" || std::regex_match(token.text, kName));
+      return !token.literal && std::regex_match(token.text, kName);
     };
     const auto to = tokens_.begin() + static_cast<std::ptrdiff_t>(i);
-    return std::any_of(from, to, is_one) ||
-           (around != open_.rend() && around->before == "return" && returns_error(i));
-  }
-
-  /// "return {Error::Code::failed, …": the statement of a brace begins behind it.
-  [[nodiscard]] bool returns_error(std::size_t i) const {
-    for (std::size_t k = statement_; k < i; ++k)
-      if (mark(k, "Code")) return true;
-    return false;
+    return std::any_of(from, to, is_one);
   }
 
   /// Behind the operand at `i`.

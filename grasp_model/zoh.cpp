@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// m x" + c x' + k x = F, F constant over the hold h. S is the answer to a unit start velocity, P
+// its integral, Q its derivative, R = 1 - (k / m) P the answer to a unit start position:
+//   x1 = x0 + S v0 + P A,  v1 = Q v0 + S A,  A = (F - k x0) / m.
+// With a = c h / (2 m), b2 = k h^2 / m, D = (c^2 - 4 m k) (h / (2 m))^2, s = S / h, p = P / h^2:
+//   a + sqrt(b2) <= 1: power series in a and b2
+//   D > 0: s = e^-a sinh(sqrt D) / sqrt D
+//          r = e^-a cosh(sqrt D) + a s
+//          q = e^-a cosh(sqrt D) - a s
+//   D <= 0: the same with sin, cos and sqrt(-D)
+//   p = (1 - r) / b2
+// m = 0 (c x' + k x = F): R = e^(-k h / c), P = (1 - R) / k.
 #include "grasp_model/zoh.hpp"
 
 #include <cmath>

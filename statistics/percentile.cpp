@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// n values in order, x_0 to x_(n - 1), counted from 0:
+//   position = (n - 1) percent / 100,  rank = floor(position),  part = position - rank
+//   percentile = x_rank + part (x_(rank + 1) - x_rank)
 #include "statistics/percentile.hpp"
 
 #include <algorithm>

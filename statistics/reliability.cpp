@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Two ways, absolute agreement, one measurement; n subjects, k repeats, MS the mean squares:
+//   ICC(A,1) = (MS_subjects - MS_error) /
+//              (MS_subjects + (k - 1) MS_error + k (MS_repeats - MS_error) / n)
+//   SEM = sqrt((MS_repeats - MS_error) / n + MS_error),  MDC95 = 1.96 sqrt(2) SEM
 #include "statistics/reliability.hpp"
 
 #include <cmath>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Over all pairs of points i < j:
+//   Theil-Sen slope = median of (y_j - y_i) / (x_j - x_i)
+//   tau-b = (pairs in the same order - pairs in opposite order) /
+//           sqrt(pairs that differ in x * pairs that differ in y)
+// Both with 95 % intervals from resampled points.
 #include "statistics/robust_trend.hpp"
 
 #include <algorithm>

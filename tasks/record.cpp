@@ -67,7 +67,7 @@ Record::Record(const Signals& signals) : signals_(signals) {
   for (std::size_t row = 0; row < n; ++row) {
     if (!phase.empty()) phase_[row] = phase_from(phase[row]);
     if (!flags.empty()) {
-      flagged_[row] = !(flags[row] == 0.0);  // an empty field is no clean bill of health either
+      flagged_[row] = !(flags[row] == 0.0);  // an empty field does not say that all was well
       missing_[row] = std::isnan(flags[row]) ||
                       (static_cast<unsigned>(flags[row]) & unsigned{bit(SampleFlag::missing)}) != 0;
     }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr Timestamp kRecent = std::chrono::seconds(1);        // how long a damaged sample is told
 constexpr Timestamp kRestartTold = std::chrono::seconds(10);  // how long a restart is told
-// Real values dither. The screens are to say within 0.2 s that a sensor measures no more; a slow
-// one has that time for fewer samples than tell anything.
+// The values of a sensor that measures change a little all the time. The screens say within 0.2 s
+// that they stand still, but not before some repeats: a slow sensor sends few samples in that time.
 constexpr Timestamp kLongestStandstill = std::chrono::milliseconds(150);
 constexpr int kMostRepeats = 10;
 constexpr double kSaturatedShare = 0.98;  // of the rating

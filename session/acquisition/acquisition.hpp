@@ -137,7 +137,7 @@ class Acquisition {
   std::uint64_t dropped_before_trial_ = 0;
   Timing timing_;  ///< of the session
   std::optional<Timestamp> last_published_;
-  RecordItem item_;  ///< reused: too large for comfort on the stack of every frame
+  RecordItem item_;  ///< kept from frame to frame: large for the stack
 };
 
 }  // namespace isograsp::session

@@ -42,7 +42,7 @@ inline constexpr double kRemarkablePush_percent = 20.0;
 [[nodiscard]] NetPush net_push(const Platform& platform, const FingerFrame& forces,
                                double grip_N) noexcept;
 
-/// Trivially copyable in spirit: no heap. Published once per frame.
+/// Copying it takes no memory from the heap. Published once per frame.
 struct Snapshot {
   std::int64_t frames = 0;      ///< frames so far; 0: nothing has arrived yet
   double session_time_s = 0.0;  ///< since the device was started

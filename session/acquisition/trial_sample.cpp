@@ -19,7 +19,7 @@ struct Group {
   std::vector<Column> columns;
 };
 
-/// A noise of 0 stands for "not measured".
+/// A noise of 0 means that no noise was measured.
 double known(double value) {
   return value > 0.0 ? value : kMissing;
 }
@@ -177,7 +177,7 @@ Group object_columns() {
     add("slip_" + finger, [f](const auto& s) { return number(s.grasp.slip[f]); });
     add("utilisation_" + finger, [f](const auto& s) { return s.grasp.utilisation[f]; });
   }
-  // Of the hold that led here.
+  // Of the hold that ends at this sample.
   add("model_error_rad", [](const auto& s) { return s.object.error_rad; });
   add("model_inexact", [](const auto& s) { return number(s.object.tolerance_exceeded); });
   return group;

@@ -41,7 +41,7 @@ constexpr Named kNamed[] = {
     {"targets_reached", "Targets reached so far"},
     {"drops", "Drops so far"},
     {"net_push_percent", "Net force on the platform in percent of the grip; empty below 0.5 N"},
-    {"model_error_rad", "Estimated error of the attitude made in the hold that led here"},
+    {"model_error_rad", "Estimated error of the attitude, made in the hold that ends here"},
     {"model_inexact", "1: that error is above the scene's tolerance"},
     {"lateness_s", "From the instant of the grid to its record"},
     {"compute_s", "Work on the frame before"},

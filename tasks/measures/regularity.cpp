@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sample entropy = -ln(longer / shorter). shorter: pairs of templates of m = 2 samples that nowhere
+// differ by more than r = 0.2 SD; longer: those whose third samples differ by no more either.
 #include "tasks/measures/regularity.hpp"
 
 #include <algorithm>

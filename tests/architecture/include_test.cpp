@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/house.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::include_test {
 namespace {
@@ -124,7 +125,7 @@ std::vector<Include> all_includes() {
 }
 
 TEST(Includes, EveryRoomIncludesOnlyWhatTheMapAllows) {
-  for (const Include& include : all_includes()) {
+  for (const Include& include : test::every(all_includes())) {
     const std::string why = objection(House::ours(), include);
     if (!why.empty()) ADD_FAILURE() << include.file << ":" << include.line << ": " << why;
   }
@@ -135,7 +136,7 @@ TEST(Includes, AHeaderThatIsForOnePlaceOnlyIsReadThereOnly) {
   for (const Source& source : all_sources())
     if (const auto place = only_inside(source); !place.empty()) only[source.file] = place;
   EXPECT_GT(only.size(), 10U) << "no header says so: is this rule still of use?";
-  for (const auto& [header, place] : only)
+  for (const auto& [header, place] : test::every(only))
     EXPECT_TRUE(fs::is_directory(fs::path(ISOGRASP_SOURCE_DIR) / place)) << header << ": " << place;
   for (const Include& include : all_includes())
     if (const auto at = only.find(include.included);
@@ -145,7 +146,7 @@ TEST(Includes, AHeaderThatIsForOnePlaceOnlyIsReadThereOnly) {
 }
 
 TEST(Includes, NoHeaderPassesAHeavyOneOn) {
-  for (const Include& include : all_includes())
+  for (const Include& include : test::every(all_includes()))
     if (include.header && is_heavy(include.included))
       ADD_FAILURE() << include.file << ":" << include.line << ": <" << include.included
                     << "> is heavy: include it in .cpp files, declare here what is needed of it";
@@ -204,8 +205,8 @@ TEST(Includes, TheRulesForbidWhatTheyShould) {
 
 TEST(Includes, OfTheMapAreFoldersAndRoomsThatAreThere) {
   Names below;
-  for (const Folder& folder : House::ours().folders()) {
-    for (const Room& room : folder.rooms)
+  for (const Folder& folder : test::every(House::ours().folders())) {
+    for (const Room& room : test::every(folder.rooms))
       EXPECT_TRUE(fs::is_directory(fs::path(ISOGRASP_SOURCE_DIR) / room.path)) << room.path;
     for (const std::string& used : folder.uses)
       EXPECT_TRUE(below.contains(used))
@@ -225,7 +226,7 @@ TEST(Includes, HeavyAndLightHeadersAreToldApart) {
 }
 
 TEST(Sources, EveryFileNamesItsLicence) {
-  for (const Source& source : all_sources()) {
+  for (const Source& source : test::every(all_sources())) {
     ASSERT_FALSE(source.lines.empty()) << source.file;
     EXPECT_EQ(source.lines[0], "// SPDX-License-Identifier: GPL-3.0-or-later") << source.file;
   }
@@ -235,7 +236,7 @@ TEST(Sources, NoFolderHoldsMoreThanFortyFiles) {
   constexpr int kMost = 40;  // more is a hall, no room
   std::map<std::string, int> files;
   for (const Source& source : all_sources()) ++files[fs::path(source.file).parent_path()];
-  for (const auto& [folder, count] : files) EXPECT_LE(count, kMost) << folder;
+  for (const auto& [folder, count] : test::every(files)) EXPECT_LE(count, kMost) << folder;
 }
 
 }  // namespace

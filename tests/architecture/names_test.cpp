@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/house.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::names_test {
 namespace {
@@ -85,7 +86,7 @@ TEST(Names, NoTwoFilesDefineOneFullName) {
   constexpr std::size_t kFewest = 500;  // the house has more; fewer: the sources were not read
   EXPECT_GT(defined.size(), kFewest);
   EXPECT_TRUE(defined.contains("isograsp::gui::TherapistWindow"));
-  for (const auto& [name, files] : defined) {
+  for (const auto& [name, files] : test::every(defined)) {
     std::string where;
     for (const auto& file : files) where += "\n  " + file;
     EXPECT_EQ(files.size(), 1U) << name << " is defined in" << where;
@@ -94,7 +95,7 @@ TEST(Names, NoTwoFilesDefineOneFullName) {
 
 TEST(Names, StandInTheNamespaceOfTheirFolderAndThoseThatAreInstalledInOne) {
   const Names installed{"core", "hand", "device", "grasp_model"};
-  for (const Source& source : all_sources()) {
+  for (const Source& source : test::every(all_sources())) {
     std::string own = "isograsp::";
     if (!installed.contains(source.folder)) own += source.folder + "::";
     for (const auto& name : defined_in(source))

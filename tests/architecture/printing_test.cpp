@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/house.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::printing_test {
 namespace {
@@ -15,11 +16,11 @@ using namespace architecture;
 /// written out.
 TEST(Printing, OnlyTheConsoleWritesOnTheTerminal) {
   int files = 0;
-  for (const Source& source : all_sources()) {
+  for (const Source& source : test::every(all_sources())) {
     if (source.folder == "gui" || source.file.starts_with("app/console.")) continue;
     ++files;
     int number = 0;
-    for (const std::string& line : source.lines) {
+    for (const std::string& line : test::every(source.lines)) {
       ++number;
       for (const char* way : {"std::printf", "std::fprintf", "std::puts", "std::fputs",
                               "std::putchar", "std::cout", "std::cerr", "std::clog", " printf("})

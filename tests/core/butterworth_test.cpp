@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::butterworth_test {
 namespace {
@@ -40,21 +41,21 @@ TEST(Butterworth2, CoefficientsAndStepResponseAgreeWithTheReference) {
     ++rows;
     const double rate_Hz = value("fs_Hz");
     const LowPass2 filter = butterworth2(rate_Hz, value("fc_Hz"));
-    EXPECT_NEAR(filter.b0, value("b0"), kTolerance);
-    EXPECT_NEAR(filter.b1, value("b1"), kTolerance);
-    EXPECT_NEAR(filter.b2, value("b2"), kTolerance);
-    EXPECT_NEAR(filter.a1, value("a1"), kTolerance);
-    EXPECT_NEAR(filter.a2, value("a2"), kTolerance);
+    EXPECT_WITHIN(filter.b0, value("b0"), kTolerance);
+    EXPECT_WITHIN(filter.b1, value("b1"), kTolerance);
+    EXPECT_WITHIN(filter.b2, value("b2"), kTolerance);
+    EXPECT_WITHIN(filter.a1, value("a1"), kTolerance);
+    EXPECT_WITHIN(filter.a2, value("a2"), kTolerance);
     std::vector<double> step(static_cast<std::size_t>(std::lround(0.1 * rate_Hz)) + 2, 1.0);
     step[0] = 0.0;  // the value before the step
     const auto y = filtered(filter, step);
     const auto sample = [&](double s) {
       return static_cast<std::size_t>(std::lround(s * rate_Hz));
     };
-    EXPECT_NEAR(y[1], value("step_1"), kTolerance);
-    EXPECT_NEAR(y[10], value("step_10"), kTolerance);
-    EXPECT_NEAR(y[1 + sample(0.032)], value("step_at_32ms"), kTolerance);
-    EXPECT_NEAR(y[1 + sample(0.1)], value("step_at_100ms"), kTolerance);
+    EXPECT_WITHIN(y[1], value("step_1"), kTolerance);
+    EXPECT_WITHIN(y[10], value("step_10"), kTolerance);
+    EXPECT_WITHIN(y[1 + sample(0.032)], value("step_at_32ms"), kTolerance);
+    EXPECT_WITHIN(y[1 + sample(0.1)], value("step_at_100ms"), kTolerance);
   }
   EXPECT_EQ(rows, 2);
 }

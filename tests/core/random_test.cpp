@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
+
 namespace isograsp::random_test {
 namespace {
 
@@ -24,9 +26,9 @@ TEST(Random, GaussianHasMeanZeroAndStandardDeviationOne) {
     if (std::abs(value) > 2.0) ++beyond_two;
   }
   constexpr double kFiveErrors = 5.0 / 316.0;  // of a mean of kDraws
-  EXPECT_NEAR(sum / kDraws, 0.0, kFiveErrors);
-  EXPECT_NEAR(square_sum / kDraws, 1.0, kFiveErrors * std::sqrt(2.0));
-  EXPECT_NEAR(100.0 * beyond_two / kDraws, 4.55, 0.5);  // percent; five errors are 0.33
+  EXPECT_WITHIN(sum / kDraws, 0.0, kFiveErrors);
+  EXPECT_WITHIN(square_sum / kDraws, 1.0, kFiveErrors * std::sqrt(2.0));
+  EXPECT_WITHIN(100.0 * beyond_two / kDraws, 4.55, 0.5);  // percent; five errors are 0.33
 }
 
 TEST(Random, UniformFillsTheHalfOpenUnitInterval) {
@@ -44,7 +46,7 @@ TEST(Random, UniformFillsTheHalfOpenUnitInterval) {
   EXPECT_LT(most, 1.0);
   EXPECT_LT(least, 1e-3);
   EXPECT_GT(most, 1.0 - 1e-3);
-  EXPECT_NEAR(sum / kDraws, 0.5, 5.0 / 316.0 * std::sqrt(1.0 / 12.0));
+  EXPECT_WITHIN(sum / kDraws, 0.5, 5.0 / 316.0 * std::sqrt(1.0 / 12.0));
 }
 
 TEST(Random, SameSeedAndStreamRepeatAndOthersDoNot) {
@@ -62,7 +64,7 @@ TEST(Random, NeighbouringSeedsAreNotCorrelated) {
   double product = 0.0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed)
     product += Random(seed).gaussian() * Random(seed + 1).gaussian();
-  EXPECT_NEAR(product / 1000, 0.0, 5.0 / std::sqrt(1000.0));
+  EXPECT_WITHIN(product / 1000, 0.0, 5.0 / std::sqrt(1000.0));
 }
 
 }  // namespace

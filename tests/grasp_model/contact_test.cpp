@@ -6,6 +6,8 @@
 #include <random>
 
 #include "tests/grasp_model/support.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::contact_test {
 namespace {
@@ -28,7 +30,7 @@ TEST(FrictionClamp, MatchesTheGoldenTable) {
   const auto rows = test::golden("friction_clamp.csv");
   ASSERT_GT(rows.size(), 40u);
   int met_inline = 0;
-  for (const auto& row : rows) {
+  for (const auto& row : test::every(rows)) {
     Wrench measured;
     measured.force = row.vec3("fx_N", "fy_N", "fz_N");
     measured.torque.z() = row["tz_Nm"];
@@ -72,8 +74,8 @@ TEST(FrictionClamp, IsIdempotentHomogeneousAndNeverMakesForce) {
     const ContactForce once = clamp_to_friction(limit, measured);
     const ContactForce twice =
         clamp_to_friction(limit, {{once.fx, once.fy, once.fz}, {0, 0, once.tz}});
-    EXPECT_NEAR(std::hypot(once.fx - twice.fx, once.fy - twice.fy), 0.0, 1e-14);
-    EXPECT_NEAR(once.tz, twice.tz, 1e-15);
+    EXPECT_WITHIN(std::hypot(once.fx - twice.fx, once.fy - twice.fy), 0.0, 1e-14);
+    EXPECT_WITHIN(once.tz, twice.tz, 1e-15);
     EXPECT_LE(std::hypot(once.fx, once.fy),
               (1.0 + 2.0 * kEpsilon) * measured.force.head<2>().norm());
     EXPECT_LE(std::abs(once.tz), std::abs(measured.torque.z()));
@@ -97,8 +99,8 @@ TEST(FrictionClamp, MeetsForcesWhoseSquaresAreNoNumbers) {
     const ContactForce outside =
         clamp_to_friction(limit, {{3.0 * size, 4.0 * size, size}, {0, 0, 0}});
     EXPECT_TRUE(outside.slip) << size;
-    EXPECT_NEAR(outside.fx / size, 0.3, 1e-15);
-    EXPECT_NEAR(outside.fy / size, 0.4, 1e-15);
+    EXPECT_WITHIN(outside.fx / size, 0.3, 1e-15);
+    EXPECT_WITHIN(outside.fy / size, 0.4, 1e-15);
   }
 }
 

@@ -10,7 +10,9 @@
 #include "grasp_model/contact.hpp"
 #include "grasp_model/grasp.hpp"
 #include "tests/grasp_model/grasps.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/recorded_data.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::grasp_oracles_test {
 namespace {
@@ -45,7 +47,7 @@ TEST(GraspOracles, ClosureAgreesWithTwoCourses) {
   const Json cases = oracles("closure_cases.json");
   if (cases.is_null()) GTEST_SKIP() << "no recorded oracles";
   std::map<std::string, int> compared;
-  for (const auto& one : cases) {
+  for (const auto& one : test::every(cases)) {
     const std::string kind = one["kind"];
     const auto& rows = one["dim"] == 2 ? kPlanarRows : kAllRows;
     std::vector<Contact> contacts;
@@ -89,7 +91,7 @@ TEST(GraspOracles, EpsilonAgreesWithDexNet) {
   constexpr double kHull = 1e-9;       // SciPy ran the same hull with joggled input
   constexpr double kSingular = 1e-14;  // of the largest
   int closed = 0;
-  for (const auto& one : cases) {
+  for (const auto& one : test::every(cases)) {
     const double mu = one["mu"].get<double>();
     const double length_m = 1.0 / one["torque_scaling"].get<double>();
     const auto edges = one["cone_edges"].get<std::size_t>();
@@ -113,18 +115,18 @@ TEST(GraspOracles, EpsilonAgreesWithDexNet) {
     EXPECT_EQ(*epsilon > 0.0, expected) << one["name"];
     EXPECT_EQ(force_closure(contacts, kAllRows), expected) << one["name"];
     if (one.contains("dexnet_ferrari_canny_L1")) {
-      EXPECT_NEAR(*epsilon, one["dexnet_ferrari_canny_L1"].get<double>(), kDexNet) << one["name"];
-      EXPECT_NEAR(*epsilon, one["qhull_min_facet_offset"].get<double>(), kHull) << one["name"];
+      EXPECT_WITHIN(*epsilon, one["dexnet_ferrari_canny_L1"].get<double>(), kDexNet) << one["name"];
+      EXPECT_WITHIN(*epsilon, one["qhull_min_facet_offset"].get<double>(), kHull) << one["name"];
       ++closed;
     }
     const Criteria of_wrenches = criteria(wrenches);
-    EXPECT_NEAR(of_wrenches.G_min, one["dexnet_min_singular"].get<double>(),
-                kSingular * of_wrenches.singular_values.front());
+    EXPECT_WITHIN(of_wrenches.G_min, one["dexnet_min_singular"].get<double>(),
+                  kSingular * of_wrenches.singular_values.front());
     const auto& reference = one["G_point_contact_singular_values"];
     const Criteria of_map = criteria(contacts, kAllRows, {1.0, 1.0});
     for (std::size_t i = 0; i < 6; ++i)
-      EXPECT_NEAR(of_map.singular_values[i], reference[i].get<double>(),
-                  kSingular * of_map.singular_values.front())
+      EXPECT_WITHIN(of_map.singular_values[i], reference[i].get<double>(),
+                    kSingular * of_map.singular_values.front())
           << one["name"];
   }
   EXPECT_GE(closed, 3);
@@ -136,7 +138,7 @@ TEST(GraspOracles, MapsAndCriteriaAgreeWithSynGrasp) {
   constexpr double kMap = 1e-15;    // of the largest entry: positions were subtracted
   constexpr double kValue = 1e-13;  // relative; of values that the printed digits determine
   int with_joints = 0;
-  for (const auto& one : cases) {
+  for (const auto& one : test::every(cases)) {
     const bool soft = one["contact_type"] == "soft_finger";
     const Vec3 centre = vector_of(one["object_center"]);
     std::vector<Contact> contacts;
@@ -159,7 +161,7 @@ TEST(GraspOracles, MapsAndCriteriaAgreeWithSynGrasp) {
     const Criteria c = criteria(contacts, kAllRows, {1.0, 1.0});
     EXPECT_EQ(c.rank, one["rank_G"].get<int>());
     const auto near = [](double value, const Json& expected, double scale) {
-      EXPECT_NEAR(value, expected.get<double>(), kValue * scale);
+      EXPECT_WITHIN(value, expected.get<double>(), kValue * scale);
     };
     const double s1 = c.singular_values.front();
     for (std::size_t i = 0; i < 6; ++i) near(c.singular_values[i], one["singular_values_G"][i], s1);

@@ -7,6 +7,8 @@
 
 #include "tests/grasp_model/grasps.hpp"
 #include "tests/grasp_model/support.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::grasp_test {
 namespace {
@@ -21,7 +23,7 @@ TEST(GraspMap, MatchesTheGoldenWrenchesAndSingularValues) {
   constexpr double kSingular = 1e-15;  // of the largest; true zeros come out at most this large
   const auto cases = golden_grasps();
   std::map<std::string, int> compared;
-  for (const auto& row : test::golden("grasp_results.csv")) {
+  for (const auto& row : test::every(test::golden("grasp_results.csv"))) {
     const std::string name = row.text("case") + " " + row.text("type");
     const auto& contacts = cases.at(name).contacts;
     const auto& coordinates = cases.at(name).force_coordinates;
@@ -44,10 +46,10 @@ TEST(GraspMap, MatchesTheGoldenWrenchesAndSingularValues) {
     ASSERT_EQ(c.singular_values.size(), rows.size());
     const double s1 = row["s1"];
     for (std::size_t i = 0; i < rows.size(); ++i)
-      EXPECT_NEAR(c.singular_values[i], row["s" + std::to_string(i + 1)], kSingular * s1) << name;
+      EXPECT_WITHIN(c.singular_values[i], row["s" + std::to_string(i + 1)], kSingular * s1) << name;
     const auto n = static_cast<double>(rows.size());
-    EXPECT_NEAR(c.G_det, row["Gdet"], n * kSingular * std::pow(s1, n)) << name;
-    EXPECT_NEAR(c.G_rat, row["Grat"], 2.0 * kSingular) << name;
+    EXPECT_WITHIN(c.G_det, row["Gdet"], n * kSingular * std::pow(s1, n)) << name;
+    EXPECT_WITHIN(c.G_rat, row["Grat"], 2.0 * kSingular) << name;
     EXPECT_EQ(c.G_min, c.singular_values.back());
   }
   for (const auto& [type, model] : kModels) EXPECT_GE(compared[type], 10) << type;
@@ -71,7 +73,7 @@ TEST(GraspMap, IsDualToTheContactVelocities) {
     contact_power += f.segment<3>(column).dot(v_C) + f[column + 3] * w_C.z();
     column += 4;
   }
-  EXPECT_NEAR(contact_power, (G * f).dot(twist), 1e-14);
+  EXPECT_WITHIN(contact_power, (G * f).dot(twist), 1e-14);
 }
 
 TEST(GraspMap, TurningTheDeviceTurnsTheWrenchAndKeepsTheCriteria) {
@@ -91,7 +93,7 @@ TEST(GraspMap, TurningTheDeviceTurnsTheWrenchAndKeepsTheCriteria) {
   const auto before = criteria(plain, kAllRows, default_scales(plain));
   const auto after = criteria(turned, kAllRows, default_scales(turned));
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(before.singular_values[i], after.singular_values[i], 1e-14);
+    EXPECT_WITHIN(before.singular_values[i], after.singular_values[i], 1e-14);
   EXPECT_EQ(force_closure(plain, kAllRows), force_closure(turned, kAllRows));
 }
 
@@ -104,7 +106,7 @@ TEST(GraspMap, CriteriaDoNotDependOnTheUnitOfLength) {
   const auto a = criteria(metres, kAllRows, default_scales(metres));
   const auto b = criteria(millimetres, kAllRows, default_scales(millimetres));
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(a.singular_values[i], b.singular_values[i], 1e-14);
+    EXPECT_WITHIN(a.singular_values[i], b.singular_values[i], 1e-14);
 }
 
 TEST(Opposition, NeedsMoreThan120Degrees) {

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "tests/grasp_model/support.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::limit_surface_test {
 namespace {
@@ -25,14 +27,14 @@ TEST(LimitSurface, AgreesWithTheGoldenDisks) {
   constexpr double kTorque = 1e-15;  // relative, for every slip (asked for: 7e-15 up to 10)
   const auto rows = test::golden("contensou_disk.csv");
   ASSERT_GE(rows.size(), 12u);
-  for (const auto& row : rows) {
+  for (const auto& row : test::every(rows)) {
     const double s = row["s_v_over_omegaR"];
     for (const auto pressure : kPressures) {
       const std::string kind = pressure == Pressure::uniform ? "u" : "h";
       const auto [force, torque] = disk_friction(pressure, s);
-      EXPECT_NEAR(force, row["f" + kind + "_over_muN"], kForce) << s << kind;
+      EXPECT_WITHIN(force, row["f" + kind + "_over_muN"], kForce) << s << kind;
       const double reference = row["tau" + kind + "_over_muNR"];
-      EXPECT_NEAR(torque, reference, kTorque * reference) << s << kind;
+      EXPECT_WITHIN(torque, reference, kTorque * reference) << s << kind;
     }
   }
 }
@@ -41,20 +43,20 @@ TEST(LimitSurface, TurnsOnlyOrSlidesOnlyAtTheEnds) {
   for (const auto pressure : kPressures) {
     const double torsion = disk_torsion_m(pressure, 1.0, 1.0);
     EXPECT_EQ(disk_friction(pressure, 0.0).force, 0.0);
-    EXPECT_NEAR(disk_friction(pressure, 0.0).torque, torsion, kEpsilon);
+    EXPECT_WITHIN(disk_friction(pressure, 0.0).torque, torsion, kEpsilon);
     const auto slides = disk_friction(pressure, std::numeric_limits<double>::infinity());
     EXPECT_EQ(slides.force, 1.0);
     EXPECT_EQ(slides.torque, 0.0);
     // Slow slip: in proportion; fast slip: torque in inverse proportion. No digit is lost.
     for (const double s : {1e-300, 1e-100, 1e-12}) {
       const double slope = disk_friction(pressure, s).force / s;
-      EXPECT_NEAR(slope, pressure == Pressure::uniform ? 1.0 : 3.0 * std::numbers::pi / 8.0,
-                  4.0 * kEpsilon);
-      EXPECT_NEAR(disk_friction(pressure, s).torque, torsion, kEpsilon);
+      EXPECT_WITHIN(slope, pressure == Pressure::uniform ? 1.0 : 3.0 * std::numbers::pi / 8.0,
+                    4.0 * kEpsilon);
+      EXPECT_WITHIN(disk_friction(pressure, s).torque, torsion, kEpsilon);
       EXPECT_EQ(disk_friction(pressure, 1.0 / s).force, 1.0);
       // Mean square distance from the middle, 1/2 or 2/5, over 2 s.
       const double mean_square = pressure == Pressure::uniform ? 0.5 : 0.4;
-      EXPECT_NEAR(disk_friction(pressure, 1.0 / s).torque / s, 0.5 * mean_square, 4.0 * kEpsilon);
+      EXPECT_WITHIN(disk_friction(pressure, 1.0 / s).torque / s, 0.5 * mean_square, 4.0 * kEpsilon);
     }
   }
 }
@@ -70,7 +72,7 @@ TEST(LimitSurface, ForceIsTheSlopeOfTheDissipation) {
       const double slope =
           (8.0 * (M(s + kStep) - M(s - kStep)) - (M(s + 2.0 * kStep) - M(s - 2.0 * kStep))) /
           (12.0 * kStep);
-      EXPECT_NEAR(disk_friction(pressure, s).force, slope, kSlope) << s;
+      EXPECT_WITHIN(disk_friction(pressure, s).force, slope, kSlope) << s;
     }
 }
 
@@ -95,8 +97,8 @@ TEST(LimitSurface, BranchesMeetWithoutAStep) {
       const auto at = disk_friction(pressure, s);
       const auto above = disk_friction(pressure, std::nextafter(s, 3.0));
       for (const auto& side : {below, above}) {
-        EXPECT_NEAR(side.force, at.force, kJoint) << s;
-        EXPECT_NEAR(side.torque, at.torque, kJoint) << s;
+        EXPECT_WITHIN(side.force, at.force, kJoint) << s;
+        EXPECT_WITHIN(side.torque, at.torque, kJoint) << s;
       }
     }
 }
@@ -111,7 +113,7 @@ TEST(LimitSurface, LiesJustInsideTheEllipsoid) {
       EXPECT_LE(rho, 1.0 + 4.0 * kEpsilon) << s;
       deepest = std::min(deepest, rho);
     }
-    EXPECT_NEAR(1.0 - deepest, pressure == Pressure::uniform ? 0.066 : 0.060, 0.0005);
+    EXPECT_WITHIN(1.0 - deepest, pressure == Pressure::uniform ? 0.066 : 0.060, 0.0005);
   }
 }
 
@@ -140,9 +142,9 @@ TEST(PatchTorsion, OfAFineDiskIsThatOfTheDisk) {
           {pressure == Pressure::uniform ? 3.0 : std::sqrt(1.0 - r * r), r, r * kRadius_m});
     }
     const double disk = disk_torsion_m(pressure, kFriction, kRadius_m);
-    EXPECT_NEAR(patch_torsion_m(patch, kFriction), disk, kQuadrature * disk);
+    EXPECT_WITHIN(patch_torsion_m(patch, kFriction), disk, kQuadrature * disk);
   }
-  EXPECT_NEAR(disk_torsion_m(Pressure::uniform, kFriction, kRadius_m), 0.004, 1e-18);
+  EXPECT_WITHIN(disk_torsion_m(Pressure::uniform, kFriction, kRadius_m), 0.004, 1e-18);
   EXPECT_EQ(patch_torsion_m({}, kFriction), 0.0);
   const std::array<PatchElement, 1> bare{{{0.0, 1.0, 1.0}}};
   EXPECT_EQ(patch_torsion_m(bare, kFriction), 0.0);

@@ -6,6 +6,7 @@
 
 #include "tests/grasp_model/support.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::plan_test {
 namespace {
@@ -62,9 +63,9 @@ TEST(Plan, AnObjectPutDownRestsThereAndItsLockedAxesStay) {
   const Plan plan = test::plan_of(scene);
   const ObjectState state = plan.at_rest(turned_about(Vec3::UnitZ(), 0.4));
   EXPECT_EQ(state.pose.p_WO, Vec3(0.11, 0.2, 0.3));
-  EXPECT_NEAR(state.angle_rad, 0.4, 4.0 * test::kEpsilon);
-  EXPECT_NEAR(angle_between(state.pose.q_WO, Quat(Eigen::AngleAxisd(0.4, Vec3::UnitZ()))), 0.0,
-              4.0 * test::kEpsilon);
+  EXPECT_WITHIN(state.angle_rad, 0.4, 4.0 * test::kEpsilon);
+  EXPECT_WITHIN(angle_between(state.pose.q_WO, Quat(Eigen::AngleAxisd(0.4, Vec3::UnitZ()))), 0.0,
+                4.0 * test::kEpsilon);
   EXPECT_EQ(state.v_WO_W, Vec3::Zero());
   EXPECT_EQ(state.w_WO_W, Vec3::Zero());
   EXPECT_EQ(state.contact, (std::array<bool, kFingerCount>{})) << "nobody touches it yet";
@@ -82,9 +83,9 @@ TEST(Plan, OneFreeRotationTakesItsOwnAngleWithinHalfATurn) {
   constexpr double kRounding_rad = 4e-15;
   for (const double angle_rad : {-3.0, -0.5, 0.0, 1.5, 3.0}) {
     Pose pose = turned_about(Vec3::UnitY(), angle_rad);
-    EXPECT_NEAR(plan.at_rest(pose).angle_rad, angle_rad, kRounding_rad);
+    EXPECT_WITHIN(plan.at_rest(pose).angle_rad, angle_rad, kRounding_rad);
     pose.q_WO.coeffs() = -pose.q_WO.coeffs();  // the same attitude
-    EXPECT_NEAR(plan.at_rest(pose).angle_rad, angle_rad, kRounding_rad);
+    EXPECT_WITHIN(plan.at_rest(pose).angle_rad, angle_rad, kRounding_rad);
   }
   EXPECT_EQ(plan.at_rest(turned_about(Vec3::UnitX(), 0.5)).angle_rad, 0.0);
 }
@@ -223,7 +224,7 @@ TEST(Plan, AStiffFollowerFlagsOrAgreesWithTheFixedForceWhenNothingTurns) {
     push[0].force.z() = 3.0;  // through the COM: no torque
     const ObjectState a = run(test::plan_of(scene), push, 50);
     const ObjectState b = run(test::plan_of(fixed), push, 50);
-    EXPECT_NEAR(a.pose.p_WO.x() / b.pose.p_WO.x(), 1.0, k < 1e8 ? 1e-10 : 0.5);
+    EXPECT_WITHIN(a.pose.p_WO.x() / b.pose.p_WO.x(), 1.0, k < 1e8 ? 1e-10 : 0.5);
     EXPECT_EQ(a.tolerance_exceeded, k > 1e8);
   }
 }
@@ -265,8 +266,8 @@ TEST(Plan, UnderAForceThatTurnsTheStopIsMetInsideTheHold) {
     EXPECT_EQ(b.pose.p_WO.y(), 0.002);  // it has met this stop, and stays
     EXPECT_EQ(a.pose.p_WO.y(), b.pose.p_WO.y());
     EXPECT_EQ(a.v_WO_W.y(), 0.0);
-    EXPECT_NEAR(a.pose.p_WO.x(), b.pose.p_WO.x(), 1e-10);
-    EXPECT_NEAR(a.v_WO_W.x(), b.v_WO_W.x(), 1e-8);
+    EXPECT_WITHIN(a.pose.p_WO.x(), b.pose.p_WO.x(), 1e-10);
+    EXPECT_WITHIN(a.v_WO_W.x(), b.v_WO_W.x(), 1e-8);
     EXPECT_LE(angle_between(a.pose.q_WO, b.pose.q_WO), 1e-9);
   }
 }
@@ -361,7 +362,7 @@ TEST(Plan, GravityIsAConstantForceAndNotPartOfTheFingersWrench) {
   auto scene = test::scene_of(test::block(dynamics("\"y\"", "gravity_m_s2 = [0, -9.81, 0]")));
   const Plan plan = test::plan_of(scene);
   ObjectState state = run(plan, press(0, 0, 0), 6000);
-  EXPECT_NEAR(state.pose.p_WO.y(), -0.3 * 9.81 / 40.0, 1e-12);
+  EXPECT_WITHIN(state.pose.p_WO.y(), -0.3 * 9.81 / 40.0, 1e-12);
   EXPECT_EQ(plan.grasp(press(0, 0, 0), state).F_O_W.force, Vec3::Zero());
 }
 

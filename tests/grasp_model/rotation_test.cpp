@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "tests/grasp_model/support.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::so3::rotation_test {
 namespace {
@@ -17,10 +19,10 @@ TEST(RotationVector, ExponentialAndJacobiansMatchTheGoldenTable) {
   const Vec3 u(0.3, -0.7, 0.2);
   const auto rows = test::golden("so3_exp_jac.csv");
   ASSERT_GT(rows.size(), 70u);
-  for (const auto& row : rows) {
+  for (const auto& row : test::every(rows)) {
     const Vec3 phi = row.vec3("phix_rad", "phiy_rad", "phiz_rad");
     const Quat q = exp(phi);
-    EXPECT_NEAR(q.w(), row["qw"], 1e-15);
+    EXPECT_WITHIN(q.w(), row["qw"], 1e-15);
     EXPECT_LE(largest(q.vec() - row.vec3("qx", "qy", "qz")), 1e-15);
     const Mat3 R = q.toRotationMatrix();
     Mat3 reference;
@@ -39,7 +41,7 @@ TEST(RotationVector, ExponentialAndJacobiansMatchTheGoldenTable) {
 TEST(RotationVector, LogarithmMatchesTheGoldenTable) {
   const auto rows = test::golden("so3_log.csv");
   ASSERT_GT(rows.size(), 70u);
-  for (const auto& row : rows) {
+  for (const auto& row : test::every(rows)) {
     const Vec3 phi = log(Quat(row["qw"], row["qx"], row["qy"], row["qz"]));
     const Vec3 reference = row.vec3("phix_rad", "phiy_rad", "phiz_rad");
     EXPECT_LE(largest(phi - reference),
@@ -53,21 +55,21 @@ TEST(RotationVector, JacobianAndItsInverseUndoEachOther) {
     const Vec3 phi = angle * Vec3(2, -1, 2) / 3.0;
     EXPECT_LE(largest(jr_inverse(phi, jr(phi, u)) - u), 2e-14);
     const Vec3 v(-0.1, 0.4, 0.8);
-    EXPECT_NEAR(v.dot(jr_inverse(phi, u)), jr_inverse_transpose(phi, v).dot(u), 1e-14);
+    EXPECT_WITHIN(v.dot(jr_inverse(phi, u)), jr_inverse_transpose(phi, v).dot(u), 1e-14);
   }
 }
 
 TEST(TorsionSpring, MatchesTheGoldenTable) {
   const auto rows = test::golden("torsion_spring.csv");
   ASSERT_GE(rows.size(), 20u);
-  for (const auto& row : rows) {
+  for (const auto& row : test::every(rows)) {
     const Vec3 phi = row.vec3("phix_rad", "phiy_rad", "phiz_rad");
     const Vec3 k = row.vec3("Kx_Nmprad", "Ky_Nmprad", "Kz_Nmprad");
     const Vec3 reference = row.vec3("taux_Nm", "tauy_Nm", "tauz_Nm");
     if (phi.norm() > kSpringReach_rad) continue;
     const Vec3 torque = spring_torque(phi, k);
     EXPECT_LE((torque - reference).norm(), 1e-14 * reference.norm()) << phi.transpose();
-    EXPECT_NEAR(0.5 * phi.dot(k.cwiseProduct(phi)), row["U_J"], 1e-15 * (1.0 + row["U_J"]));
+    EXPECT_WITHIN(0.5 * phi.dot(k.cwiseProduct(phi)), row["U_J"], 1e-15 * (1.0 + row["U_J"]));
   }
 }
 
@@ -82,7 +84,7 @@ TEST(TorsionSpring, IsTheGradientOfItsEnergy) {
     constexpr double kStep = 1e-5;
     const Vec3 d = kStep * Vec3::Unit(i);
     const double slope = (energy(exp(phi) * exp(d)) - energy(exp(phi) * exp(-d))) / (2 * kStep);
-    EXPECT_NEAR(spring_torque(phi, k)[i], -slope, 1e-10);
+    EXPECT_WITHIN(spring_torque(phi, k)[i], -slope, 1e-10);
   }
 }
 

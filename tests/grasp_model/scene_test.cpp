@@ -3,6 +3,7 @@
 #include "grasp_model/scene.hpp"
 
 #include "tests/grasp_model/support.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::scene_test {
 namespace {
@@ -47,17 +48,17 @@ TEST(Scene, ReadsWhatTheFileSaysAndFillsInTheRest) {
 TEST(Scene, InertiaLeftOutIsThatOfTheSolid) {
   const auto without = replaced(test::block(kFree), "inertia_kg_m2 = [1e-4, 2e-4, 3e-4]\n", "");
   const Vec3 box = test::scene_of(without).inertia_kg_m2;
-  EXPECT_NEAR(box.z(), 0.3 / 12 * (0.065 * 0.065 + 0.06 * 0.06), 1e-18);
+  EXPECT_WITHIN(box.z(), 0.3 / 12 * (0.065 * 0.065 + 0.06 * 0.06), 1e-18);
   const auto shaped = [&](const std::string& shape, const std::string& size) {
     return test::scene_of(
                replaced(replaced(without, "\"box\"", shape), "[0.065, 0.06, 0.08]", size))
         .inertia_kg_m2;
   };
-  EXPECT_NEAR((shaped("\"sphere\"", "[0.06]") - Vec3::Constant(0.4 * 0.3 * 0.03 * 0.03)).norm(), 0,
-              1e-18);
-  EXPECT_NEAR(shaped("\"cylinder\"", "[0.06, 0.1]").z(), 0.5 * 0.3 * 0.03 * 0.03, 1e-18);
-  EXPECT_NEAR(shaped("\"cylinder\"", "[0.06, 0.1]").x(), 0.3 * (3 * 0.03 * 0.03 + 0.01) / 12,
-              1e-18);
+  EXPECT_WITHIN((shaped("\"sphere\"", "[0.06]") - Vec3::Constant(0.4 * 0.3 * 0.03 * 0.03)).norm(),
+                0, 1e-18);
+  EXPECT_WITHIN(shaped("\"cylinder\"", "[0.06, 0.1]").z(), 0.5 * 0.3 * 0.03 * 0.03, 1e-18);
+  EXPECT_WITHIN(shaped("\"cylinder\"", "[0.06, 0.1]").x(), 0.3 * (3 * 0.03 * 0.03 + 0.01) / 12,
+                1e-18);
 }
 
 TEST(Scene, ContactFramesAreOrthonormalAndRightHandedWhateverTheFileGives) {
@@ -66,7 +67,7 @@ TEST(Scene, ContactFramesAreOrthonormalAndRightHandedWhateverTheFileGives) {
                "tangent = [0, 1, 0]", "tangent = [0.5, 3, 1]");
   const Mat3 R = test::scene_of(text).contacts[0].R_OC;
   EXPECT_LE((R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff(), 4e-16);
-  EXPECT_NEAR(R.determinant(), 1.0, 1e-15);
+  EXPECT_WITHIN(R.determinant(), 1.0, 1e-15);
   EXPECT_LE((R.col(2) - Vec3(2, 0.3, -0.1).normalized()).norm(), 2e-16);
 }
 
@@ -136,7 +137,7 @@ TEST(Scene, TheLeftHandIsTheDeviceTurnedByPiAboutY) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(left.contacts[i].p_OC, Vec3(turn * right.contacts[i].p_OC));
     EXPECT_EQ(left.contacts[i].R_OC, Mat3(turn * right.contacts[i].R_OC));
-    EXPECT_NEAR(left.contacts[i].R_OC.determinant(), 1.0, 1e-15);
+    EXPECT_WITHIN(left.contacts[i].R_OC.determinant(), 1.0, 1e-15);
   }
   EXPECT_EQ(for_hand(left, Hand::left).contacts[0].p_OC, right.contacts[0].p_OC);
   EXPECT_EQ(for_hand(right, Hand::right).contacts[0].p_OC, right.contacts[0].p_OC);

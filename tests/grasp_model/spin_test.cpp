@@ -6,6 +6,8 @@
 
 #include "grasp_model/rotation.hpp"
 #include "tests/grasp_model/support.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::so3::spin_test {
 namespace {
@@ -65,7 +67,7 @@ double energy_of(const Body& body, const Quat& q_WO, const Vec3& w_O) {
 }
 
 TEST(ThreeRotations, MatchTheGoldenMotions) {
-  for (const auto& row : test::golden("rotation_dynamics.csv")) {
+  for (const auto& row : test::every(test::golden("rotation_dynamics.csv"))) {
     Turntable table(
         body_of(row),
         {row.vec3("tauwx_Nm", "tauwy", "tauwz"), row.vec3("taubx_Nm", "tauby", "taubz")},
@@ -147,8 +149,8 @@ TEST(ThreeRotations, WithoutTorqueEnergyAndMomentumStay) {
     return q_WO * body.inertia_kg_m2.cwiseProduct(w_O);
   };
   const Vec3 before = momentum(start.q_WO, start.w_O);
-  EXPECT_NEAR(energy_of(body, table.q_WO(), table.w_O()) / energy_of(body, start.q_WO, start.w_O),
-              1.0, 1e-10);
+  EXPECT_WITHIN(energy_of(body, table.q_WO(), table.w_O()) / energy_of(body, start.q_WO, start.w_O),
+                1.0, 1e-10);
   EXPECT_LE((momentum(table.q_WO(), table.w_O()) - before).norm(), 1e-10 * before.norm());
 }
 
@@ -157,8 +159,8 @@ TEST(ThreeRotations, ASpringKeepsItsEnergyAndADamperTakesIt) {
   const double before = energy_of(kUneven, kTumbling.q_WO, kTumbling.w_O);
   swings.turn(60.0);
   // Every hold errs by its tolerance at most; the stiffest axis turns radians into energy.
-  EXPECT_NEAR(energy_of(kUneven, swings.q_WO(), swings.w_O()) / before, 1.0,
-              6000 * kTolerance_rad * 2.0);
+  EXPECT_WITHIN(energy_of(kUneven, swings.q_WO(), swings.w_O()) / before, 1.0,
+                6000 * kTolerance_rad * 2.0);
 
   Body damped = kUneven;
   damped.damping = Vec3(1e-4, 2e-4, 3e-4);
@@ -205,7 +207,7 @@ TEST(ThreeRotations, TheSpringPullsOnSmoothlyThroughHalfATurn) {
     for (int i = 0; i < 30; ++i) {
       table.turn(0.01);
       largest = std::max(largest, log(table.q_WO()).norm());
-      EXPECT_NEAR(energy_of(body, table.q_WO(), table.w_O()) / energy, 1.0, 1e-8);
+      EXPECT_WITHIN(energy_of(body, table.q_WO(), table.w_O()) / energy, 1.0, 1e-8);
     }
     EXPECT_GT(largest, 3.2);
     EXPECT_FALSE(table.exceeded());

@@ -7,6 +7,7 @@
 #include "grasp_model/grasp.hpp"
 #include "grasp_model/plan.hpp"
 #include "tests/grasp_model/support.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::step_test {
 namespace {
@@ -155,7 +156,7 @@ TEST(Step, FrictionOfZeroAndOfAMillionAreLimitsOfTheSameModel) {
     for (auto& wrench : forces) wrench.force = Vec3(1.0, 0.5, 2.0);
     const GraspWrench wrench = plan.grasp(forces, state);
     EXPECT_EQ(wrench.slip[0], mu == 0.0);
-    EXPECT_NEAR(wrench.held.force.y(), mu == 0.0 ? 0.0 : 3.0, 1e-15);
+    EXPECT_WITHIN(wrench.held.force.y(), mu == 0.0 ? 0.0 : 3.0, 1e-15);
   }
 }
 
@@ -200,7 +201,7 @@ TEST(Step, PowerThatTheFingersGiveIsPowerThatTheObjectTakes) {
       at_fingers += v_C.dot(Vec3(force.fx, force.fy, force.fz));
       size += v_C.norm() * Vec3(force.fx, force.fy, force.fz).norm();
     }
-    EXPECT_NEAR(at_fingers, wrench.held.force.dot(v) + wrench.held.torque.dot(w), 1e-15 * size);
+    EXPECT_WITHIN(at_fingers, wrench.held.force.dot(v) + wrench.held.torque.dot(w), 1e-15 * size);
   }
 }
 

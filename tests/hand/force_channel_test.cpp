@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::force_channel_test {
 namespace {
@@ -36,7 +38,7 @@ FingerWrenches scaled(FingerWrenches wrench_C, double factor) {
 
 TEST(ForceChannel, NamesAreUniqueAndReadBackToTheSameChannel) {
   std::set<std::string> names;
-  for (const ForceChannel channel : all_channels()) {
+  for (const ForceChannel channel : test::every(all_channels())) {
     names.insert(name_of(channel));
     EXPECT_EQ(force_channel_from_name(name_of(channel)), channel) << name_of(channel);
   }
@@ -48,9 +50,10 @@ TEST(ForceChannel, NamesAreUniqueAndReadBackToTheSameChannel) {
 
 TEST(ForceChannel, TheForceGrowsInProportionToTheForcesOfTheDigits) {
   constexpr double kRounding = 1e-12;
-  for (const ForceChannel channel : all_channels()) {
+  for (const ForceChannel channel : test::every(all_channels())) {
     const FingerWrenches forces = random_forces(7);
-    EXPECT_NEAR(force_of(scaled(forces, 2.5), channel), 2.5 * force_of(forces, channel), kRounding);
+    EXPECT_WITHIN(force_of(scaled(forces, 2.5), channel), 2.5 * force_of(forces, channel),
+                  kRounding);
   }
 }
 

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/statistics/subject_tables.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::statistics::anova_test {
 namespace {
@@ -24,7 +26,7 @@ double number(const Computed& computed) {
   return computed.value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 #define EXPECT_CLOSE(actual, expected) \
-  EXPECT_NEAR(number(actual), expected, kRounding* std::max(1.0, std::abs(expected)))
+  EXPECT_WITHIN(number(actual), expected, kRounding* std::max(1.0, std::abs(expected)))
 
 /// A seeded table with an effect.
 SubjectTable example(Eigen::Index subjects = 9, Eigen::Index conditions = 4) {
@@ -89,9 +91,9 @@ TEST(OneWayAnova, SumsOfSquaresAddUpToTheWhole) {
   const auto table = example();
   const auto anova = one_way_anova(table);
   const double whole = (table.array() - table.mean()).matrix().squaredNorm();
-  EXPECT_NEAR(anova.effect.sum_of_squares + anova.effect.error_sum_of_squares +
-                  anova.subjects_sum_of_squares,
-              whole, kRounding * whole);
+  EXPECT_WITHIN(anova.effect.sum_of_squares + anova.effect.error_sum_of_squares +
+                    anova.subjects_sum_of_squares,
+                whole, kRounding * whole);
   EXPECT_CLOSE(anova.effect.generalised_eta2, anova.effect.sum_of_squares / whole);
 }
 
@@ -185,7 +187,7 @@ TEST(TwoWayAnova, SumsOfSquaresAddUpToTheWholeAndFactorsMayChangePlaces) {
   double parts = anova.subjects_sum_of_squares;
   for (const auto* effect : {&anova.a, &anova.b, &anova.interaction})
     parts += effect->sum_of_squares + effect->error_sum_of_squares;
-  EXPECT_NEAR(parts, whole, kRounding * whole);
+  EXPECT_WITHIN(parts, whole, kRounding * whole);
   SubjectTable other(7, 6);
   for (Eigen::Index a = 0; a < 2; ++a)
     for (Eigen::Index b = 0; b < 3; ++b) other.col(b * 2 + a) = table.col(a * 3 + b);
@@ -255,7 +257,7 @@ TEST(BonferroniPairs, IntervalHoldsNoZeroExactlyWherePIsBelowItsLevel) {
   for (int i = 0; i < 100; ++i) {
     auto table = null_table(random, 8, 3);
     table.col(1).array() += 1.2;
-    for (const auto& pair : bonferroni_pairs(table, kConfidence)) {
+    for (const auto& pair : test::every(bonferroni_pairs(table, kConfidence))) {
       const bool outside = number(pair.low) > 0.0 || number(pair.high) < 0.0;
       EXPECT_EQ(outside, number(pair.p) * 3.0 < 1.0 - kConfidence);
       EXPECT_CLOSE(pair.d_z, number(pair.t) / std::sqrt(8.0));
@@ -286,7 +288,7 @@ TEST(Undefined, SaysWhyAndIsNoNumber) {
     for (Eigen::Index column = 0; column < 3; ++column)
       same(row, column) = 0.1 * static_cast<double>(row) + 0.7 * static_cast<double>(column);
   EXPECT_NE(reason_of(same).find("no error"), std::string::npos);
-  for (const auto& pair : bonferroni_pairs(same)) {
+  for (const auto& pair : test::every(bonferroni_pairs(same))) {
     EXPECT_TRUE(pair.mean_difference.value);
     EXPECT_FALSE(pair.t.value || pair.d_z.value || pair.low.value);
   }
@@ -314,7 +316,7 @@ TEST(Golden, OneWayAndPairsAgreeWithAnIndependentProgram) {
   EXPECT_CLOSE(effect.p, golden["oneway_rm.p"]);
   EXPECT_CLOSE(effect.sphericity.epsilon, golden["oneway_rm.gg_epsilon"]);
   EXPECT_CLOSE(effect.corrected_p, golden["oneway_rm.p_gg"]);
-  for (const auto& pair : bonferroni_pairs(table)) {
+  for (const auto& pair : test::every(bonferroni_pairs(table))) {
     const auto name =
         "pair_" + std::to_string(pair.first) + "_" + std::to_string(pair.second) + ".";
     EXPECT_CLOSE(pair.t, golden[name + "t"]);
@@ -341,11 +343,11 @@ TEST(Published, SphericityOfTheSameDataAsPrintedByAnotherProgram) {
   // W 0.434, chi2(2) = 3.343, p = 0.188, Huynh-Feldt 0.760 (SPSS, Laerd Statistics).
   const auto sphericity = one_way_anova(golden_table("oneway", 6, 1, 3)).effect.sphericity;
   constexpr double kPrinted = 0.0005;  // three decimals
-  EXPECT_NEAR(number(sphericity.mauchly_w), 0.434, kPrinted);
-  EXPECT_NEAR(number(sphericity.mauchly_chi2), 3.343, kPrinted);
+  EXPECT_WITHIN(number(sphericity.mauchly_w), 0.434, kPrinted);
+  EXPECT_WITHIN(number(sphericity.mauchly_chi2), 3.343, kPrinted);
   EXPECT_EQ(sphericity.mauchly_df.value, 2.0);
-  EXPECT_NEAR(number(sphericity.mauchly_p), 0.188, kPrinted);
-  EXPECT_NEAR(number(sphericity.epsilon_huynh_feldt), 0.760, kPrinted);
+  EXPECT_WITHIN(number(sphericity.mauchly_p), 0.188, kPrinted);
+  EXPECT_WITHIN(number(sphericity.epsilon_huynh_feldt), 0.760, kPrinted);
 }
 
 TEST(Squares, OfValuesBeyondTheNumbersOfAComputerAreNotComputedAndSayWhy) {
@@ -358,14 +360,14 @@ TEST(Squares, OfValuesBeyondTheNumbersOfAComputerAreNotComputedAndSayWhy) {
     EXPECT_NE(effect.f.reason.find(unit < 1.0 ? "too small" : "too large"), std::string::npos)
         << effect.f.reason;
     EXPECT_FALSE(two_way_anova(unit * table.leftCols(2).replicate(1, 2), 2, 2).a.f.value);
-    for (const auto& pair : bonferroni_pairs(unit * table)) {
+    for (const auto& pair : test::every(bonferroni_pairs(unit * table))) {
       EXPECT_FALSE(pair.t.value || pair.sd.value) << unit;
       EXPECT_NE(pair.sd.reason.find("squared"), std::string::npos);
     }
   }
   for (const double unit : {1e-55, 1e55})
-    EXPECT_NEAR(*one_way_anova(unit * table).effect.p.value, *one_way_anova(table).effect.p.value,
-                1e-9);
+    EXPECT_WITHIN(*one_way_anova(unit * table).effect.p.value, *one_way_anova(table).effect.p.value,
+                  1e-9);
 }
 
 }  // namespace

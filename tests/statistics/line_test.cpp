@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::statistics::line_test {
@@ -13,9 +14,9 @@ TEST(Line, ALineIsFoundExactlyAtIrregularTimesToo) {
   const auto line = fit_line(t, test::sampled(t, [](double s) { return 4.0 - 1.5 * s; }));
   constexpr double kRounding = 1e-14;
   ASSERT_TRUE(line);
-  EXPECT_NEAR(line->slope, -1.5, kRounding);
-  EXPECT_NEAR(line->mean - line->slope * line->t_mean_s, 4.0, kRounding);
-  EXPECT_NEAR(line->residual_sd, 0.0, kRounding);
+  EXPECT_WITHIN(line->slope, -1.5, kRounding);
+  EXPECT_WITHIN(line->mean - line->slope * line->t_mean_s, 4.0, kRounding);
+  EXPECT_WITHIN(line->residual_sd, 0.0, kRounding);
 }
 
 TEST(Line, TheDeviationIsThatOfTheResiduals) {

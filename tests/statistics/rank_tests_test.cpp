@@ -13,6 +13,7 @@
 #include "statistics/box_plot.hpp"
 #include "statistics/robust_trend.hpp"
 #include "tests/statistics/subject_tables.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::statistics::rank_tests_test {
 namespace {
@@ -85,7 +86,7 @@ TEST(SignedRank, IsExactlyTheShareOfPatternsThatAreNoLessExtreme) {
     for (std::size_t s = 0; s <= static_cast<std::size_t>(std::lround(2.0 * w)); ++s)
       tail += shares[s];
     EXPECT_TRUE(test.exact);
-    EXPECT_NEAR(number(test.p), std::min(1.0, 2.0 * tail), kRounding);
+    EXPECT_WITHIN(number(test.p), std::min(1.0, 2.0 * tail), kRounding);
   }
 }
 
@@ -99,10 +100,10 @@ TEST(SignedRank, KnowsNoUnitNorOrderAndTurnsItsSign) {
   const auto after = signed_rank(negative);
   EXPECT_EQ(number(after.p), number(before.p));
   EXPECT_EQ(number(after.w_plus), number(before.w_minus));
-  EXPECT_NEAR(number(after.r), -number(before.r), kRounding);
-  EXPECT_NEAR(number(after.rank_biserial), -number(before.rank_biserial), kRounding);
-  EXPECT_NEAR(number(after.pseudo_median), -4.0 * number(before.pseudo_median), kRounding);
-  EXPECT_NEAR(number(after.low), -4.0 * number(before.high), kRounding);
+  EXPECT_WITHIN(number(after.r), -number(before.r), kRounding);
+  EXPECT_WITHIN(number(after.rank_biserial), -number(before.rank_biserial), kRounding);
+  EXPECT_WITHIN(number(after.pseudo_median), -4.0 * number(before.pseudo_median), kRounding);
+  EXPECT_WITHIN(number(after.low), -4.0 * number(before.high), kRounding);
 }
 
 TEST(SignedRank, ExactAndNormalMeetWhereOneEndsAndTheOtherBegins) {
@@ -115,7 +116,7 @@ TEST(SignedRank, ExactAndNormalMeetWhereOneEndsAndTheOtherBegins) {
                    std::sqrt(50.0 * 51.0 * 101.0 / 24.0);
   const double normal = std::erfc(z / std::sqrt(2.0));
   constexpr double kApproximation = 0.01;  // relative, for n = 50 and p near 0.05
-  EXPECT_NEAR(number(exact.p) / normal, 1.0, kApproximation);
+  EXPECT_WITHIN(number(exact.p) / normal, 1.0, kApproximation);
   differences.push_back(0.7);
   EXPECT_FALSE(signed_rank(differences).exact);
 }
@@ -248,8 +249,8 @@ TEST(Ranks, OfVerySmallAndVeryLargeValuesAreThoseOfOrdinaryOnes) {
     const auto one = signed_rank_pairs(unit * table).at(0);
     EXPECT_EQ(number(one.p), number(signed_rank_pairs(table).at(0).p)) << unit;
     EXPECT_EQ(number(friedman(unit * table).p), number(friedman(table).p)) << unit;
-    EXPECT_NEAR(number(one.pseudo_median) / unit,
-                number(signed_rank_pairs(table).at(0).pseudo_median), 1e-9);
+    EXPECT_WITHIN(number(one.pseudo_median) / unit,
+                  number(signed_rank_pairs(table).at(0).pseudo_median), 1e-9);
   }
   SubjectTable largest(6, 2);
   largest.col(0).setConstant(std::numeric_limits<double>::max());
@@ -300,7 +301,7 @@ TEST(Friedman, OfTwoConditionsIsTheSignTest) {
   const auto table = null_table(random, 15, 2);
   const auto plus = static_cast<double>((table.col(0).array() > table.col(1).array()).count());
   const auto test = friedman(table);
-  EXPECT_NEAR(number(test.chi2), (2.0 * plus - 15.0) * (2.0 * plus - 15.0) / 15.0, kRounding);
+  EXPECT_WITHIN(number(test.chi2), (2.0 * plus - 15.0) * (2.0 * plus - 15.0) / 15.0, kRounding);
 }
 
 TEST(Friedman, KnowsOnlyTheOrderWithinEachSubject) {
@@ -310,18 +311,18 @@ TEST(Friedman, KnowsOnlyTheOrderWithinEachSubject) {
   SubjectTable other = test::turned(table).array().exp();
   for (Eigen::Index row = 0; row < other.rows(); ++row)
     other.row(row) *= static_cast<double>(row + 1);
-  EXPECT_NEAR(number(friedman(other).chi2), number(before.chi2), kRounding);
-  EXPECT_NEAR(number(friedman(other).kendall_w), number(before.kendall_w), kRounding);
+  EXPECT_WITHIN(number(friedman(other).chi2), number(before.chi2), kRounding);
+  EXPECT_WITHIN(number(friedman(other).kendall_w), number(before.kendall_w), kRounding);
 }
 
 TEST(Friedman, AgreementIsCompleteOrNone) {
   SubjectTable same(5, 3);
   same.rowwise() = Eigen::RowVector3d(1.0, 5.0, 2.0);
-  EXPECT_NEAR(number(friedman(same).kendall_w), 1.0, kRounding);
+  EXPECT_WITHIN(number(friedman(same).kendall_w), 1.0, kRounding);
   SubjectTable square(3, 3);
   square << 1, 2, 3, 2, 3, 1, 3, 1, 2;
-  EXPECT_NEAR(number(friedman(square).kendall_w), 0.0, kRounding);
-  EXPECT_NEAR(number(friedman(square).p), 1.0, kRounding);
+  EXPECT_WITHIN(number(friedman(square).kendall_w), 0.0, kRounding);
+  EXPECT_WITHIN(number(friedman(square).p), 1.0, kRounding);
 }
 
 TEST(Friedman, PValuesOfNullDataAreNearlyUniform) {
@@ -338,8 +339,8 @@ TEST(Friedman, PValuesOfNullDataAreNearlyUniform) {
 TEST(Golden, FriedmanAgreesWithAnIndependentProgram) {
   SubjectTable table(6, 3);  // set "oneway" of tests/data/golden/stats_data.csv
   table << 45, 50, 55, 42, 42, 45, 36, 41, 43, 39, 35, 40, 51, 55, 59, 44, 49, 56;
-  EXPECT_NEAR(number(friedman(table).chi2), 10.17391304347826087, kRounding);
-  EXPECT_NEAR(number(friedman(table).p), 6.176790235910902342e-3, kRounding);
+  EXPECT_WITHIN(number(friedman(table).chi2), 10.17391304347826087, kRounding);
+  EXPECT_WITHIN(number(friedman(table).p), 6.176790235910902342e-3, kRounding);
 }
 
 TEST(Published, HollanderAndWolfe) {
@@ -354,15 +355,15 @@ TEST(Published, HollanderAndWolfe) {
   EXPECT_EQ(test.w_plus.value, 40.0);
   EXPECT_EQ(test.p.value, 20.0 / 512.0);
   constexpr double kPrinted = 0.005;
-  EXPECT_NEAR(number(test.pseudo_median), 0.46, kPrinted);
+  EXPECT_WITHIN(number(test.pseudo_median), 0.46, kPrinted);
   SubjectTable runners(22, 3);
   runners << 5.40, 5.50, 5.55, 5.85, 5.70, 5.75, 5.20, 5.60, 5.50, 5.55, 5.50, 5.40, 5.90, 5.85,
       5.70, 5.45, 5.55, 5.60, 5.40, 5.40, 5.35, 5.45, 5.50, 5.35, 5.25, 5.15, 5.00, 5.85, 5.80,
       5.70, 5.25, 5.20, 5.10, 5.65, 5.55, 5.45, 5.60, 5.35, 5.45, 5.05, 5.00, 4.95, 5.50, 5.50,
       5.40, 5.45, 5.55, 5.50, 5.55, 5.55, 5.35, 5.45, 5.50, 5.55, 5.50, 5.45, 5.25, 5.65, 5.60,
       5.40, 5.70, 5.65, 5.55, 6.30, 6.30, 6.25;
-  EXPECT_NEAR(number(friedman(runners).chi2), 11.1429, 0.00005);
-  EXPECT_NEAR(number(friedman(runners).p), 0.003805, 0.0000005);
+  EXPECT_WITHIN(number(friedman(runners).chi2), 11.1429, 0.00005);
+  EXPECT_WITHIN(number(friedman(runners).p), 0.003805, 0.0000005);
 }
 
 TEST(BoxPlot, QuartilesLieWhereTheRuleSays) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/statistics/subject_tables.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::statistics::reliability_test {
 namespace {
@@ -44,10 +45,10 @@ TEST(Reliability, KnowsNeitherUnitNorOriginNorOrder) {
   SubjectTable other = -2.5 * test::turned(table).rowwise().reverse();
   other.array() += 7.0;
   const auto after = reliability(other);
-  EXPECT_NEAR(number(after.icc), number(before.icc), kRounding);
-  EXPECT_NEAR(number(after.low), number(before.low), kRounding);
-  EXPECT_NEAR(number(after.high), number(before.high), kRounding);
-  EXPECT_NEAR(number(after.sem), 2.5 * number(before.sem), kRounding);
+  EXPECT_WITHIN(number(after.icc), number(before.icc), kRounding);
+  EXPECT_WITHIN(number(after.low), number(before.low), kRounding);
+  EXPECT_WITHIN(number(after.high), number(before.high), kRounding);
+  EXPECT_WITHIN(number(after.sem), 2.5 * number(before.sem), kRounding);
 }
 
 TEST(Reliability, SemIsTheSpreadOfAllSourcesThatTheCoefficientLeaves) {
@@ -57,8 +58,8 @@ TEST(Reliability, SemIsTheSpreadOfAllSourcesThatTheCoefficientLeaves) {
   const double repeats = (r.repeats_mean_square - error) / 12.0;
   const double subjects = (r.subjects_mean_square - error) / 4.0;
   const double whole_sd = std::sqrt(subjects + repeats + error);
-  EXPECT_NEAR(number(r.sem), whole_sd * std::sqrt(1.0 - number(r.icc)), kRounding);
-  EXPECT_NEAR(number(r.mdc95), 1.96 * std::numbers::sqrt2 * number(r.sem), kRounding);
+  EXPECT_WITHIN(number(r.sem), whole_sd * std::sqrt(1.0 - number(r.icc)), kRounding);
+  EXPECT_WITHIN(number(r.mdc95), 1.96 * std::numbers::sqrt2 * number(r.sem), kRounding);
 }
 
 TEST(Reliability, RepeatsThatDifferOnAverageCountAsDisagreement) {
@@ -85,8 +86,8 @@ TEST(Reliability, FindsKnownVarianceComponentsAndItsIntervalHoldsThem) {
   }
   // The mean of a ratio is a little below the ratio of means; SEM squared has no bias: three
   // standard errors of the mean of 1000 are 0.06.
-  EXPECT_NEAR(sum / kTables, truth, 0.02);
-  EXPECT_NEAR(squared_sem / kTables, 1.49, 0.06);
+  EXPECT_WITHIN(sum / kTables, truth, 0.02);
+  EXPECT_WITHIN(squared_sem / kTables, 1.49, 0.06);
   EXPECT_GT(held, 0.93 * kTables);
   EXPECT_LT(held, 0.985 * kTables);
 }
@@ -109,13 +110,13 @@ TEST(Published, ShroutAndFleissTable4) {
   table << 9, 2, 5, 8, 6, 1, 3, 2, 8, 4, 6, 8, 7, 1, 2, 6, 10, 5, 6, 9, 6, 2, 4, 7;
   const auto r = reliability(table);
   constexpr double kPrinted = 0.005;
-  EXPECT_NEAR(r.subjects_mean_square, 11.24, kPrinted);
-  EXPECT_NEAR(r.repeats_mean_square, 32.49, kPrinted);
-  EXPECT_NEAR(r.error_mean_square, 1.02, kPrinted);
-  EXPECT_NEAR(number(r.icc), 0.29, kPrinted);
+  EXPECT_WITHIN(r.subjects_mean_square, 11.24, kPrinted);
+  EXPECT_WITHIN(r.repeats_mean_square, 32.49, kPrinted);
+  EXPECT_WITHIN(r.error_mean_square, 1.02, kPrinted);
+  EXPECT_WITHIN(number(r.icc), 0.29, kPrinted);
   // Interval as printed for these data by the packages psych and irr of R: 0.019 to 0.761.
-  EXPECT_NEAR(number(r.low), 0.019, 0.0005);
-  EXPECT_NEAR(number(r.high), 0.761, 0.0005);
+  EXPECT_WITHIN(number(r.low), 0.019, 0.0005);
+  EXPECT_WITHIN(number(r.high), 0.761, 0.0005);
 }
 
 TEST(Reliability, OfValuesBeyondTheNumbersOfAComputerIsNotComputedAndSaysWhy) {
@@ -127,7 +128,7 @@ TEST(Reliability, OfValuesBeyondTheNumbersOfAComputerIsNotComputedAndSaysWhy) {
     EXPECT_NE(result.sem.reason.find("squared"), std::string::npos) << result.sem.reason;
   }
   for (const double unit : {1e-55, 1e55})
-    EXPECT_NEAR(*reliability(unit * table).low.value, *reliability(table).low.value, 1e-9);
+    EXPECT_WITHIN(*reliability(unit * table).low.value, *reliability(table).low.value, 1e-9);
 }
 
 }  // namespace

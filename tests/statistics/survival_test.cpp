@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
+
 namespace isograsp::statistics::survival_test {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr Completion kTimeOut{kLimit_s, false};
 
 TEST(Survival, WithoutTimeOutsTheRestrictedMeanIsTheMeanAndTheMedianTheMiddle) {
   const std::vector<Completion> all{{9.0, true}, {4.0, true}, {6.0, true}};
-  EXPECT_NEAR(restricted_mean_time(all, kLimit_s).value.value(), 19.0 / 3.0, kRounding);
+  EXPECT_WITHIN(restricted_mean_time(all, kLimit_s).value.value(), 19.0 / 3.0, kRounding);
   EXPECT_EQ(median_completion(all).value, 6.0);
 }
 
@@ -25,8 +27,8 @@ TEST(Survival, ATimeOutCountsAsTheLimitInTheMeanAndNeverShortensTheMedian) {
   EXPECT_EQ(reached.count, 3);
   EXPECT_EQ(reached.of, 5);
   EXPECT_EQ(median_completion(some).value, 9.0);
-  EXPECT_NEAR(restricted_mean_time(some, kLimit_s).value.value(), (4.0 + 6.0 + 9.0 + 60.0) / 5.0,
-              kRounding);
+  EXPECT_WITHIN(restricted_mean_time(some, kLimit_s).value.value(), (4.0 + 6.0 + 9.0 + 60.0) / 5.0,
+                kRounding);
 }
 
 TEST(Survival, FailingMoreOftenNeverLooksFaster) {
@@ -55,20 +57,20 @@ TEST(Survival, AttemptsThatEndEarlyCountAsLongAsTheyLasted) {
   const double shares[] = {5.0 / 6.0, 5.0 / 8.0, 5.0 / 16.0, 0.0};
   const double at_s[] = {2.0, 4.0, 7.0, 10.0};
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(steps[k].share, shares[k], kRounding);
+    EXPECT_WITHIN(steps[k].share, shares[k], kRounding);
     EXPECT_EQ(steps[k].time_s, at_s[k]);
   }
   EXPECT_EQ(median_completion(mixed).value, 7.0);
-  EXPECT_NEAR(restricted_mean_time(mixed, kLimit_s).value.value(),
-              2.0 + 2.0 * 5.0 / 6.0 + 3.0 * 5.0 / 8.0 + 3.0 * 5.0 / 16.0, kRounding);
-  EXPECT_NEAR(restricted_mean_time(mixed, 5.0).value.value(), 2.0 + 2.0 * 5.0 / 6.0 + 5.0 / 8.0,
-              kRounding);
+  EXPECT_WITHIN(restricted_mean_time(mixed, kLimit_s).value.value(),
+                2.0 + 2.0 * 5.0 / 6.0 + 3.0 * 5.0 / 8.0 + 3.0 * 5.0 / 16.0, kRounding);
+  EXPECT_WITHIN(restricted_mean_time(mixed, 5.0).value.value(), 2.0 + 2.0 * 5.0 / 6.0 + 5.0 / 8.0,
+                kRounding);
 }
 
 TEST(Survival, WhoStopsWhenAnotherArrivesWasStillTrying) {
   const auto steps = survival(std::vector<Completion>{{4.0, false}, {4.0, true}, {8.0, true}});
   ASSERT_EQ(steps.size(), 2u);
-  EXPECT_NEAR(steps[0].share, 2.0 / 3.0, kRounding);
+  EXPECT_WITHIN(steps[0].share, 2.0 / 3.0, kRounding);
 }
 
 TEST(Survival, TheLastBitOfATimeDoesNotSayWhoWasStillTrying) {
@@ -78,7 +80,7 @@ TEST(Survival, TheLastBitOfATimeDoesNotSayWhoWasStillTrying) {
     const std::vector<Completion> all{{last_s, true}, kTimeOut, kTimeOut};
     const auto steps = survival(all);
     ASSERT_EQ(steps.size(), 1u);
-    EXPECT_NEAR(steps[0].share, 2.0 / 3.0, kRounding) << last_s - kLimit_s;
+    EXPECT_WITHIN(steps[0].share, 2.0 / 3.0, kRounding) << last_s - kLimit_s;
     EXPECT_EQ(median_completion(all).reason, "longer than the limit");
   }
 }
@@ -87,7 +89,7 @@ TEST(Survival, BeyondTheLastAttemptTheMeanIsNotKnown) {
   const std::vector<Completion> stopped{{4.0, true}, {12.0, false}};
   EXPECT_EQ(restricted_mean_time(stopped, kLimit_s).reason,
             "the last attempts ended before the limit");
-  EXPECT_NEAR(restricted_mean_time(stopped, 12.0).value.value(), 4.0 + 0.5 * 8.0, kRounding);
+  EXPECT_WITHIN(restricted_mean_time(stopped, 12.0).value.value(), 4.0 + 0.5 * 8.0, kRounding);
 }
 
 TEST(Survival, RanksTieTimeOutsWorstHoweverLongTheyTried) {

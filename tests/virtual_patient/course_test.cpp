@@ -2,6 +2,8 @@
 // People over weeks: the form of the day, practice, and courses.
 #include "virtual_patient/course.hpp"
 
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/virtual_patient/people.hpp"
 
 namespace isograsp::virtual_patient::course_test {
@@ -31,7 +33,7 @@ double mean_on(const Course& of, const PatientTraits& patient, double PatientTra
 }
 
 TEST(Days, MaximaOfTwoHundredDaysVaryAsThePersonSays) {
-  for (const std::string& name : test::names_in(kPatients)) {
+  for (const std::string& name : test::every(test::names_in(kPatients))) {
     const PatientTraits traits = shipped(name);
     if (traits.day_cv == 0.0) continue;
     double sum = 0.0;
@@ -46,8 +48,8 @@ TEST(Days, MaximaOfTwoHundredDaysVaryAsThePersonSays) {
     EXPECT_GE(cv, 0.10) << name;
     EXPECT_LE(cv, 0.20) << name;
     // The SD of 200 values has a standard error of 5 %, their mean one of cv / 14: 3.5 of these.
-    EXPECT_NEAR(cv, traits.day_cv, 0.175 * traits.day_cv) << name;
-    EXPECT_NEAR(mean_N, traits.maximum_force_N, 0.25 * traits.day_cv * traits.maximum_force_N);
+    EXPECT_WITHIN(cv, traits.day_cv, 0.175 * traits.day_cv) << name;
+    EXPECT_WITHIN(mean_N, traits.maximum_force_N, 0.25 * traits.day_cv * traits.maximum_force_N);
   }
 }
 
@@ -72,7 +74,7 @@ TEST(Practice, ImprovesSkillMonotonicallyTowardsItsGainAndLeavesStrengthAlone) {
     before = now;
   }
   const PatientTraits master = practised(traits, 1e6);
-  EXPECT_NEAR(master.force_cv, traits.force_cv * (1.0 - traits.practice_gain), 1e-12);
+  EXPECT_WITHIN(master.force_cv, traits.force_cv * (1.0 - traits.practice_gain), 1e-12);
   EXPECT_GT(master.prediction, traits.prediction);
   EXPECT_EQ(master.maximum_force_N, traits.maximum_force_N);
   EXPECT_EQ(master.resting_force_N, traits.resting_force_N);
@@ -85,7 +87,7 @@ TEST(Courses, RecoveryRisesByItsFormula) {
   for (int day = 0; day <= 180; ++day) {
     const double now_N = course_mean(recovery, patient, day).maximum_force_N;
     EXPECT_GT(now_N, before_N);
-    EXPECT_NEAR(now_N, 12.0 + 0.6 * (1.0 - std::exp(-day / 35.0)) * (60.0 - 12.0), 1e-9);
+    EXPECT_WITHIN(now_N, 12.0 + 0.6 * (1.0 - std::exp(-day / 35.0)) * (60.0 - 12.0), 1e-9);
     before_N = now_N;
   }
   EXPECT_GT(mean_on(recovery, patient, &PatientTraits::maximum_force_N, 90), 30.0);
@@ -97,7 +99,7 @@ TEST(Courses, APlateauIsFlat) {
   for (int day = 0; day <= 180; day += 10) {
     EXPECT_EQ(course_mean(plateau, patient, day), patient);
     // Three standard errors of 200 days of 15 %.
-    EXPECT_NEAR(
+    EXPECT_WITHIN(
         mean_on(plateau, patient, &PatientTraits::maximum_force_N, static_cast<std::uint64_t>(day)),
         12.0, 3.0 * 0.15 * 12.0 / std::sqrt(kDays));
   }
@@ -112,7 +114,7 @@ TEST(Courses, DeclineFallsToHalf) {
     EXPECT_LT(now_N, before_N);
     before_N = now_N;
   }
-  EXPECT_NEAR(before_N, 15.0, 1e-9);
+  EXPECT_WITHIN(before_N, 15.0, 1e-9);
   EXPECT_EQ(course_mean(decline, patient, 300).maximum_force_N, before_N);
 }
 
@@ -121,25 +123,25 @@ TEST(Courses, BotulinumLowersToneForTwelveWeeksAndWearsOff) {
   const Course botulinum = course("botulinum");
   const auto on = [&](double day) { return course_mean(botulinum, patient, day); };
   EXPECT_EQ(on(27), patient);
-  EXPECT_NEAR(on(70).resting_force_N, 0.35 * patient.resting_force_N, 0.01);
-  EXPECT_NEAR(on(70).maximum_force_N, 0.8 * patient.maximum_force_N, 0.01);
+  EXPECT_WITHIN(on(70).resting_force_N, 0.35 * patient.resting_force_N, 0.01);
+  EXPECT_WITHIN(on(70).maximum_force_N, 0.8 * patient.maximum_force_N, 0.01);
   EXPECT_LT(on(111).resting_force_N, 0.36 * patient.resting_force_N);
-  EXPECT_NEAR(on(160).resting_force_N, patient.resting_force_N, 0.01);
+  EXPECT_WITHIN(on(160).resting_force_N, patient.resting_force_N, 0.01);
 }
 
 TEST(Courses, ALooseStrapHoldsBadlyAtOnceAndIsFastenedAtOnce) {
   const PatientTraits patient = shipped("mild");
   const Course strap = course("loosened_strap");
   EXPECT_EQ(course_mean(strap, patient, 20.9), patient);
-  EXPECT_NEAR(course_mean(strap, patient, 21).opening_share, 0.3 * patient.opening_share, 1e-12);
-  EXPECT_NEAR(course_mean(strap, patient, 34).opening_share, 0.3 * patient.opening_share, 1e-12);
+  EXPECT_WITHIN(course_mean(strap, patient, 21).opening_share, 0.3 * patient.opening_share, 1e-12);
+  EXPECT_WITHIN(course_mean(strap, patient, 34).opening_share, 0.3 * patient.opening_share, 1e-12);
   EXPECT_EQ(course_mean(strap, patient, 35), patient);
   EXPECT_EQ(course_mean(strap, patient, 30).maximum_force_N, patient.maximum_force_N);
 }
 
 TEST(Courses, EveryCourseKeepsEveryPersonWithinTheRanges) {
-  for (const std::string& name : test::names_in(kPatients + "/courses"))
-    for (const std::string& who : test::names_in(kPatients))
+  for (const std::string& name : test::every(test::names_in(kPatients + "/courses")))
+    for (const std::string& who : test::every(test::names_in(kPatients)))
       for (std::uint64_t day = 0; day < 400; day += 20) {
         const PatientTraits traits = course_traits(course(name), shipped(who), day, 1);
         EXPECT_EQ(traits, clamped(traits)) << name << " " << who << " " << day;

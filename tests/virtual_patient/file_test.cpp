@@ -2,6 +2,8 @@
 // People as files.
 #include <sstream>
 
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/virtual_patient/people.hpp"
 
 namespace isograsp::virtual_patient::file_test {
@@ -27,7 +29,7 @@ TEST(VirtualPatientFile, EveryShippedPersonIsRead) {
       "mild",         "moderate",        "opening_loss", "pain_stop", "paretic",
       "sensory_loss", "severe",          "slow_wander",  "spastic",   "submaximal"};
   EXPECT_EQ(names, expected);
-  for (const std::string& name : names) {
+  for (const std::string& name : test::every(names)) {
     const PatientTraits traits = shipped(name);
     EXPECT_EQ(traits, clamped(traits)) << name;
     EXPECT_LE(traits.resting_force_N, traits.maximum_force_N) << name;
@@ -41,8 +43,9 @@ TEST(VirtualPatientFile, TheFilesOfHealthyAndPareticAreThePeopleOfTheProgram) {
 
 TEST(VirtualPatientFile, EveryShippedNumberNamesItsSourceOrIsCalledAnAssumption) {
   for (const std::string& folder : {kPatients, kPatients + "/courses"})
-    for (const std::string& name : names_in(folder)) {
+    for (const std::string& name : test::every(names_in(folder))) {
       std::istringstream lines(*read_text(folder + "/" + name + ".toml"));
+      test::AtLeast numbers(1);
       for (std::string line; std::getline(lines, line);) {
         const auto equals = line.find(" = ");
         if (equals == std::string::npos || line[equals + 3] == '"') continue;
@@ -53,12 +56,13 @@ TEST(VirtualPatientFile, EveryShippedNumberNamesItsSourceOrIsCalledAnAssumption)
         EXPECT_TRUE(words.find("assumption") != std::string::npos ||
                     words.find("source: ") != std::string::npos)
             << name << ": " << line;
+        ++numbers;
       }
     }
 }
 
 TEST(VirtualPatientFile, EveryTraitMustBeSaid) {
-  for (const TraitField& field : trait_fields()) {
+  for (const TraitField& field : test::every(trait_fields())) {
     const std::string key = "\n" + std::string(field.key) + " = ";
     const auto patient = parse_patient(replaced(healthy_text(), key, "\n#"), "x.toml");
     ASSERT_FALSE(patient) << field.key;
@@ -68,7 +72,7 @@ TEST(VirtualPatientFile, EveryTraitMustBeSaid) {
 }
 
 TEST(VirtualPatientFile, ValuesOutsideTheirRangeAreRefused) {
-  for (const TraitField& field : trait_fields())
+  for (const TraitField& field : test::every(trait_fields()))
     for (const double value : {field.least - 0.01, field.most + 0.01}) {
       const std::string key = "\n" + std::string(field.key) + " = ";
       const auto patient = parse_patient(
@@ -99,16 +103,16 @@ TEST(VirtualPatientFile, ErrorsNameLineFieldAndRemedy) {
 
 TEST(VirtualPatientFile, DegreesInTheFileAreRadiansInThePerson) {
   const PatientTraits traits = shipped("direction_error");
-  EXPECT_NEAR(traits.direction_error_rad[2], std::numbers::pi / 6.0, 1e-15);
+  EXPECT_WITHIN(traits.direction_error_rad[2], std::numbers::pi / 6.0, 1e-15);
 }
 
 TEST(Traits, ARecoveryOfOneIsHealthyAndOfZeroIsNobodyElse) {
   const PatientTraits healthy = *patient_traits("healthy");
-  for (const std::string& name : names_in(kPatients)) {
+  for (const std::string& name : test::every(names_in(kPatients))) {
     const PatientTraits traits = shipped(name);
     EXPECT_EQ(recovered(traits, 0.0), traits) << name;
-    for (const TraitField& field : trait_fields())
-      EXPECT_NEAR(recovered(traits, 1.0).*field.value, healthy.*field.value, 1e-12)
+    for (const TraitField& field : test::every(trait_fields()))
+      EXPECT_WITHIN(recovered(traits, 1.0).*field.value, healthy.*field.value, 1e-12)
           << name << " " << field.key;
   }
 }

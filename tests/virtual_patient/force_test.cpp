@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 #include "tests/virtual_patient/closed_loop.hpp"
 
 namespace isograsp::virtual_patient::force_test {
@@ -132,8 +133,8 @@ TEST(VirtualPatientForce, RelaxedFingersKeepTheirToneAndNoMore) {
       person.patient.see(picture(person.t_s(), Cue::relax));
     }
     // The mean of 1000 readings of half a count each, and of slow noise of 5 %.
-    EXPECT_NEAR(sum_N / 1000, person_traits.resting_force_N,
-                0.02 + 0.1 * person_traits.resting_force_N);
+    EXPECT_WITHIN(sum_N / 1000, person_traits.resting_force_N,
+                  0.02 + 0.1 * person_traits.resting_force_N);
   }
 }
 

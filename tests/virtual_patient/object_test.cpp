@@ -8,6 +8,7 @@
 
 #include "core/csv.hpp"
 #include "grasp_model/plan.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/virtual_patient/closed_loop.hpp"
 
@@ -72,7 +73,7 @@ Outcome play(const char* name, std::uint64_t seed, const Scene& scene,
   EXPECT_TRUE(plan) << plan.error().message();
   ObjectState state = plan->initial_state();
   Outcome outcome;
-  for (const Target& target : targets) {
+  for (const Target& target : test::every(targets)) {
     double inside_s = 0.0;
     bool reached = false;
     double tilt_rad = 0.0;
@@ -259,7 +260,8 @@ TEST(VirtualPatientObject, WithoutAnObjectTheHandOnlyRests) {
     (void)person.next_frame();
     stimulus.t_s = person.t_s();
     person.patient.see(stimulus);
-    for (const Wrench& wrench_C : person.pressed) EXPECT_LT(wrench_C.force.norm(), 0.2);
+    for (const Wrench& wrench_C : test::every(person.pressed))
+      EXPECT_LT(wrench_C.force.norm(), 0.2);
   }
 }
 

@@ -2,7 +2,9 @@
 // Every instruction in every channel, by every shipped person.
 #include <cstring>
 
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 #include "tests/virtual_patient/people.hpp"
 #include "virtual_patient/force_skill.hpp"
 
@@ -45,15 +47,15 @@ PatientTraits exact(double maximum_N = 40.0) {
 }
 
 TEST(Skill, SharedForcesMakeTheForceOfTheirChannel) {
-  for (const ForceChannel channel : every_channel())
-    EXPECT_NEAR(force_of(as_wrenches(shared(channel, 7.0)), channel), 7.0, 1e-12)
+  for (const ForceChannel channel : test::every(every_channel()))
+    EXPECT_WITHIN(force_of(as_wrenches(shared(channel, 7.0)), channel), 7.0, 1e-12)
         << name_of(channel);
 }
 
 TEST(Skill, NobodyEverExceedsTheirStrengthInAnyChannel) {
-  for (const std::string& name : names_in(kPatients)) {
+  for (const std::string& name : test::every(names_in(kPatients))) {
     const PatientTraits traits = shipped(name);
-    for (const ForceChannel channel : every_channel()) {
+    for (const ForceChannel channel : test::every(every_channel())) {
       // Every digit at its strength.
       const double digit_N = largest_force_N(traits, {Digits::thumb, channel.direction});
       const Vec3 most_C = digit_N * axis_of(channel.direction);
@@ -74,10 +76,10 @@ TEST(Skill, NobodyEverExceedsTheirStrengthInAnyChannel) {
 
 TEST(Skill, AnUntroubledPersonReachesTheirStrengthInEveryChannel) {
   const PatientTraits traits = exact();
-  for (const ForceChannel channel : every_channel()) {
+  for (const ForceChannel channel : test::every(every_channel())) {
     Played play(traits, 3);
     const double most_N = largest_force_N(traits, channel);
-    EXPECT_NEAR(peak_N(play, channel), most_N, 1e-3 * most_N) << name_of(channel);
+    EXPECT_WITHIN(peak_N(play, channel), most_N, 1e-3 * most_N) << name_of(channel);
   }
 }
 
@@ -86,17 +88,17 @@ TEST(Skill, EveryPersonFollowsATargetInEveryChannelTheyAreStrongEnoughFor) {
   // they cost beyond that, like tone against which little strength opens, cannot be made good.
   for (const char* name : {"healthy", "paretic", "mild"}) {
     const PatientTraits traits = shipped(name);
-    for (const ForceChannel channel : every_channel()) {
+    for (const ForceChannel channel : test::every(every_channel())) {
       Played play(traits, 5);
       const double target_N = 0.3 * largest_force_N(traits, channel);
       const double mean_N = play.mean_N(following(channel, target_N), 14.0, 6.0);
-      EXPECT_NEAR(mean_N, target_N, 0.1 * target_N) << name << " " << name_of(channel);
+      EXPECT_WITHIN(mean_N, target_N, 0.1 * target_N) << name << " " << name_of(channel);
     }
   }
 }
 
 TEST(Skill, OpeningPullsAndNothingElseDoes) {
-  for (const std::string& name : names_in(kPatients)) {
+  for (const std::string& name : test::every(names_in(kPatients))) {
     const PatientTraits traits = shipped(name);
     Played play(traits, 2);
     double lowest_N = 0.0;
@@ -115,7 +117,7 @@ TEST(Skill, OpeningPullsAndNothingElseDoes) {
   for (const char* name : {"healthy", "paretic", "mild", "moderate", "slow_wander"}) {
     Played play(shipped(name), 2);
     EXPECT_GT(peak_N(play, kOpening), 0.0) << name;
-    for (const Wrench& wrench : play.pressed) EXPECT_LT(wrench.force.z(), 0.0) << name;
+    for (const Wrench& wrench : test::every(play.pressed)) EXPECT_LT(wrench.force.z(), 0.0) << name;
   }
 }
 
@@ -136,7 +138,7 @@ TEST(Skill, DigitTargetsAreThreeDimensional) {
 TEST(Skill, PressingIsComfortableAndHeld) {
   const PatientTraits traits = exact();
   Played play(traits, 2);
-  EXPECT_NEAR(play.mean_N(screen_of(Cue::press), 10.0, 5.0), 0.3 * 40.0, 0.01 * 40.0);
+  EXPECT_WITHIN(play.mean_N(screen_of(Cue::press), 10.0, 5.0), 0.3 * 40.0, 0.01 * 40.0);
 }
 
 TEST(Skill, AnotherChannelIsAnotherInstruction) {
@@ -153,8 +155,8 @@ TEST(Skill, ReproducingMakesTheForceHeldBefore) {
     const double target_N = 0.3 * largest_force_N(traits, channel);
     play.show(following(channel, target_N), 8.0);
     play.show(Cue::relax, channel, 5.0);
-    EXPECT_NEAR(play.mean_N(screen_of(Cue::reproduce, channel), 4.0, 1.0), target_N,
-                0.02 * target_N)
+    EXPECT_WITHIN(play.mean_N(screen_of(Cue::reproduce, channel), 4.0, 1.0), target_N,
+                  0.02 * target_N)
         << name_of(channel);
   }
   // The errors of a poor memory have its SD: 200 people.
@@ -167,7 +169,7 @@ TEST(Skill, ReproducingMakesTheForceHeldBefore) {
     play.show(Cue::relax, kGrip, 1.0);
     squares += std::pow(play.mean_N(screen_of(Cue::reproduce), 3.0, 0.5) / 12.0 - 1.0, 2);
   }
-  EXPECT_NEAR(std::sqrt(squares / kPeople), 0.2, 3.0 * 0.05 * 0.2);
+  EXPECT_WITHIN(std::sqrt(squares / kPeople), 0.2, 3.0 * 0.05 * 0.2);
 }
 
 TEST(Skill, WithNothingToRememberNothingIsReproduced) {
@@ -184,7 +186,7 @@ TEST(Skill, ASteadyTargetIsHeldWithoutSeeingTheForceAndWithLossByTheFormula) {
   const double unseen_s = 8.0 - traits.visual_delay_s - 2.0 * traits.muscle_lag_s;
   play.show(following(kGrip, 10.0, false), 8.0);
   const double expected_N = 10.0 * (1.0 - 0.3 * (1.0 - std::exp(-unseen_s / 4.0)));
-  EXPECT_NEAR(force_of(play.pressed, kGrip), expected_N, 0.02);
+  EXPECT_WITHIN(force_of(play.pressed, kGrip), expected_N, 0.02);
 }
 
 TEST(Skill, LettingGoFollowsItsTimeConstant) {
@@ -200,14 +202,14 @@ TEST(Skill, LettingGoFollowsItsTimeConstant) {
     if (t_s < begin_s) begun_N = force_of(wrench_C, kGrip);
     if (t_s < begin_s + 1.5) later_N = force_of(wrench_C, kGrip);
   });
-  EXPECT_NEAR(begun_N, 20.0, 0.1);
+  EXPECT_WITHIN(begun_N, 20.0, 0.1);
   // Two short lags are a delay of their sum.
   const double expected_N = begun_N * std::exp(-(1.5 - 2.0 * traits.muscle_lag_s) / 0.5);
-  EXPECT_NEAR(later_N, expected_N, 0.05 * expected_N);
+  EXPECT_WITHIN(later_N, expected_N, 0.05 * expected_N);
 }
 
 TEST(Skill, AHandOutGivesExactlyZeroWhateverWasDoneBefore) {
-  for (const std::string& name : names_in(kPatients)) {
+  for (const std::string& name : test::every(names_in(kPatients))) {
     const PatientTraits traits = shipped(name);
     Played play(traits, 6);
     for (const Cue cue : {Cue::squeeze, Cue::press, Cue::let_go}) {
@@ -241,7 +243,7 @@ void everything(Played& play, const Played::EachForce& each) {
 }
 
 TEST(Skill, SameSeedSameForcesBitForBitOfEveryPerson) {
-  for (const std::string& name : names_in(kPatients)) {
+  for (const std::string& name : test::every(names_in(kPatients))) {
     const auto bytes = [&](std::uint64_t seed) {
       Played play(shipped(name), seed);
       std::string all;
@@ -261,7 +263,7 @@ TEST(Skill, SameSeedSameForcesBitForBitOfEveryPerson) {
 }
 
 TEST(Skill, ForcesAreFiniteAndNothingIsAllocated) {
-  for (const std::string& name : names_in(kPatients)) {
+  for (const std::string& name : test::every(names_in(kPatients))) {
     Played play(shipped(name), 1);
     bool finite = true;
     const Played::EachForce each = [&](double, const FingerWrenches& wrench_C) {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "device/config/platform.hpp"
+#include "tests/support/within.hpp"
 #include "tests/virtual_patient/people.hpp"
 #include "virtual_patient/force_skill.hpp"
 
@@ -81,7 +82,7 @@ TEST(Trouble, SpasticToneIsOneToFiveNewtonsAndHigherWithEffort) {
               });
   }
   // The middle finger was not asked; 16 s are four time constants of tone.
-  EXPECT_NEAR(during_N / before_N, 1.0 + traits.tone_rise, 0.1);
+  EXPECT_WITHIN(during_N / before_N, 1.0 + traits.tone_rise, 0.1);
 }
 
 TEST(Trouble, SpasticForceSpreadsMoreTheHarderTheEffort) {
@@ -112,8 +113,8 @@ TEST(Trouble, MisdirectedForcesKeepTheirSizeAndTurnByTheAngle) {
        {Vec3(0, 0, 5), Vec3(0, 0, -5), Vec3(-3, 0, 0), Vec3(0, 4, 0), Vec3(1, -2, 2)})
     for (const double angle : {0.0, 0.1, 0.5}) {
       const Vec3 turned = misdirected(force, angle);
-      EXPECT_NEAR(turned.norm(), force.norm(), 1e-12);
-      EXPECT_NEAR(angle_rad(turned, force), angle, 1e-12);
+      EXPECT_WITHIN(turned.norm(), force.norm(), 1e-12);
+      EXPECT_WITHIN(angle_rad(turned, force), angle, 1e-12);
       EXPECT_LE(angle_rad(turned, drift), angle_rad(force, drift) + 1e-12);
     }
   EXPECT_EQ(misdirected(5.0 * drift, 0.5), 5.0 * drift) << "nothing to drift to";
@@ -134,7 +135,7 @@ TEST(Trouble, DirectionErrorsShowInTheForces) {
               [&](double, const FingerWrenches& wrench_C) { sum += wrench_C[f].force; });
     // The thumb's z is shared with the fingers, not its x: that costs at most this.
     constexpr double kCoupling_rad = 1.0 * kDegree_rad;
-    EXPECT_NEAR(angle_rad(sum, Vec3::UnitZ()), said_rad, kCoupling_rad) << f;
+    EXPECT_WITHIN(angle_rad(sum, Vec3::UnitZ()), said_rad, kCoupling_rad) << f;
   }
 }
 
@@ -193,7 +194,7 @@ TEST(Trouble, MissedInstructionsAreCountedAndAsManyAsSaid) {
   // Binomial: 3.5 SD.
   const double p = traits.missed_cue_probability;
   const double n = 2.0 * kPairs;
-  EXPECT_NEAR(play.person.missed_cues(), n * p, 3.5 * std::sqrt(n * p * (1.0 - p)));
+  EXPECT_WITHIN(play.person.missed_cues(), n * p, 3.5 * std::sqrt(n * p * (1.0 - p)));
 
   Played attentive(shipped("mild"), 3);
   attentive.show(Cue::squeeze, kGrip, 1.0);
@@ -248,7 +249,7 @@ TEST(Trouble, FatigueOfASustainedMaximumFollowsItsEquation) {
   }
   play.show(Cue::squeeze, kGrip, 30.0);
   // The lags of 80 ms carry on an older, larger strength.
-  EXPECT_NEAR(force_of(play.pressed, kGrip) / traits.maximum_force_N, left, 0.003);
+  EXPECT_WITHIN(force_of(play.pressed, kGrip) / traits.maximum_force_N, left, 0.003);
 }
 
 TEST(Trouble, SubmaximalEffortStaysBelowWhatTheHandCan) {
@@ -301,9 +302,9 @@ TEST(Trouble, SlowWanderIsSlow) {
   EXPECT_EQ(traits.tremor_fraction, 0.0);
   EXPECT_LT(1.0 / (2.0 * std::numbers::pi * traits.wander_s), 0.5) << "below half a hertz";
   constexpr double kError = 0.12;  // three standard errors of 600 values
-  EXPECT_NEAR(correlation(traits), std::exp(-0.5 / traits.wander_s), kError);
+  EXPECT_WITHIN(correlation(traits), std::exp(-0.5 / traits.wander_s), kError);
   traits.wander_s = 0.05;
-  EXPECT_NEAR(correlation(traits), 0.0, kError);
+  EXPECT_WITHIN(correlation(traits), 0.0, kError);
 }
 
 }  // namespace

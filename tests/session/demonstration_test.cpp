@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "session/library.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::session::demonstration_test {
 namespace {
@@ -17,7 +18,7 @@ tasks::TaskSpec task(const std::string& name) {
 }
 
 TEST(Demonstration, OfEveryTaskOfTheLibraryIsDoneByAHealthyHand) {
-  for (const auto& entry : std::filesystem::directory_iterator(kLibrary + "/tasks")) {
+  for (const auto& entry : test::every(std::filesystem::directory_iterator(kLibrary + "/tasks"))) {
     if (entry.path().extension() != ".toml") continue;
     const tasks::TaskSpec spec = task(entry.path().stem());
     const auto shown = demonstrate(spec, {}, Hand::left, kLibrary);

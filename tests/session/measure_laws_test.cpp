@@ -15,6 +15,7 @@
 #include "session/session.hpp"
 #include "storage/access/open_store.hpp"
 #include "tasks/score.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::session::measure_laws_test {
@@ -157,7 +158,8 @@ void expect_law(const PlayedTrial& trial, const Signals& transformed, const Law&
   const auto expected = tasks::score(trial.spec, trial.signals);
   const auto found = tasks::score(trial.spec, transformed);
   ASSERT_EQ(found.size(), expected.size()) << trial.spec.name;
-  for (const Measure& before : expected) {
+  test::AtLeast with_value(1);
+  for (const Measure& before : test::every(expected)) {
     const std::string where =
         what + ": " + trial.spec.name + ": " + before.name + " " + before.channel;
     const auto same = std::find_if(found.begin(), found.end(), [&](const Measure& measure) {
@@ -170,6 +172,7 @@ void expect_law(const PlayedTrial& trial, const Signals& transformed, const Law&
     if (!same->value || !before.value) continue;
     const double wanted = *before.value * law.factor(before);
     EXPECT_NEAR(*same->value, wanted, law.tolerance * std::max(1.0, std::abs(wanted))) << where;
+    ++with_value;
   }
 }
 
@@ -239,8 +242,9 @@ TEST(MeasureLaws, AStrongerHandOnCoarserSensorsHasTheSameMeasuresInItsOwnUnit) {
 }
 
 TEST(MeasureLaws, ForcesThatNumbersCannotHoldGiveNoNumberThatIsWrong) {
+  test::AtLeast numbers(500);
   for (const double times : {1e-300, 1e-200, 1e-100, 1e100, 1e160, 1e250})
-    for (const PlayedTrial& trial : trials()) {
+    for (const PlayedTrial& trial : test::every(trials())) {
       const auto expected = tasks::score(trial.spec, trial.signals);
       const auto found = tasks::score(
           trial.spec, with_each(trial.signals, [&](const std::string& name, double value) {
@@ -262,6 +266,7 @@ TEST(MeasureLaws, ForcesThatNumbersCannotHoldGiveNoNumberThatIsWrong) {
         EXPECT_NEAR(*found[i].value / (wanted == 0.0 ? 1.0 : wanted), wanted == 0.0 ? 0.0 : 1.0,
                     1e-6)
             << where;
+        ++numbers;
       }
     }
 }
@@ -319,7 +324,7 @@ bool is_half_of_a_cycle(const tasks::TaskSpec& spec, const Measure& measure) {
 }
 
 TEST(MeasureLaws, WhatStandsInHeldRowsCountsNowhereAndTheyAreCounted) {
-  for (const PlayedTrial& trial : trials()) {
+  for (const PlayedTrial& trial : test::every(trials())) {
     Random random(3, 9);
     std::vector<bool> held(trial.signals.rows());
     for (std::size_t row = 0; row < held.size(); ++row) held[row] = random.uniform() < 0.02;
@@ -385,7 +390,7 @@ std::string text_of(const Measure& measure) {
 }
 
 TEST(MeasureLaws, AnEmptyFieldInAColumnThatIsReadIsAMissingSample) {
-  for (const PlayedTrial& trial : one_of_each_kind()) {
+  for (const PlayedTrial& trial : test::every(one_of_each_kind())) {
     Random random(11, 4);
     std::vector<bool> chosen(trial.signals.rows());
     for (std::size_t row = 0; row < chosen.size(); ++row) chosen[row] = random.uniform() < 0.01;
@@ -399,7 +404,7 @@ TEST(MeasureLaws, AnEmptyFieldInAColumnThatIsReadIsAMissingSample) {
     const auto whole = tasks::score(trial.spec, trial.signals);
     const auto missing = tasks::score(trial.spec, with("sample_flags", bit(SampleFlag::missing)));
     ASSERT_EQ(missing.size(), whole.size()) << trial.spec.name;
-    for (const std::string& column : trial.signals.names()) {
+    for (const std::string& column : test::every(trial.signals.names())) {
       if (is_bookkeeping(column)) continue;
       const auto empty = tasks::score(trial.spec, with(column, std::nan("")));
       EXPECT_EQ(empty.size(), whole.size()) << trial.spec.name << " without " << column;
@@ -415,11 +420,12 @@ TEST(MeasureLaws, AnEmptyFieldInAColumnThatIsReadIsAMissingSample) {
 
 /// So a recorded trial has the same rows whichever of these columns a measure asks for.
 TEST(MeasureLaws, ARecordedRowWithoutAFlagHasAValueInEveryColumnOfHandAndObject) {
-  for (const PlayedTrial& trial : trials()) {
+  for (const PlayedTrial& trial : test::every(trials())) {
     if (std::holds_alternative<tasks::RecordedSpec>(trial.spec.kind)) continue;
     const auto flags = trial.signals.column("sample_flags");
     const auto phase = trial.signals.column("phase");
-    for (const std::string& name : trial.signals.names()) {
+    test::AtLeast fields(100);
+    for (const std::string& name : test::every(trial.signals.names())) {
       const bool of_target = name.starts_with("target_q");  // shown while it is scored
       const bool of_hand = name.starts_with("thumb_") || name.starts_with("index_") ||
                            name.starts_with("middle_") || name.starts_with("contact_") ||
@@ -436,6 +442,7 @@ TEST(MeasureLaws, ARecordedRowWithoutAFlagHasAValueInEveryColumnOfHandAndObject)
                             phase[row] == static_cast<double>(tasks::Phase::hold);
         if (flags[row] != 0.0 || !scored) continue;
         ASSERT_FALSE(std::isnan(values[row])) << trial.spec.name << " " << name << " " << row;
+        ++fields;
       }
     }
   }

@@ -7,6 +7,7 @@
 
 #include "session/protocol/protocol_run.hpp"
 #include "storage/access/open_store.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::session::resume_test {
@@ -189,8 +190,8 @@ TEST(Resume, ASessionGoesOnWithNewZeroAndRestAndTheMaximumThatWasMeasured) {
   EXPECT_EQ(after[2].place, (storage::TrialPlace{4, 0}));
   EXPECT_EQ(after[1].maximum_force_N, session->maximum_force_N());
   EXPECT_NE(after[0].zero_id, before[0].zero_id);
-  for (const auto& a : after)
-    for (const auto& b : before) EXPECT_NE(a.seed, b.seed);
+  for (const auto& a : test::every(after))
+    for (const auto& b : test::every(before)) EXPECT_NE(a.seed, b.seed);
 
   const auto over = Session::open(clinic.config(true));
   ASSERT_FALSE(over.ok());

@@ -11,6 +11,7 @@
 #include "storage/access/open_store.hpp"
 #include "tasks/score.hpp"
 #include "tasks/waveform.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::session::session_test {
@@ -80,7 +81,7 @@ void expect_same(const std::vector<Measure>& a, const std::vector<Measure>& b) {
 TEST(Session, TheDemonstrationProtocolIsCompletedByAHealthySimulatedPatient) {
   Clinic clinic;
   const auto result = clinic.run("sim://healthy?seed=7", "demonstration");
-  for (const auto& outcome : result.trials)
+  for (const auto& outcome : test::every(result.trials))
     EXPECT_EQ(outcome.trial.status, storage::TrialStatus::completed) << outcome.trial.task_name;
   EXPECT_GT(value_in(result, "maximum_force"), 20.0);
   EXPECT_GT(value_in(result, "targets_reached"), 0.0);
@@ -145,7 +146,7 @@ TEST(Session, TheSameSeedGivesTheSameSignalsBitForBit) {
   ASSERT_EQ(runs[0].size(), runs[1].size());
   for (std::size_t i = 0; i < runs[0].size(); ++i) {
     ASSERT_EQ(runs[0][i].names(), runs[1][i].names());
-    for (const auto& name : runs[0][i].names()) {
+    for (const auto& name : test::every(runs[0][i].names())) {
       const auto a = runs[0][i].column(name);
       const auto b = runs[1][i].column(name);
       ASSERT_EQ(a.size(), b.size());
@@ -262,7 +263,7 @@ TEST(Session, TheStoredSeedOfATrialTellsItsParallelFormAndGivesItsTargetAgain) {
   const auto result = clinic.run("sim://healthy?seed=7", "demonstration");
   const auto store = clinic.store();
   int sines = 0;
-  for (const auto& outcome : result.trials) {
+  for (const auto& outcome : test::every(result.trials)) {
     const tasks::TaskSpec spec = tasks::parse_task(outcome.trial.task_text, "stored").value();
     const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec.kind);
     if (tracking == nullptr) continue;

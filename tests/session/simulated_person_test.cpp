@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
 #include "virtual_patient/course.hpp"
 
 namespace isograsp::session::simulated_person_test {
@@ -27,8 +28,8 @@ std::string error(const std::string& text, const std::string& library = kLibrary
 TEST(SimulatedPerson, EveryPersonAndEveryCourseOfTheLibraryCanBeNamed) {
   EXPECT_GE(simulated_people(kLibrary).size(), 15U);
   EXPECT_GE(simulated_courses(kLibrary).size(), 5U);
-  for (const std::string& name : simulated_people(kLibrary))
-    for (const std::string& course : simulated_courses(kLibrary)) {
+  for (const std::string& name : test::every(simulated_people(kLibrary)))
+    for (const std::string& course : test::every(simulated_courses(kLibrary))) {
       const std::string uri = "sim://" + name + "?seed=3&day=40&course=" + course;
       EXPECT_TRUE(traits(uri)) << uri;
       EXPECT_TRUE(*simulated_person(*Uri::parse(uri), kLibrary)) << uri;

@@ -7,6 +7,7 @@
 #include "tasks/measure_version.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::session::training_test {
@@ -130,7 +131,7 @@ TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
     trial.samples = 300;
     trial.status = storage::TrialStatus::completed;
     auto measures = tasks::score(tasks::parse_task(text, "max").value(), signals);
-    for (auto& measure : measures) {
+    for (auto& measure : test::every(measures)) {
       if (measure.name != "maximum_force") continue;
       --measure.version;
       EXPECT_NEAR(measure.value.value(), kForce_N, 1e-9);

@@ -14,6 +14,7 @@
 #include "session/recorder.hpp"
 #include "session/session.hpp"
 #include "storage/access/open_store.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -94,7 +95,7 @@ TEST(InstrumentZero, IsKeptWithWhoWhenAndTheEmptyNoise) {
   EXPECT_EQ(kept.operator_name, "Therapist 7");
   EXPECT_EQ(kept.recorded_utc, "2026-03-01T09:32:01Z");
   EXPECT_FALSE(kept.change_N.has_value()) << "the first of this device";
-  for (const auto& sd : kept.sd) {
+  for (const auto& sd : test::every(kept.sd)) {
     EXPECT_GT(sd[2], 0.0);
     EXPECT_LT(sd[2], 0.1) << "0.4 counts of noise and 0.3 of rounding, 0.08 N each";
   }
@@ -232,7 +233,7 @@ TEST(RestingForce, IsNeverSubtracted) {
   const Signals a = signals(with_rest);
   const Signals b = signals(without_rest);
   int compared = 0;
-  for (const auto& name : a.names()) {
+  for (const auto& name : test::every(a.names())) {
     if (name.find("_f") == std::string::npos && name.find("_t") == std::string::npos) continue;
     if (name == "resting_force_N") continue;
     const auto x = a.column(name);
@@ -434,7 +435,7 @@ TEST(Thresholds, AreStoredAndTheStoredTrialMovesTheObjectAgainToTheBit) {
 
   const auto store = clinic.store();
   const auto stored = store->trials(clinic.last_session().id).value().back();
-  for (const auto& threshold_N : stored.threshold_N) EXPECT_EQ(threshold_N, 0.8);
+  for (const auto& threshold_N : test::every(stored.threshold_N)) EXPECT_EQ(threshold_N, 0.8);
   const auto signals = store->signals(stored).value();
   Scene scene = for_hand(parse_scene(stored.scene_text, "stored").value(), Hand::right);
   for (auto& contact : scene.contacts)

@@ -8,6 +8,7 @@
 
 #include "core/csv.hpp"
 #include "tasks/score.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tasks/samples.hpp"
 
@@ -111,7 +112,7 @@ TEST(ScorePairs, AColumnWithoutAValueGivesReasonsOnly) {
   signals.add_column("t_s", times(5));
   signals.add_column("target_force_N", std::vector<double>(5, 1.0));
   signals.add_column("actual_force_N", std::vector<double>(5, std::nan("")));
-  for (const Measure& measure : score_pairs(signals)) {
+  for (const Measure& measure : test::every(score_pairs(signals))) {
     EXPECT_FALSE(measure.value);
     EXPECT_EQ(measure.reason, "no samples");
     EXPECT_EQ(measure.excluded, 5);

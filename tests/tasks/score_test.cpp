@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tasks/task.hpp"
+#include "tests/support/every.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::score_test {
@@ -184,7 +185,7 @@ TEST(Score, AMissingColumnIsNamedAndNothingElseFails) {
   for (const TaskSpec& spec :
        {spec_of(RestSpec{}), spec_of(MaximumSpec{}), spec_of(ForceTrackingSpec{}),
         spec_of(ObserveSpec{}), spec_of(PoseTargetsSpec{"s", 0.02, 0.26, 30.0, {PoseTarget{}}})})
-    for (const Measure& measure : score(spec, signals)) {
+    for (const Measure& measure : test::every(score(spec, signals))) {
       EXPECT_FALSE(measure.value) << measure.name;
       EXPECT_NE(measure.reason.find("missing"), std::string::npos)
           << measure.name << ": " << measure.reason;
@@ -200,7 +201,7 @@ TEST(Score, ARecordThatHasJustBegunHasReasonsNotNumbersFromNothing) {
     }
     for (const TaskSpec& spec : {spec_of(RestSpec{}), spec_of(MaximumSpec{}),
                                  spec_of(ForceTrackingSpec{}), spec_of(ObserveSpec{})})
-      for (const Measure& measure : score(spec, signals)) EXPECT_FALSE(measure.value);
+      for (const Measure& measure : test::every(score(spec, signals))) EXPECT_FALSE(measure.value);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "tasks/waveform.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::tasks::timeline_test {
@@ -49,7 +50,7 @@ std::vector<TaskSpec> every_force_task() {
 
 TEST(Timeline, EveryTaskLastsAsLongAsItsSegmentsAndAllocatesNothing) {
   const TaskContext context = context_of();
-  for (const TaskSpec& spec : every_force_task()) {
+  for (const TaskSpec& spec : test::every(every_force_task())) {
     const auto timeline = timeline_of(spec, context);
     ASSERT_TRUE(timeline) << timeline.error().message();
     const auto task = play(*timeline, context);
@@ -75,7 +76,7 @@ TEST(Timeline, EveryTaskLastsAsLongAsItsSegmentsAndAllocatesNothing) {
 TEST(Timeline, TargetsScaleWithTheReferenceOfTheirChannel) {
   const TaskContext weak = context_of(20.0);
   const TaskContext strong = context_of(40.0);
-  for (const TaskSpec& spec : every_force_task()) {
+  for (const TaskSpec& spec : test::every(every_force_task())) {
     const auto a = timeline_of(spec, weak).value();
     const auto b = timeline_of(spec, strong).value();
     ASSERT_EQ(a.segments.size(), b.segments.size());
@@ -103,7 +104,7 @@ TEST(Timeline, ForeperiodsDifferWithinTheirLimitsAndFollowTheSeed) {
   EXPECT_EQ(some, waits(1));
   EXPECT_NE(some, waits(2));
   EXPECT_GT(std::set<std::int64_t>(some.begin(), some.end()).size(), 15u);
-  for (const auto frames : some) {
+  for (const auto frames : test::every(some)) {
     EXPECT_GE(frames, 100);
     EXPECT_LE(frames, 301);
   }
@@ -112,7 +113,7 @@ TEST(Timeline, ForeperiodsDifferWithinTheirLimitsAndFollowTheSeed) {
 TEST(Timeline, AForceMadeAgainIsNeitherShownNorItsTarget) {
   const auto timeline = timeline_of(spec_of(ForceSenseSpec{}), context_of()).value();
   int reproductions = 0;
-  for (const Segment& segment : timeline.segments) {
+  for (const Segment& segment : test::every(timeline.segments)) {
     if (segment.cue != Cue::reproduce) continue;
     ++reproductions;
     EXPECT_FALSE(segment.force_shown);
@@ -259,7 +260,7 @@ TEST(Waveform, ParallelFormsTakeTheSameValuesAtTheSameSpeedsInAnotherOrder) {
       const auto forms = every_form(wave, 30.0);
       ASSERT_EQ(forms.size(), static_cast<std::size_t>(count)) << "every form is reached";
       const auto [mean, speed] = mean_and_speed(forms.at(0));
-      for (const auto& [form, x] : forms) {
+      for (const auto& [form, x] : test::every(forms)) {
         const auto [its_mean, its_speed] = mean_and_speed(x);
         constexpr double kRounding = 1e-12;
         EXPECT_NEAR(its_mean, mean, kRounding) << name_of(shape) << ' ' << form;
@@ -320,7 +321,7 @@ TEST(Timeline, TheLeadInHoldsTheFirstValueOfEveryForm) {
     TaskContext context = context_of();
     context.seed = seed;
     const auto timeline = timeline_of(spec_of(spec), context).value();
-    for (const double held_N : timeline.segments[0].target_N)
+    for (const double held_N : test::every(timeline.segments[0].target_N))
       ASSERT_EQ(held_N, timeline.segments[1].target_N.front());
     seen.insert(form_of(spec.waveform, seed));
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tasks/score.hpp"
+#include "tests/support/every.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
 #include "tests/tasks/samples.hpp"
 
@@ -117,7 +118,7 @@ TEST(ScorePickPlace, WithoutItsColumnsAMeasureSaysWhichIsMissing) {
     const double row[] = {0.01 * k, 2.0};
     signals.append_row(row);
   }
-  for (const Measure& measure : score(placing(1), signals)) {
+  for (const Measure& measure : test::every(score(placing(1), signals))) {
     EXPECT_FALSE(measure.value) << measure.name;
     EXPECT_NE(measure.reason.find("missing"), std::string::npos) << measure.name;
   }

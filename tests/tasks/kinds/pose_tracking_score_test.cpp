@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tasks/score.hpp"
+#include "tests/support/every.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
 #include "tests/tasks/samples.hpp"
 
@@ -175,7 +176,7 @@ TEST(ScorePoseTracking, WithoutItsColumnsAMeasureSaysWhichIsMissing) {
   }
   const auto measures = score(kPlanar, signals);
   ASSERT_FALSE(measures.empty());
-  for (const Measure& measure : measures) {
+  for (const Measure& measure : test::every(measures)) {
     EXPECT_FALSE(measure.value) << measure.name;
     EXPECT_FALSE(measure.reason.empty()) << measure.name;
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tasks/task.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::tasks::pose_tracking_test {
@@ -130,7 +131,7 @@ TEST(PoseTracking, TheLeadInHoldsTheFirstValueAndTheTargetDoesNotJump) {
 }
 
 TEST(PoseTracking, DegreesOfFreedomThatAreNotAskedForStayAtTheOrigin) {
-  for (const TaskView& view : played(tracking({{4, -0.5, 0.5, sine(0.2)}}), 100.0)) {
+  for (const TaskView& view : test::every(played(tracking({{4, -0.5, 0.5, sine(0.2)}}), 100.0))) {
     ASSERT_EQ(view.target.p_WO, Vec3::Zero());
     ASSERT_EQ(view.target.q_WO.x(), 0.0);
     ASSERT_EQ(view.target.q_WO.z(), 0.0);
@@ -143,7 +144,7 @@ TEST(PoseTracking, ATargetThatJumpsHasItsTwoEndsAndNothingBetween) {
   jumps.frequency_Hz = 0.25;
   int changes = 0;
   double before_m = -0.05;
-  for (const TaskView& view : played(tracking({{0, -0.05, 0.05, jumps}}), 100.0)) {
+  for (const TaskView& view : test::every(played(tracking({{0, -0.05, 0.05, jumps}}), 100.0))) {
     const double x_m = view.target.p_WO.x();
     ASSERT_TRUE(x_m == -0.05 || x_m == 0.05) << x_m;
     changes += x_m != before_m ? 1 : 0;

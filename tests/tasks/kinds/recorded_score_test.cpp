@@ -7,6 +7,7 @@
 
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
+#include "tests/support/every.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::recorded_score_test {
@@ -98,7 +99,7 @@ TEST(Recorded, WhatIsMissingIsSaidAndNeverZero) {
     for (const double t : test::times(10)) nothing.append_row(std::vector{t, 1.0});
     const auto measures = score(task(keys), nothing);
     ASSERT_FALSE(measures.empty());
-    for (const Measure& measure : measures) {
+    for (const Measure& measure : test::every(measures)) {
       EXPECT_FALSE(measure.value) << measure.name;
       EXPECT_NE(measure.reason.find("is missing"), std::string::npos) << measure.name;
     }

@@ -4,6 +4,7 @@
 
 #include "tasks/record.hpp"
 #include "tasks/score.hpp"
+#include "tests/support/every.hpp"
 #include "tests/tasks/kinds/force_play.hpp"
 #include "tests/tasks/samples.hpp"
 
@@ -38,7 +39,7 @@ std::vector<TaskSpec> tasks_that_end_while_scored() {
 }
 
 TEST(ScoredRows, TheRowAfterTheEndIsScoredInNoTask) {
-  for (const TaskSpec& spec : tasks_that_end_while_scored()) {
+  for (const TaskSpec& spec : test::every(tasks_that_end_while_scored())) {
     // A hand that jumps in the row of the phase `done`.
     const Signals signals = play_force(spec, [](const TaskView& view, double t_s) {
       if (view.phase == Phase::done) return pressing(200, -150, 90);
@@ -161,7 +162,7 @@ TEST(ScoredRows, AColumnThatWasNotSelectedReadsAsEmpty) {
   const Record record(signals);
   const Section section = record.select({}, {"a"});
   EXPECT_EQ(section.values("a"), (std::vector{1.0, 1.0, 1.0}));
-  for (const double value : section.values("b")) EXPECT_TRUE(std::isnan(value));
+  for (const double value : test::every(section.values("b"))) EXPECT_TRUE(std::isnan(value));
 }
 
 TEST(ScoredRows, TheLastRowOfTheLastHalfCycleCounts) {

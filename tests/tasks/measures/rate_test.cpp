@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::rate_test {
@@ -22,7 +23,8 @@ TEST(Rate, OfARampIsItsSlopeAtAnySampleAndRate) {
         1.0 / rate_Hz, sampled(times(500, rate_Hz), [](double s) { return 2.0 - 7.0 * s; })};
     const auto slopes = rate_of_change(ramp);
     ASSERT_TRUE(slopes);
-    for (const double slope : slopes->values) EXPECT_NEAR(slope, -7.0, 7.0 * kForgottenStart);
+    for (const double slope : test::every(slopes->values))
+      EXPECT_NEAR(slope, -7.0, 7.0 * kForgottenStart);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::sine_test {
@@ -83,7 +84,7 @@ TEST(Sines, ADelayIsTheSameLagAtEveryFrequencyAndAnyOriginOfTime) {
       const auto t = times(3000, 100.0, origin_s);
       const auto actual = sampled(t, [&](double s) { return 0.8 * multisine(s - delay_s); });
       for (const SineAnswer& answer :
-           sine_answers(t, sampled(t, multisine), actual, kFrequencies_Hz)) {
+           test::every(sine_answers(t, sampled(t, multisine), actual, kFrequencies_Hz))) {
         EXPECT_NEAR(answer.gain.value.value(), 0.8, kRounding);
         EXPECT_NEAR(answer.lag_s.value.value(), delay_s, kRounding);
         EXPECT_NEAR(answer.phase_rad.value.value(),
@@ -108,7 +109,7 @@ TEST(Sines, FrequenciesNeedAWholeCycleOfTheirDifference) {
   EXPECT_FALSE(fit_sines(too_short, x(too_short), kFrequencies_Hz).reason.empty());
   EXPECT_FALSE(fit_sines(long_enough, x(long_enough), std::array{0.2, 0.2}).reason.empty());
   for (const SineAnswer& answer :
-       sine_answers(too_short, x(too_short), x(too_short), kFrequencies_Hz)) {
+       test::every(sine_answers(too_short, x(too_short), x(too_short), kFrequencies_Hz))) {
     EXPECT_FALSE(answer.gain.value);
     EXPECT_FALSE(answer.lag_s.reason.empty());
   }

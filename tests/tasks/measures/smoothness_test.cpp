@@ -10,6 +10,7 @@
 
 #include "core/fourier.hpp"
 #include "core/random.hpp"
+#include "tests/support/every.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::smoothness_test {
@@ -88,7 +89,7 @@ TEST(MeasuresSmoothness, SpeedOfASteadyDiagonalIsExactEverywhere) {
   const statistics::UniformSamples x{0.5, {0.0, 1.5, 3.0, 4.5}};
   const statistics::UniformSamples y{0.5, {0.0, 2.0, 4.0, 6.0}};
   const std::array axes{x, y};
-  for (const double v : speed_of(axes).values) EXPECT_DOUBLE_EQ(v, 5.0);
+  for (const double v : test::every(speed_of(axes).values)) EXPECT_DOUBLE_EQ(v, 5.0);
 }
 
 TEST(MeasuresSmoothness, AForceHasTheSmoothnessOfAMovementOfItsShapeUpOrDown) {

@@ -1,36 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything behind both windows except their pixels: the choices made, the open session, the
-// running trial, the newest snapshot. Knows no widget; all slow work runs on a worker. GUI thread.
+// Everything behind both windows except their pixels: what the therapist does, and the state that
+// comes of it (session_state.hpp). Knows no widget; all slow work runs on a worker. GUI thread.
 #pragma once
 
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <map>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
-#include "core/histogram.hpp"
 #include "gui/clinic/background.hpp"
 #include "gui/clinic/clinic.hpp"
 #include "gui/clinic/disk_room.hpp"
 #include "gui/clinic/settings.hpp"
 #include "gui/library/session_library.hpp"
-#include "gui/look/force_history.hpp"
 #include "gui/presenter/example_player.hpp"
-#include "gui/presenter/flow.hpp"
 #include "gui/presenter/patient_picture.hpp"
-#include "gui/presenter/protocol_guide.hpp"
-#include "gui/presenter/screening.hpp"
 #include "gui/presenter/seating.hpp"
-#include "session/compensation.hpp"
-#include "session/rest_watch.hpp"
-#include "session/resting.hpp"
-#include "session/session.hpp"
-#include "session/work_limits.hpp"
+#include "gui/presenter/session_state.hpp"
 
 namespace isograsp::gui {
 
@@ -115,26 +104,27 @@ class SessionPresenter final : public QObject {
   [[nodiscard]] bool look_only() const noexcept { return config_.look_only; }
 
   [[nodiscard]] const FlowView& view() const noexcept { return view_; }
-  [[nodiscard]] const session::Snapshot& snapshot() const noexcept { return snapshot_; }
-  [[nodiscard]] const ForceHistory& forces() const noexcept { return forces_; }
-  [[nodiscard]] const std::string& patient() const noexcept { return patient_; }
-  [[nodiscard]] std::optional<Hand> hand() const noexcept { return hand_; }
+  [[nodiscard]] const session::Snapshot& snapshot() const noexcept {
+    return open_ ? open_->snapshot : nothing_.snapshot;
+  }
+  [[nodiscard]] const ForceHistory& forces() const noexcept { return traces().forces; }
+  [[nodiscard]] const std::string& patient() const noexcept { return choices_.patient; }
+  [[nodiscard]] std::optional<Hand> hand() const noexcept { return choices_.today.hand; }
   /// The chosen hand is not on the affected side: a press must confirm it.
   [[nodiscard]] bool hand_to_confirm() const noexcept;
-  [[nodiscard]] const std::string& device_uri() const noexcept { return device_uri_; }
-  [[nodiscard]] std::string device_description() const;
+  [[nodiscard]] const std::string& device_uri() const noexcept { return choices_.device_uri; }
   /// What the session measures beside the hand.
-  [[nodiscard]] const session::Compensation& compensation() const noexcept { return compensation_; }
+  [[nodiscard]] const session::Compensation& compensation() const noexcept {
+    return open_ ? open_->compensation : nothing_.compensation;
+  }
   /// Today's maximum grip, if it is known and forces are to be shown as a share of it; else 0 [N].
   [[nodiscard]] double shown_maximum_N() const noexcept;
   /// Of the connected device; null: none.
   [[nodiscard]] const DeviceInfo* device_info() const noexcept;
-  struct Fault {
-    double session_time_s = 0.0;
-    std::string words;
-  };
   /// Of the device in this session, oldest first.
-  [[nodiscard]] const std::vector<Fault>& faults() const noexcept { return faults_; }
+  [[nodiscard]] const std::vector<DeviceFaultSeen>& faults() const noexcept {
+    return traces().faults;
+  }
   [[nodiscard]] const std::vector<tasks::TaskSpec>& tasks() const noexcept {
     return library_.tasks;
   }
@@ -143,67 +133,66 @@ class SessionPresenter final : public QObject {
     return library_.problems;
   }
   /// Chosen by hand; -1: the protocol says what comes.
-  [[nodiscard]] int task() const noexcept { return follows() ? -1 : task_; }
+  [[nodiscard]] int task() const noexcept { return follows() ? -1 : task_by_hand(); }
   /// The task that Start begins, at its level; null: none.
   [[nodiscard]] const tasks::TaskSpec* next_task() const noexcept;
   /// "Grip force, sine (1 of 2)" of the protocol, or the name of the chosen task.
   [[nodiscard]] std::string next_words() const;
-  static constexpr int kByHand = -1;
+  static constexpr int kByHand = Choices::kByHand;
   [[nodiscard]] const std::vector<session::ReadyProtocol>& protocols() const noexcept {
     return library_.protocols;
   }
-  [[nodiscard]] int protocol() const noexcept { return protocol_; }
+  [[nodiscard]] int protocol() const noexcept { return choices_.protocol; }
   /// The session follows, or will follow, protocol().
   [[nodiscard]] bool has_protocol() const noexcept;
-  [[nodiscard]] const ProtocolGuide& guide() const noexcept { return guide_; }
+  [[nodiscard]] const ProtocolGuide& guide() const noexcept {
+    return open_ ? open_->work.guide : nothing_.guide;
+  }
   /// The protocol, not the therapist, says what comes.
-  [[nodiscard]] bool follows() const noexcept { return guide_.active() && !by_hand_; }
-  [[nodiscard]] bool by_itself() const noexcept { return by_itself_; }
-  [[nodiscard]] const Screening& screening() const noexcept { return screening_; }
+  [[nodiscard]] bool follows() const noexcept { return guide().active() && !open_->work.by_hand; }
+  [[nodiscard]] bool by_itself() const noexcept { return choices_.by_itself; }
+  [[nodiscard]] const Screening& screening() const noexcept { return choices_.today.screening; }
   /// Acts that an interrupted session did of the chosen protocol today; nothing: there is none.
-  [[nodiscard]] std::optional<int> earlier() const noexcept { return earlier_; }
-  [[nodiscard]] std::optional<bool> goes_on_earlier() const noexcept { return resume_; }
+  [[nodiscard]] std::optional<int> earlier() const noexcept { return choices_.interrupted.acts; }
+  [[nodiscard]] std::optional<bool> goes_on_earlier() const noexcept {
+    return choices_.interrupted.go_on;
+  }
   /// Level of the chosen task, 0 (easiest) … 1; nothing: it has none that may be chosen now.
   [[nodiscard]] std::optional<double> difficulty() const;
   /// Of the running or the last trial.
-  [[nodiscard]] bool helped() const noexcept { return helped_; }
+  [[nodiscard]] bool helped() const noexcept;
   [[nodiscard]] bool may_help() const noexcept;
   [[nodiscard]] bool may_repeat() const noexcept;
-  [[nodiscard]] std::optional<int> effort() const noexcept { return effort_; }
-  [[nodiscard]] std::optional<int> pain() const noexcept { return pain_; }
-  /// The patient's last answer of this session: effort and pain.
-  struct Rated {
-    int effort = 0;
-    int pain = 0;
-  };
-  [[nodiscard]] std::optional<Rated> rated() const noexcept { return rated_; }
-  /// effort() and pain() are that answer: another number corrects it.
-  [[nodiscard]] bool corrects_rating() const noexcept { return corrects_rating_; }
-  void show_rated();  ///< to correct it, after effort() and pain() were emptied for the next answer
-  [[nodiscard]] bool practice() const noexcept { return practice_; }
+  /// Of this session; nothing said while none is open.
+  [[nodiscard]] const Rating& rating() const noexcept {
+    return open_ ? open_->rating : nothing_.rating;
+  }
+  void show_rated();  ///< to correct it, after it was put away for the next answer
+  [[nodiscard]] bool practice() const noexcept { return choices_.practice; }
   /// The protocol asks for a zero of the empty device.
   [[nodiscard]] bool zero_is_next() const noexcept {
-    return guide_.act() && guide_.act()->kind == session::ProtocolWalk::Act::Kind::instrument_zero;
+    return guide().act() &&
+           guide().act()->kind == session::ProtocolWalk::Act::Kind::instrument_zero;
   }
   /// What the resting force suggests; empty: not measured yet.
-  [[nodiscard]] const std::string& rest_words() const noexcept { return rest_words_; }
+  [[nodiscard]] const std::string& rest_words() const noexcept {
+    return open_ ? open_->preparation.rest_words : nothing_.rest_words;
+  }
   [[nodiscard]] bool simulated() const noexcept;
   [[nodiscard]] bool recorded() const noexcept;
-  [[nodiscard]] bool session_open() const noexcept { return session_ != nullptr; }
+  [[nodiscard]] bool session_open() const noexcept { return open_.has_value(); }
   /// A trial, a zero or a protocol is running, or will go on by itself.
-  [[nodiscard]] bool under_way() const noexcept {
-    return starting_ || zero_asked_ || view_.may_stop || view_.may_stand_by || guide_.goes_on();
-  }
+  [[nodiscard]] bool under_way() const noexcept;
   /// Why not all of the last session is in the database, where it is and what to do.
-  [[nodiscard]] const std::optional<Error>& lost() const noexcept { return lost_; }
+  [[nodiscard]] const std::optional<Error>& lost() const noexcept { return connection_.lost; }
   /// A session is open, or being opened or closed.
-  [[nodiscard]] bool busy() const noexcept { return connection_ != Connection::none; }
-  [[nodiscard]] const std::vector<Measure>& live_score() const noexcept { return live_score_; }
+  [[nodiscard]] bool busy() const noexcept { return connection_.phase != Connection::none; }
+  [[nodiscard]] const std::vector<Measure>& live_score() const noexcept;
   /// The last trial of this session; nothing: none yet.
   [[nodiscard]] const std::optional<session::TrialOutcome>& last_trial() const noexcept {
-    return last_trial_;
+    return traces().last_trial;
   }
-  [[nodiscard]] double worst_lateness_s() const noexcept { return worst_lateness_s_; }
+  [[nodiscard]] double worst_lateness_s() const noexcept { return traces().worst_lateness_s; }
   /// What the acquisition thread was given; empty: not asked for.
   [[nodiscard]] std::string realtime() const;
   /// A demonstration is being made or is on the patient's screen.
@@ -230,44 +219,84 @@ class SessionPresenter final : public QObject {
   void failed(const QString& why);  ///< an act was refused
 
  private:
+  // session_presenter.cpp: what is known, and what is new.
   [[nodiscard]] FlowFacts facts() const;
+  void add_session_facts(FlowFacts& facts) const;
+  void add_task_facts(FlowFacts& facts) const;
   void update();
+  void refuse(const Error& error);
+  void look_at_session();
+  void take(const session::SessionNews& news);
+  [[nodiscard]] const SessionTraces& traces() const noexcept {
+    return open_ ? open_->traces : left_;
+  }
+  /// Nothing begins by itself until the next start.
+  void hold();
+
+  // session_presenter_choices.cpp
   void take_library(SessionLibrary library);
+  void take_protocols(const std::optional<session::ReadyProtocol>& chosen);
   void ask_anew();
   void look_for_earlier();
-  [[nodiscard]] ProtocolFacts protocol_facts() const;
-  void follow_time();
-  void begin_next();
-  [[nodiscard]] Result<tasks::TaskSpec> at_chosen_level(const tasks::TaskSpec& spec) const;
-  void say_smaller_gain(std::optional<double> shown);
-  void begin_protocol();
-  void look_at_act();
-  Result<void> begin_trial(const tasks::TaskSpec& spec, bool practice,
-                           std::optional<storage::TrialPlace> place);
-  void leave_out(const Error& why);
-  void store_rating();
-  void ask_rating_anew();
-  [[nodiscard]] double session_time_s() const noexcept { return snapshot_.session_time_s; }
-  void select_first(TaskKind kind);
+  [[nodiscard]] int task_by_hand() const noexcept {
+    return open_ ? open_->work.task : choices_.task;
+  }
+  /// The first of that kind; nothing: the library has none.
+  [[nodiscard]] std::optional<int> first_task(TaskKind kind) const;
+  void select(std::optional<int> task);
   void select_task_after_maximum();
   void look_at_task();
-  void take(const session::SessionNews& news);
-  void take_trial(const session::TrialOutcome& outcome);
-  void begin_session(std::unique_ptr<session::Session> session);
+
+  // session_presenter_connection.cpp
+  [[nodiscard]] session::SessionConfig session_config(bool clock_is_right) const;
+  void take_opened(Result<std::unique_ptr<session::Session>> opened, const Presentation& stored);
+  void begin_session(std::unique_ptr<session::Session> session, const Presentation& stored);
   void take_earlier_work();
   void close_session(const std::string& why);
   template <class Closed>
   void close_on_worker(std::unique_ptr<session::Session> session, Closed closed);
-  void prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskContext& context);
-  void refuse(const Error& error);
-  void forget_failure();
   void keep_broken_trial(const std::string& why);
-  void remember_fault(const DeviceHealth& before);
-  void watch_compensation();
+  [[nodiscard]] bool broken_off() const noexcept {
+    return connection_.failure && connection_.failure->broken_off;
+  }
+
+  // session_presenter_trials.cpp
+  void begin_next();
+  Result<void> begin_trial(const tasks::TaskSpec& spec, bool practice,
+                           std::optional<storage::TrialPlace> place);
+  void prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskContext& context);
+  void take_trial(const session::TrialOutcome& outcome);
+  void take_progress(const tasks::TaskSpec& task);
   void watch_limits(const session::TrialOutcome& outcome);
-  void add_screen_answers(std::vector<storage::SessionAnswer>& answers);
+  void store_rating();
+  void ask_rating_anew();
+
+  // session_presenter_protocol.cpp
+  [[nodiscard]] ProtocolFacts protocol_facts() const;
+  void begin_protocol();
+  void look_at_act();
+  void follow_time();
+  void leave_out(const Error& why);
+  [[nodiscard]] Result<tasks::TaskSpec> at_chosen_level(const tasks::TaskSpec& spec) const;
+
+  // session_presenter_patient.cpp
+  void take_zero(const session::ZeroOutcome& zero);
+  void watch_compensation();
+  [[nodiscard]] std::vector<storage::SessionAnswer> screen_answers() const;
+  [[nodiscard]] PatientFacts patient_facts() const;
   void store_presentation();
+  void say_smaller_gain(std::optional<double> shown);
   [[nodiscard]] Viewing viewing(double picture_height_m) const;
+
+  /// What is shown while no session is open.
+  struct Nothing {
+    session::Snapshot snapshot;
+    session::Compensation compensation;
+    ProtocolGuide guide;
+    Rating rating;
+    std::string rest_words;
+    std::vector<Measure> score;
+  };
 
   GuiConfig config_;
   Clinic& clinic_;
@@ -275,76 +304,17 @@ class SessionPresenter final : public QObject {
   Seating seating_;
   QTimer timer_;
   SteadyClock clock_;
+  const Nothing nothing_{};
   std::string operator_;  ///< who has logged in
   std::string database_error_;
-  std::string patient_;
-  std::optional<Hand> hand_;
-  bool hand_confirmed_ = false;  ///< by a press
-  std::string device_uri_;
-  Screening screening_;
   SessionLibrary library_;
   std::optional<SessionLibrary> newer_library_;  ///< read, waits for the end of a trial
-  int protocol_ = kByHand;
-  int lookups_ = 0;       ///< for an interrupted session: the newest one counts
-  bool looking_ = false;  ///< its answer has not come
-  std::optional<int> earlier_;
-  std::optional<bool> resume_;
-  ProtocolGuide guide_;
-  bool by_hand_ = false;  ///< beside the protocol
-  bool by_itself_ = true;
-  std::optional<tasks::TaskSpec> act_task_;  ///< of the next act, at its level
-  std::map<std::string, double> levels_;     ///< that the therapist chose, by task file
-  std::optional<tasks::TaskSpec> last_task_;
-  bool last_practice_ = false;
-  bool helped_ = false;
-  std::optional<int> effort_;
-  std::optional<int> pain_;
-  std::optional<Rated> rated_;
-  bool corrects_rating_ = false;
-  std::string stop_reason_;
-  int task_ = -1;
-  std::string task_lacks_;  ///< what the chosen task is scaled to and has not been measured
-  bool practice_ = false;
-
-  Connection connection_ = Connection::none;
-  std::string connection_error_;
-  bool broken_off_ = false;   ///< the last session could not go on
-  bool clock_asked_ = false;  ///< whether the clock is right; connecting again says yes
-  std::optional<Error> lost_;
-  std::stop_source opening_;  ///< of the newest connect_device()
-  std::unique_ptr<session::Session> session_;
-  Timestamp opened_{0};
-  session::Snapshot snapshot_;
-  ForceHistory forces_;
-  std::vector<Fault> faults_;
-  session::Compensation compensation_;
-  session::RestWatch rest_watch_;  ///< while a trial is paused
-  session::WorkLimits limits_;
-  std::array<bool, kFingerCount> shift_noted_{};  ///< since the strapping
-  double worst_lateness_s_ = 0.0;
-  std::string zero_refusal_;
-  bool zero_only_changed_ = false;
-  std::string zero_remark_;
-  bool strapped_ = false;
-  std::string rest_words_;
+  int lookups_ = 0;             ///< for an interrupted session: the newest one counts
   bool realtime_said_ = false;  ///< on standard error, once
-  bool rest_done_ = false;
-  int maximum_attempts_ = 0;
-  bool task_done_ = false;
-  bool zero_asked_ = false;  ///< and its outcome has not come: the session takes nothing else
-  bool starting_ = false;
-  bool just_completed_ = false;
-  bool just_missed_ = false;
-  tasks::TaskView last_view_;  ///< of the running trial, as it was seen last
-  std::shared_ptr<const tasks::TaskSpec> running_;
-  std::shared_ptr<const Scene> scene_;
-  std::shared_ptr<const TargetPreview> preview_;
-  std::vector<Measure> live_score_;
-  Timestamp scored_{0};
-  std::optional<session::TrialOutcome> last_trial_;
-  Histogram picture_age_;               ///< of the running trial's pictures
-  std::optional<Timestamp> zeroed_at_;  ///< the last zero; the hand goes in after it
-  Presentation stored_presentation_;
+  Choices choices_;
+  ConnectionState connection_;
+  std::optional<OpenSession> open_;
+  SessionTraces left_;  ///< by the last session
   FlowView view_;
   DiskRoom room_{config_.database};  ///< after a session that broke off
   Background worker_;                ///< its jobs end before anything above goes away

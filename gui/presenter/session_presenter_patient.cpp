@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The presenter's part that concerns the patient's body and eyes: how they sit, what their screen
-// shows, and how old that is.
+// The presenter's part that concerns the patient's body and eyes: the empty device and the strapped
+// hand, what their screen shows, and how old that is.
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
@@ -25,118 +25,158 @@ std::string seconds_text(double seconds) {
 
 }  // namespace
 
+void SessionPresenter::set_zero(bool accept_changed) {
+  if (!(accept_changed ? view_.may_accept_changed : view_.may_zero)) return;
+  example_.stop();
+  Preparation& preparation = open_->preparation;
+  preparation.zero_refusal.clear();
+  preparation.zero_remark.clear();
+  preparation.zero_only_changed = false;
+  session::ZeroRequest request;
+  request.device_is_empty = true;
+  request.accept_changed = accept_changed;
+  if (auto started = open_->session->start_zero(request); started) {
+    preparation.zero_asked = true;
+    preparation.strapped = false;  // the hand is out
+  } else {
+    refuse(started.error());
+  }
+  update();
+}
+
+void SessionPresenter::take_zero(const session::ZeroOutcome& zero) {
+  Preparation& preparation = open_->preparation;
+  preparation.zero_asked = false;
+  preparation.zero_refusal = zero.accepted ? "" : zero.reason;
+  preparation.zero_only_changed = zero.only_changed;
+  preparation.zero_remark = zero.remark;
+  if (zero.accepted) {
+    if (!preparation.rest_done) select(first_task(TaskKind::rest));
+    open_->work.guide.zeroed(open_->time_s());
+    preparation.zeroed_at = clock_.now();
+    look_at_act();
+  }
+  Q_EMIT changed();
+}
+
 void SessionPresenter::mark_strapped() {
   if (!view_.may_strap) return;
   example_.stop();
-  if (strapped_) {  // looked at again
-    session_->note("The straps were looked at.");
-    limits_.straps_seen(session_time_s());
+  Preparation& preparation = open_->preparation;
+  open_->limits.straps_seen(open_->time_s());
+  if (preparation.strapped) {  // looked at again
+    open_->session->note("The straps were looked at.");
     return update();
   }
-  limits_.straps_seen(session_time_s());
-  session_->strapped();
-  strapped_ = true;
+  open_->session->strapped();
+  preparation.strapped = true;
   // The hand is in: after its minute the resting force follows, or what comes, if that is wanted.
-  if (follows() && (guide_.rest_is_next() || rest_done_)) guide_.go_on(by_itself_);
-  compensation_.strapped();
-  shift_noted_ = {};
+  if (follows() && (guide().rest_is_next() || preparation.rest_done))
+    open_->work.guide.go_on(choices_.by_itself);
+  open_->compensation.strapped();
+  preparation.shift_noted = {};
   auto answers = stored(seating_.posture());
-  if (zeroed_at_)
-    answers.push_back(
-        {"posture", "donning_time_s", seconds_text(to_seconds(clock_.now() - *zeroed_at_))});
-  if (auto taken = session_->answer(answers); !taken) refuse(taken.error());
+  if (preparation.zeroed_at)
+    answers.push_back({"posture", "donning_time_s",
+                       seconds_text(to_seconds(clock_.now() - *preparation.zeroed_at))});
+  if (auto taken = open_->session->answer(answers); !taken) refuse(taken.error());
   update();
 }
 
 /// A finger that moved is noted with the session, once: its forces mean something else since then.
 void SessionPresenter::watch_compensation() {
-  compensation_.add(snapshot_);
+  open_->compensation.add(open_->snapshot);
   for (const Finger finger : kFingers) {
-    const auto shift_m = compensation_.pad_shift_m(finger);
-    bool& noted = shift_noted_[index_of(finger)];
+    const auto shift_m = open_->compensation.pad_shift_m(finger);
+    bool& noted = open_->preparation.shift_noted[index_of(finger)];
     if (noted || !shift_m || *shift_m <= session::kRemarkablePadShift_m) continue;
     noted = true;
-    session_->note("Pad shift: " + std::string(name_of(finger)) + " moved " +
-                   std::to_string(std::lround(*shift_m * 1000.0)) + " mm on its support");
+    open_->session->note("Pad shift: " + std::string(name_of(finger)) + " moved " +
+                         std::to_string(std::lround(*shift_m * 1000.0)) + " mm on its support");
   }
 }
 
-void SessionPresenter::add_screen_answers(std::vector<storage::SessionAnswer>& answers) {
-  stored_presentation_ = seating_.presentation();
-  for (auto& answer : stored(stored_presentation_)) answers.push_back(std::move(answer));
+std::vector<storage::SessionAnswer> SessionPresenter::screen_answers() const {
+  auto answers = stored(seating_.presentation());
   const auto delay_s = settings_.now().display_delay_s;
   answers.push_back(
       {"screen", "display_delay_s", delay_s ? seconds_text(*delay_s) : "not measured"});
+  return answers;
 }
 
 /// What was changed while a session is open is stored with it, too.
 void SessionPresenter::store_presentation() {
-  if (session_ != nullptr && seating_.presentation() != stored_presentation_) {
-    stored_presentation_ = seating_.presentation();
-    if (auto taken = session_->answer(stored(stored_presentation_)); !taken) refuse(taken.error());
+  if (open_ && seating_.presentation() != open_->stored_presentation) {
+    open_->stored_presentation = seating_.presentation();
+    if (auto taken = open_->session->answer(stored(open_->stored_presentation)); !taken)
+      refuse(taken.error());
   }
   Q_EMIT changed();
 }
 
 double SessionPresenter::shown_maximum_N() const noexcept {
-  const bool wanted = settings_.now().share_of_maximum && session_ != nullptr;
-  return wanted ? session_->maximum_force_N() : 0.0;
+  const bool wanted = settings_.now().share_of_maximum && open_;
+  return wanted ? open_->session->maximum_force_N() : 0.0;
 }
 
 Viewing SessionPresenter::viewing(double picture_height_m) const {
   return {picture_height_m, settings_.now().viewing_distance_m};
 }
 
-PatientPicture SessionPresenter::picture(double picture_height_m) const {
+PatientFacts SessionPresenter::patient_facts() const {
   PatientFacts facts;
-  if (example_.playing()) {
-    facts = example_.facts();
-  } else {
-    facts.session_open = session_ != nullptr;
-    facts.simulated = simulated();
-    facts.device_fault = session_ != nullptr && snapshot_.frames > 0 &&
-                         snapshot_.stage != session::Stage::finished &&
-                         view_.device_mood == Mood::fault;
-    facts.broken_off = session_ == nullptr && broken_off_;
-    facts.hand = session_ == nullptr ? Hand::right : session_->record().hand;
-    facts.snapshot = snapshot_;
-    facts.task = running_;
-    facts.scene = scene_;
-    facts.preview = preview_;
-    facts.maximum_force_N = session_ == nullptr ? 0.0 : session_->maximum_force_N();
-    facts.just_completed = just_completed_;
-    facts.just_missed = just_missed_;
-    if (snapshot_.stage == session::Stage::trial)
-      facts.ahead_s =
-          std::clamp(to_seconds(clock_.now() - snapshot_.published), 0.0, kLongestAhead_s);
+  facts.simulated = simulated();
+  facts.broken_off = !open_ && broken_off();
+  if (!open_) return facts;
+  const session::Snapshot& now = open_->snapshot;
+  facts.session_open = true;
+  facts.device_fault =
+      now.frames > 0 && now.stage != session::Stage::finished && view_.device_mood == Mood::fault;
+  facts.hand = open_->session->record().hand;
+  facts.snapshot = now;
+  facts.maximum_force_N = open_->session->maximum_force_N();
+  if (const auto& trial = open_->trial) {
+    facts.task = trial->task;
+    facts.scene = trial->scene;
+    facts.preview = trial->preview;
+  } else if (open_->ended) {
+    facts.just_completed = open_->ended->completed;
+    facts.just_missed = open_->ended->missed;
   }
+  if (now.stage == session::Stage::trial)
+    facts.ahead_s = std::clamp(to_seconds(clock_.now() - now.published), 0.0, kLongestAhead_s);
+  return facts;
+}
+
+PatientPicture SessionPresenter::picture(double picture_height_m) const {
+  PatientFacts facts = example_.playing() ? example_.facts() : patient_facts();
   facts.calm = seating_.presentation().calm;
   facts.viewing = viewing(picture_height_m);
   return picture_for(facts);
 }
 
 void SessionPresenter::picture_shown(const PatientPicture& picture) {
-  if (session_ == nullptr || snapshot_.stage != session::Stage::trial || example_.playing()) return;
-  picture_age_.add(to_seconds(clock_.now() - picture.published));
-  if (picture_age_.count() % kRenewEvery != 0) return;
+  if (!open_ || !open_->trial || example_.playing()) return;
+  if (open_->snapshot.stage != session::Stage::trial) return;
+  Histogram& age = open_->trial->picture_age;
+  age.add(to_seconds(clock_.now() - picture.published));
+  if (age.count() % kRenewEvery != 0) return;
   session::ScreenShown screen;
-  screen.age_s = picture_age_.quantile_s(0.5);
+  screen.age_s = age.quantile_s(0.5);
   screen.gain_deg_per_N = picture.gain_deg_per_N;
   if (picture.gain_deg_per_N) screen.distance_m = settings_.now().viewing_distance_m;
-  session_->shown(screen);
-  if (picture_age_.count() == kRenewEvery) say_smaller_gain(screen.gain_deg_per_N);
+  open_->session->shown(screen);
+  if (age.count() == kRenewEvery) say_smaller_gain(screen.gain_deg_per_N);
 }
 
 /// Once a trial.
 void SessionPresenter::say_smaller_gain(std::optional<double> shown) {
   constexpr double kSame = 1.0 - 1e-9;  // of the same number, reckoned twice
-  if (preview_ == nullptr || !preview_->gain_deg_per_N || !shown ||
-      *shown >= kSame * *preview_->gain_deg_per_N)
-    return;
+  const auto& asked = open_->trial->preview->gain_deg_per_N;
+  if (!asked || !shown || *shown >= kSame * *asked) return;
   Q_EMIT failed(tr("The task asks for %1° per newton; the patient's screen can show %2°, which is "
                    "stored. Nearer eyes or a larger picture show more.")
-                    .arg(QLocale().toString(*preview_->gain_deg_per_N, 'g', 3),
-                         QLocale().toString(*shown, 'g', 3)));
+                    .arg(QLocale().toString(*asked, 'g', 3), QLocale().toString(*shown, 'g', 3)));
 }
 
 }  // namespace isograsp::gui

@@ -349,11 +349,12 @@ void RatingPanel::refresh() {
   const bool due = presenter_.guide().rating_due();
   const bool possible = presenter_.session_open() && presenter_.last_trial().has_value();
   setVisible(possible);
-  effort_->show_value(presenter_.effort());
-  pain_->show_value(presenter_.pain());
-  const auto rated = presenter_.rated();
-  const bool corrects = presenter_.corrects_rating();
-  const bool half = presenter_.effort().has_value() != presenter_.pain().has_value();
+  const Rating& rating = presenter_.rating();
+  effort_->show_value(rating.effort);
+  pain_->show_value(rating.pain);
+  const auto& rated = rating.last;
+  const bool corrects = rating.corrects;
+  const bool half = rating.effort.has_value() != rating.pain.has_value();
   remark_->setText(corrects ? tr("Kept: effort %1, pain %2. Another number corrects it.")
                                   .arg(rated->effort)
                                   .arg(rated->pain)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Effort and pain in the therapist's window: what was answered is shown and can be corrected.
+// Effort and pain in the therapist's window: what was answered is shown, can be corrected, and ends
+// with the session.
 #include <algorithm>
 
 #include "operator.hpp"
@@ -102,6 +103,26 @@ TEST_F(Rating, ANewTrialAsksAnewAndTheLastAnswerCanStillBeCorrected) {
   EXPECT_EQ(all.ratings[0].pain, 5) << "the one before stays as it is";
   EXPECT_EQ(all.ratings[1].effort, 3);
   EXPECT_EQ(all.ratings[1].pain, 0);
+}
+
+TEST_F(Rating, EndsWithItsSessionAndNothingOfASessionIsShownToTheNextPatient) {
+  auto& presenter = windows_.presenter();
+  operator_.press("effort_4");
+  operator_.press("pain_1");
+  operator_.press("helped");
+  ASSERT_TRUE(presenter.rating().last);
+  ASSERT_TRUE(presenter.helped());
+  ASSERT_FALSE(presenter.forces().points().empty());
+  ASSERT_FALSE(presenter.rest_words().empty());
+  operator_.disconnect();
+  EXPECT_FALSE(presenter.rating().last);
+  EXPECT_FALSE(presenter.helped());
+  EXPECT_TRUE(presenter.rest_words().empty());
+  EXPECT_TRUE(presenter.last_trial()) << "its result may still be looked at";
+  operator_.add_patient();
+  EXPECT_FALSE(presenter.last_trial());
+  EXPECT_TRUE(presenter.live_score().empty());
+  EXPECT_TRUE(presenter.forces().points().empty());
 }
 
 }  // namespace

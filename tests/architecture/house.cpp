@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -103,6 +104,19 @@ const std::vector<Source>& all_sources() {
     return found;
   }();
   return sources;
+}
+
+std::string code_of(const std::string& text) {
+  static const std::regex kNoCode(
+      R"re(//[^\n]*|/\*[^]*?\*/|R"(\w*)\([^]*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|#(?:[^\n]*\\\n)*[^\n]*)re");
+  std::string code;
+  auto from = text.cbegin();
+  for (std::sregex_iterator at(text.begin(), text.end(), kNoCode), end; at != end; ++at) {
+    code.append(from, (*at)[0].first);
+    code += ' ';
+    from = (*at)[0].second;
+  }
+  return code.append(from, text.cend());
 }
 
 }  // namespace isograsp::architecture

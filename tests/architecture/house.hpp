@@ -53,4 +53,7 @@ struct Source {
 /// Every .hpp and .cpp file of all folders, by name.
 [[nodiscard]] const std::vector<Source>& all_sources();
 
+/// The text without comments, literals and lines of the preprocessor: braces that count are left.
+[[nodiscard]] std::string code_of(const std::string& text);
+
 }  // namespace isograsp::architecture

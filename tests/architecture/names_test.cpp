@@ -2,7 +2,6 @@
 // Reads the sources: one full name stands for one class. Two that share a name compile and link,
 // and the program then runs the functions of one on objects of the other.
 #include <cctype>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -18,20 +17,6 @@ namespace isograsp::names_test {
 namespace {
 
 using namespace architecture;
-
-/// The text without comments, literals and lines of the preprocessor: braces that count are left.
-std::string code_of(const std::string& text) {
-  static const std::regex kNoCode(
-      R"re(//[^\n]*|/\*[^]*?\*/|R"(\w*)\([^]*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|#(?:[^\n]*\\\n)*[^\n]*)re");
-  std::string code;
-  auto from = text.cbegin();
-  for (std::sregex_iterator at(text.begin(), text.end(), kNoCode), end; at != end; ++at) {
-    code.append(from, (*at)[0].first);
-    code += ' ';
-    from = (*at)[0].second;
-  }
-  return code.append(from, text.cend());
-}
 
 /// Full names of the classes and enumerations that a file defines where others could define them,
 /// too: in namespaces that have a name.

@@ -5,7 +5,6 @@
 
 #include "core/date.hpp"
 #include "hand/anatomical_axes.hpp"
-#include "tasks/kind_name.hpp"
 
 namespace isograsp::exports {
 
@@ -47,7 +46,7 @@ Record without_time(Record record) {
 
 ExportPlace place_of(int patient, int session, const storage::TrialRecord& trial) {
   const auto task = tasks::parse_task(trial.task_text, trial.task_name);
-  return {patient, session, trial.number, std::string(task ? tasks::kind_name(*task) : "unknown"),
+  return {patient, session, trial.number, std::string(task ? task->kind->name : "unknown"),
           !trial.scene_text.empty()};
 }
 

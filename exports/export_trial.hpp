@@ -22,7 +22,7 @@ struct ExportPlace {
   int patient = 0;        ///< place in the database: the same in every export from it
   int session = 0;        ///< 1, 2, … of the patient
   int trial = 0;          ///< 1, 2, … of the session
-  std::string task_kind;  ///< one of kTaskKinds; "unknown": its task file cannot be read
+  std::string task_kind;  ///< KindFacts::name; "unknown": its task file cannot be read
   bool has_scene = false;
 };
 

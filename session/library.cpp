@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/csv.hpp"
+#include "tasks/waveform.hpp"
 
 namespace isograsp::session {
 
@@ -74,10 +75,7 @@ class ProtocolReader {
                      "add a [difficulty] table to the task, or leave out adaptive")
           .at(ready_.spec.file)
           .about(task_key());
-    const auto* maximum = std::get_if<tasks::MaximumSpec>(&task.kind);
-    const bool above_rest =
-        maximum != nullptr || std::holds_alternative<tasks::DirectionalMaximaSpec>(task.kind);
-    if (above_rest && !rested_)
+    if (task.kind->measured != nullptr && !rested_)
       return refused(
                  "a maximum is measured above the resting force, which no earlier step measures",
                  "put a resting-force task before it")
@@ -93,13 +91,11 @@ class ProtocolReader {
                          "put a task that measures it before")
               .at(ready_.spec.file)
               .about(task_key());
-    rested_ = rested_ || std::holds_alternative<tasks::RestSpec>(task.kind);
-    if (maximum != nullptr)
-      (maximum->comfortable ? comfortable_ : maxima_).push_back(maximum->channel);
-    if (const auto* directions = std::get_if<tasks::DirectionalMaximaSpec>(&task.kind))
-      for (const Finger digit : directions->digits)
-        for (const Direction direction : directions->directions)
-          maxima_.push_back(channel_of(digit, direction));
+    rested_ = rested_ || task.kind->rests;
+    for (const ForceChannel channel : task.channels_measured(tasks::Scale::of_maximum))
+      maxima_.push_back(channel);
+    for (const ForceChannel channel : task.channels_measured(tasks::Scale::of_comfortable))
+      comfortable_.push_back(channel);
     return {};
   }
 
@@ -143,10 +139,9 @@ Result<tasks::TaskSpec> load_task(const std::string& path) {
 Result<tasks::TaskSpec> read_task(std::string_view text, const std::string& path) {
   auto spec = tasks::parse_task(text, path);
   if (!spec) return spec;
-  const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec->kind);
-  if (tracking == nullptr || tracking->waveform.csv.empty() || !tracking->waveform.t_s.empty())
-    return spec;
-  const auto table = csv_table((fs::path(path).parent_path() / tracking->waveform.csv).string());
+  const tasks::Waveform* wave = spec->waveform();
+  if (wave == nullptr || wave->csv.empty() || !wave->t_s.empty()) return spec;
+  const auto table = csv_table((fs::path(path).parent_path() / wave->csv).string());
   if (!table) return table.error();
   return tasks::parse_task(std::string(text) + *table, path);
 }

@@ -190,8 +190,7 @@ void Recorder::end(const RecordItem& item) {
   if (item.status == storage::TrialStatus::aborted)
     stored(store_->add_event({trial_id_, item.session_time_s, "abort", item.reason}));
   stored(store_->end_trial(outcome.trial, outcome.measures));
-  if (item.status == storage::TrialStatus::completed &&
-      std::holds_alternative<tasks::RestSpec>(trial_->spec.kind))
+  if (item.status == storage::TrialStatus::completed && trial_->spec.kind->rests)
     outcome.rest = add_rest(item);
   trial_ = nullptr;
   last_trial_id_ = std::exchange(trial_id_, 0);
@@ -211,7 +210,7 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
   record.session_time_s = item.session_time_s;
   record.recorded_utc = utc_at(item.session_time_s);
   record.operator_name = session_.operator_name;
-  record.duration_s = std::get<tasks::RestSpec>(trial_->spec.kind).duration_s;
+  record.duration_s = trial_->spec.duration().nominal_s;
   record.since_strapping_s = trial_->since_strapping_s;
   record.samples = rest->samples;
   record.mean = rest->mean;

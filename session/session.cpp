@@ -107,8 +107,7 @@ Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
                                   std::optional<storage::TrialPlace> place) {
   Parts& p = *parts_;
   if (p.pending) return failed("a trial or a zero is still running", "wait for its end");
-  if (const double wait_s = settling_s();
-      wait_s > 0.0 && std::holds_alternative<tasks::RestSpec>(spec.kind))
+  if (const double wait_s = settling_s(); wait_s > 0.0 && spec.kind->rests)
     return failed("the hand was strapped less than a minute ago and still settles",
                   "wait another " + std::to_string(std::lround(std::ceil(wait_s))) + " s");
   if (auto fresh = p.check_zero_is_fresh(); !fresh) return fresh;

@@ -2,7 +2,7 @@
 // Protocol files: TOML in, ProtocolSpec out.
 #include "tasks/protocol.hpp"
 
-#include "tasks/kinds/read_kinds.hpp"
+#include "tasks/read_keys.hpp"
 
 namespace isograsp::tasks {
 

@@ -189,14 +189,10 @@ class Recording {
   [[nodiscard]] std::string force_task() const {
     const Course& force = courses_.front();
     Aim aim;
-    std::visit(
-        [&](const auto& kind) {
-          if constexpr (requires { kind.aim.channel; })
-            aim = kind.aim;
-          else if constexpr (requires { ForceChannel(kind.channel); })
-            aim.channel = kind.channel;
-        },
-        spec_.kind);
+    if (const Aim* own = spec_.aim())
+      aim = *own;
+    else if (const ForceChannel* effort = spec_.effort())
+      aim.channel = *effort;
     return head("force_tracking", "Press so that your mark stays on the moving target.") +
            "channel = \"" + name_of(aim.channel) +
            "\"\nscale = \"newton\"\nleast_N = " + in_short(force.least) +

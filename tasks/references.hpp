@@ -11,7 +11,7 @@
 
 #include "core/result.hpp"
 #include "hand/force_channel.hpp"
-#include "tasks/kinds/force_kinds.hpp"
+#include "tasks/aim.hpp"
 
 namespace isograsp::tasks {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/task.hpp"
 
-#include "tasks/kinds/make_task.hpp"
 #include "tasks/timeline.hpp"
 
 namespace isograsp::tasks {
@@ -31,19 +30,12 @@ Result<std::unique_ptr<Task>> make_task(const TaskSpec& spec, const TaskContext&
   if (!(context.period_s > 0.0))
     return refused("the frame period is not positive", "give a rate of 50 to 1000 Hz")
         .at(spec.file);
-  if (std::holds_alternative<RecordedSpec>(spec.kind))
+  if (spec.kind->make == nullptr && spec.kind->segments == nullptr)
     return refused("is a task of recordings, which nobody can do live",
                    "choose another task, or read the recording with isograsp import")
         .at(spec.file)
         .about("kind");
-  if (const auto* targets = std::get_if<PoseTargetsSpec>(&spec.kind))
-    return make_pose_targets(*targets, context);
-  if (const auto* tracking = std::get_if<PoseTrackingSpec>(&spec.kind))
-    return make_pose_tracking(*tracking, context);
-  if (const auto* items = std::get_if<PickPlaceSpec>(&spec.kind))
-    return make_pick_place(*items, context);
-  if (const auto* observe = std::get_if<ObserveSpec>(&spec.kind))
-    return make_observe(*observe, context);
+  if (spec.kind->make != nullptr) return spec.kind->make(spec.kind, context);
   auto timeline = timeline_of(spec, context);
   if (!timeline) return timeline.error();
   return play(*std::move(timeline), context);

@@ -3,61 +3,50 @@
 // radians.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/result.hpp"
-#include "core/spatial.hpp"
-#include "tasks/kinds/object_kinds.hpp"
-#include "tasks/kinds/recorded_kind.hpp"
+#include "tasks/kind_spec.hpp"
 
 namespace isograsp::tasks {
-
-/// How long something takes as a rule and at most [s].
-struct Duration {
-  double nominal_s = 0.0;
-  double worst_s = 0.0;
-};
-
-/// How a training task becomes easier or harder, and what counts as success.
-struct Difficulty {
-  enum class Factor : std::uint8_t { tolerance, distance, frequency, level };
-  Factor factor = Factor::tolerance;  ///< what is multiplied
-  double easiest = 1.0;               ///< by this at level 0 …
-  double hardest = 1.0;               ///< … and by this at level 1
-  double start = 0.3;                 ///< level of the first trial
-  std::string measure;                ///< success: this measure …
-  double at_least = 0.0;              ///< … is not below this
-  std::optional<double> chosen;       ///< level of this trial; nothing: the file as it is
-};
 
 struct TaskSpec {
   std::string name;         ///< for people: "Grip force, sine"
   std::string instruction;  ///< plain words for the patient
   int version = 1;
-  std::variant<RestSpec, MaximumSpec, ForceTrackingSpec, PoseTargetsSpec, ObserveSpec,
-               DirectionalMaximaSpec, SteadinessSpec, StepResponseSpec, GripReleaseSpec,
-               ForceSenseSpec, FatigueSpec, IndividuationSpec, ForceDirectionSpec, PoseTrackingSpec,
-               PickPlaceSpec, RecordedSpec>
-      kind;
+  KindSpec kind;
   std::optional<Difficulty> difficulty;
   std::string file;  ///< where it was read from, for errors
   std::string text;  ///< the file itself: stored with every trial
 
+  // What its kind says of it (kind_facts.hpp).
   /// The scene the task needs; empty: none (a force task has no object).
   [[nodiscard]] std::string scene() const;
   [[nodiscard]] Duration duration() const;
   /// How force and target are shown and scaled; null: the task has no force target.
   [[nodiscard]] const Aim* aim() const;
+  /// The force that is to be as large as possible, or as is comfortable; null: there is not one.
+  [[nodiscard]] const ForceChannel* effort() const;
   /// Largest level of the task, in units of its scale.
   [[nodiscard]] double largest_level() const;
   /// The channels whose maximum, or comfortable force, must have been measured in the session.
   [[nodiscard]] std::vector<ForceChannel> channels_needed(Scale scale) const;
   [[nodiscard]] bool needs_maximum() const { return !channels_needed(Scale::of_maximum).empty(); }
+  /// The channels whose maximum, or comfortable force, it measures.
+  [[nodiscard]] std::vector<ForceChannel> channels_measured(Scale scale) const;
+  /// The shape of the force target; null: it has none that a task file describes.
+  [[nodiscard]] const Waveform* waveform() const;
+  /// Where the object is to be brought, and how near is near enough.
+  [[nodiscard]] std::vector<TargetPlace> targets() const;
+  [[nodiscard]] std::optional<PoseTolerance> tolerance() const;
+  /// How its target moves, seen in one degree of freedom; nothing: it does not.
+  [[nodiscard]] std::optional<AxisCourse> course(double period_s) const;
+  /// Efforts that a task asks for: presses, cues, holds, targets, cycles of a periodic target; 1
+  /// for all that goes on without a break, 0 at rest.
+  [[nodiscard]] int repetitions() const;
 };
 
 /// The task at a level of its difficulty, 0 … 1; the level stands at the end of its text.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tasks/kinds/segments.hpp"
+#include "tasks/waveform.hpp"
 
 namespace isograsp::tasks {
 
@@ -22,7 +22,7 @@ double largest_N(const Segment& segment) {
 
 Result<void> check_effort(const TaskSpec& spec, const Timeline& timeline,
                           const ForceReferences& references) {
-  if (std::holds_alternative<RestSpec>(spec.kind)) return {};
+  if (spec.kind->rests) return {};
   if (references.allowed == Effort::none)
     return refused("the screening allows this hand no effort",
                    "leave the task out, or repeat the screening")
@@ -31,7 +31,7 @@ Result<void> check_effort(const TaskSpec& spec, const Timeline& timeline,
   if (references.allowed == Effort::maximum) return {};
   const bool squeezes = std::any_of(timeline.segments.begin(), timeline.segments.end(),
                                     [](const Segment& s) { return s.cue == Cue::squeeze; });
-  if (squeezes || std::holds_alternative<FatigueSpec>(spec.kind))
+  if (squeezes || spec.kind->tires)
     return refused("the screening allows this hand comfortable force only",
                    "use the comfortable-force task, and targets in newtons or of comfortable force")
         .at(spec.file)
@@ -149,12 +149,12 @@ std::int64_t Timeline::frames() const noexcept {
 }
 
 Result<Timeline> timeline_of(const TaskSpec& spec, const TaskContext& context) {
-  if (const auto* tracking = std::get_if<ForceTrackingSpec>(&spec.kind))
-    if (tracking->waveform.shape == Waveform::Shape::csv && tracking->waveform.values.empty())
-      return refused("the points of " + tracking->waveform.csv + " were not loaded",
-                     "put the file beside the task")
-          .at(spec.file)
-          .about("csv");
+  if (const Waveform* wave = spec.waveform();
+      wave != nullptr && wave->shape == Waveform::Shape::csv && wave->values.empty())
+    return refused("the points of " + wave->csv + " were not loaded",
+                   "put the file beside the task")
+        .at(spec.file)
+        .about("csv");
   std::optional<Error> problem;
   const Aim* aim = spec.aim();
   const Unit unit = [&](ForceChannel channel) {
@@ -165,14 +165,9 @@ Result<Timeline> timeline_of(const TaskSpec& spec, const TaskContext& context) {
     return 1.0;
   };
   Pace pace(context.period_s, context.seed);
-  Timeline timeline{std::visit(
-      [&](const auto& kind) -> Segments {
-        if constexpr (requires { segments_of(kind, unit, pace); })
-          return segments_of(kind, unit, pace);
-        else
-          return {};
-      },
-      spec.kind)};
+  Timeline timeline;
+  if (spec.kind->segments != nullptr)
+    timeline.segments = spec.kind->segments(spec.kind, unit, pace);
   if (problem) {
     problem->file = spec.file;
     return *problem;

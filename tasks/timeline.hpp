@@ -22,8 +22,10 @@ struct Segment {
   DigitTargets digits;
 };
 
+using Segments = std::vector<Segment>;
+
 struct Timeline {
-  std::vector<Segment> segments;
+  Segments segments;
   [[nodiscard]] std::int64_t frames() const noexcept;
 };
 

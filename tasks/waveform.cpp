@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
-#include "tasks/kinds/make_task.hpp"
+#include "tasks/pace.hpp"
 
 namespace isograsp::tasks {
 

@@ -3,11 +3,45 @@
 // except rectangles and files. Pure: same shape, same seed, same values.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "tasks/kinds/force_kinds.hpp"
-
 namespace isograsp::tasks {
+
+/// The shape of a target over time, from 0 (least) to 1 (most).
+struct Waveform {
+  enum class Shape : std::uint8_t {
+    constant,
+    ramp,
+    trapezoid,
+    triangle,
+    sine,
+    swept_sine,
+    rectangle,
+    multi_sine,
+    random,
+    csv
+  };
+  Shape shape = Shape::sine;
+  double frequency_Hz = 0.2;        ///< sine, triangle, rectangle; swept sine: at the start
+  double last_frequency_Hz = 1.0;   ///< swept sine: at the end
+  std::vector<double> frequencies;  ///< multi-sine [Hz]
+  int forms = 1;                    ///< sine, triangle: parallel forms; the trial's seed chooses
+  double rise_s = 5.0;              ///< ramp, trapezoid
+  double hold_s = 15.0;             ///< trapezoid
+  double fall_s = 5.0;              ///< trapezoid
+  double bandwidth_Hz = 0.5;        ///< random
+  /// Random and multi-sine: the seed of the repeated sequence; nothing: a fresh one every trial.
+  std::optional<std::uint64_t> seed;
+  std::string csv;          ///< csv: name of a file with t_s and target (0 … 1), beside the task
+  std::vector<double> t_s;  ///< csv: its times …
+  std::vector<double> values;  ///< … and values
+  [[nodiscard]] bool operator==(const Waveform&) const = default;
+};
+[[nodiscard]] std::string_view name_of(Waveform::Shape shape) noexcept;
 
 /// Value k is at k * period_s, for `duration_s`. `trial_seed` makes a fresh sequence where the
 /// shape has no seed of its own.

@@ -10,6 +10,7 @@
 #include "grasp_model/plan.hpp"
 #include "gui/library/task_groups.hpp"
 #include "session/library.hpp"
+#include "tasks/waveform.hpp"
 
 namespace isograsp::gui {
 
@@ -160,7 +161,7 @@ std::vector<LibraryEntry> LibraryFiles::files_in(LibraryKind kind, bool own) con
       if (auto name = name_in(*text); !name.empty()) entry.name = std::move(name);
       if (kind == LibraryKind::tasks) {
         const auto spec = session::read_task(*text, entry.path);
-        if (spec && !own) entry.group = title_of(group_of(*spec));
+        if (spec && !own) entry.group = title_of(spec->kind->group);
       }
       entry.sound = check(kind, *text, entry.path).ok();
     }
@@ -272,11 +273,10 @@ Result<LibraryEntry> LibraryFiles::duplicate(const LibraryEntry& entry,
   if (auto written = write_text(copy.path, changed); !written) return written.error();
   if (const auto spec = tasks::parse_task(text, entry.path);
       entry.kind == LibraryKind::tasks && spec)
-    if (const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec->kind);
-        tracking != nullptr && !tracking->waveform.csv.empty()) {
+    if (const tasks::Waveform* wave = spec->waveform(); wave != nullptr && !wave->csv.empty()) {
       std::error_code failure;
-      fs::copy_file(fs::path(entry.path).parent_path() / tracking->waveform.csv,
-                    folder / tracking->waveform.csv, fs::copy_options::skip_existing, failure);
+      fs::copy_file(fs::path(entry.path).parent_path() / wave->csv, folder / wave->csv,
+                    fs::copy_options::skip_existing, failure);
     }
   copy.sound = check(copy.kind, changed, copy.path).ok();
   return copy;

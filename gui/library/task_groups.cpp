@@ -8,43 +8,17 @@
 
 namespace isograsp::gui {
 
-TaskKind kind_of(const tasks::TaskSpec& spec) {
-  if (std::holds_alternative<tasks::RestSpec>(spec.kind)) return TaskKind::rest;
-  if (const auto* maximum = std::get_if<tasks::MaximumSpec>(&spec.kind))
-    return maximum->channel == ForceChannel{} && !maximum->comfortable ? TaskKind::maximum
-                                                                       : TaskKind::other;
-  if (std::holds_alternative<tasks::ForceTrackingSpec>(spec.kind)) return TaskKind::force_tracking;
-  if (std::holds_alternative<tasks::PoseTargetsSpec>(spec.kind)) return TaskKind::pose_targets;
-  if (std::holds_alternative<tasks::ObserveSpec>(spec.kind)) return TaskKind::observe;
-  return TaskKind::other;
+bool is_rest(const tasks::TaskSpec& spec) {
+  return spec.kind->rests;
 }
 
-TaskGroup group_of(const tasks::TaskSpec& spec) {
-  struct Group {
-    TaskGroup operator()(const tasks::RestSpec&) const { return TaskGroup::rest_and_maximum; }
-    TaskGroup operator()(const tasks::MaximumSpec&) const { return TaskGroup::rest_and_maximum; }
-    TaskGroup operator()(const tasks::DirectionalMaximaSpec&) const {
-      return TaskGroup::rest_and_maximum;
-    }
-    TaskGroup operator()(const tasks::ForceTrackingSpec&) const { return TaskGroup::follow; }
-    TaskGroup operator()(const tasks::StepResponseSpec&) const { return TaskGroup::follow; }
-    TaskGroup operator()(const tasks::SteadinessSpec&) const { return TaskGroup::hold_and_let_go; }
-    TaskGroup operator()(const tasks::FatigueSpec&) const { return TaskGroup::hold_and_let_go; }
-    TaskGroup operator()(const tasks::ForceSenseSpec&) const { return TaskGroup::hold_and_let_go; }
-    TaskGroup operator()(const tasks::GripReleaseSpec&) const { return TaskGroup::hold_and_let_go; }
-    TaskGroup operator()(const tasks::IndividuationSpec&) const {
-      return TaskGroup::fingers_and_directions;
-    }
-    TaskGroup operator()(const tasks::ForceDirectionSpec&) const {
-      return TaskGroup::fingers_and_directions;
-    }
-    TaskGroup operator()(const tasks::PoseTargetsSpec&) const { return TaskGroup::object; }
-    TaskGroup operator()(const tasks::PoseTrackingSpec&) const { return TaskGroup::object; }
-    TaskGroup operator()(const tasks::PickPlaceSpec&) const { return TaskGroup::object; }
-    TaskGroup operator()(const tasks::ObserveSpec&) const { return TaskGroup::object; }
-    TaskGroup operator()(const tasks::RecordedSpec&) const { return TaskGroup::follow; }
-  };
-  return std::visit(Group{}, spec.kind);
+bool is_grip_maximum(const tasks::TaskSpec& spec) {
+  const auto measured = spec.channels_measured(tasks::Scale::of_maximum);
+  return std::find(measured.begin(), measured.end(), ForceChannel{}) != measured.end();
+}
+
+bool is_free_handling(const tasks::TaskSpec& spec) {
+  return spec.kind->free;
 }
 
 std::string_view title_of(TaskGroup group) noexcept {
@@ -63,8 +37,7 @@ namespace {
 
 /// Before all others of the group: what every session begins with.
 int rank_of(const tasks::TaskSpec& spec) {
-  const TaskKind kind = kind_of(spec);
-  return kind == TaskKind::rest ? 0 : kind == TaskKind::maximum ? 1 : 2;
+  return is_rest(spec) ? 0 : is_grip_maximum(spec) ? 1 : 2;
 }
 
 }  // namespace
@@ -95,7 +68,7 @@ std::string reading_order(const std::string& name) {
 void sort_for_list(std::vector<tasks::TaskSpec>& tasks) {
   std::stable_sort(tasks.begin(), tasks.end(),
                    [](const tasks::TaskSpec& a, const tasks::TaskSpec& b) {
-                     if (group_of(a) != group_of(b)) return group_of(a) < group_of(b);
+                     if (a.kind->group != b.kind->group) return a.kind->group < b.kind->group;
                      if (rank_of(a) != rank_of(b)) return rank_of(a) < rank_of(b);
                      return reading_order(a.name) < reading_order(b.name);
                    });

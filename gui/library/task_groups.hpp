@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sorts of tasks: which step of a session each stands for, and under which heading it is listed.
+// How tasks are listed: under which heading, in which order.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,16 @@
 
 namespace isograsp::gui {
 
-/// What a task is to the flow of a session: the maximum is that of the grip alone, and most
-/// kinds of tasks are simply others.
-enum class TaskKind : std::uint8_t { rest, maximum, force_tracking, pose_targets, observe, other };
+using tasks::TaskGroup;
 
-/// Only the maximum of the whole grip counts as
-/// `maximum`: every other maximum, and a comfortable force, is one of the tasks around it.
-[[nodiscard]] TaskKind kind_of(const tasks::TaskSpec& spec);
+// What a session does in this order, as far as the tasks are there.
+[[nodiscard]] bool is_rest(const tasks::TaskSpec& spec);
+/// The maximum of the whole grip: every other maximum, and a comfortable force, is one of the tasks
+/// around it.
+[[nodiscard]] bool is_grip_maximum(const tasks::TaskSpec& spec);
+/// For recordings: nobody is asked for anything.
+[[nodiscard]] bool is_free_handling(const tasks::TaskSpec& spec);
 
-/// Headings of the list, in order.
-enum class TaskGroup : std::uint8_t {
-  rest_and_maximum,
-  follow,
-  hold_and_let_go,
-  fingers_and_directions,
-  object
-};
-[[nodiscard]] TaskGroup group_of(const tasks::TaskSpec& spec);
 [[nodiscard]] std::string_view title_of(TaskGroup group) noexcept;
 
 /// A text whose order is that of names as people read them: "10 %" after "5 %", small letters like

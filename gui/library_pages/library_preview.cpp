@@ -81,24 +81,18 @@ std::optional<LibraryPreview::Curve> force_curve(const tasks::TaskSpec& spec) {
 }
 
 /// The first axis of a target that moves.
-std::optional<LibraryPreview::Curve> pose_curve(const tasks::PoseTrackingSpec& kind) {
-  if (kind.axes.empty()) return std::nullopt;
-  const auto& axis = kind.axes.front();
-  const bool turns = axis.axis >= 3;
+std::optional<LibraryPreview::Curve> pose_curve(const tasks::TaskSpec& spec) {
+  const auto axis = spec.course(kPeriod_s);
+  if (!axis) return std::nullopt;
+  const bool turns = axis->axis >= 3;
   const double factor = turns ? 180.0 / M_PI : 1000.0;
   LibraryPreview::Curve curve{PreviewTexts::tr("%1 of the target (%2)")
-                                  .arg(text_of(kDofNames[static_cast<std::size_t>(axis.axis)]),
+                                  .arg(text_of(kDofNames[static_cast<std::size_t>(axis->axis)]),
                                        turns ? QStringLiteral("°") : QStringLiteral("mm")),
                               kPeriod_s,
                               {},
                               {}};
-  const auto samples = tasks::samples_of(axis.waveform, kind.duration_s, kPeriod_s, 0);
-  const auto value = [&](double sample) {
-    return factor * (axis.least + sample * (axis.most - axis.least));
-  };
-  const auto lead_in = static_cast<std::size_t>(kind.lead_in_s / kPeriod_s);
-  if (!samples.empty()) curve.values.assign(lead_in, value(samples.front()));
-  for (const double sample : samples) curve.values.push_back(value(sample));
+  for (const double value : axis->values) curve.values.push_back(factor * value);
   curve.hidden.assign(curve.values.size(), false);
   return curve;
 }
@@ -128,14 +122,10 @@ LibraryPreview::Sketch sketch_of(const Scene& scene) {
 }
 
 void add_targets(const tasks::TaskSpec& spec, LibraryPreview::Sketch& sketch) {
-  if (const auto* poses = std::get_if<tasks::PoseTargetsSpec>(&spec.kind))
-    for (const auto& target : poses->targets)
-      sketch.targets.push_back({{target.p_WT.x(), target.p_WT.y()}, target.angle_rad, false});
-  if (const auto* items = std::get_if<tasks::PickPlaceSpec>(&spec.kind))
-    for (const auto& item : items->items) {
-      sketch.targets.push_back({{item.p_WO.x(), item.p_WO.y()}, 0.0, true});
-      sketch.targets.push_back({{item.p_WT.x(), item.p_WT.y()}, item.angle_rad, false});
-    }
+  for (const auto& target : spec.targets()) {
+    if (target.p_WO) sketch.targets.push_back({{target.p_WO->x(), target.p_WO->y()}, 0.0, true});
+    sketch.targets.push_back({{target.p_WT.x(), target.p_WT.y()}, target.angle_rad, false});
+  }
 }
 
 /// What must have been measured in the session before.
@@ -168,8 +158,7 @@ LibraryPreview of_task(const tasks::TaskSpec& spec, const std::string& shipped) 
         {PreviewTexts::tr("Difficulty"),
          PreviewTexts::tr("may be chosen or follow success: for training, not assessment")});
   preview.curve = force_curve(spec);
-  if (const auto* tracking = std::get_if<tasks::PoseTrackingSpec>(&spec.kind))
-    preview.curve = pose_curve(*tracking);
+  if (const auto curve = pose_curve(spec)) preview.curve = curve;
   if (spec.scene().empty()) return preview;
   const auto path = session::find_in_library(shipped, "scenes", spec.scene(), spec.file);
   const auto text = path ? read_text(*path) : Result<std::string>(path.error());

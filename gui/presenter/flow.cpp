@@ -104,7 +104,7 @@ Situation in_protocol(const FlowFacts& facts) {
   }
   if (facts.hand_out) return Situation::strap_again;
   if (!facts.task_chosen) return Situation::no_act;
-  const bool rest = facts.task_kind == TaskKind::rest;
+  const bool rest = facts.task_rests;
   if (rest && before_rest(facts) != Situation::rest_ready) return before_rest(facts);
   if (protocol.goes_on && protocol.start_in_s > 0) return Situation::next_by_itself;
   if (protocol.wait_s > 0) return Situation::next_after_rest;
@@ -114,7 +114,7 @@ Situation in_protocol(const FlowFacts& facts) {
 Situation by_hand(const FlowFacts& facts) {
   if (facts.recorded) return facts.task_done ? Situation::trial_stored : Situation::recording_ready;
   if (facts.hand_out) return Situation::strap_again;
-  const bool rest = facts.task_chosen && facts.task_kind == TaskKind::rest;
+  const bool rest = facts.task_chosen && facts.task_rests;
   if (!facts.rest_done && !rest) return Situation::rest_left_out;
   if (rest && (!facts.rest_done || facts.settling_s > 0)) return before_rest(facts);
   if (facts.task_done) return Situation::trial_stored;
@@ -253,8 +253,7 @@ std::optional<Step> step_of(Situation situation, const FlowFacts& facts) {
     case Situation::paused:
     case Situation::paused_by_fault:
     case Situation::let_go:
-    case Situation::starting:
-      return facts.task_kind == TaskKind::rest && !facts.recorded ? Step::rest : Step::work;
+    case Situation::starting: return facts.task_rests && !facts.recorded ? Step::rest : Step::work;
     case Situation::pause:
     case Situation::next_by_itself:
     case Situation::next_after_rest:
@@ -308,9 +307,9 @@ bool may_arm(const FlowFacts& facts) {
   const auto& protocol = facts.protocol;
   if (!protocol.active || protocol.goes_on || !protocol.by_itself || !has_zero(facts)) return false;
   if (protocol.act == ProtocolFacts::Act::pause) return true;
-  const bool settles = facts.task_kind == TaskKind::rest && facts.strapped && facts.settling_s > 0;
+  const bool settles = facts.task_rests && facts.strapped && facts.settling_s > 0;
   return protocol.act == ProtocolFacts::Act::trial && facts.task_chosen &&
-         (facts.task_kind != TaskKind::rest || facts.strapped) && (protocol.wait_s > 0 || settles);
+         (!facts.task_rests || facts.strapped) && (protocol.wait_s > 0 || settles);
 }
 
 NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView& view) {
@@ -381,9 +380,9 @@ void decide_acts_between(const FlowFacts& facts, bool sound, FlowView& view) {
       facts.stage != session::Stage::zeroing && facts.stage != session::Stage::finished;
   view.may_begin = ready && obstacle_of(facts) == Obstacle::none;
   view.may_start = view.may_begin || (ready && may_arm(facts));
-  view.may_repeat = ready && zero && facts.last_kind &&
-                    (facts.last_kind != TaskKind::rest || facts.recorded ||
-                     (facts.strapped && facts.settling_s == 0));
+  view.may_repeat =
+      ready && zero && facts.last_rested &&
+      (!*facts.last_rested || facts.recorded || (facts.strapped && facts.settling_s == 0));
   view.may_skip = quiet && facts.protocol.active && facts.protocol.act != ProtocolFacts::Act::none;
   view.may_stand_by = quiet && facts.protocol.active && facts.protocol.goes_on;
 }
@@ -399,7 +398,7 @@ Obstacle obstacle_of(const FlowFacts& facts) {
   const auto& protocol = facts.protocol;
   if (protocol.active && protocol.act == ProtocolFacts::Act::none) return Obstacle::protocol_over;
   if (protocol.active && protocol.act == ProtocolFacts::Act::zero) return Obstacle::zero_again;
-  const bool rest = facts.task_chosen && facts.task_kind == TaskKind::rest && !facts.recorded;
+  const bool rest = facts.task_chosen && facts.task_rests && !facts.recorded;
   if (rest && !facts.strapped) return Obstacle::not_strapped;
   if (rest && facts.settling_s > 0) return Obstacle::settles;
   if (protocol.active && protocol.wait_s > 0) return Obstacle::rests;

@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "gui/library/task_groups.hpp"
 #include "session/acquisition/snapshot.hpp"
 
 namespace isograsp::gui {
@@ -83,10 +82,11 @@ struct FlowFacts {
   bool zero_asked = false;  ///< and its outcome has not come
   bool starting = false;  ///< a start was asked for, no frame of it has come; or its end is stored
   bool task_chosen = false;
-  TaskKind task_kind = TaskKind::rest;
+  bool task_rests = true;  ///< the resting force is measured
   std::string task_name;
   std::string task_lacks;  ///< a force that the task is scaled to and that was not measured: why
-  std::optional<TaskKind> last_kind;  ///< of the last trial in this session, which may be repeated
+  /// Of the last trial in this session, which may be repeated; nothing: there was none.
+  std::optional<bool> last_rested;
 };
 
 /// Age of the newest frame from which nothing is believed to arrive any more [s]. Single silent

@@ -66,15 +66,11 @@ FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) 
 
 /// Is the object, as it is drawn, near enough to the outline, and is it to be held there?
 bool is_held(const PatientFacts& facts, const PatientPicture& picture) {
-  const auto near = [&](const auto& spec) {
-    return (picture.object.p_WO - picture.target.p_WO).norm() <= spec.position_tolerance_m &&
-           angle_between(picture.object.q_WO, picture.target.q_WO) <= spec.angle_tolerance_rad;
-  };
-  if (const auto* spec = std::get_if<tasks::PickPlaceSpec>(&facts.task->kind)) return near(*spec);
-  const auto* spec = std::get_if<tasks::PoseTargetsSpec>(&facts.task->kind);
+  const auto tolerance = facts.task->tolerance();
+  if (!tolerance || !tolerance->holds(picture.target, picture.object)) return false;
+  const auto targets = facts.task->targets();
   const auto target = static_cast<std::size_t>(facts.snapshot.task.target_index);
-  return spec != nullptr && target < spec->targets.size() && spec->targets[target].hold_s > 0.0 &&
-         near(*spec);
+  return target < targets.size() && targets[target].held;
 }
 
 void add_object(const PatientFacts& facts, PatientPicture& picture) {
@@ -106,7 +102,7 @@ void say(PatientPicture& picture, Sign sign, CueWords words) {
 
 void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
   const tasks::TaskView& task = facts.snapshot.task;
-  if (std::holds_alternative<tasks::PoseTrackingSpec>(facts.task->kind))
+  if (facts.task->kind->course != nullptr)
     return say(picture, Sign::wait, PictureTexts::tr("Stay on the outline"),
                PictureTexts::tr("It moves: go with it"));
   if (task.target_count == 0) return say(picture, Sign::wait, shown(facts.task->instruction));
@@ -116,7 +112,7 @@ void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
   if (task.phase == tasks::Phase::hold && picture.hold_fraction > 0.0)
     return say(picture, Sign::wait, PictureTexts::tr("Hold it still"),
                PictureTexts::tr("Until the ring is full"));
-  if (std::holds_alternative<tasks::PickPlaceSpec>(facts.task->kind))
+  if (facts.task->kind->carries)
     return say(picture, Sign::wait, PictureTexts::tr("Bring it to the outline"),
                PictureTexts::tr("Take it and carry it there"));
   say(picture, Sign::wait, words_for(Cue::move, task.channel, facts.hand));
@@ -174,8 +170,7 @@ void add_follow(const PatientFacts& facts, PatientPicture& picture) {
   const auto segment = static_cast<std::size_t>(task.segment);
   const bool steady = facts.preview != nullptr && segment < facts.preview->parts.size() &&
                       facts.preview->parts[segment].steady;
-  if (task.phase == tasks::Phase::lead_in &&
-      std::holds_alternative<tasks::ForceTrackingSpec>(facts.task->kind))
+  if (task.phase == tasks::Phase::lead_in && facts.task->kind->follows_curve)
     picture.detail = PictureTexts::tr("Get ready").toStdString();
   else if (task.phase == tasks::Phase::hold)
     picture.detail = PictureTexts::tr("Hold it and wait for the word").toStdString();
@@ -216,8 +211,8 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   picture.line_shown = task.force_target_shown;
   if (task.force_target_shown) picture.target_N = task.target_force_N;
   picture.task_time_s = task.task_time_s + facts.ahead_s;
-  const auto* maximum = std::get_if<tasks::MaximumSpec>(&facts.task->kind);
-  const bool of_grip = maximum != nullptr && maximum->channel == ForceChannel{};
+  const ForceChannel* effort = facts.task->effort();
+  const bool of_grip = effort != nullptr && *effort == ForceChannel{};
   picture.full_N = of_grip ? kFullGrip_N : kFullOther_N;
   if (facts.preview != nullptr && facts.preview->has_target())
     picture.axis = facts.preview->axis;

@@ -47,15 +47,14 @@ void ProtocolGuide::end() {
 }
 
 bool ProtocolGuide::rest_is_next() const {
-  return act_ && act_->kind == Kind::trial &&
-         std::holds_alternative<tasks::RestSpec>(act_->task->kind);
+  return act_ && act_->kind == Kind::trial && act_->task->kind->rests;
 }
 
 bool ProtocolGuide::asks_rest() const {
   if (!act_) return false;
   for (std::size_t i = act_->step; i < protocol_->tasks.size(); ++i)
     for (const tasks::TaskSpec& spec : protocol_->tasks[i])
-      if (std::holds_alternative<tasks::RestSpec>(spec.kind)) return true;
+      if (spec.kind->rests) return true;
   return false;
 }
 

@@ -24,7 +24,7 @@ SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic,
   choices_.device_uri = config.device_uri;
   take_library(
       read_session_library(config_.library, session::own_library_folder(config_.database)));
-  select(first_task(TaskKind::rest));
+  select(first_task(is_rest));
   connect(&clinic_, &Clinic::opened, this, &SessionPresenter::update);
   connect(&clinic_, &Clinic::open_failed, this, [this](const QString& why) {
     database_error_ = why.toStdString();
@@ -94,14 +94,14 @@ void SessionPresenter::add_session_facts(FlowFacts& facts) const {
   const auto& said = open.rating.stop_reason;
   facts.stop_reason = said.empty() ? open.limits.reason_to_stop().value_or("") : said;
   if (follows()) facts.protocol = protocol_facts();
-  if (open.ended) facts.last_kind = kind_of(*open.ended->task);
+  if (open.ended) facts.last_rested = is_rest(*open.ended->task);
 }
 
 void SessionPresenter::add_task_facts(FlowFacts& facts) const {
   const auto* spec = open_ && open_->trial ? open_->trial->task.get() : next_task();
   facts.task_chosen = spec != nullptr;
   if (spec == nullptr) return;
-  facts.task_kind = kind_of(*spec);
+  facts.task_rests = is_rest(*spec);
   facts.task_name = spec->name;
   if (open_) facts.task_lacks = open_->work.task_lacks;
 }

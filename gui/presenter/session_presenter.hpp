@@ -242,7 +242,7 @@ class SessionPresenter final : public QObject {
     return open_ ? open_->work.task : choices_.task;
   }
   /// The first of that kind; nothing: the library has none.
-  [[nodiscard]] std::optional<int> first_task(TaskKind kind) const;
+  [[nodiscard]] std::optional<int> first_task(bool (*fits)(const tasks::TaskSpec&)) const;
   void select(std::optional<int> task);
   void select_task_after_maximum();
   void look_at_task();

@@ -185,10 +185,10 @@ void SessionPresenter::take_library(SessionLibrary library) {
     chosen = library_.protocols[static_cast<std::size_t>(choices_.protocol)];
   library_ = std::move(library);
   choices_.task = place_of_file(library_.tasks, before);
-  if (choices_.task < 0) choices_.task = first_task(TaskKind::rest).value_or(-1);
+  if (choices_.task < 0) choices_.task = first_task(is_rest).value_or(-1);
   if (open_) {
     open_->work.task = place_of_file(library_.tasks, in_session);
-    if (open_->work.task < 0) open_->work.task = first_task(TaskKind::rest).value_or(-1);
+    if (open_->work.task < 0) open_->work.task = first_task(is_rest).value_or(-1);
   }
   look_at_task();
   take_protocols(chosen);
@@ -229,11 +229,9 @@ void SessionPresenter::set_practice(bool practice) {
   choices_.practice = practice;
 }
 
-std::optional<int> SessionPresenter::first_task(TaskKind kind) const {
+std::optional<int> SessionPresenter::first_task(bool (*fits)(const tasks::TaskSpec&)) const {
   const auto& tasks = library_.tasks;
-  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const tasks::TaskSpec& spec) {
-    return kind_of(spec) == kind;
-  });
+  const auto found = std::find_if(tasks.begin(), tasks.end(), fits);
   if (found == tasks.end()) return std::nullopt;
   return static_cast<int>(found - tasks.begin());
 }
@@ -249,7 +247,7 @@ void SessionPresenter::select_task_after_maximum() {
   const auto& references = open_->session->references();
   const auto& tasks = library_.tasks;
   const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const tasks::TaskSpec& spec) {
-    return kind_of(spec) == TaskKind::force_tracking && lack_of(spec, references).empty();
+    return spec.kind->follows_curve && lack_of(spec, references).empty();
   });
   select(found == tasks.end() ? std::nullopt
                               : std::optional(static_cast<int>(found - tasks.begin())));

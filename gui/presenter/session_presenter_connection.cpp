@@ -91,7 +91,7 @@ void SessionPresenter::cancel_connecting() {
 void SessionPresenter::begin_session(std::unique_ptr<session::Session> session,
                                      const Presentation& stored) {
   const bool numb_skin = choices_.today.screening.applies[static_cast<std::size_t>(Caution::skin)];
-  const auto task = first_task(session->device().recorded ? TaskKind::observe : TaskKind::rest);
+  const auto task = first_task(session->device().recorded ? is_free_handling : is_rest);
   left_ = {};
   open_.emplace(std::move(session), clock_.now(), numb_skin, stored, task.value_or(choices_.task));
   connection_.phase = Connection::open;
@@ -106,7 +106,7 @@ void SessionPresenter::take_earlier_work() {
   session::WorkLimits& limits = open_->limits;
   for (const auto& [trial, measures, ended_s] : open_->session->earlier().trials) {
     const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
-    if (spec && kind_of(*spec) != TaskKind::rest)
+    if (spec && !is_rest(*spec))
       limits.worked(static_cast<double>(trial.samples) / open_->session->record().rate_Hz);
     if (!trial.practice && !trial.helped) limits.tried(measures);
   }

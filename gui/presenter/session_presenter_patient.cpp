@@ -51,7 +51,7 @@ void SessionPresenter::take_zero(const session::ZeroOutcome& zero) {
   preparation.zero_only_changed = zero.only_changed;
   preparation.zero_remark = zero.remark;
   if (zero.accepted) {
-    if (!preparation.rest_done) select(first_task(TaskKind::rest));
+    if (!preparation.rest_done) select(first_task(is_rest));
     open_->work.guide.zeroed(open_->time_s());
     preparation.zeroed_at = clock_.now();
     look_at_act();

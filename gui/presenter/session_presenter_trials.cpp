@@ -88,16 +88,14 @@ void SessionPresenter::take_trial(const session::TrialOutcome& outcome) {
 /// A completed trial: the list of tasks goes on to what comes next.
 void SessionPresenter::take_progress(const tasks::TaskSpec& task) {
   Work& work = open_->work;
-  switch (kind_of(task)) {
-    case TaskKind::rest:
-      if (!open_->preparation.rest_done) select(first_task(TaskKind::maximum));
-      open_->preparation.rest_done = true;
-      break;
-    case TaskKind::maximum:
-      ++work.maximum_attempts;
-      if (!work.task_done && open_->session->maximum_force_N() > 0.0) select_task_after_maximum();
-      break;
-    default: work.task_done = work.task_done || group_of(task) != TaskGroup::rest_and_maximum;
+  if (is_rest(task)) {
+    if (!open_->preparation.rest_done) select(first_task(is_grip_maximum));
+    open_->preparation.rest_done = true;
+  } else if (is_grip_maximum(task)) {
+    ++work.maximum_attempts;
+    if (!work.task_done && open_->session->maximum_force_N() > 0.0) select_task_after_maximum();
+  } else {
+    work.task_done = work.task_done || task.kind->group != TaskGroup::rest_and_maximum;
   }
 }
 
@@ -106,7 +104,7 @@ void SessionPresenter::watch_limits(const session::TrialOutcome& outcome) {
   session::WorkLimits& limits = open_->limits;
   const RunningTrial& trial = *open_->trial;
   const bool ended_before = limits.reason_to_stop().has_value();
-  if (kind_of(*trial.task) != TaskKind::rest) limits.worked(trial.view.task_time_s);
+  if (!is_rest(*trial.task)) limits.worked(trial.view.task_time_s);
   const bool counts =
       outcome.trial.status == storage::TrialStatus::completed && !outcome.trial.practice;
   limits.tried(counts ? outcome.measures : std::vector<Measure>{});

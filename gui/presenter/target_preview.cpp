@@ -15,11 +15,6 @@ constexpr double kEnd = 0.22;
 /// The same below zero where no target is: pulling hardly matters there.
 constexpr double kLowEnd = 0.08;
 
-bool has_unforeseen_waits(const tasks::TaskSpec& spec) {
-  return std::holds_alternative<tasks::StepResponseSpec>(spec.kind) ||
-         std::holds_alternative<tasks::GripReleaseSpec>(spec.kind);
-}
-
 bool shows_target(const tasks::Segment& segment) {
   return segment.target_shown && !segment.target_N.empty();
 }
@@ -80,7 +75,7 @@ TargetPreview preview_target(const tasks::TaskSpec& spec, const tasks::TaskConte
   const auto timeline = tasks::timeline_of(spec, context);
   if (!timeline) return preview;
   const tasks::Aim* aim = spec.aim();
-  if (aim != nullptr && !has_unforeseen_waits(spec)) preview.ahead_s = aim->preview_s;
+  if (aim != nullptr && !spec.kind->unforeseen_waits) preview.ahead_s = aim->preview_s;
   if (aim != nullptr && aim->gain_deg)
     if (const auto unit = context.references.unit_N(aim->scale, aim->channel, spec.largest_level()))
       preview.gain_deg_per_N = *aim->gain_deg / *unit;

@@ -200,8 +200,8 @@ void RunPanel::fill_list() {
   const QSignalBlocker quiet(list_);
   list_->clear();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (group != group_of(tasks[i])) {
-      group = group_of(tasks[i]);
+    if (group != tasks[i].kind->group) {
+      group = tasks[i].kind->group;
       auto* heading = new QListWidgetItem(shown(title_of(*group)), list_);
       QFont font = list_->font();
       font.setBold(true);

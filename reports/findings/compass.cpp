@@ -18,10 +18,9 @@ std::optional<Finger> finger_of(std::string_view name) {
   return std::nullopt;
 }
 
-template <class Kind>
-bool is_a(const storage::TrialRecord& trial) {
+bool has_all_directions(const storage::TrialRecord& trial) {
   const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
-  return spec && std::holds_alternative<Kind>(spec->kind);
+  return spec && spec->kind->all_directions;
 }
 
 void take(const Measure& measure, Hand hand, Compass& compass) {
@@ -70,7 +69,7 @@ std::vector<Compass> compasses_of(const PatientRecords& records) {
     const auto newest =
         std::find_if(records.trials.rbegin(), records.trials.rend(), [&](const StoredTrial& one) {
           return one.session_record->hand == hand && counts(one.trial) &&
-                 is_a<tasks::DirectionalMaximaSpec>(one.trial);
+                 has_all_directions(one.trial);
         });
     if (newest == records.trials.rend()) continue;
     Compass& compass = all.emplace_back();

@@ -30,46 +30,44 @@ constexpr double kLeastAngle_rad = 5.0 * std::numbers::pi / 180.0;
 constexpr double kLeastTime_s = 0.01;        ///< one frame at 100 Hz
 constexpr double kLeastError_percent = 1.0;  ///< of the largest target
 
-/// Where a component is read from: a measure of a kind of task; the mean over these channels.
+/// How a component is compared.
 struct Candidate {
-  Component component;
-  std::string_view measure;
-  std::string_view channel;  ///< its end ("_opening" fits every digit); empty: all
-  Comparison comparison;
-  bool (*fits)(const tasks::TaskSpec& spec);
+  const tasks::KindFacts* kind = nullptr;
+  tasks::ComponentMeasure from;
+  Comparison comparison = Comparison::larger;
   double least = 0.0;  ///< smaller days count as this in a share
 };
-template <class Kind>
-bool is_a(const tasks::TaskSpec& spec) {
-  return std::holds_alternative<Kind>(spec.kind);
+Candidate candidate_of(const tasks::KindFacts& kind, const tasks::ComponentMeasure& from) {
+  switch (from.component) {
+    case Component::strength:
+    case Component::opening: return {&kind, from, Comparison::larger, kLeastForce_N};
+    case Component::release: return {&kind, from, Comparison::smaller, kLeastTime_s};
+    case Component::control: return {&kind, from, Comparison::smaller, kLeastError_percent};
+    case Component::individuation: return {&kind, from, Comparison::logarithm, 0.0};
+    case Component::direction: return {&kind, from, Comparison::smaller, kLeastAngle_rad};
+  }
+  return {};
 }
-/// The first one that was measured counts.
-constexpr std::array kCandidates{
-    Candidate{Component::strength, "maximum_force", "grip", Comparison::larger,
-              is_a<tasks::MaximumSpec>, kLeastForce_N},
-    Candidate{Component::strength, "maximum_force", "pinch", Comparison::larger,
-              is_a<tasks::MaximumSpec>, kLeastForce_N},
-    Candidate{Component::opening, "maximum_force", "opening", Comparison::larger,
-              is_a<tasks::MaximumSpec>, kLeastForce_N},
-    Candidate{Component::opening, "maximum_force", "_opening", Comparison::larger,
-              is_a<tasks::DirectionalMaximaSpec>, kLeastForce_N},
-    Candidate{Component::release, "release_time_restricted", "", Comparison::smaller,
-              is_a<tasks::GripReleaseSpec>, kLeastTime_s},
-    Candidate{Component::control, "relative_rmse", "force", Comparison::smaller,
-              is_a<tasks::ForceTrackingSpec>, kLeastError_percent},
-    Candidate{Component::individuation, "individuation_index", "", Comparison::logarithm,
-              is_a<tasks::IndividuationSpec>},
-    Candidate{Component::direction, "direction_error", "", Comparison::smaller,
-              is_a<tasks::ForceDirectionSpec>, kLeastAngle_rad},
-    Candidate{Component::direction, "direction_error", "", Comparison::smaller,
-              is_a<tasks::DirectionalMaximaSpec>, kLeastAngle_rad}};
+/// Where components are read from. The first one that was measured counts.
+const std::vector<Candidate>& candidates() {
+  static const auto all = [] {
+    std::vector<Candidate> found;
+    for (const tasks::KindFacts* kind : tasks::all_kinds())
+      for (const auto& from : kind->components) found.push_back(candidate_of(*kind, from));
+    std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+      return a.from.rank < b.from.rank;
+    });
+    return found;
+  }();
+  return all;
+}
 
 /// What of `trial` the candidate is the mean of.
 std::vector<const Measure*> meant(const StoredTrial& trial, const Candidate& candidate) {
   std::vector<const Measure*> all;
   for (const auto& measure : trial.measures)
-    if (measure.name == candidate.measure && measure.value &&
-        measure.channel.ends_with(candidate.channel))
+    if (measure.name == candidate.from.measure && measure.value &&
+        measure.channel.ends_with(candidate.from.channel))
       all.push_back(&measure);
   return all;
 }
@@ -159,14 +157,14 @@ std::optional<Measured> measured(const TrialsOfTasks& tasks, Component component
                                  const std::vector<ReportSession>& sessions) {
   const Hand other = hand == Hand::right ? Hand::left : Hand::right;
   for (const bool with_other : {true, false})
-    for (const auto& candidate : kCandidates) {
-      if (candidate.component != component) continue;
+    for (const auto& candidate : candidates()) {
+      if (candidate.from.component != component) continue;
       std::optional<Measured> found;
       for (const auto& [task, trials] : tasks) {
         if (task.first != hand || !counts(trials.back()->trial)) continue;
         const StoredTrial& like = *trials.back();
         const auto spec = tasks::parse_task(like.trial.task_text, like.trial.task_name);
-        if (!spec || spec->difficulty || !candidate.fits(*spec)) continue;
+        if (!spec || spec->difficulty || &*spec->kind != candidate.kind) continue;
         Measured one{&candidate, &like, days_of(trials, like, candidate, sessions), {}};
         if (const auto both = tasks.find({other, task.second}); both != tasks.end())
           one.other = days_of(both->second, like, candidate, sessions);
@@ -234,14 +232,14 @@ std::string counted_days(std::size_t days) {
 ComponentResult judged(const Measured& one, Hand other, bool compare_hands) {
   const Candidate& candidate = *one.candidate;
   ComponentResult result;
-  result.component = candidate.component;
+  result.component = candidate.from.component;
   result.task = one.like->trial.task_name;
   const Measure& measure = *meant(*one.like, candidate).front();
   result.unit = measure.unit;
-  result.measure =
-      tasks::words_for(measure.name,
-                       candidate.channel.starts_with("_") ? std::string_view{} : candidate.channel)
-          .title;
+  result.measure = tasks::words_for(measure.name, candidate.from.channel.starts_with("_")
+                                                      ? std::string_view{}
+                                                      : candidate.from.channel)
+                       .title;
   const auto now = newest(one.hand);
   result.value = mean_value(now);
   std::span<const ComponentDay> reference;

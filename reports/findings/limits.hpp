@@ -11,19 +11,13 @@
 
 #include "hand/finger.hpp"
 #include "storage/records/profile.hpp"
+#include "tasks/kind_facts.hpp"
 
 namespace isograsp::reports {
 
 struct PatientRecords;
 
-enum class Component : std::uint8_t {
-  strength,
-  opening,
-  release,
-  control,
-  individuation,
-  direction
-};
+using tasks::Component;
 inline constexpr std::size_t kComponentCount = 6;
 [[nodiscard]] std::string_view name_of(Component component) noexcept;
 /// Name of the task of the library that trains it.

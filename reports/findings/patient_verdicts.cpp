@@ -57,7 +57,7 @@ Result<std::vector<storage::PrimaryMeasure>> primary_choices(storage::SessionSto
           tasks::words_for(measure.name, measure.channel).better == tasks::Better::unknown)
         continue;
       choices.push_back({place,
-                         spec ? spec->kind.index() : std::variant_npos,
+                         spec ? tasks::order_of(*spec->kind) : tasks::all_kinds().size(),
                          {0, task.second, task.first, measure.name, measure.channel, "", ""}});
     }
   }

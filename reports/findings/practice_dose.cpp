@@ -12,73 +12,11 @@ namespace isograsp::reports {
 
 namespace {
 
-int count_of(std::size_t n) {
-  return static_cast<int>(n);
-}
-
-// One for each kind: a new kind of task does not compile without its line here.
-int repetitions(const tasks::RestSpec&) {
-  return 0;
-}
-int repetitions(const tasks::MaximumSpec&) {
-  return 1;
-}
-int repetitions(const tasks::DirectionalMaximaSpec& spec) {
-  return count_of(spec.digits.size() * spec.directions.size());
-}
-int repetitions(const tasks::ForceTrackingSpec& spec) {
-  using Shape = tasks::Waveform::Shape;
-  const Shape shape = spec.waveform.shape;
-  const bool periodic =
-      shape == Shape::sine || shape == Shape::triangle || shape == Shape::rectangle;
-  return periodic ? std::max(1, static_cast<int>(spec.waveform.frequency_Hz * spec.duration_s)) : 1;
-}
-int repetitions(const tasks::SteadinessSpec& spec) {
-  return count_of(spec.levels.size());
-}
-int repetitions(const tasks::StepResponseSpec& spec) {
-  return spec.repetitions * count_of(spec.to.size());
-}
-int repetitions(const tasks::GripReleaseSpec& spec) {
-  return spec.repetitions;
-}
-int repetitions(const tasks::ForceSenseSpec& spec) {
-  return spec.repetitions;
-}
-int repetitions(const tasks::FatigueSpec&) {
-  return 1;
-}
-int repetitions(const tasks::IndividuationSpec& spec) {
-  return spec.repetitions * count_of(spec.digits.size() * spec.levels.size());
-}
-int repetitions(const tasks::ForceDirectionSpec& spec) {
-  return spec.repetitions * count_of(spec.targets.size());
-}
-int repetitions(const tasks::PoseTargetsSpec& spec) {
-  return count_of(spec.targets.size());
-}
-int repetitions(const tasks::PoseTrackingSpec&) {
-  return 1;
-}
-int repetitions(const tasks::PickPlaceSpec& spec) {
-  return count_of(spec.items.size());
-}
-int repetitions(const tasks::ObserveSpec&) {
-  return 1;
-}
-int repetitions(const tasks::RecordedSpec&) {
-  return 1;
-}
-
 void raise(std::optional<int>& most, int value) {
   most = std::max(most.value_or(value), value);
 }
 
 }  // namespace
-
-int repetitions_of(const tasks::TaskSpec& spec) {
-  return std::visit([](const auto& kind) { return repetitions(kind); }, spec.kind);
-}
 
 Result<PracticeDose> dose_of(storage::SessionStore& store, const PatientRecords& records) {
   PracticeDose dose;
@@ -111,7 +49,7 @@ Result<PracticeDose> dose_of(storage::SessionStore& store, const PatientRecords&
     const auto [found, is_new] = known.try_emplace(trial.trial.task_text, 0);
     if (is_new)
       if (const auto spec = tasks::parse_task(trial.trial.task_text, trial.trial.task_name))
-        found->second = repetitions_of(*spec);
+        found->second = spec->repetitions();
     week.repetitions += found->second;
   }
   for (const auto& week : dose.weeks) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "tasks/task_spec.hpp"
 
 namespace isograsp::storage {
 class SessionStore;
@@ -16,10 +15,6 @@ class SessionStore;
 namespace isograsp::reports {
 
 struct PatientRecords;
-
-/// Efforts that a task asks for: presses, cues, holds, targets, cycles of a periodic target; 1 for
-/// all that goes on without a break.
-[[nodiscard]] int repetitions_of(const tasks::TaskSpec& spec);
 
 struct DoseWeek {
   int week = 1;  ///< 1 begins with the patient's first session

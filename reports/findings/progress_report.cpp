@@ -34,8 +34,7 @@ bool is_early(const std::string& onset_date, const std::string& session_date) {
 DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
                  const TaskSection& section) {
   DrawnTrial drawn{trial.session, trial.trial.number, {}, trial.measures, ""};
-  const bool fingers =
-      section.spec && std::holds_alternative<tasks::PoseTargetsSpec>(section.spec->kind);
+  const bool fingers = section.spec && section.spec->kind->way_drawn;
   const auto is_finger_force = [](const std::string& name) {
     return name.ends_with("_fx_N") || name.ends_with("_fy_N") || name.ends_with("_fz_N");
   };

@@ -134,8 +134,7 @@ Result<TaskSection> make_section(const VerdictContext& context,
 
 Extremes extremes_of(const TaskSection& section, const std::vector<const StoredTrial*>& all) {
   Extremes extremes;
-  if (!section.spec || !std::holds_alternative<tasks::ForceTrackingSpec>(section.spec->kind))
-    return extremes;
+  if (!section.spec || !section.spec->kind->follows_curve) return extremes;
   const auto key = std::find_if(section.series.begin(), section.series.end(),
                                 [](const MeasureSeries& series) { return series.key; });
   if (key == section.series.end()) return extremes;
@@ -173,11 +172,12 @@ Extremes extremes_of(const TaskSection& section, const std::vector<const StoredT
 void put_in_order(std::vector<TaskSection>& sections, const std::vector<ReportSession>& sessions) {
   const auto right = std::count_if(sessions.begin(), sessions.end(),
                                    [](const auto& session) { return session.hand == Hand::right; });
+  const std::size_t last = tasks::all_kinds().size();
   const bool left_first = right * 2 < static_cast<long>(sessions.size());
   std::stable_sort(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
     if (a.hand != b.hand) return (a.hand == Hand::left) == left_first;
-    const std::size_t kind_a = a.spec ? a.spec->kind.index() : std::variant_npos;
-    const std::size_t kind_b = b.spec ? b.spec->kind.index() : std::variant_npos;
+    const std::size_t kind_a = a.spec ? tasks::order_of(*a.spec->kind) : last;
+    const std::size_t kind_b = b.spec ? tasks::order_of(*b.spec->kind) : last;
     return kind_a != kind_b ? kind_a < kind_b : a.task < b.task;
   });
 }

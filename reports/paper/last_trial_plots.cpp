@@ -65,12 +65,11 @@ constexpr Channel kPose[] = {
 double tolerance(const TaskSection& section, const Channel& channel, double target) {
   if (!section.spec) return 0.0;
   constexpr double kBand = 0.05;  // of the target: measure time_in_range
-  if (std::holds_alternative<tasks::ForceTrackingSpec>(section.spec->kind)) return kBand * target;
-  const auto* poses = std::get_if<tasks::PoseTargetsSpec>(&section.spec->kind);
-  if (poses == nullptr) return 0.0;
-  return channel.factor * (std::string_view(channel.name) == "angle_rad"
-                               ? poses->angle_tolerance_rad
-                               : poses->position_tolerance_m);
+  if (section.spec->kind->follows_curve) return kBand * target;
+  const auto pose = section.spec->tolerance();
+  if (!pose || !section.spec->kind->way_drawn) return 0.0;
+  return channel.factor *
+         (std::string_view(channel.name) == "angle_rad" ? pose->angle_rad : pose->position_m);
 }
 
 Values elapsed(const Signals& curves) {

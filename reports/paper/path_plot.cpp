@@ -37,11 +37,11 @@ PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
   };
   std::vector<Spot> spots;
   double radius_mm = 0.0;
-  if (section.spec)
-    if (const auto* poses = std::get_if<tasks::PoseTargetsSpec>(&section.spec->kind)) {
-      radius_mm = kMillimetres * poses->position_tolerance_m;
+  if (section.spec && section.spec->kind->way_drawn)
+    if (const auto tolerance = section.spec->tolerance()) {
+      radius_mm = kMillimetres * tolerance->position_m;
       int number = 0;
-      for (const auto& target : poses->targets) {
+      for (const auto& target : section.spec->targets()) {
         const double tx = kMillimetres * target.p_WT.x();
         const double ty = kMillimetres * target.p_WT.y();
         const auto text = QString::number(++number);

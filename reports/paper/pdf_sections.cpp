@@ -31,7 +31,7 @@ double span(int columns) {
 }
 
 bool is_rest(const TaskSection& section) {
-  return section.spec && std::holds_alternative<tasks::RestSpec>(section.spec->kind);
+  return section.spec && section.spec->kind->rests;
 }
 
 /// Columns of the page that a section wants: a lone trend is narrow, a maximum has its curve

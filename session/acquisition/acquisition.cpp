@@ -28,7 +28,7 @@ bool Acquisition::tick() noexcept {
   for (Command command; commands_.pop(command);) obey(command);
   if (!frames_.next(now_.forces)) {
     if (trial_ != nullptr) {
-      const bool whole = std::holds_alternative<tasks::ObserveSpec>(trial_->spec.kind);
+      const bool whole = trial_->spec.kind->free;
       end_trial(whole ? storage::TrialStatus::completed : storage::TrialStatus::aborted,
                 "The recording ended.");
     }

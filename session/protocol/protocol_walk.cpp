@@ -37,7 +37,7 @@ void ProtocolWalk::plan_set_up() {
       set_up_.push_back(act);
     }
     for (const tasks::TaskSpec& spec : protocol_.tasks[i]) {
-      if (!std::holds_alternative<tasks::RestSpec>(spec.kind)) continue;
+      if (!spec.kind->rests) continue;
       act.kind = Act::Kind::trial;
       act.task = &spec;
       set_up_.push_back(act);

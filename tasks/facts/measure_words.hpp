@@ -41,9 +41,7 @@ struct PrintedUnit {
 /// The same with an explicit sign.
 [[nodiscard]] std::string format_change(double value, const std::string& unit);
 
-/// Which measures of a task the report draws, in order, and which of them stand at a glance. No
-/// research measure has a place.
-enum class Prominence : std::uint8_t { none, trend, key };
+/// Where the report shows a measure of a task (KindFacts::places).
 struct Place {
   Prominence prominence = Prominence::none;
   int rank = 0;

@@ -22,7 +22,6 @@
 #include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
 #include "tasks/facts/column_facts.hpp"
-#include "tasks/kind_name.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/reports/emitted_measures.hpp"
 #include "tests/support/files_below.hpp"
@@ -324,11 +323,11 @@ TEST(ColumnFacts, EveryColumnOfATrialIsDescribedWithItsUnit) {
 TEST(TaskKinds, AreCalledAsInTaskFiles) {
   std::set<std::string_view> seen;
   for (const auto& spec : test::library_tasks()) {
-    const std::string line = "kind = \"" + std::string(tasks::kind_name(spec)) + "\"";
+    const std::string line = "kind = \"" + std::string(spec.kind->name) + "\"";
     EXPECT_NE(spec.text.find(line), std::string::npos) << spec.file << " has no " << line;
-    seen.insert(tasks::kind_name(spec));
+    seen.insert(spec.kind->name);
   }
-  EXPECT_EQ(seen.size() + 1, tasks::kTaskKinds.size()) << "all but recorded";
+  EXPECT_EQ(seen.size() + 1, tasks::all_kinds().size()) << "all but recorded";
 }
 
 TEST(FhirCodes, EveryMeasureHasAUnitOfUcum) {

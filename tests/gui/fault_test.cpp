@@ -52,7 +52,7 @@ class FaultDuringATrial : public QtTest {
                              "," + boxes_->full_address(2) + "?protocol=net-ft");
     operator_.press("connect");
     operator_.set_zero();
-    operator_.choose_task(TaskKind::observe);
+    operator_.choose_task("observe");
   }
   void start_trial(const std::string& fault) {
     connect(fault);
@@ -149,7 +149,7 @@ TEST_F(FaultDuringATrial, ARestartBetweenTrialsIsStoredAndNothingStartsBeforeANe
   EXPECT_TRUE(operator_.find<QAbstractButton>("zero").isVisible()) << "its step is open again";
   EXPECT_FALSE(operator_.find<QAbstractButton>("start").isEnabled());
   operator_.set_zero();
-  operator_.choose_task(TaskKind::observe);
+  operator_.choose_task("observe");
   EXPECT_TRUE(wait_until([&] { return presenter_.view().may_start; }, 5) ||
               presenter_.snapshot().restarted)  // on a busy machine a sensor may be lost again
       << presenter_.view().sentence;

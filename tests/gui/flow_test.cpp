@@ -52,7 +52,7 @@ TEST(Flow, LeadsFromPatientToTaskInOrder) {
   facts.zeroed = true;
   EXPECT_EQ(decide(facts).next(), Step::rest);
   facts.strapped = facts.rest_done = true;
-  facts.task_kind = TaskKind::maximum;
+  facts.task_rests = false;
   EXPECT_EQ(decide(facts).next(), Step::work);
   EXPECT_NE(decide(facts).sentence.find("maximum grip force"), std::string::npos);
   facts.maximum_force_N = 40.0;
@@ -184,9 +184,9 @@ TEST(Flow, AStrappedHandSettlesBeforeItRestsAndNothingElseWaits) {
   EXPECT_FALSE(decide(facts).may_strap);
   EXPECT_FALSE(decide(facts).may_start);
   EXPECT_NE(decide(facts).sentence.find("42 s"), std::string::npos) << decide(facts).sentence;
-  facts.task_kind = TaskKind::observe;
+  facts.task_rests = false;
   EXPECT_TRUE(decide(facts).may_start);
-  facts.task_kind = TaskKind::rest;
+  facts.task_rests = true;
   facts.settling_s = 0;
   EXPECT_TRUE(decide(facts).may_start);
 }
@@ -220,7 +220,7 @@ TEST(Flow, AfterTheMinuteOfSettlingTheProtocolGoesOnByItself) {
 TEST(Flow, StartIsNotOfferedWhereItDoesNothing) {
   FlowFacts facts = settled();
   facts.rest_done = true;
-  facts.task_kind = TaskKind::other;
+  facts.task_rests = false;
   facts.protocol.active = true;
   facts.protocol.act = ProtocolFacts::Act::trial;
   facts.protocol.wait_s = 20;
@@ -232,7 +232,7 @@ TEST(Flow, StartIsNotOfferedWhereItDoesNothing) {
 TEST(Flow, AZeroOlderThanARestartIsNone) {
   FlowFacts facts = settled();
   facts.rest_done = true;
-  facts.task_kind = TaskKind::other;
+  facts.task_rests = false;
   ASSERT_TRUE(decide(facts).may_start);
   facts.restarted = Finger::index;
   const FlowView view = decide(facts);
@@ -256,7 +256,7 @@ TEST(Flow, AZeroYoungerThanTheRestartIsTheAnswerToIt) {
 TEST(Flow, AHandThatWasTakenOutForAZeroGoesInAgainBeforeWorkGoesOn) {
   FlowFacts facts = zeroed();
   facts.rest_done = facts.hand_out = true;
-  facts.task_kind = TaskKind::other;
+  facts.task_rests = false;
   EXPECT_EQ(decide(facts).next(), Step::rest);
   EXPECT_EQ(decide(facts).press, NextPress::strap);
 }
@@ -297,7 +297,7 @@ TEST(Flow, AFileThatAnotherProgramHasOpenIsOnlyLookedAt) {
 
 TEST(Flow, WhatTheRestingForceSuggestsIsSaid) {
   FlowFacts facts = zeroed();
-  facts.task_kind = TaskKind::maximum;
+  facts.task_rests = false;
   facts.rest_done = true;
   facts.rest_words = "At rest thumb 2.1 N.";
   EXPECT_EQ(decide(facts).sentence, "At rest thumb 2.1 N. Next: the maximum grip force.");
@@ -328,7 +328,7 @@ TEST(Flow, EveryMoodHasItsOwnWord) {
 FlowFacts in_protocol(ProtocolFacts::Act act) {
   FlowFacts facts = settled();
   facts.rest_done = true;
-  facts.task_kind = TaskKind::force_tracking;
+  facts.task_rests = false;
   facts.protocol.active = facts.protocol.by_itself = true;
   facts.protocol.act = act;
   facts.protocol.act_words = "Grip force, sine";

@@ -133,11 +133,11 @@ void protocols(FlowFacts& facts, const std::function<void()>& then) {
 void tasks(FlowFacts& facts, const std::function<void()>& then) {
   facts.task_lacks.clear();
   facts.task_chosen = false;
-  facts.task_kind = TaskKind::rest;
+  facts.task_rests = true;
   then();
   facts.task_chosen = true;
-  for (const auto kind : {TaskKind::rest, TaskKind::maximum, TaskKind::other}) {
-    facts.task_kind = kind;
+  for (const bool rests : {true, false}) {
+    facts.task_rests = rests;
     then();
   }
   facts.task_lacks = "The maximum was not measured.";
@@ -155,9 +155,8 @@ void forces(FlowFacts& facts, const std::function<void()>& then) {
 }
 
 void last_trials(FlowFacts& facts, const std::function<void()>& then) {
-  for (const auto& last :
-       {std::optional<TaskKind>{}, std::optional(TaskKind::rest), std::optional(TaskKind::other)}) {
-    facts.last_kind = last;
+  for (const auto& last : {std::optional<bool>{}, std::optional(true), std::optional(false)}) {
+    facts.last_rested = last;
     then();
   }
 }
@@ -191,7 +190,7 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   if (begins && view.may_stop) return "Start in a trial";
   if (view.may_resume && !fresh_zero && !facts.at_rest)
     return "Resume with a zero older than a restart, and not from rest";
-  const bool rest = facts.task_chosen && facts.task_kind == TaskKind::rest && !facts.recorded;
+  const bool rest = facts.task_chosen && facts.task_rests && !facts.recorded;
   if (view.may_begin && rest && (!facts.strapped || facts.settling_s > 0))
     return "a resting force without its minute";
   // The steps.

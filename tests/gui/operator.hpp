@@ -68,13 +68,13 @@ class Operator {
     ASSERT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
   }
 
-  void choose_task(TaskKind kind) const {
+  void choose_task(std::string_view kind) const {
     auto& list = find<QListWidget>("tasks");
     for (int row = 0; row < list.count(); ++row) {
       const auto number = list.item(row)->data(Qt::UserRole);
       if (!number.isValid()) continue;  // a heading
       const auto& task = windows_.presenter().tasks()[number.toUInt()];
-      if (kind_of(task) != kind) continue;
+      if (task.kind->name != kind) continue;
       list.setCurrentRow(row);
       return;
     }

@@ -4,6 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/force/directional_maxima.hpp"
+#include "tasks/kinds/force/fatigue.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/force/individuation.hpp"
+#include "tasks/kinds/force/maximum.hpp"
+#include "tasks/kinds/force/rest.hpp"
+#include "tasks/kinds/force/steadiness.hpp"
+#include "tasks/kinds/force/step_response.hpp"
+#include "tasks/kinds/object/observe.hpp"
+#include "tasks/kinds/object/pick_place.hpp"
+#include "tasks/kinds/object/pose_targets.hpp"
+
 namespace isograsp::gui::task_groups_test {
 namespace {
 
@@ -17,25 +29,30 @@ tasks::TaskSpec named(const char* name, const Kind& kind) {
 
 TEST(TaskGroups, OnlyTheMaximumOfTheWholeGripIsTheMaximumOfTheSession) {
   tasks::MaximumSpec maximum;
-  EXPECT_EQ(kind_of(named("grip", maximum)), TaskKind::maximum);
+  EXPECT_TRUE(is_grip_maximum(named("grip", maximum)));
   maximum.comfortable = true;
-  EXPECT_EQ(kind_of(named("comfortable", maximum)), TaskKind::other);
+  EXPECT_FALSE(is_grip_maximum(named("comfortable", maximum)));
   maximum.comfortable = false;
   for (const ForceChannel channel :
        {ForceChannel{Digits::grip, Direction::minus_z}, ForceChannel{Digits::index},
         ForceChannel{Digits::grip_mean}, ForceChannel{Digits::thumb, Direction::plus_x}}) {
     maximum.channel = channel;
-    EXPECT_EQ(kind_of(named("one", maximum)), TaskKind::other) << name_of(channel);
+    EXPECT_FALSE(is_grip_maximum(named("one", maximum))) << name_of(channel);
   }
+  EXPECT_FALSE(is_grip_maximum(named("maxima", tasks::DirectionalMaximaSpec{})));
 }
 
-TEST(TaskGroups, KindsBeyondTheFlowAreOthersWhateverTheirPlaceInTheFileFormat) {
-  EXPECT_EQ(kind_of(named("rest", tasks::RestSpec{})), TaskKind::rest);
-  EXPECT_EQ(kind_of(named("track", tasks::ForceTrackingSpec{})), TaskKind::force_tracking);
-  EXPECT_EQ(kind_of(named("targets", tasks::PoseTargetsSpec{})), TaskKind::pose_targets);
-  EXPECT_EQ(kind_of(named("free", tasks::ObserveSpec{})), TaskKind::observe);
-  EXPECT_EQ(kind_of(named("maxima", tasks::DirectionalMaximaSpec{})), TaskKind::other);
-  EXPECT_EQ(kind_of(named("pick", tasks::PickPlaceSpec{})), TaskKind::other);
+TEST(TaskGroups, OneKindRestsAndOneIsFree) {
+  int rest = 0;
+  int free = 0;
+  for (const tasks::KindFacts* kind : tasks::all_kinds()) {
+    rest += kind->rests ? 1 : 0;
+    free += kind->free ? 1 : 0;
+  }
+  EXPECT_EQ(rest, 1);
+  EXPECT_EQ(free, 1);
+  EXPECT_TRUE(is_rest(named("rest", tasks::RestSpec{})));
+  EXPECT_TRUE(is_free_handling(named("free", tasks::ObserveSpec{})));
 }
 
 TEST(TaskGroups, TheListStartsWithRestAndTheGripAndSortsNumbersAsNumbers) {
@@ -67,7 +84,7 @@ TEST(TaskGroups, EveryGroupStandsTogetherUnderItsOwnHeading) {
   sort_for_list(tasks);
   int headings = 1;
   for (std::size_t i = 1; i < tasks.size(); ++i)
-    headings += title_of(group_of(tasks[i])) != title_of(group_of(tasks[i - 1])) ? 1 : 0;
+    headings += title_of(tasks[i].kind->group) != title_of(tasks[i - 1].kind->group) ? 1 : 0;
   EXPECT_EQ(headings, 3);
 }
 

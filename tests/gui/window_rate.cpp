@@ -81,7 +81,7 @@ std::vector<Pictures> work(const std::string& database, const std::string& libra
   begin();
   measure("force that follows a line", [&] { return !presenter.view().may_stop; });
   EXPECT_TRUE(wait_until([&] { return presenter.view().may_choose_task; }));
-  therapist.choose_task(TaskKind::pose_targets);
+  therapist.choose_task("pose_targets");
   begin();
   QElapsedTimer timer;
   timer.start();

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/object/pose_targets.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tasks/task_spec.hpp"
@@ -257,8 +258,7 @@ storage::RowId add_session(storage::SessionStore& store, const std::string& code
   const auto text = library_task("two_target.toml");
   const auto spec = tasks::parse_task(text, "two_target.toml");
   EXPECT_TRUE(spec.ok());
-  writer.add(text, pose_rows(std::get<tasks::PoseTargetsSpec>(spec->kind), demo.skill, seed),
-             false);
+  writer.add(text, pose_rows(spec->kind.as<tasks::PoseTargetsSpec>(), demo.skill, seed), false);
   if (demo.with_faults)
     writer.add(library_task("grip_sine.toml"), sine_rows(maximum_N, demo.skill, seed), false,
                storage::TrialStatus::aborted);

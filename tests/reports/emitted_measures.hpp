@@ -12,6 +12,22 @@
 
 #include "core/signals.hpp"
 #include "session/library.hpp"
+#include "tasks/kinds/force/directional_maxima.hpp"
+#include "tasks/kinds/force/fatigue.hpp"
+#include "tasks/kinds/force/force_direction.hpp"
+#include "tasks/kinds/force/force_sense.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/force/grip_release.hpp"
+#include "tasks/kinds/force/individuation.hpp"
+#include "tasks/kinds/force/maximum.hpp"
+#include "tasks/kinds/force/recorded.hpp"
+#include "tasks/kinds/force/rest.hpp"
+#include "tasks/kinds/force/steadiness.hpp"
+#include "tasks/kinds/force/step_response.hpp"
+#include "tasks/kinds/object/observe.hpp"
+#include "tasks/kinds/object/pick_place.hpp"
+#include "tasks/kinds/object/pose_targets.hpp"
+#include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
@@ -191,7 +207,7 @@ inline const std::vector<Emitted>& emitted() {
   static const std::vector<Emitted> all = [] {
     std::vector<Emitted> list;
     const auto add = [&](const tasks::TaskSpec& spec) {
-      const bool recorded = std::holds_alternative<tasks::RecordedSpec>(spec.kind);
+      const bool recorded = spec.kind.is<tasks::RecordedSpec>();
       list.push_back({spec, recorded ? tasks::score(spec, Signals({"t_s"}))
                             : spec.scene().empty()
                                 ? tasks::score(spec, still_hand(spec))

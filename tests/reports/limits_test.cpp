@@ -105,7 +105,7 @@ TEST(CompassPoints, OfALeftHandAreTheMirrorImageOfARight) {
 
 TEST(Repetitions, AreTheEffortsThatATaskAsksFor) {
   const auto of = [](const char* file) {
-    return repetitions_of(must(tasks::parse_task(library_task(file), file)));
+    return must(tasks::parse_task(library_task(file), file)).repetitions();
   };
   EXPECT_EQ(of("resting_force.toml"), 0);
   EXPECT_EQ(of("maximum_grip.toml"), 1);

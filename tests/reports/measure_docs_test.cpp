@@ -10,7 +10,6 @@
 
 #include "core/files.hpp"
 #include "tasks/facts/measure_words.hpp"
-#include "tasks/kind_name.hpp"
 #include "tests/reports/emitted_measures.hpp"
 
 namespace isograsp::reports::measure_docs_test {
@@ -111,7 +110,7 @@ TEST(MeasureDocs, TheTableNamesEveryMeasureOfATask) {
   const std::string text = text_of_docs();
   const std::set<std::string> below_the_table{"net_push", "net_push_time", "force_of_maximum"};
   for (const Emitted& task : emitted()) {
-    const std::string kind(tasks::kind_name(task.spec));
+    const std::string kind(task.spec.kind->name);
     const auto begin = text.find("\n| " + kind + " |");
     ASSERT_NE(begin, std::string::npos) << kind;
     const std::string row = text.substr(begin, text.find('\n', begin + 1) - begin);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "session/library.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
 #include "tests/support/every.hpp"
 
 namespace isograsp::session::demonstration_test {
@@ -40,7 +41,7 @@ TEST(Demonstration, TheTargetsAreThoseOfThePatient) {
   };
   const tasks::TaskSpec spec = task("grip_sine");
   const double of_patient_N = highest_N(*demonstrate(spec, references, Hand::right, kLibrary));
-  const auto& tracking = std::get<tasks::ForceTrackingSpec>(spec.kind);
+  const auto& tracking = spec.kind.as<tasks::ForceTrackingSpec>();
   EXPECT_NEAR(of_patient_N, tracking.most * 7.0, 0.01);
   EXPECT_GT(highest_N(*demonstrate(spec, {}, Hand::right, kLibrary)), of_patient_N);
 }

@@ -14,6 +14,9 @@
 #include "session/protocol/protocol_run.hpp"
 #include "session/session.hpp"
 #include "storage/access/open_store.hpp"
+#include "tasks/kinds/force/directional_maxima.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/force/recorded.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -316,7 +319,7 @@ TEST(MeasureLaws, TheOrderOfColumnsChangesNoBit) {
 
 /// Halves of cycles tell all rows that were excluded, to whichever half they belong.
 bool is_half_of_a_cycle(const tasks::TaskSpec& spec, const Measure& measure) {
-  const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec.kind);
+  const auto* tracking = spec.kind.get_if<tasks::ForceTrackingSpec>();
   if (tracking == nullptr) return false;
   const bool cycles = tracking->waveform.shape == tasks::Waveform::Shape::sine ||
                       tracking->waveform.shape == tasks::Waveform::Shape::triangle;
@@ -366,7 +369,7 @@ std::vector<PlayedTrial> one_of_each_kind() {
   std::map<std::vector<std::string>, bool> known;
   std::vector<PlayedTrial> each;
   for (const PlayedTrial& trial : trials()) {
-    std::vector<std::string> names{std::to_string(trial.spec.kind.index())};
+    std::vector<std::string> names{std::string(trial.spec.kind->name)};
     for (const Measure& measure : tasks::score(trial.spec, trial.signals))
       names.push_back(measure.name);
     if (known.emplace(std::move(names), true).second) each.push_back(trial);
@@ -376,8 +379,7 @@ std::vector<PlayedTrial> one_of_each_kind() {
 
 /// It has the rows of two: its own, and those of the maximum that tells which forces count.
 bool has_two_selections(const tasks::TaskSpec& spec, const Measure& measure) {
-  return std::holds_alternative<tasks::DirectionalMaximaSpec>(spec.kind) &&
-         measure.name == "direction_error";
+  return spec.kind.is<tasks::DirectionalMaximaSpec>() && measure.name == "direction_error";
 }
 
 bool is_same(const Measure& a, const Measure& b) {
@@ -421,7 +423,7 @@ TEST(MeasureLaws, AnEmptyFieldInAColumnThatIsReadIsAMissingSample) {
 /// So a recorded trial has the same rows whichever of these columns a measure asks for.
 TEST(MeasureLaws, ARecordedRowWithoutAFlagHasAValueInEveryColumnOfHandAndObject) {
   for (const PlayedTrial& trial : test::every(trials())) {
-    if (std::holds_alternative<tasks::RecordedSpec>(trial.spec.kind)) continue;
+    if (trial.spec.kind.is<tasks::RecordedSpec>()) continue;
     const auto flags = trial.signals.column("sample_flags");
     const auto phase = trial.signals.column("phase");
     test::AtLeast fields(100);

@@ -9,6 +9,7 @@
 #include "core/csv.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "storage/access/open_store.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
 #include "tasks/score.hpp"
 #include "tasks/waveform.hpp"
 #include "tests/support/every.hpp"
@@ -265,7 +266,7 @@ TEST(Session, TheStoredSeedOfATrialTellsItsParallelFormAndGivesItsTargetAgain) {
   int sines = 0;
   for (const auto& outcome : test::every(result.trials)) {
     const tasks::TaskSpec spec = tasks::parse_task(outcome.trial.task_text, "stored").value();
-    const auto* tracking = std::get_if<tasks::ForceTrackingSpec>(&spec.kind);
+    const auto* tracking = spec.kind.get_if<tasks::ForceTrackingSpec>();
     if (tracking == nullptr) continue;
     ASSERT_EQ(tracking->waveform.forms, 2);
     ASSERT_NE(outcome.trial.seed, 0u);

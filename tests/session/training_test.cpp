@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "storage/access/open_store.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
 #include "tasks/measure_version.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
@@ -148,11 +149,11 @@ TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
 TEST(Training, ALevelChangesTheTaskAndStaysInItsText) {
   const auto easy = tasks::at_level(task(), 0.0).value();
   const auto hard = tasks::at_level(task(), 1.0).value();
-  EXPECT_DOUBLE_EQ(std::get<tasks::ForceTrackingSpec>(easy.kind).waveform.frequency_Hz, 0.2);
-  EXPECT_DOUBLE_EQ(std::get<tasks::ForceTrackingSpec>(hard.kind).waveform.frequency_Hz, 0.4);
+  EXPECT_DOUBLE_EQ(easy.kind.as<tasks::ForceTrackingSpec>().waveform.frequency_Hz, 0.2);
+  EXPECT_DOUBLE_EQ(hard.kind.as<tasks::ForceTrackingSpec>().waveform.frequency_Hz, 0.4);
   const auto again = tasks::parse_task(hard.text, "stored").value();
   EXPECT_EQ(again.difficulty->chosen, 1.0);
-  EXPECT_DOUBLE_EQ(std::get<tasks::ForceTrackingSpec>(again.kind).waveform.frequency_Hz, 0.4);
+  EXPECT_DOUBLE_EQ(again.kind.as<tasks::ForceTrackingSpec>().waveform.frequency_Hz, 0.4);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/force/maximum.hpp"
 #include "tasks/staircase.hpp"
 
 namespace isograsp::tasks::agenda_test {

@@ -11,6 +11,10 @@
 #include "core/csv.hpp"
 #include "grasp_model/plan.hpp"
 #include "hand/anatomical_axes.hpp"
+#include "tasks/kinds/force/maximum.hpp"
+#include "tasks/kinds/object/pick_place.hpp"
+#include "tasks/kinds/object/pose_targets.hpp"
+#include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/measures/fitts.hpp"
 #include "tasks/protocol.hpp"
 
@@ -52,14 +56,14 @@ Place place(const Vec3& p, double angle_rad) {
 /// Every place to which the task may bring its object.
 std::vector<Place> places(const TaskSpec& spec) {
   std::vector<Place> all;
-  if (const auto* poses = std::get_if<PoseTargetsSpec>(&spec.kind))
+  if (const auto* poses = spec.kind.get_if<PoseTargetsSpec>())
     for (const auto& target : poses->targets) all.push_back(place(target.p_WT, target.angle_rad));
-  if (const auto* items = std::get_if<PickPlaceSpec>(&spec.kind))
+  if (const auto* items = spec.kind.get_if<PickPlaceSpec>())
     for (const auto& item : items->items) {
       all.push_back(place(item.p_WO, 0.0));
       all.push_back(place(item.p_WT, item.angle_rad));
     }
-  if (const auto* tracking = std::get_if<PoseTrackingSpec>(&spec.kind)) {
+  if (const auto* tracking = spec.kind.get_if<PoseTrackingSpec>()) {
     Place least{};
     Place most{};
     for (const auto& axis : tracking->axes) {
@@ -124,7 +128,7 @@ TEST(Library, WhereThereIsNoSpringTheObjectStaysOnlyIfRestingFingersDoNotMoveIt)
 
 TEST(Library, TheSeriesHasTheDifficultyThatItsCommentStates) {
   const TaskSpec spec = task("target_series.toml");
-  const auto& series = std::get<PoseTargetsSpec>(spec.kind);
+  const auto& series = spec.kind.as<PoseTargetsSpec>();
   int held = 0;
   for (std::size_t i = 1; i < series.targets.size(); ++i) {
     const double distance_m = (series.targets[i].p_WT - series.targets[i - 1].p_WT).norm();
@@ -163,7 +167,7 @@ TEST(Library, EveryProtocolNamesShippedTasksAndMeasuresTheMaximumBeforeItIsNeede
       for (const std::string& name : step.tasks) {
         const TaskSpec spec = task(name);
         EXPECT_TRUE(has_maximum || !spec.needs_maximum()) << path;
-        has_maximum = has_maximum || std::holds_alternative<MaximumSpec>(spec.kind);
+        has_maximum = has_maximum || spec.kind.is<MaximumSpec>();
       }
     }
   }
@@ -185,8 +189,8 @@ TEST(Library, InEverySceneTheAxesOfTheHandAreUpAndTowardsTheScreenForBothHands) 
 TEST(Library, TheMirroredTwoTargetTestIsTheMirrorImage) {
   const TaskSpec plain_spec = task("two_target.toml");
   const TaskSpec mirrored_spec = task("two_target_mirrored.toml");
-  const auto& plain = std::get<PoseTargetsSpec>(plain_spec.kind);
-  const auto& mirrored = std::get<PoseTargetsSpec>(mirrored_spec.kind);
+  const auto& plain = plain_spec.kind.as<PoseTargetsSpec>();
+  const auto& mirrored = mirrored_spec.kind.as<PoseTargetsSpec>();
   ASSERT_EQ(plain.targets.size(), mirrored.targets.size());
   for (std::size_t i = 0; i < plain.targets.size(); ++i) {
     const PoseTarget& a = plain.targets[i];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/waveform.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
 
@@ -46,8 +48,8 @@ TEST(TargetByDoing, OfWhoFollowedATargetIsThatTarget) {
   ASSERT_TRUE(text.ok()) << text.error().message();
   const auto again = parse_task(*text, "again.toml");
   ASSERT_TRUE(again.ok()) << again.error().message();
-  const auto& made = std::get<PoseTrackingSpec>(again->kind);
-  const auto& given = std::get<PoseTrackingSpec>(spec.kind);
+  const auto& made = again->kind.as<PoseTrackingSpec>();
+  const auto& given = spec.kind.as<PoseTrackingSpec>();
   EXPECT_EQ(made.scene, "block");
   ASSERT_EQ(made.axes.size(), 2u);
   EXPECT_EQ(made.axes[0].axis, 0);
@@ -75,7 +77,7 @@ TEST(TargetByDoing, TwiceAsSlowLastsTwiceAsLong) {
   const Signals signals = on_target(spec);
   const auto duration_s = [&](double slower) {
     const auto text = target_by_doing(spec, signals, {"again", false, slower});
-    return std::get<PoseTrackingSpec>(parse_task(text.value(), "again").value().kind).duration_s;
+    return parse_task(text.value(), "again").value().kind.as<PoseTrackingSpec>().duration_s;
   };
   EXPECT_NEAR(duration_s(2.0), 2.0 * duration_s(1.0), 0.002) << "written with five digits";
 }
@@ -93,7 +95,7 @@ TEST(TargetByDoing, TremorIsNoTarget) {
   }
   const auto made = [&](const Signals& signals) {
     const auto text = target_by_doing(spec, signals, {"again"});
-    return std::get<PoseTrackingSpec>(parse_task(text.value(), "again").value().kind).axes[0];
+    return parse_task(text.value(), "again").value().kind.as<PoseTrackingSpec>().axes[0];
   };
   EXPECT_NEAR(made(shaken).most, made(still).most, 0.0005) << "8 Hz is damped 256 times";
 }
@@ -119,7 +121,7 @@ TEST(TargetByDoing, TakesTheForceInNewtonsOfTheTasksChannel) {
   ASSERT_TRUE(text.ok()) << text.error().message();
   const auto again = parse_task(*text, "again").value();
   EXPECT_EQ(again.name, "again quoted");
-  const auto& made = std::get<ForceTrackingSpec>(again.kind);
+  const auto& made = again.kind.as<ForceTrackingSpec>();
   EXPECT_EQ(name_of(made.aim.channel), "index");
   EXPECT_EQ(made.aim.scale, Scale::newton);
   EXPECT_NEAR(made.least, 2.0, 0.01);

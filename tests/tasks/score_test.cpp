@@ -7,6 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/force/maximum.hpp"
+#include "tasks/kinds/force/rest.hpp"
+#include "tasks/kinds/object/observe.hpp"
+#include "tasks/kinds/object/pose_targets.hpp"
 #include "tasks/task.hpp"
 #include "tests/support/every.hpp"
 #include "tests/tasks/samples.hpp"

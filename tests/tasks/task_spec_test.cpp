@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/object/pose_targets.hpp"
 #include "tasks/protocol.hpp"
 
 namespace isograsp::tasks::task_spec_test {
@@ -20,7 +21,7 @@ TEST(TaskSpec, DegreesInTheFileAreRadiansInside) {
                 "[[target]]\nposition_m = [1, 2, 3]\nangle_deg = 90\nhold_s = 1\nlevel = true\n"),
       "t.toml");
   ASSERT_TRUE(task) << task.error().message();
-  const auto& poses = std::get<PoseTargetsSpec>(task->kind);
+  const auto& poses = task->kind.as<PoseTargetsSpec>();
   EXPECT_DOUBLE_EQ(poses.angle_tolerance_rad, std::numbers::pi / 12);
   EXPECT_DOUBLE_EQ(poses.targets[0].angle_rad, std::numbers::pi / 2);
   EXPECT_EQ(poses.targets[0].p_WT, Vec3(1, 2, 3));

@@ -6,6 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/force/maximum.hpp"
+#include "tasks/kinds/force/rest.hpp"
+#include "tasks/kinds/object/observe.hpp"
+#include "tasks/kinds/object/pose_targets.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::tasks::task_test {

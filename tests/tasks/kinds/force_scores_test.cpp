@@ -5,6 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/force/directional_maxima.hpp"
+#include "tasks/kinds/force/fatigue.hpp"
+#include "tasks/kinds/force/force_direction.hpp"
+#include "tasks/kinds/force/force_sense.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/force/grip_release.hpp"
+#include "tasks/kinds/force/individuation.hpp"
+#include "tasks/kinds/force/maximum.hpp"
+#include "tasks/kinds/force/rest.hpp"
+#include "tasks/kinds/force/steadiness.hpp"
+#include "tasks/kinds/force/step_response.hpp"
 #include "tasks/score.hpp"
 #include "tests/tasks/kinds/force_play.hpp"
 #include "tests/tasks/samples.hpp"

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/object/pick_place.hpp"
+#include "tasks/kinds/object/pose_targets.hpp"
+#include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tests/tasks/samples.hpp"

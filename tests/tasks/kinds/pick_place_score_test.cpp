@@ -2,6 +2,7 @@
 // Measures of pick, place and release, on records played through the state machine.
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/object/pick_place.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
 #include "tests/tasks/kinds/object_play.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pick, place and release: what counts as placed, what as a drop.
+#include "tasks/kinds/object/pick_place.hpp"
+
 #include <gtest/gtest.h>
 
 #include "tasks/task.hpp"

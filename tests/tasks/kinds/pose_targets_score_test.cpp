@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
+#include "tasks/kinds/object/pose_targets.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tests/support/temporary_folder.hpp"

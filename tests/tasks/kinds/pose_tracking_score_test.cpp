@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
 #include "tests/tasks/kinds/object_play.hpp"

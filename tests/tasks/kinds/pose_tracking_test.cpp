@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The moving target: it is its waveform, whatever the frame rate.
+#include "tasks/kinds/object/pose_tracking.hpp"
+
 #include <numbers>
 
 #include <gtest/gtest.h>

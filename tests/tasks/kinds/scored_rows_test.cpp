@@ -2,6 +2,13 @@
 // Which rows a measure is made of: none after the end, none won or lost by the rounding of a time.
 #include <gtest/gtest.h>
 
+#include "tasks/kinds/force/fatigue.hpp"
+#include "tasks/kinds/force/force_sense.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/force/grip_release.hpp"
+#include "tasks/kinds/force/individuation.hpp"
+#include "tasks/kinds/force/maximum.hpp"
+#include "tasks/kinds/force/step_response.hpp"
 #include "tasks/record.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of kinds of tasks: one row each. Whoever reads, runs, scores or shows a task knows its
+// kind by this row and by nothing else.
+#include <array>
+
+#include "tasks/kinds/force/directional_maxima.hpp"
+#include "tasks/kinds/force/fatigue.hpp"
+#include "tasks/kinds/force/force_direction.hpp"
+#include "tasks/kinds/force/force_sense.hpp"
+#include "tasks/kinds/force/force_tracking.hpp"
+#include "tasks/kinds/force/grip_release.hpp"
+#include "tasks/kinds/force/individuation.hpp"
+#include "tasks/kinds/force/maximum.hpp"
+#include "tasks/kinds/force/recorded.hpp"
+#include "tasks/kinds/force/rest.hpp"
+#include "tasks/kinds/force/steadiness.hpp"
+#include "tasks/kinds/force/step_response.hpp"
+#include "tasks/kinds/object/observe.hpp"
+#include "tasks/kinds/object/pick_place.hpp"
+#include "tasks/kinds/object/pose_targets.hpp"
+#include "tasks/kinds/object/pose_tracking.hpp"
+
+namespace isograsp::tasks {
+
+namespace {
+
+// One row each, in the order of an assessment: reports put tasks into it.
+// clang-format off
+constexpr std::array kKinds{
+    &RestSpec::kFacts,
+    &MaximumSpec::kFacts,
+    &ForceTrackingSpec::kFacts,
+    &PoseTargetsSpec::kFacts,
+    &ObserveSpec::kFacts,
+    &DirectionalMaximaSpec::kFacts,
+    &SteadinessSpec::kFacts,
+    &StepResponseSpec::kFacts,
+    &GripReleaseSpec::kFacts,
+    &ForceSenseSpec::kFacts,
+    &FatigueSpec::kFacts,
+    &IndividuationSpec::kFacts,
+    &ForceDirectionSpec::kFacts,
+    &PoseTrackingSpec::kFacts,
+    &PickPlaceSpec::kFacts,
+    &RecordedSpec::kFacts,
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const KindFacts* const> all_kinds() noexcept {
+  return kKinds;
+}
+
+}  // namespace isograsp::tasks

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures of pick, place and release. Time is task time: a device fault costs the patient nothing.
+#include <algorithm>
+#include <cmath>
+
+#include "tasks/kinds/object/pick_place.hpp"
+#include "tasks/kinds/tools/object_score.hpp"
+#include "tasks/measures/motion.hpp"
+
+namespace isograsp::tasks {
+
+namespace {
+
+class PickPlaceScore {
+ public:
+  PickPlaceScore(const PickPlaceSpec& spec, const Record& record)
+      : spec_(spec),
+        record_(record),
+        object_(record),
+        attempts_(attempts_of(record, spec.items.size())) {}
+
+  [[nodiscard]] std::vector<Measure> measures() const {
+    std::vector<Measure> all;
+    // Up to letting go: that is part of the task.
+    add_completions(all, record_, attempts_, spec_.time_limit_s, &Attempt::last_row);
+    all.push_back(drops());
+    all.push_back(path_efficiency());
+    add_hold_errors(all);
+    all.push_back(object_.slip(kMoving));
+    all.push_back(object_.mean_grip(kMoving));
+    add_grasp(all, record_, kMoving);
+    return all;
+  }
+
+ private:
+  [[nodiscard]] Measure drops() const {
+    Section section = record_.select(kMoving, {"drops"});
+    double most = 0.0;
+    for (const double drops : section.values("drops")) most = std::max(most, drops);
+    return make_measure("drops", "contact", "", section, most);
+  }
+
+  /// The way that ended at the target: from where the object appeared last. In the row in which it
+  /// is put there it is still where it was before.
+  [[nodiscard]] Section last_way(const Attempt& attempt) const {
+    const auto drops = record_.signals().column("drops");
+    std::size_t first = attempt.first_row + 1;
+    if (!drops.empty()) {
+      double before = drops[attempt.first_row];
+      for (std::size_t row = first; row <= attempt.hold_row; ++row) {
+        if (drops[row] > before) first = row + 1;
+        if (!std::isnan(drops[row])) before = drops[row];
+      }
+    }
+    return record_.select_position(first, attempt.hold_row + 1, kMoving);
+  }
+
+  [[nodiscard]] Measure path_efficiency() const {
+    Section ways;
+    ways.reason = attempts_.absent;
+    std::vector<std::vector<Vec3>> ways_m;
+    for (const Attempt& attempt : attempts_.all) {
+      if (!attempt.reached) continue;
+      const Section way = last_way(attempt);
+      append(ways, way);
+      ways_m.push_back(path_of(way));
+    }
+    if (ways.reason.empty() && ways.rows.empty()) ways.reason = kNothingPlaced;
+    return make_measure("path_efficiency", "position", "%", ways, tasks::path_efficiency(ways_m));
+  }
+
+  /// While the object that was placed then was held inside the tolerance, until it was let go.
+  void add_hold_errors(std::vector<Measure>& all) const {
+    Section position;
+    Section angle;
+    position.reason = angle.reason = attempts_.absent;
+    for (const Attempt& attempt : attempts_.all) {
+      if (!attempt.reached) continue;
+      append(position, object_.select_positions(attempt.hold_row, attempt.last_row, {Phase::hold}));
+      append(angle, object_.select_attitudes(attempt.hold_row, attempt.last_row, {Phase::hold}));
+    }
+    if (position.reason.empty() && position.rows.empty()) position.reason = kNothingPlaced;
+    if (angle.reason.empty() && angle.rows.empty()) angle.reason = kNothingPlaced;
+    object_.add_hold_errors(all, position, angle);
+  }
+
+  static constexpr const char* kNothingPlaced = "nothing was placed";
+
+  const PickPlaceSpec& spec_;
+  const Record& record_;
+  ObjectRecord object_;
+  Attempts attempts_;
+};
+
+}  // namespace
+
+std::vector<Measure> score_pick_place(const PickPlaceSpec& spec, const Record& record) {
+  return PickPlaceScore(spec, record).measures();
+}
+
+}  // namespace isograsp::tasks

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/kinds/tools/object_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/csv.hpp"
+#include "tasks/measures/motion.hpp"
+#include "tasks/measures/smoothness.hpp"
+
+namespace isograsp::tasks {
+
+void append(Section& sum, const Section& part) {
+  if (sum.reason.empty()) sum.reason = part.reason;
+  sum.rows.insert(sum.rows.end(), part.rows.begin(), part.rows.end());
+  sum.t_s.insert(sum.t_s.end(), part.t_s.begin(), part.t_s.end());
+  sum.weight_s.insert(sum.weight_s.end(), part.weight_s.begin(), part.weight_s.end());
+  sum.excluded += part.excluded;
+}
+
+ObjectRecord::ObjectRecord(const Record& record)
+    : record_(record),
+      actual_q_(components("actual_q")),
+      target_q_(components("target_q")),
+      actual_angle_(record.signals().column("actual_angle_rad")),
+      target_angle_(record.signals().column("target_angle_rad")),
+      contact_(flags("contact_")),
+      slip_(flags("slip_")) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string name = std::string(1, "xyz"[axis]) + "_m";
+    actual_m_[axis] = record.signals().column("actual_" + name);
+    target_m_[axis] = record.signals().column("target_" + name);
+  }
+  // A height that only one of the two has cannot be compared.
+  if (actual_m_[2].empty() || target_m_[2].empty()) actual_m_[2] = target_m_[2] = {};
+}
+
+ObjectRecord::Components ObjectRecord::components(const std::string& prefix) const {
+  Components found;
+  for (std::size_t i = 0; i < 4; ++i) found[i] = record_.signals().column(prefix + "wxyz"[i]);
+  const bool complete =
+      std::none_of(found.begin(), found.end(), [](const auto& column) { return column.empty(); });
+  return complete ? found : Components{};
+}
+
+ObjectRecord::Flags ObjectRecord::flags(const std::string& prefix) const {
+  Flags found;
+  bool known = false;
+  for (const Finger finger : kFingers) {
+    const std::string name = prefix + std::string(name_of(finger));
+    known = known || record_.signals().has(name);
+    if (!record_.constant(name)) continue;  // never a value: the scene lacks this finger
+    found.names.push_back(name);
+    found.columns.push_back(record_.signals().column(name));
+  }
+  if (!known) found.absent = "the columns " + prefix + "* are missing";
+  return found;
+}
+
+bool ObjectRecord::any(const Flags& flags, std::size_t row) {
+  return std::any_of(flags.columns.begin(), flags.columns.end(),
+                     [row](const auto& column) { return column[row] > 0.5; });
+}
+
+bool ObjectRecord::touch_known(std::size_t row) const {
+  return std::none_of(contact_.columns.begin(), contact_.columns.end(),
+                      [row](const auto& column) { return std::isnan(column[row]); });
+}
+
+Section ObjectRecord::select_positions(std::size_t first, std::size_t last,
+                                       std::initializer_list<Phase> phases) const {
+  if (!actual_m_[2].empty())
+    return record_.select(
+        first, last, phases,
+        {"actual_x_m", "actual_y_m", "actual_z_m", "target_x_m", "target_y_m", "target_z_m"});
+  return record_.select(first, last, phases,
+                        {"actual_x_m", "actual_y_m", "target_x_m", "target_y_m"});
+}
+
+Section ObjectRecord::select_attitudes(std::size_t first, std::size_t last,
+                                       std::initializer_list<Phase> phases) const {
+  std::vector<std::string> columns;
+  const auto add = [&](const std::string& of, const Components& q) {
+    if (q[0].empty()) return columns.push_back(of + "_angle_rad");
+    for (const char part : {'w', 'x', 'y', 'z'}) columns.push_back(of + "_q" + part);
+  };
+  add("actual", actual_q_);
+  add("target", target_q_);
+  return record_.select(first, last, phases, columns);
+}
+
+std::vector<Quat> ObjectRecord::attitudes(const Section& section) const {
+  std::vector<Quat> q;
+  q.reserve(section.rows.size());
+  for (const std::size_t row : section.rows) q.push_back(attitude(row));
+  return q;
+}
+
+std::vector<Quat> ObjectRecord::target_attitudes(const Section& section) const {
+  std::vector<Quat> q;
+  q.reserve(section.rows.size());
+  for (const std::size_t row : section.rows) q.push_back(target_attitude(row));
+  return q;
+}
+
+void ObjectRecord::add_hold_errors(std::vector<Measure>& all, const Section& position,
+                                   const Section& attitude) const {
+  std::vector<Vec3> actual_m;
+  std::vector<Vec3> target_m;
+  for (const std::size_t row : position.rows) {
+    actual_m.push_back(this->position(row));
+    target_m.push_back(target(row));
+  }
+  const auto actual = attitudes(attitude);
+  const auto target = target_attitudes(attitude);
+  all.push_back(make_measure("hold_error_position", "position", "m", position,
+                             mean_distance(actual_m, target_m, position.weight_s)));
+  all.push_back(make_measure("hold_error_angle", "angle", "rad", attitude,
+                             mean_angle(target, actual, attitude.weight_s)));
+  // An object that turns in the plane of the screen alone keeps its axis.
+  const bool leans = std::any_of(actual.begin(), actual.end(),
+                                 [](const Quat& q) { return q.x() != 0.0 || q.y() != 0.0; });
+  if (leans)
+    all.push_back(make_measure("hold_error_axis", "angle", "rad", attitude,
+                               mean_axis_angle(actual, target, Vec3::UnitZ(), attitude.weight_s)));
+}
+
+statistics::Computed ObjectRecord::tilt(const Section& section) const {
+  return rms_angle(target_attitudes(section), attitudes(section), section.weight_s);
+}
+
+Measure ObjectRecord::slip(std::initializer_list<Phase> phases) const {
+  std::vector<std::string> columns = contact_.names;
+  columns.insert(columns.end(), slip_.names.begin(), slip_.names.end());
+  Section section = record_.select(phases, columns);
+  if (section.reason.empty())
+    section.reason = !contact_.absent.empty() ? contact_.absent : slip_.absent;
+  double contact_s = 0.0;
+  double slip_s = 0.0;
+  for (std::size_t i = 0; i < section.rows.size(); ++i) {
+    if (!touched(section.rows[i])) continue;
+    contact_s += section.weight_s[i];
+    if (slips(section.rows[i])) slip_s += section.weight_s[i];
+  }
+  return make_measure("slip", "contact", "%", section,
+                      contact_s > 0.0 ? statistics::Computed(100.0 * slip_s / contact_s)
+                                      : statistics::Computed("there was no contact"));
+}
+
+Measure ObjectRecord::mean_grip(std::initializer_list<Phase> phases) const {
+  const Section force = record_.select(phases, {"actual_force_N"});
+  return make_measure("mean_grip", "grip", "N", force, mean_over(force, "actual_force_N"));
+}
+
+Smoothness ObjectRecord::smoothness_of_motion(const Section& section) const {
+  const char* const too_short = "fewer than two samples";
+  if (section.rows.size() < 2) return {too_short, too_short};
+  const statistics::UniformSamples speed = speed_of(position_of(section));
+  return {sparc(speed), ldlj(speed)};
+}
+
+Smoothness ObjectRecord::smoothness_of_grip(const Section& section) const {
+  const char* const too_short = "fewer than two samples";
+  if (section.rows.size() < 2) return {too_short, too_short};
+  const statistics::UniformSamples rate =
+      rate_of(statistics::on_uniform_grid(section.t_s, section.values("actual_force_N")));
+  return {sparc(rate), ldlj(rate)};
+}
+
+Attempts attempts_of(const Record& record, std::size_t count) {
+  const Signals& signals = record.signals();
+  Attempts attempts;
+  attempts.all.resize(count);
+  for (const char* name : {"phase", "target_index", "targets_reached"})
+    if (!signals.has(name) && attempts.absent.empty())
+      attempts.absent = "the column " + std::string(name) + " is missing";
+  if (!attempts.absent.empty()) return attempts;
+  const auto index = signals.column("target_index");
+  const auto reached = signals.column("targets_reached");
+  double reached_before = 0.0;
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const bool working = record.phase(row) == Phase::transport || record.phase(row) == Phase::hold;
+    if (!working || !(index[row] >= 0.0) || index[row] >= static_cast<double>(count)) continue;
+    Attempt& attempt = attempts.all[static_cast<std::size_t>(index[row])];
+    if (!attempt.shown) attempt.first_row = row;
+    attempt.shown = true;
+    attempt.last_row = row;
+    attempt.reached = attempt.reached || reached[row] > reached_before;
+    reached_before = std::max(reached_before, reached[row]);
+  }
+  for (Attempt& attempt : attempts.all) {
+    if (!attempt.reached) continue;
+    attempt.hold_row = attempt.last_row;
+    for (std::size_t row = attempt.last_row; row > attempt.first_row;) {
+      --row;
+      if (record.paused(row)) continue;
+      if (record.phase(row) != Phase::hold) break;
+      attempt.hold_row = row;
+    }
+  }
+  return attempts;
+}
+
+statistics::Completion completion_of(const Record& record, const Attempt& attempt,
+                                     std::size_t end_row, double limit_s) {
+  const double start_s = record.task_time_s(attempt.first_row);
+  if (attempt.reached) return {record.task_time_s(end_row) - start_s, true};
+  const double tried_s =
+      record.task_time_s(attempt.last_row) - start_s + record.hold_s(attempt.last_row);
+  constexpr double kRoundingSlack = 1e-6;  // a sum of many hold lengths
+  return {tried_s >= limit_s * (1.0 - kRoundingSlack) ? limit_s : tried_s, false};
+}
+
+void add_completions(std::vector<Measure>& measures, const Record& record, const Attempts& attempts,
+                     double limit_s, std::size_t Attempt::*end_row) {
+  Section whole = record.select(kMoving, {});
+  if (!attempts.absent.empty()) whole.reason = attempts.absent;
+  std::vector<statistics::Completion> completions;
+  std::vector<Measure> times;
+  for (std::size_t i = 0; i < attempts.all.size(); ++i) {
+    const Attempt& attempt = attempts.all[i];
+    Section section;
+    statistics::Computed time_s = 0.0;
+    if (!attempts.absent.empty()) {
+      section.reason = attempts.absent;
+    } else if (!attempt.shown) {
+      section.reason = "the trial ended before this target";
+    } else {
+      section = record.select(attempt.first_row, attempt.last_row + 1, kMoving, {});
+      completions.push_back(completion_of(record, attempt, attempt.*end_row, limit_s));
+      const statistics::Completion& completion = completions.back();
+      if (completion.reached)
+        time_s = completion.time_s;
+      else if (completion.time_s >= limit_s)
+        time_s = "not reached within " + format_number(limit_s) + " s";
+      else
+        time_s = "the trial ended before it was reached";
+    }
+    times.push_back(
+        make_measure("completion_time", "target_" + std::to_string(i + 1), "s", section, time_s));
+  }
+  measures.push_back(make_measure("targets_reached", "targets",
+                                  "of " + std::to_string(attempts.all.size()), whole,
+                                  static_cast<double>(statistics::reached_of(completions).count)));
+  for (Measure& time : times) measures.push_back(std::move(time));
+  measures.push_back(make_measure("median_completion_time", "targets", "s", whole,
+                                  statistics::median_completion(completions)));
+  measures.push_back(make_measure("restricted_mean_time", "targets", "s", whole,
+                                  statistics::restricted_mean_time(completions, limit_s)));
+}
+
+}  // namespace isograsp::tasks

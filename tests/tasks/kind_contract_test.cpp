@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for every kind of task. The kinds are taken from the table, their tasks from the
+// library: a new kind is held to it unasked.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "tasks/facts/measure_words.hpp"
+#include "tasks/score.hpp"
+#include "tasks/task.hpp"
+#include "tasks/waveform.hpp"
+
+namespace isograsp::tasks::kind_contract_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+#ifdef ISOGRASP_PATCHED_TREE
+const std::vector<std::string> kLibraries{ISOGRASP_SOURCE_DIR "/library",
+                                          ISOGRASP_PATCHED_TREE "/library"};
+#else
+const std::vector<std::string> kLibraries{ISOGRASP_SOURCE_DIR "/library"};
+#endif
+
+bool is_live(const KindFacts& kind) {
+  return kind.make != nullptr || kind.segments != nullptr;
+}
+
+/// Those whose points stand in a file of their own are left out: each kind has others.
+std::vector<TaskSpec> shipped_tasks() {
+  std::vector<TaskSpec> tasks;
+  for (const std::string& library : kLibraries)
+    for (const auto& entry : fs::directory_iterator(library + "/tasks")) {
+      if (entry.path().extension() != ".toml") continue;
+      const auto text = read_text(entry.path());
+      if (!text) throw std::runtime_error(text.error().message());
+      auto spec = parse_task(*text, entry.path());
+      if (!spec) throw std::runtime_error(spec.error().message());
+      if (const Waveform* wave = spec->waveform(); wave != nullptr && !wave->csv.empty()) continue;
+      tasks.push_back(*std::move(spec));
+    }
+  return tasks;
+}
+
+/// Of a hand of which everything is known.
+TaskContext known_hand() {
+  TaskContext context;
+  context.period_s = 0.02;
+  context.references.resting_C.emplace();
+  for (Wrench& wrench : *context.references.resting_C) wrench.force = wrench.torque = Vec3::Zero();
+  for (int digits = 0; digits <= static_cast<int>(Digits::middle); ++digits)
+    for (int direction = 0; direction < static_cast<int>(kDirectionCount); ++direction)
+      for (auto* known : {&context.references.maximum_N, &context.references.comfortable_N,
+                          &context.references.baseline_N})
+        (*known)[{static_cast<Digits>(digits), static_cast<Direction>(direction)}] = 40.0;
+  return context;
+}
+
+TEST(KindContract, EveryKindHasItsOwnNameAndPlace) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < all_kinds().size(); ++i) {
+    const KindFacts& kind = *all_kinds()[i];
+    EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+    EXPECT_EQ(order_of(kind), i);
+    EXPECT_TRUE(kind.read != nullptr && kind.measures != nullptr) << kind.name;
+    EXPECT_FALSE(kind.make != nullptr && kind.segments != nullptr) << kind.name << " runs twice";
+    EXPECT_TRUE(kind.duration != nullptr || kind.segments != nullptr) << kind.name;
+    EXPECT_FALSE(kind.places.empty()) << kind.name << ": nothing of it is in the report";
+  }
+}
+
+TEST(KindContract, EveryKindThatRunsHasATaskInTheLibrary) {
+  std::set<std::string_view> shipped;
+  for (const TaskSpec& spec : shipped_tasks()) shipped.insert(spec.kind->name);
+  for (const KindFacts* kind : all_kinds())
+    EXPECT_EQ(shipped.contains(kind->name), is_live(*kind)) << kind->name;
+}
+
+/// A trial in which the hand lies still, to its end: not longer than the task tells.
+Signals still_hand(const TaskSpec& spec) {
+  const TaskContext context = known_hand();
+  TaskInput input;
+  for (Wrench& wrench : input.wrench_C) wrench.force = wrench.torque = Vec3::Zero();
+  Signals signals({"t_s", "phase", "segment", "cue", "channel_digits", "channel_direction",
+                   "target_force_N", "actual_force_N"});
+  auto task = make_task(spec, context);
+  if (!task) throw std::runtime_error(task.error().message());
+  constexpr double kRounding_s = 5.0;  // each of many parts ends with a whole frame
+  const double most_s = spec.duration().worst_s + kRounding_s;
+  for (int frame = 0; frame * context.period_s <= most_s; ++frame) {
+    const TaskView view = (*task)->step(input);
+    const std::vector<double> row{frame * context.period_s,
+                                  static_cast<double>(view.phase),
+                                  static_cast<double>(view.segment),
+                                  static_cast<double>(view.cue),
+                                  static_cast<double>(view.channel.digits),
+                                  static_cast<double>(view.channel.direction),
+                                  view.has_force_target ? view.target_force_N : std::nan(""),
+                                  view.actual_force_N};
+    signals.append_row(row);
+    if (view.phase == Phase::done) return signals;
+  }
+  ADD_FAILURE() << spec.file << " does not end in " << most_s << " s";
+  return signals;
+}
+
+TEST(KindContract, ATaskEndsWithinTheTimeThatItTellsAndHasMeasures) {
+  int scored = 0;
+  for (const TaskSpec& spec : shipped_tasks()) {
+    const Duration duration = spec.duration();
+    EXPECT_GT(duration.nominal_s, 0.0) << spec.file;
+    EXPECT_LE(duration.nominal_s, duration.worst_s) << spec.file;
+    const auto measures = score(spec, still_hand(spec));
+    EXPECT_FALSE(measures.empty()) << spec.file;
+    for (const Measure& measure : measures)
+      EXPECT_TRUE(measure.value || !measure.reason.empty()) << spec.file << ": " << measure.name;
+    ++scored;
+  }
+  EXPECT_GT(scored, 15) << "the library was not found";
+}
+
+TEST(KindContract, ATaskIsCopiedWithItsKind) {
+  for (const TaskSpec& spec : shipped_tasks()) {
+    const TaskSpec copy = spec;
+    EXPECT_EQ(&*copy.kind, &*spec.kind);
+    EXPECT_EQ(copy.duration().worst_s, spec.duration().worst_s) << spec.file;
+    EXPECT_EQ(copy.scene(), spec.scene()) << spec.file;
+  }
+}
+
+TEST(KindContract, WhatTheReportShowsHasWords) {
+  for (const KindFacts* kind : all_kinds())
+    for (const PlacedMeasure& placed : kind->places) {
+      const auto known = worded_measures();
+      EXPECT_NE(std::find(known.begin(), known.end(), placed.name), known.end())
+          << kind->name << ": " << placed.name;
+      EXPECT_NE(placed.prominence, Prominence::none) << kind->name << ": " << placed.name;
+    }
+}
+
+}  // namespace
+}  // namespace isograsp::tasks::kind_contract_test

@@ -4,7 +4,6 @@
 // compiled into it too, then holds for the new family unasked.
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "device/recording/log_samples.hpp"
 #include "device/sensors/open_sensors.hpp"
 #include "tests/device/sensor_bench.hpp"
+#include "tests/support/patch_changes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::new_family_test {
@@ -27,42 +27,12 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-struct Change {
-  bool new_file = false;
-  std::vector<std::string> added;
-  int removed = 0;
-};
-
-/// By the path of the file that is there afterwards.
-std::map<std::string, Change> changes_of(const std::string& patch) {
-  std::map<std::string, Change> changes;
-  Change* change = nullptr;
-  std::string before;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; (end = patch.find('\n', begin)) != std::string::npos; begin = end + 1) {
-    const std::string line = patch.substr(begin, end - begin);
-    if (line.starts_with("--- ")) {
-      before = line.substr(4);
-    } else if (line.starts_with("+++ b/")) {
-      change = &changes[line.substr(6)];
-      change->new_file = before == "/dev/null";
-    } else if (line.starts_with("+++ ")) {
-      ADD_FAILURE() << "a file is taken away: " << before;
-    } else if (change != nullptr && line.starts_with("+")) {
-      change->added.push_back(line.substr(1));
-    } else if (change != nullptr && line.starts_with("-")) {
-      ++change->removed;
-    }
-  }
-  return changes;
-}
-
 TEST(NewFamily, IsNewFilesAndOneRow) {
   const auto patch = read_text(ISOGRASP_SOURCE_DIR "/tests/new_family/triax.patch");
   const auto lists = read_text(ISOGRASP_PATCHED_TREE "/device/CMakeLists.txt");
   ASSERT_TRUE(patch.ok() && lists.ok());
   int new_files = 0;
-  for (const auto& [file, change] : changes_of(*patch)) {
+  for (const auto& [file, change] : test::changes_of(*patch)) {
     EXPECT_EQ(change.removed, 0) << file;
     if (change.new_file) {
       ++new_files;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/csv.hpp"
+#include "hand/columns.hpp"
 
 namespace isograsp::exports {
 
@@ -38,10 +39,10 @@ struct Row {
 
 /// Stretches in which a column of numbers of an enumeration stays the same.
 template <std::size_t Size>
-void add_stretches(std::vector<Row>& rows, const ExportTrial& trial, const char* column,
+void add_stretches(std::vector<Row>& rows, const ExportTrial& trial, const Column& column,
                    const std::array<const char*, Size>& names) {
   const auto values = trial.signals.column(column);
-  const auto times = trial.signals.column("t_s");
+  const auto times = trial.signals.column(columns::t_s);
   for (std::size_t begin = 0; begin < values.size();) {
     std::size_t end = begin + 1;
     while (end < values.size() && values[end] == values[begin]) ++end;
@@ -65,9 +66,9 @@ std::string tsv_cell(std::string text) {
 
 std::string bids_events(const ExportTrial& trial) {
   std::vector<Row> rows;
-  add_stretches(rows, trial, "phase", kPhases);
-  add_stretches(rows, trial, "cue", kCues);
-  const auto times = trial.signals.column("t_s");
+  add_stretches(rows, trial, columns::phase, kPhases);
+  add_stretches(rows, trial, columns::cue, kCues);
+  const auto times = trial.signals.column(columns::t_s);
   const double begun_s = trial.trial.session_time_s + (times.empty() ? 0.0 : times.front());
   for (const auto& event : trial.events) {
     std::string type = event.kind;

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/column.hpp"
 #include "tasks/facts/column_facts.hpp"
 
 namespace isograsp::exports {
@@ -11,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 std::string bids_channels_sidecar() {
   Json json;
-  for (const auto& [axes, description] : tasks::kColumnAxes)
+  for (const auto& [axes, description] : kColumnAxes)
     json["reference_frame"]["Levels"][std::string(axes)] = {{"RotationRule", "right-hand"},
                                                             {"Description", description}};
   // Left hands are mirrored: no rule of turning.

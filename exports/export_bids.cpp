@@ -10,6 +10,7 @@
 #include "exports/bids_events.hpp"
 #include "exports/bids_sidecars.hpp"
 #include "exports/export_writer.hpp"
+#include "hand/columns.hpp"
 #include "tasks/facts/column_facts.hpp"
 
 namespace isograsp::exports {
@@ -57,7 +58,7 @@ std::string text_of(const ExportValue& value) {
 
 /// Type of a channel as the specification names them.
 std::string type_of(std::string_view name, const tasks::ColumnFacts& facts) {
-  if (name == "t_s") return "LATENCY";
+  if (name == columns::t_s) return "LATENCY";
   if (facts.component.starts_with("quat_")) return "ORNT";
   if (facts.component.empty()) return "MISC";
   if (facts.unit == "m") return "POS";
@@ -86,12 +87,12 @@ std::string channels_table(const ExportTrial& trial, Json& counts) {
 /// Rows of numbers without a header. Latency counts from the first row.
 std::string motion_table(const Signals& signals) {
   std::string table;
-  const auto times = signals.column("t_s");
+  const auto times = signals.column(columns::t_s);
   for (std::size_t row = 0; row < signals.rows(); ++row) {
     for (std::size_t c = 0; c < signals.names().size(); ++c) {
       if (c > 0) table += '\t';
       double value = signals.column(c)[row];
-      if (signals.names()[c] == "t_s") value -= times.front();
+      if (signals.names()[c] == columns::t_s) value -= times.front();
       if (std::isfinite(value))
         append_number(table, value);
       else
@@ -103,7 +104,7 @@ std::string motion_table(const Signals& signals) {
 }
 
 double duration_s(const ExportTrial& trial) {
-  const auto times = trial.signals.column("t_s");
+  const auto times = trial.signals.column(columns::t_s);
   if (times.empty()) return 0.0;
   return times.back() - times.front() + 1.0 / trial.session.rate_Hz;
 }

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/column.hpp"
 #include "exports/export_trial.hpp"
 #include "tasks/facts/column_facts.hpp"
 
@@ -149,8 +150,7 @@ std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite) {
             {"axes", Json::object()},
             {"infinite_values_left_empty", infinite},
             {"instrument_zero", nullptr}};
-  for (const auto& [axes, description] : tasks::kColumnAxes)
-    json["axes"][std::string(axes)] = description;
+  for (const auto& [axes, description] : kColumnAxes) json["axes"][std::string(axes)] = description;
   if (trial.zero)
     json["instrument_zero"] = {{"session_time_s", trial.zero->session_time_s},
                                {"units", "N N N Nm Nm Nm"},

@@ -2,6 +2,7 @@
 // One HDF5 file for a whole export: /patients/CODE/session-NN/trial-NN.
 #include <cstdio>
 
+#include "core/column.hpp"
 #include "exports/export_writer.hpp"
 #include "exports/hdf5_file.hpp"
 #include "tasks/facts/column_facts.hpp"
@@ -136,7 +137,7 @@ class Hdf5Export final : public ExportWriter {
     file_ = Hdf5Node::create_file(folder_ / kFile);
     file_.set("format", std::string("isograsp-hdf5-1"));
     file_.set("written_by", std::string("IsoGrasp " ISOGRASP_VERSION));
-    for (const auto& [axes, description] : tasks::kColumnAxes)
+    for (const auto& [axes, description] : kColumnAxes)
       file_.set("axes_" + std::string(axes), std::string(description));
     patients_ = file_.make_group("patients");
   }

@@ -10,14 +10,13 @@ Vec3 anatomical(const Vec3& force_C, Finger finger, Hand hand) noexcept {
   return {force_C.z(), force_C.x(), distal_sign(finger, hand) * force_C.y() + 0.0};
 }
 
-std::string anatomical_column(Finger finger, HandAxis axis) {
-  return std::string(name_of(finger)) + "_" + std::string(name_of(axis)) + "_N";
+const Column& anatomical_column(Finger finger, HandAxis axis) noexcept {
+  return columns::hand_force[index_of(finger)][static_cast<std::size_t>(axis)];
 }
 
 void add_anatomical_forces(Signals& signals, Hand hand) {
   for (const Finger finger : kFingers) {
-    const std::string name(name_of(finger));
-    const std::array<std::string, 3> from{name + "_fx_N", name + "_fy_N", name + "_fz_N"};
+    const columns::OfAxes& from = columns::finger_force[index_of(finger)];
     const bool known =
         std::all_of(from.begin(), from.end(), [&](const auto& c) { return signals.has(c); });
     const bool present = std::any_of(kHandAxes.begin(), kHandAxes.end(), [&](HandAxis axis) {

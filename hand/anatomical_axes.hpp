@@ -3,9 +3,8 @@
 // Derived in docs/conventions.md, "Axes of the hand". SI units.
 #pragma once
 
-#include <string>
-
 #include "core/signals.hpp"
+#include "hand/columns.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp {
@@ -33,7 +32,7 @@ inline constexpr std::array<HandAxis, 3> kHandAxes{HandAxis::flexion, HandAxis::
 [[nodiscard]] Vec3 anatomical(const Vec3& force_C, Finger finger, Hand hand) noexcept;
 
 /// "thumb_flexion_N"
-[[nodiscard]] std::string anatomical_column(Finger finger, HandAxis axis);
+[[nodiscard]] const Column& anatomical_column(Finger finger, HandAxis axis) noexcept;
 
 /// Adds these columns of every finger of which thumb_fx_N, _fy_N and _fz_N … are there, and whose
 /// new columns are not. A component is missing exactly where its own source is.

@@ -6,14 +6,15 @@
 #include <limits>
 
 #include "hand/anatomical_axes.hpp"
+#include "hand/columns.hpp"
 
 namespace isograsp {
 
 namespace {
-constexpr std::array<const char*, 6> kAxes{"fx_N", "fy_N", "fz_N", "tx_Nm", "ty_Nm", "tz_Nm"};
-
-std::string column_name(Finger finger, std::size_t axis) {
-  return std::string(name_of(finger)) + "_" + kAxes[axis];
+/// Fx Fy Fz Tx Ty Tz of a finger.
+const Column& column_of(Finger finger, std::size_t axis) {
+  const std::size_t f = index_of(finger);
+  return axis < 3 ? columns::finger_force[f][axis] : columns::finger_torque[f][axis - 3];
 }
 }  // namespace
 
@@ -22,23 +23,23 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
   auto csv = CsvReader::open(path);
   if (!csv) return csv.error();
   FingerForcesReader reader(std::move(*csv));
-  reader.time_ = reader.csv_.find("t_s");
+  reader.time_ = reader.csv_.find(columns::t_s);
   if (reader.time_ < 0)
-    return reader.csv_.error_here("t_s", "the column is missing",
+    return reader.csv_.error_here(columns::t_s, "the column is missing",
                                   "add the time of each row in seconds");
   reader.fields_.resize(reader.csv_.columns().size());
   for (const Finger finger : kFingers) {
     const std::size_t f = index_of(finger);
     int forces = 0;
     for (std::size_t axis = 0; axis < 6; ++axis) {
-      reader.axes_[f][axis] = reader.csv_.find(column_name(finger, axis));
+      reader.axes_[f][axis] = reader.csv_.find(column_of(finger, axis));
       if (axis < 3 && reader.axes_[f][axis] >= 0) ++forces;
     }
     for (std::size_t axis = 0; axis < 6; ++axis) {
       const bool needed = axis < 3 && (forces > 0 || required[f] || reader.axes_[f][3] >= 0 ||
                                        reader.axes_[f][4] >= 0 || reader.axes_[f][5] >= 0);
       if (needed && reader.axes_[f][axis] < 0)
-        return reader.csv_.error_here(column_name(finger, axis), "the column is missing",
+        return reader.csv_.error_here(column_of(finger, axis), "the column is missing",
                                       "add the column");
     }
   }
@@ -60,9 +61,10 @@ Result<bool> FingerForcesReader::next(FingerForcesRow& row) {
   if (!more || !*more) return more;
   row.t_s = fields_[static_cast<std::size_t>(time_)];
   if (std::isnan(row.t_s))
-    return csv_.error_here("t_s", "the time is empty", "give every row a time");
+    return csv_.error_here(columns::t_s, "the time is empty", "give every row a time");
   if (previous_t_s_ && row.t_s <= *previous_t_s_)
-    return csv_.error_here("t_s", "time does not increase", "sort the rows and remove repeats");
+    return csv_.error_here(columns::t_s, "time does not increase",
+                           "sort the rows and remove repeats");
   previous_t_s_ = row.t_s;
   for (const Finger finger : kFingers) {
     const std::size_t f = index_of(finger);
@@ -86,7 +88,7 @@ Result<bool> FingerForcesReader::next(FingerForcesRow& row) {
       part[static_cast<Eigen::Index>(axis % 3)] = value;
     }
     if (empty > 0 && empty < columns)
-      return csv_.error_here(column_name(finger, an_empty_axis),
+      return csv_.error_here(column_of(finger, an_empty_axis),
                              "the field is empty while others of this finger are not",
                              "give the value, or leave all fields of the finger empty");
     row.present[f] = empty == 0;
@@ -101,9 +103,10 @@ template <class NextTime>
 Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) {
   auto csv = CsvReader::open(path);
   if (!csv) return csv.error();
-  const int time = csv->find("t_s");
+  const int time = csv->find(columns::t_s);
   if (time < 0)
-    return csv->error_here("t_s", "the column is missing", "add the time of each row in seconds");
+    return csv->error_here(columns::t_s, "the column is missing",
+                           "add the time of each row in seconds");
   double previous = 0.0;
   double largest = 0.0;
   double least_step = std::numeric_limits<double>::infinity();
@@ -117,12 +120,14 @@ Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) 
       if (row < 2) return csv->error_here("", "fewer than two rows", "give at least two rows");
       break;
     }
-    if (std::isnan(t)) return csv->error_here("t_s", "the time is empty", "give every row a time");
+    if (std::isnan(t))
+      return csv->error_here(columns::t_s, "the time is empty", "give every row a time");
     largest = std::max(largest, std::abs(t));
     if (row > 0) {
       const double step = t - previous;
       if (!(step > 0))
-        return csv->error_here("t_s", "time does not increase", "sort the rows and remove repeats");
+        return csv->error_here(columns::t_s, "time does not increase",
+                               "sort the rows and remove repeats");
       if (row == 1) grid.hold_s = step;
       least_step = std::min(least_step, step);
       largest_step = std::max(largest_step, step);
@@ -151,9 +156,9 @@ Result<TimeGrid> read_time_grid(const std::string& path) {
 }
 
 std::vector<std::string> finger_forces_columns() {
-  std::vector<std::string> names{"t_s"};
+  std::vector<std::string> names{columns::t_s};
   for (const Finger finger : kFingers)
-    for (std::size_t axis = 0; axis < 6; ++axis) names.push_back(column_name(finger, axis));
+    for (std::size_t axis = 0; axis < 6; ++axis) names.emplace_back(column_of(finger, axis));
   return names;
 }
 

@@ -108,7 +108,7 @@ void Recorder::take_rating(storage::RatingRecord rating, bool corrects) {
 void Recorder::take(const RecordItem& item) {
   switch (item.kind) {
     case RecordItem::Kind::begin: begin(*item.setup); break;
-    case RecordItem::Kind::sample: add_sample(item.sample); break;
+    case RecordItem::Kind::sample: add_row(item.row.values()); break;
     case RecordItem::Kind::end: end(item); break;
     case RecordItem::Kind::zero: add_zero(item); break;
     case RecordItem::Kind::finished: finished_ = true; break;
@@ -127,12 +127,11 @@ void Recorder::add_event(const RecordItem& item) {
 
 void Recorder::begin(TrialSetup& setup) {
   trial_ = &setup;
-  has_object_ = setup.plan.has_value();
   second_ = 0;
   samples_ = 0;
   setup.record.session_time_s = item_.session_time_s;
   setup.record.zero_id = zero_id_;
-  setup.record.groups = signal_groups(has_object_);
+  setup.record.groups = signal_groups(setup.plan.has_value());
   std::vector<std::string> names;
   for (const auto& group : setup.record.groups)
     names.insert(names.end(), group.columns.begin(), group.columns.end());
@@ -142,16 +141,14 @@ void Recorder::begin(TrialSetup& setup) {
   setup.record.id = trial_id_;
 }
 
-void Recorder::add_sample(const TrialSample& sample) {
-  for (auto& group : row_) group.clear();
-  append_rows(sample, has_object_, row_);
-  flat_row_.clear();
-  for (std::size_t g = 0; g < row_.size(); ++g) {
-    if (block_.size() <= g) break;
-    block_[g].insert(block_[g].end(), row_[g].begin(), row_[g].end());
-    flat_row_.insert(flat_row_.end(), row_[g].begin(), row_[g].end());
+void Recorder::add_row(std::span<const double> values) {
+  auto next = values.begin();
+  for (std::size_t g = 0; g < block_.size(); ++g) {
+    const auto end = next + static_cast<std::ptrdiff_t>(trial_->record.groups[g].columns.size());
+    block_[g].insert(block_[g].end(), next, end);
+    next = end;
   }
-  signals_.append_row(flat_row_);
+  signals_.append_row(values);
   ++samples_;
   if (static_cast<std::size_t>(samples_) % rows_per_block_ != 0) return;
   write_block();

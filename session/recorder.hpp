@@ -59,7 +59,7 @@ class Recorder {
   void take_rating(storage::RatingRecord rating, bool corrects);
   void add_event(const RecordItem& item);
   void begin(TrialSetup& setup);
-  void add_sample(const TrialSample& sample);
+  void add_row(std::span<const double> values);
   void write_block();
   void end(const RecordItem& item);
   void add_zero(const RecordItem& item);
@@ -86,13 +86,10 @@ class Recorder {
   storage::RowId last_trial_id_ = 0;  ///< that ended
   storage::RowId last_rating_id_ = 0;
   storage::RowId zero_id_ = 0;
-  bool has_object_ = false;
   int second_ = 0;
   std::int64_t samples_ = 0;
   std::vector<std::vector<double>> block_;  ///< rows of each group, row-major
-  std::vector<std::vector<double>> row_;
-  std::vector<double> flat_row_;
-  Signals signals_;  ///< the whole trial, for its score
+  Signals signals_;                         ///< the whole trial, for its score
 
   mutable std::mutex mutex_;  ///< guards what follows
   std::optional<Error> failure_;

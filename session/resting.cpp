@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "hand/columns.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp::session {
@@ -18,8 +19,8 @@ constexpr double kMoving_N = 0.5;  ///< SD of the normal force: a relaxed hand i
 constexpr Eigen::Index kNormalForce = 2;
 
 std::vector<std::size_t> rows_that_count(const Signals& trial) {
-  const auto phase = trial.column("phase");
-  const auto flags = trial.column("sample_flags");
+  const auto phase = trial.column(columns::phase);
+  const auto flags = trial.column(columns::sample_flags);
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < phase.size(); ++row)
     if (phase[row] == static_cast<double>(tasks::Phase::active) && flags[row] == 0.0)
@@ -43,9 +44,8 @@ std::optional<RestingForce> resting_force(const Signals& trial) {
   rest.samples = static_cast<std::int64_t>(rows.size());
   for (std::size_t f = 0; f < kFingerCount; ++f)
     for (Eigen::Index axis = 0; axis < 6; ++axis) {
-      const std::string name = std::string(kFingerNames[f]) + (axis < 3 ? "_f" : "_t") +
-                               "xyz"[axis % 3] + (axis < 3 ? "_N" : "_Nm");
-      const auto column = trial.column(name);
+      const auto& wrench = axis < 3 ? columns::finger_force[f] : columns::finger_torque[f];
+      const auto column = trial.column(wrench[static_cast<std::size_t>(axis % 3)]);
       double sum = 0.0;
       for (const std::size_t row : rows) sum += column[row];
       const double mean = sum / n;

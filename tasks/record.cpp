@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "statistics/weighted.hpp"
 #include "tasks/measure_version.hpp"
 #include "tasks/measures/motion.hpp"
@@ -42,8 +43,9 @@ std::string out_of_range(double size) {
 std::string unusable_context(const Signals& signals, std::span<const double> hold_s) {
   for (const double length_s : hold_s)
     if (std::string why = out_of_range(length_s); !why.empty()) return why;
-  for (const char* name : {"t_s", "resting_force_N", "maximum_force_N", "noise_sd_N",
-                           "resolution_N", "device_delay_s", "display_delay_s"})
+  for (const std::string_view name :
+       {columns::t_s, columns::resting_force_N, columns::maximum_force_N, columns::noise_sd_N,
+        columns::resolution_N, columns::device_delay_s, columns::display_delay_s})
     for (const double value : signals.column(name))  // next to nothing these may be
       if (std::abs(value) > kMostSize) return out_of_range(std::abs(value));
   return {};
@@ -52,9 +54,9 @@ std::string unusable_context(const Signals& signals, std::span<const double> hol
 }  // namespace
 
 Record::Record(const Signals& signals) : signals_(signals) {
-  const auto t_s = signals.column("t_s");
-  const auto phase = signals.column("phase");
-  const auto flags = signals.column("sample_flags");
+  const auto t_s = signals.column(columns::t_s);
+  const auto phase = signals.column(columns::phase);
+  const auto flags = signals.column(columns::sample_flags);
   hold_s_ = statistics::hold_lengths(t_s);
   const std::size_t n = hold_s_.size();
   phase_.assign(n, Phase::active);
@@ -135,8 +137,8 @@ Section Record::select(std::size_t first, std::size_t last, std::initializer_lis
     section.reason = std::move(why);
     return section;
   }
-  section.t_s =
-      values_in(section.rows, axis == TimeAxis::task ? task_time_s_ : signals_.column("t_s"));
+  section.t_s = values_in(section.rows,
+                          axis == TimeAxis::task ? task_time_s_ : signals_.column(columns::t_s));
   section.weight_s = values_in(section.rows, hold_s_);
   section.signals = &signals_;
   section.columns = columns;
@@ -145,9 +147,9 @@ Section Record::select(std::size_t first, std::size_t last, std::initializer_lis
 
 Section Record::select_position(std::size_t first, std::size_t last,
                                 std::initializer_list<Phase> phases, TimeAxis axis) const {
-  if (signals_.has("actual_z_m"))
-    return select(first, last, phases, {"actual_x_m", "actual_y_m", "actual_z_m"}, axis);
-  return select(first, last, phases, {"actual_x_m", "actual_y_m"}, axis);
+  const auto& [x, y, z] = columns::actual_position;
+  if (signals_.has(z)) return select(first, last, phases, {x, y, z}, axis);
+  return select(first, last, phases, {x, y}, axis);
 }
 
 std::optional<double> Record::constant(std::string_view column) const {
@@ -157,9 +159,9 @@ std::optional<double> Record::constant(std::string_view column) const {
 }
 
 std::optional<double> Record::known_delay_s() const {
-  const auto device_s = constant("device_delay_s");
+  const auto device_s = constant(columns::device_delay_s);
   if (!device_s) return std::nullopt;
-  return *device_s + constant("display_delay_s").value_or(0.0);
+  return *device_s + constant(columns::display_delay_s).value_or(0.0);
 }
 
 Measure make_measure(std::string name, std::string channel, std::string unit,
@@ -194,8 +196,9 @@ namespace {
 
 /// x, y, and z if selected, in the rows of the section.
 std::vector<std::vector<double>> position_axes(const Section& section) {
-  std::vector<std::vector<double>> axes{section.values("actual_x_m"), section.values("actual_y_m")};
-  if (section.has("actual_z_m")) axes.push_back(section.values("actual_z_m"));
+  const auto& [x, y, z] = columns::actual_position;
+  std::vector<std::vector<double>> axes{section.values(x), section.values(y)};
+  if (section.has(z)) axes.push_back(section.values(z));
   return axes;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/butterworth.hpp"
 #include "core/csv.hpp"
+#include "hand/columns.hpp"
 #include "tasks/record.hpp"
 
 namespace isograsp::tasks {
@@ -41,8 +42,8 @@ void unwrap_course(std::vector<double>& angle_rad) {
 
 /// Turn about axis 0, 1 or 2 of the world, as far as the object turned about that one.
 std::vector<double> turns(const Section& rows, std::size_t axis) {
-  const auto w = rows.values("actual_qw");
-  auto turn = rows.values(std::string("actual_q") + "xyz"[axis]);
+  const auto w = rows.values(columns::actual_attitude[0]);
+  auto turn = rows.values(columns::actual_attitude[1 + axis]);
   for (std::size_t k = 0; k < turn.size(); ++k) turn[k] = 2.0 * std::atan2(turn[k], w[k]);
   unwrap_course(turn);
   return turn;
@@ -91,9 +92,9 @@ class Recording {
 
   Result<void> find_force() {
     const Section rows =
-        record_.select({Phase::active, Phase::transport, Phase::hold}, {"actual_force_N"});
+        record_.select({Phase::active, Phase::transport, Phase::hold}, {columns::actual_force_N});
     if (!enough(rows)) return refused("it holds no force", "record one").about(spec_.name);
-    auto force_N = smooth(rows, rows.values("actual_force_N"));
+    auto force_N = smooth(rows, rows.values(columns::actual_force_N));
     if (range_of(force_N) < kLeast_N)
       return refused("the force changed by less than 0.5 N", "press while it is recorded")
           .about(spec_.name);
@@ -102,15 +103,15 @@ class Recording {
   }
 
   Result<void> find_path() {
-    const Section rows = record_.select({Phase::active, Phase::transport, Phase::hold},
-                                        {"actual_x_m", "actual_y_m", "actual_z_m", "actual_qw",
-                                         "actual_qx", "actual_qy", "actual_qz"});
+    std::vector<std::string> pose(columns::actual_position.begin(), columns::actual_position.end());
+    pose.insert(pose.end(), columns::actual_attitude.begin(), columns::actual_attitude.end());
+    const Section rows = record_.select({Phase::active, Phase::transport, Phase::hold}, pose);
     if (!enough(rows))
       return refused("it holds no path of an object", "record one").about(spec_.name);
     int axes_turned = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::string name(1, "xyz"[axis]);
-      auto path_m = smooth(rows, rows.values("actual_" + name + "_m"));
+      const std::string name(columns::kXyz[axis]);
+      auto path_m = smooth(rows, rows.values(columns::actual_position[axis]));
       if (range_of(path_m) > kLeast_m) add(name, "m", 1.0, std::move(path_m));
       auto turn_rad = smooth(rows, turns(rows, axis));
       if (range_of(turn_rad) < kLeast_rad) continue;

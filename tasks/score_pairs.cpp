@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "hand/columns.hpp"
 #include "tasks/measures/delay.hpp"
 #include "tasks/measures/error.hpp"
 #include "tasks/measures/regularity.hpp"
@@ -77,7 +78,8 @@ void score_pair(const Record& record, const std::string& quantity_column,
 
 void score_motion(const Record& record, std::vector<Measure>& measures) {
   const Signals& signals = record.signals();
-  if (!signals.has("actual_x_m") || !signals.has("actual_y_m")) return;
+  if (!signals.has(columns::actual_position[0]) || !signals.has(columns::actual_position[1]))
+    return;
   const Section motion = record.select_position(0, record.rows(), {}, Record::TimeAxis::record);
   statistics::Computed smooth = kPairTooShort;
   statistics::Computed jerk = kPairTooShort;

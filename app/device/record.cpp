@@ -9,6 +9,7 @@
 #include "app/device/raw_log.hpp"
 #include "app/realtime_option.hpp"
 #include "core/csv.hpp"
+#include "hand/columns.hpp"
 #include "hand/finger_forces.hpp"
 
 namespace isograsp::app {
@@ -39,7 +40,7 @@ Result<void> run_record(const RecordOptions& options) {
   std::string text = "# isograsp finger forces, contact frames\n# device: " + info.uri + "\n";
   if (info.simulated) text += "# simulated\n";
   for (const auto& line : info.provenance) text += "# " + line + "\n";
-  for (const auto& name : finger_forces_columns()) text += (name == "t_s" ? "" : ",") + name;
+  for (const auto& name : finger_forces_columns()) text += (name == columns::t_s ? "" : ",") + name;
   file->write(text + "\n");
 
   if (raw) raw->start();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gui/look/look.hpp"
+#include "hand/columns.hpp"
 
 namespace isograsp::gui {
 
@@ -46,9 +47,9 @@ void ObjectPathView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
   };
   for (const auto& p : trial_->path) take(p);
   const auto& signals = trial_->replay.signals();
-  const auto xs = signals.column("target_x_m");
-  const auto ys = signals.column("target_y_m");
-  const auto zs = signals.column("target_z_m");
+  const auto xs = signals.column(columns::target_position[0]);
+  const auto ys = signals.column(columns::target_position[1]);
+  const auto zs = signals.column(columns::target_position[2]);
   for (std::size_t row = 0; row < std::min(xs.size(), ys.size()); ++row)
     take(Vec3(xs[row], ys[row], zs.empty() ? 0.0 : zs[row]));
   constexpr double kUnknownObject_m = 0.04;

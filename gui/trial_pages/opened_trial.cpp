@@ -12,6 +12,7 @@
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
+#include "hand/columns.hpp"
 
 namespace isograsp::gui {
 
@@ -94,7 +95,7 @@ void add_sample_facts(const OpenedTrial& opened, std::vector<TrialFact>& facts) 
   std::int64_t held = 0;
   std::int64_t missing = 0;
   std::int64_t beyond = 0;
-  for (const double flags : opened.signals.column("sample_flags")) {
+  for (const double flags : opened.signals.column(columns::sample_flags)) {
     if (!(flags >= 0.0)) continue;
     const auto bits = static_cast<unsigned>(flags);
     held += (bits & bit(SampleFlag::held)) != 0 ? 1 : 0;

@@ -8,6 +8,7 @@
 
 #include "gui/look/look.hpp"
 #include "gui/words/words.hpp"
+#include "hand/columns.hpp"
 
 namespace isograsp::gui {
 
@@ -41,8 +42,8 @@ TrialCurve curve_of(const TrialReplay& replay, const std::string& column, const 
   curve.column = replay.signals().find(column);
   curve.name = name;
   curve.colour = colour;
-  curve.target = column.starts_with("target_") && !column.starts_with("target_index") &&
-                 !column.starts_with("target_shown");
+  curve.target = column.starts_with("target_") && column != columns::target_index &&
+                 column != columns::target_shown;
   for (const Unit& unit : kUnits) {
     if (!column.ends_with(unit.ending)) continue;
     curve.unit = QObject::tr(unit.text);
@@ -52,7 +53,7 @@ TrialCurve curve_of(const TrialReplay& replay, const std::string& column, const 
   for (const Finger finger : kFingers)
     if (column.starts_with(name_of(finger)) && (curve.unit == "N" || curve.unit == "N mm"))
       curve.finger = finger;
-  curve.of_hand = column == "actual_force_N" || column.starts_with("net_");
+  curve.of_hand = column == columns::actual_force_N || column.starts_with("net_");
   return curve;
 }
 
@@ -66,8 +67,8 @@ bool has_numbers(const TrialReplay& replay, const std::string& column) {
 
 std::vector<CurveSet> sets_of(const TrialReplay& replay) {
   std::vector<CurveSet> sets{CurveSet::forces};
-  if (has_numbers(replay, "actual_x_m")) sets.push_back(CurveSet::position);
-  if (has_numbers(replay, "actual_angle_rad")) sets.push_back(CurveSet::attitude);
+  if (has_numbers(replay, columns::actual_position[0])) sets.push_back(CurveSet::position);
+  if (has_numbers(replay, columns::actual_angle_rad)) sets.push_back(CurveSet::attitude);
   sets.push_back(CurveSet::chosen);
   return sets;
 }
@@ -91,22 +92,21 @@ std::vector<TrialCurve> curves_of(const TrialReplay& replay, CurveSet set,
   switch (set) {
     case CurveSet::forces:
       for (const Finger finger : kFingers)
-        add(std::string(name_of(finger)) + "_fz_N", finger_title(finger),
+        add(columns::finger_force[index_of(finger)][2], finger_title(finger),
             look::kFingers[index_of(finger)]);
-      add("actual_force_N", QObject::tr("Task’s force"), look::kText);
-      add("target_force_N", QObject::tr("Target"), look::kText);
+      add(columns::actual_force_N, QObject::tr("Task’s force"), look::kText);
+      add(columns::target_force_N, QObject::tr("Target"), look::kText);
       break;
     case CurveSet::position:
       for (const std::size_t axis : {0U, 1U, 2U}) {
-        const std::string column = std::string(1, "xyz"[axis]) + "_m";
         const QString name = QString(QLatin1Char("xyz"[axis]));
-        add("actual_" + column, name, kCycle[axis]);
-        add("target_" + column, QObject::tr("target %1").arg(name), kCycle[axis]);
+        add(columns::actual_position[axis], name, kCycle[axis]);
+        add(columns::target_position[axis], QObject::tr("target %1").arg(name), kCycle[axis]);
       }
       break;
     case CurveSet::attitude:
-      add("actual_angle_rad", QObject::tr("Angle"), kCycle[0]);
-      add("target_angle_rad", QObject::tr("Target"), kCycle[0]);
+      add(columns::actual_angle_rad, QObject::tr("Angle"), kCycle[0]);
+      add(columns::target_angle_rad, QObject::tr("Target"), kCycle[0]);
       break;
     case CurveSet::chosen:
       for (const auto& column : chosen)
@@ -126,7 +126,7 @@ SampleQuality quality_of(const TrialReplay& replay, const TrialCurve& curve, std
 QString reading(const TrialReplay& replay, const TrialCurve& curve, double t_s) {
   if (replay.rows() == 0 || curve.column < 0) return {};
   const std::size_t row = replay.row_at(t_s);
-  const auto times = replay.signals().column("t_s");
+  const auto times = replay.signals().column(columns::t_s);
   const bool in_gap = replay.gap_after(row) && t_s - times[row] >= replay.period_s();
   const auto quality = quality_of(replay, curve, row);
   if (in_gap || quality == SampleQuality::missing) return QObject::tr("no sample");

@@ -10,6 +10,7 @@
 
 #include "gui/look/look.hpp"
 #include "gui/look/plot_style.hpp"
+#include "hand/columns.hpp"
 #include "reports/paper/plotting.hpp"
 
 namespace isograsp::gui {
@@ -72,7 +73,7 @@ TrialPlot::TrialPlot(QWidget* parent) : QWidget(parent), plot_(make_plot(*this))
 
 void TrialPlot::add_curve(const TrialReplay& replay, const TrialCurve& curve) {
   if (curve.column < 0) return;
-  const auto t_s = replay.signals().column("t_s");
+  const auto t_s = replay.signals().column(columns::t_s);
   const auto values = replay.signals().column(static_cast<std::size_t>(curve.column));
   QVector<QCPGraphData> measured;
   QVector<QCPGraphData> held;
@@ -101,7 +102,7 @@ void TrialPlot::add_curve(const TrialReplay& replay, const TrialCurve& curve) {
 }
 
 void TrialPlot::add_missing(const TrialReplay& replay, const std::vector<TrialCurve>& curves) {
-  const auto t_s = replay.signals().column("t_s");
+  const auto t_s = replay.signals().column(columns::t_s);
   const bool looked_at = std::any_of(curves.begin(), curves.end(), [](const TrialCurve& curve) {
     return curve.finger || curve.of_hand;
   });
@@ -126,8 +127,8 @@ void TrialPlot::add_missing(const TrialReplay& replay, const std::vector<TrialCu
 }
 
 void TrialPlot::add_stretches(const TrialReplay& replay) {
-  const auto t_s = replay.signals().column("t_s");
-  const auto phases = replay.signals().column("phase");
+  const auto t_s = replay.signals().column(columns::t_s);
+  const auto phases = replay.signals().column(columns::phase);
   if (phases.empty()) return;
   const auto aside = [&](std::size_t row) {
     return phases[row] == static_cast<double>(tasks::Phase::lead_in) ||

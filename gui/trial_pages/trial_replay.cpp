@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hand/columns.hpp"
+
 namespace isograsp::gui {
 
 namespace {
@@ -51,9 +53,9 @@ tasks::Phase phase_of(double value) {
 }  // namespace
 
 Result<TrialReplay> TrialReplay::make(Signals signals) {
-  const auto t_s = signals.column("t_s");
+  const auto t_s = signals.column(columns::t_s);
   const auto refuse = [](const std::string& what) {
-    return refused(what, "look at its measures").about("t_s");
+    return refused(what, "look at its measures").about(columns::t_s);
   };
   if (t_s.empty()) return refuse("the trial has no samples");
   for (std::size_t row = 0; row < t_s.size(); ++row)
@@ -61,33 +63,34 @@ Result<TrialReplay> TrialReplay::make(Signals signals) {
       return refuse("the times of the samples do not increase");
   TrialReplay replay;
   replay.period_s_ = t_s.size() < 2 ? 0.0 : median_step(t_s);
-  const auto pose_columns = [&](const std::string& who) {
+  const auto find_pose = [&](const columns::OfAxes& place, const columns::OfComponents& attitude,
+                             const Column& angle) {
     PoseColumns pose;
-    for (const std::size_t i : {0U, 1U, 2U})
-      pose.place_m[i] = signals.find(who + "_" + "xyz"[i] + "_m");
-    for (const std::size_t i : {0U, 1U, 2U, 3U})
-      pose.quaternion[i] = signals.find(who + "_q" + "wxyz"[i]);
-    pose.angle_rad = signals.find(who + "_angle_rad");
+    for (std::size_t i = 0; i < place.size(); ++i) pose.place_m[i] = signals.find(place[i]);
+    for (std::size_t i = 0; i < attitude.size(); ++i)
+      pose.quaternion[i] = signals.find(attitude[i]);
+    pose.angle_rad = signals.find(angle);
     return pose;
   };
-  Columns& columns = replay.columns_;
-  columns.t_s = signals.find("t_s");
-  columns.phase = signals.find("phase");
-  columns.flags = signals.find("sample_flags");
-  columns.actual_N = signals.find("actual_force_N");
-  columns.target_N = signals.find("target_force_N");
-  columns.target_index = signals.find("target_index");
-  columns.targets_reached = signals.find("targets_reached");
-  columns.drops = signals.find("drops");
+  Columns& found = replay.columns_;
+  found.t_s = signals.find(columns::t_s);
+  found.phase = signals.find(columns::phase);
+  found.flags = signals.find(columns::sample_flags);
+  found.actual_N = signals.find(columns::actual_force_N);
+  found.target_N = signals.find(columns::target_force_N);
+  found.target_index = signals.find(columns::target_index);
+  found.targets_reached = signals.find(columns::targets_reached);
+  found.drops = signals.find(columns::drops);
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const std::string finger(kFingerNames[f]);
     for (const std::size_t axis : {0U, 1U, 2U})
-      columns.force_N[f][axis] = signals.find(finger + "_f" + "xyz"[axis] + "_N");
-    columns.finger_flags[f] = signals.find(finger + "_flags");
-    columns.contact[f] = signals.find("contact_" + finger);
+      found.force_N[f][axis] = signals.find(columns::finger_force[f][axis]);
+    found.finger_flags[f] = signals.find(columns::finger_flags[f]);
+    found.contact[f] = signals.find(columns::contact[f]);
   }
-  columns.object = pose_columns("actual");
-  columns.target = pose_columns("target");
+  found.object =
+      find_pose(columns::actual_position, columns::actual_attitude, columns::actual_angle_rad);
+  found.target =
+      find_pose(columns::target_position, columns::target_attitude, columns::target_angle_rad);
   replay.signals_ = std::move(signals);
   return replay;
 }

@@ -13,6 +13,7 @@
 #include "gui/patient_screen/patient_window.hpp"
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
+#include "hand/columns.hpp"
 
 namespace isograsp::gui {
 
@@ -240,10 +241,10 @@ void TrialView::fill_channels() {
   const QSignalBlocker quiet(channels_);
   channels_->clear();
   for (const auto& name : trial_->replay.signals().names()) {
-    if (name == "t_s") continue;
+    if (name == columns::t_s) continue;
     auto* item = new QListWidgetItem(QString::fromStdString(name), channels_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(name == "actual_force_N" ? Qt::Checked : Qt::Unchecked);
+    item->setCheckState(name == columns::actual_force_N ? Qt::Checked : Qt::Unchecked);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hand/columns.hpp"
 #include "tasks/score.hpp"
 
 namespace isograsp::reports {
@@ -82,7 +83,7 @@ Result<SignalFacts> read_signals(storage::SessionStore& store,
                               signals.error().what);
       continue;
     }
-    for (const double flags : signals->column("sample_flags")) {
+    for (const double flags : signals->column(columns::sample_flags)) {
       const auto bits = static_cast<std::uint8_t>(flags);
       ++facts.rows;
       if (bits & bit(SampleFlag::held)) ++facts.held;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/date.hpp"
+#include "hand/columns.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/data_quality.hpp"
 #include "reports/findings/patient_records.hpp"
@@ -36,7 +37,9 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
   DrawnTrial drawn{trial.session, trial.trial.number, {}, trial.measures, ""};
   const bool fingers = section.spec && section.spec->kind->way_drawn;
   const auto is_finger_force = [](const std::string& name) {
-    return name.ends_with("_fx_N") || name.ends_with("_fy_N") || name.ends_with("_fz_N");
+    for (const auto& axes : columns::finger_force)
+      if (std::find(axes.begin(), axes.end(), name) != axes.end()) return true;
+    return false;
   };
   auto signals = store.signals(trial.trial);
   if (!signals) {
@@ -44,14 +47,14 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
     return drawn;
   }
   for (const auto& name : signals->names()) {
-    const bool shown = name == "t_s" || name == "phase" || name == "sample_flags" ||
-                       name.starts_with("target_") || name.starts_with("actual_") ||
-                       (fingers && is_finger_force(name));
+    const bool shown = name == columns::t_s || name == columns::phase ||
+                       name == columns::sample_flags || name.starts_with("target_") ||
+                       name.starts_with("actual_") || (fingers && is_finger_force(name));
     if (!shown || drawn.curves.has(name)) continue;
     const auto column = signals->column(name);
     drawn.curves.add_column(name, {column.begin(), column.end()});
   }
-  if (!drawn.curves.has("t_s") || drawn.curves.rows() < 2)
+  if (!drawn.curves.has(columns::t_s) || drawn.curves.rows() < 2)
     drawn.problem = "This trial holds no signals to draw.";
   return drawn;
 }

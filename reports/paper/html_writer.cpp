@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "reports/findings/report_text.hpp"
 #include "reports/paper/html_panel.hpp"
 #include "reports/paper/html_parts.hpp"
@@ -145,25 +146,31 @@ struct HtmlReport::Parts {
   /// One row per second: enough to follow the plot without seeing it.
   void signal_table(const TaskSection& section, bool path) {
     const Signals& curves = section.last->curves;
-    std::vector<std::string> columns;
-    const std::vector<std::string> wanted =
-        path ? std::vector<std::string>{"x_m", "y_m", "angle_rad"}
-             : std::vector<std::string>{"force_N"};
+    struct Shown {
+      const Column& column;
+      const char* head;
+    };
+    const std::vector<Shown> wanted =
+        path ? std::vector<Shown>{{columns::target_position[0], "Target x"},
+                                  {columns::actual_position[0], "Patient x"},
+                                  {columns::target_position[1], "Target y"},
+                                  {columns::actual_position[1], "Patient y"},
+                                  {columns::target_angle_rad, "Target angle"},
+                                  {columns::actual_angle_rad, "Patient angle"}}
+             : std::vector<Shown>{{columns::target_force_N, "Target force"},
+                                  {columns::actual_force_N, "Patient force"}};
+    std::vector<Shown> shown;
     std::vector<QString> heads{"Time [s]"};
-    for (const auto& name : wanted)
-      for (const char* side : {"target_", "actual_"}) {
-        const auto column = curves.column(side + name);
-        if (std::none_of(column.begin(), column.end(), [](double v) { return std::isfinite(v); }))
-          continue;
-        columns.push_back(side + name);
-        const auto cut = name.rfind('_');
-        const auto unit = name.substr(cut + 1);
-        heads.push_back(QString(side == std::string("target_") ? "Target " : "Patient ") +
-                        escaped(name.substr(0, cut)) + " [" +
-                        escaped(tasks::printed_unit(unit).text) + "]");
-      }
+    for (const auto& one : wanted) {
+      const auto column = curves.column(one.column);
+      if (std::none_of(column.begin(), column.end(), [](double v) { return std::isfinite(v); }))
+        continue;
+      shown.push_back(one);
+      heads.push_back(QString(one.head) + " [" +
+                      escaped(tasks::printed_unit(std::string(unit_of(one.column))).text) + "]");
+    }
     std::vector<std::vector<QString>> rows;
-    const auto t_s = curves.column("t_s");
+    const auto t_s = curves.column(columns::t_s);
     double next_s = 0.0;
     constexpr double kHalfFrame = 1e-6;
     for (std::size_t row = 0; row < t_s.size(); ++row) {
@@ -171,10 +178,10 @@ struct HtmlReport::Parts {
       if (elapsed_s < next_s - kHalfFrame) continue;
       next_s += 1.0;
       rows.push_back({QString::number(std::lround(elapsed_s))});
-      for (const auto& name : columns) {
-        const double value = curves.column(name)[row];
-        rows.back().push_back(std::isfinite(value) ? escaped(tasks::format_value(
-                                                         value, name.substr(name.rfind('_') + 1)))
+      for (const auto& one : shown) {
+        const double value = curves.column(one.column)[row];
+        const std::string unit(unit_of(one.column));
+        rows.back().push_back(std::isfinite(value) ? escaped(tasks::format_value(value, unit))
                                                    : QString("–"));
       }
     }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "hand/columns.hpp"
 #include "reports/paper/plot_tools.hpp"
 #include "reports/paper/plots.hpp"
 #include "tasks/task.hpp"
@@ -25,8 +26,8 @@ void add_band(QCPAxisRect& rect, const Values& x, const Values& low, const Value
 /// Marks the stretches of `phase` as not scored.
 void shade_phase(PlotView& view, QCPAxisRect& rect, const Signals& curves, tasks::Phase phase,
                  const QString& word) {
-  const auto phases = curves.column("phase");
-  const auto t_s = curves.column("t_s");
+  const auto phases = curves.column(columns::phase);
+  const auto t_s = curves.column(columns::t_s);
   bool told = false;
   for (std::size_t row = 0; row < phases.size();) {
     std::size_t end = row;
@@ -52,14 +53,17 @@ void shade_phase(PlotView& view, QCPAxisRect& rect, const Signals& curves, tasks
 }
 
 struct Channel {
-  const char* name;   ///< target_<name>, actual_<name>
+  Column target;
+  Column actual;
   const char* title;  ///< of the axis, with unit
   double factor;
 };
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr Channel kForce{"force_N", "grip force [N]", 1.0};
+constexpr Channel kForce{columns::target_force_N, columns::actual_force_N, "grip force [N]", 1.0};
 constexpr Channel kPose[] = {
-    {"x_m", "x [mm]", 1000.0}, {"y_m", "y [mm]", 1000.0}, {"angle_rad", "angle [°]", kDegrees}};
+    {columns::target_position[0], columns::actual_position[0], "x [mm]", 1000.0},
+    {columns::target_position[1], columns::actual_position[1], "y [mm]", 1000.0},
+    {columns::target_angle_rad, columns::actual_angle_rad, "angle [°]", kDegrees}};
 
 /// Half width of the tolerance band at this target value; 0: none.
 double tolerance(const TaskSection& section, const Channel& channel, double target) {
@@ -69,11 +73,11 @@ double tolerance(const TaskSection& section, const Channel& channel, double targ
   const auto pose = section.spec->tolerance();
   if (!pose || !section.spec->kind->way_drawn) return 0.0;
   return channel.factor *
-         (std::string_view(channel.name) == "angle_rad" ? pose->angle_rad : pose->position_m);
+         (channel.actual == columns::actual_angle_rad ? pose->angle_rad : pose->position_m);
 }
 
 Values elapsed(const Signals& curves) {
-  const auto t_s = curves.column("t_s");
+  const auto t_s = curves.column(columns::t_s);
   Values elapsed_s;
   elapsed_s.reserve(static_cast<int>(t_s.size()));
   for (const double t : t_s) elapsed_s.push_back(t - t_s.front());
@@ -83,18 +87,17 @@ Values elapsed(const Signals& curves) {
 /// Target with its tolerance, and what the patient did, in one pair of axes.
 void draw_channel(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
                   const Signals& curves, const Channel& channel, bool first) {
-  const std::string name = channel.name;
   const Values x = elapsed(curves);
   // The axes have their size from the beginning; width() holds only once they are painted.
   const int bins = static_cast<int>(rect.minimumSize().width() / view.px(kFinest));
-  const Values all_targets = scaled(curves.column("target_" + name), channel.factor);
+  const Values all_targets = scaled(curves.column(channel.target), channel.factor);
   const auto target_rows = visible_rows(all_targets, bins);
   const Values target_x = picked(x, target_rows);
   const Values target = picked(all_targets, target_rows);
-  const Values all_actual = scaled(curves.column("actual_" + name), channel.factor);
+  const Values all_actual = scaled(curves.column(channel.actual), channel.factor);
   const auto actual_rows = visible_rows(all_actual, bins);
   const Values actual = picked(all_actual, actual_rows);
-  const bool has_target = any_number(curves.column("target_" + name));
+  const bool has_target = any_number(curves.column(channel.target));
   rect.axis(QCPAxis::atBottom)->setRange(0.0, x.back());
   rect.axis(QCPAxis::atLeft)->setLabel(channel.title);
 
@@ -166,17 +169,18 @@ PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial, QSize
 }
 
 bool has_fingers(const TaskSection& section) {
-  return section.last && any_number(section.last->curves.column("thumb_fz_N"));
+  return section.last &&
+         any_number(section.last->curves.column(columns::finger_force[index_of(Finger::thumb)][2]));
 }
 
 PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit) {
   PlotView view(size, unit);
   const Signals& curves = section.last->curves;
   struct Part {
-    const char* suffix;
+    std::size_t axis;
     const char* title;
   };
-  constexpr Part kParts[] = {{"_fz_N", "normal [N]"}, {"_fx_N", "x [N]"}, {"_fy_N", "y [N]"}};
+  constexpr Part kParts[] = {{2, "normal [N]"}, {0, "x [N]"}, {1, "y [N]"}};
   const std::array<QPen, kFingerCount> pens{
       QPen(Palette::ink(), view.px(1.0)), QPen(Palette::of(Hand::right), view.px(1.0)),
       dashed(Palette::of(Hand::left), view.px(1.0), {4.0, 2.0})};
@@ -185,7 +189,7 @@ PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit) {
   constexpr double kGap = 7.0;
   const double each = (size.height() - kAboveWithKey - kBelow - 2.0 * kGap) / 3.0;
   const auto force_of = [&](Finger finger, const Part& part) {
-    return scaled(curves.column(std::string(name_of(finger)) + part.suffix), 1.0);
+    return scaled(curves.column(columns::finger_force[index_of(finger)][part.axis]), 1.0);
   };
   // Both tangential forces on one scale: that the one along the support is small must be seen.
   Values tangential{-0.5, 0.5};

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "hand/columns.hpp"
 #include "reports/paper/plot_tools.hpp"
 #include "reports/paper/plots.hpp"
 #include "tasks/task.hpp"
@@ -16,8 +17,9 @@ namespace isograsp::reports {
 bool has_path(const TaskSection& section) {
   if (!section.last) return false;
   const Signals& curves = section.last->curves;
-  return any_number(curves.column("actual_x_m")) && any_number(curves.column("actual_y_m")) &&
-         any_number(curves.column("actual_angle_rad"));
+  return any_number(curves.column(columns::actual_position[0])) &&
+         any_number(curves.column(columns::actual_position[1])) &&
+         any_number(curves.column(columns::actual_angle_rad));
 }
 
 PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
@@ -27,8 +29,8 @@ PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
   QCPAxisRect& rect = view.add_axes({kLeft, kAboveWithKey, width, height});
   const Signals& curves = section.last->curves;
   constexpr double kMillimetres = 1000.0;
-  Values x = scaled(curves.column("actual_x_m"), kMillimetres);
-  Values y = scaled(curves.column("actual_y_m"), kMillimetres);
+  Values x = scaled(curves.column(columns::actual_position[0]), kMillimetres);
+  Values y = scaled(curves.column(columns::actual_position[1]), kMillimetres);
 
   struct Spot {
     double x_mm;

@@ -169,17 +169,17 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
     now_.task =
         trial.task->step({frame.wrench_C, trial.plan ? &now_.object : nullptr, now_.grasp.contact});
   }
-  TrialSample& sample = item_.sample;
-  sample.t_s = static_cast<double>(trial_frames_++) * frames_.period_s();
-  sample.forces = frame;
-  sample.push = now_.push;
-  sample.task = now_.task;
-  if (!moving) sample.task.phase = tasks::Phase::paused;
-  sample.object = now_.object;
-  sample.grasp = now_.grasp;
-  sample.constants = trial.constants;
-  sample.compute_s = last_compute_s_;
-  sample.lateness_s = frames_.lateness_s(frame);
+  write_row({.t_s = static_cast<double>(trial_frames_++) * frames_.period_s(),
+             .forces = frame,
+             .push = now_.push,
+             .phase = moving ? now_.task.phase : tasks::Phase::paused,
+             .task = now_.task,
+             .constants = trial.constants,
+             .object = now_.object,
+             .grasp = now_.grasp,
+             .lateness_s = frames_.lateness_s(frame),
+             .compute_s = last_compute_s_},
+            trial.plan.has_value(), item_.row);
   push(RecordItem::Kind::sample);
   if (!moving) return;
   if (trial.plan && now_.task.object_placed)

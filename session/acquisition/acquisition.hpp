@@ -15,7 +15,7 @@
 #include "hand/stale.hpp"
 #include "hand/stimulus.hpp"
 #include "session/acquisition/snapshot.hpp"
-#include "session/acquisition/trial_sample.hpp"
+#include "session/acquisition/trial_row.hpp"
 #include "session/acquisition/zeroing.hpp"
 #include "virtual_patient/virtual_patient.hpp"
 
@@ -40,7 +40,7 @@ struct RecordItem {
   enum class Kind : std::uint8_t { begin, sample, end, event, zero, finished };
   Kind kind = Kind::sample;
   TrialSetup* setup = nullptr;                                    ///< begin, end
-  TrialSample sample;                                             ///< sample
+  TrialRow row;                                                   ///< sample
   storage::TrialStatus status = storage::TrialStatus::completed;  ///< end
   const char* reason = "";                                        ///< end, event: static text
   const char* event_kind = "";

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/time.hpp"
+#include "hand/columns.hpp"
 #include "session/session.hpp"
 #include "tasks/score.hpp"
 
@@ -100,7 +101,7 @@ Result<std::vector<Measure>> store_trial(const RecordedTrial& recorded, int numb
 /// Rows per second; a grid of a whole number of hertz gives exactly that number.
 double rate_of(const Signals& signals) {
   constexpr double kRounding = 1e-6;  // relative: times are written with few digits
-  const auto t_s = signals.column("t_s");
+  const auto t_s = signals.column(columns::t_s);
   const double rate_Hz = static_cast<double>(t_s.size() - 1) / (t_s.back() - t_s.front());
   const double whole_Hz = std::round(rate_Hz);
   return std::abs(rate_Hz - whole_Hz) <= kRounding * rate_Hz ? whole_Hz : rate_Hz;

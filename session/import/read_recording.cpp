@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/csv.hpp"
+#include "hand/columns.hpp"
 #include "session/import/recording.hpp"
 
 namespace isograsp::session {
@@ -209,7 +210,7 @@ class RecordingReader {
       if (!t_s) return t_s.error();
       row[0] = *t_s;
     }
-    if (signals.rows() > 0 && !(row[0] > signals.column("t_s").back()))
+    if (signals.rows() > 0 && !(row[0] > signals.column(columns::t_s).back()))
       return refused("time does not increase",
                      "sort the rows, or name the column that tells the trials apart")
           .at(path_, line_, spec_.time_column);
@@ -268,7 +269,7 @@ class RecordingReader {
     found.trial.session = found.place.session;
     found.trial.file = fs::path(path_).filename();
     found.trial.task = *std::move(task);
-    std::vector<std::string> names{"t_s"};
+    std::vector<std::string> names{columns::t_s};
     for (const RecordedColumn& column : spec_.columns) names.push_back(column.name);
     found.trial.signals = Signals(std::move(names));
     return found;

@@ -8,6 +8,7 @@
 
 #include "core/csv.hpp"
 #include "core/toml_reader.hpp"
+#include "hand/columns.hpp"
 #include "storage/records/patient_code.hpp"
 #include "storage/records/session_store.hpp"
 
@@ -76,7 +77,7 @@ RecordedColumn read_column(TomlReader& table, const RecordingSpec& spec) {
     return column;
   }
   column.factor = unit->factor;
-  if (!column.name.ends_with(unit->ending) || column.name == "t_s")
+  if (!column.name.ends_with(unit->ending) || column.name == columns::t_s)
     table.fail("name", "'" + column.name + "' does not carry the SI unit of its values",
                "let it end in " + std::string(unit->ending.empty() ? "no unit" : unit->ending));
   for (const std::string& from : column.from)

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a column of signals is: unit, axes, words. One place for all exports.
+// What a column of stored signals is, also one of an imported recording that no constant is about.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace isograsp::tasks {
 
@@ -18,15 +16,5 @@ struct ColumnFacts {
   bool known = false;       ///< false: a column of an imported recording, described by its name
 };
 [[nodiscard]] ColumnFacts describe_column(std::string_view name);
-
-/// Axes by their short name, in words.
-inline constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kColumnAxes{
-    {{"contact",
-      "of each finger's contact: z into the object (pressing is +z), x its tangent, y = "
-      "z cross x; right-handed"},
-     {"world", "the patient's screen: x right, y up, z out of the screen; right-handed"},
-     {"platform", "of the device; the wrench is about its origin; right-handed"},
-     {"hand", "of the hand, left hands mirrored: flexion (closing), radial, distal"},
-     {"sensor", "of each finger's sensor as its maker defines them"}}};
 
 }  // namespace isograsp::tasks

@@ -18,7 +18,7 @@
 #include "exports/export_trial.hpp"
 #include "exports/fhir_codes.hpp"
 #include "hand/anatomical_axes.hpp"
-#include "session/acquisition/trial_sample.hpp"
+#include "session/acquisition/trial_row.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
 #include "tasks/facts/column_facts.hpp"
@@ -312,9 +312,9 @@ TEST(ColumnFacts, EveryColumnOfATrialIsDescribedWithItsUnit) {
     EXPECT_TRUE(facts.known) << name;
     EXPECT_TRUE(ucum_code(facts.unit)) << name;
     if (facts.axes.empty()) continue;
-    EXPECT_TRUE(std::any_of(tasks::kColumnAxes.begin(), tasks::kColumnAxes.end(),
-                            [&](const auto& axes) { return axes.first == facts.axes; }))
-        << name;
+    EXPECT_TRUE(std::any_of(kColumnAxes.begin(), kColumnAxes.end(), [&](const auto& axes) {
+      return axes.first == facts.axes;
+    })) << name;
   }
   EXPECT_FALSE(tasks::describe_column("corridor_error_N").known);
   EXPECT_EQ(tasks::describe_column("corridor_error_N").unit, "N");

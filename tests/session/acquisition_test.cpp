@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/acquisition/acquisition.hpp"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
+#include "core/signals.hpp"
+#include "hand/columns.hpp"
 #include "session/session.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
@@ -163,6 +167,9 @@ TEST(Acquisition, TheSnapshotIsTheRecordedSample) {
   Bench bench;
   TrialSetup setup = bench.setup("two_target", 0.0);
   ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
+  std::vector<std::string> names;
+  for (const auto& group : signal_groups(true))
+    names.insert(names.end(), group.columns.begin(), group.columns.end());
   RecordItem item;
   test::AtLeast compared(290);
   for (int frame = 0; frame < 300; ++frame) {
@@ -170,11 +177,30 @@ TEST(Acquisition, TheSnapshotIsTheRecordedSample) {
     const Snapshot& shown = bench.acquisition->snapshots().read();
     while (bench.acquisition->records().pop(item)) {
       if (item.kind != RecordItem::Kind::sample) continue;
-      EXPECT_EQ(item.sample.forces.slot, shown.forces.slot);
-      EXPECT_EQ(item.sample.task.target_index, shown.task.target_index);
-      EXPECT_EQ(item.sample.grasp.F_O_W.force, shown.grasp.F_O_W.force);
+      Signals row(names);
+      ASSERT_EQ(item.row.values().size(), names.size());
+      row.append_row(item.row.values());
+      const auto recorded = [&row](const Column& column) { return row.column(column)[0]; };
+      EXPECT_EQ(recorded(columns::finger_force[0][2]), shown.forces.wrench_C[0].force.z());
+      EXPECT_EQ(recorded(columns::raw_torque[2][0]), shown.forces.raw_counts[2][3]);
+      EXPECT_EQ(recorded(columns::target_index), shown.task.target_index);
+      EXPECT_EQ(recorded(columns::object_force[1]), shown.grasp.F_O_W.force.y());
       ++compared;
     }
+  }
+}
+
+TEST(TrialRow, EveryColumnStandsOnceAndHasAValue) {
+  constexpr std::size_t kForceTask = 12 + 15 + 28 + 18 + 2;
+  constexpr std::size_t kObjectTask = 12 + 11 + 28 + 18 + 31 + 2;
+  for (const bool has_object : {false, true}) {
+    std::set<std::string> names;
+    for (const auto& group : signal_groups(has_object))
+      for (const auto& name : group.columns) EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_EQ(names.size(), has_object ? kObjectTask : kForceTask);
+    TrialRow row;
+    write_row({0.0, {}, {}, tasks::Phase::active, {}, {}, {}, {}, 0.0, 0.0}, has_object, row);
+    EXPECT_EQ(row.values().size(), names.size());
   }
 }
 

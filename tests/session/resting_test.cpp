@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "session/acquisition/trial_sample.hpp"
+#include "session/acquisition/trial_row.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
 
@@ -20,25 +20,21 @@ Signals rest_trial(int rows, Change change) {
   for (const auto& group : signal_groups(false))
     names.insert(names.end(), group.columns.begin(), group.columns.end());
   Signals signals(names);
-  std::vector<std::vector<double>> groups;
   for (int k = 0; k < rows; ++k) {
-    TrialSample sample;
-    sample.t_s = 0.01 * k;
-    sample.task.phase = tasks::Phase::active;
-    change(k, sample);
-    for (auto& group : groups) group.clear();
-    append_rows(sample, false, groups);
-    std::vector<double> row;
-    for (const auto& group : groups) row.insert(row.end(), group.begin(), group.end());
-    signals.append_row(row);
+    FingerFrame forces;
+    tasks::Phase phase = tasks::Phase::active;
+    change(k, forces, phase);
+    TrialRow row;
+    write_row({0.01 * k, forces, {}, phase, {}, {}, {}, {}, 0.0, 0.0}, false, row);
+    signals.append_row(row.values());
   }
   return signals;
 }
 
 TEST(RestingForce, MeanIsTheStoredMeasureAndSdIsThatOfTheSamples) {
-  const auto trial = rest_trial(100, [](int k, TrialSample& s) {
-    s.forces.wrench_C[1].force.z() = 2.0 + (k % 2 == 0 ? 0.1 : -0.1);
-    s.forces.wrench_C[2].torque.x() = 0.01 * k;
+  const auto trial = rest_trial(100, [](int k, FingerFrame& forces, tasks::Phase&) {
+    forces.wrench_C[1].force.z() = 2.0 + (k % 2 == 0 ? 0.1 : -0.1);
+    forces.wrench_C[2].torque.x() = 0.01 * k;
   });
   const auto rest = resting_force(trial);
   ASSERT_TRUE(rest);
@@ -62,13 +58,13 @@ TEST(RestingForce, MeanIsTheStoredMeasureAndSdIsThatOfTheSamples) {
 }
 
 TEST(RestingForce, RowsThatDoNotCountAreLeftOut) {
-  const auto trial = rest_trial(100, [](int k, TrialSample& s) {
-    s.forces.wrench_C[0].force.z() = 1.0;
+  const auto trial = rest_trial(100, [](int k, FingerFrame& forces, tasks::Phase& phase) {
+    forces.wrench_C[0].force.z() = 1.0;
     if (k % 10 == 3) {
-      s.forces.flags[0] = bit(SampleFlag::held);
-      s.forces.wrench_C[0].force.z() = 500.0;
+      forces.flags[0] = bit(SampleFlag::held);
+      forces.wrench_C[0].force.z() = 500.0;
     }
-    if (k % 10 == 4) s.task.phase = tasks::Phase::paused;
+    if (k % 10 == 4) phase = tasks::Phase::paused;
   });
   const auto rest = resting_force(trial);
   ASSERT_TRUE(rest);
@@ -78,8 +74,9 @@ TEST(RestingForce, RowsThatDoNotCountAreLeftOut) {
 }
 
 TEST(RestingForce, WithoutSamplesThereIsNone) {
-  EXPECT_FALSE(resting_force(
-      rest_trial(100, [](int, TrialSample& s) { s.forces.flags[1] = bit(SampleFlag::missing); })));
+  EXPECT_FALSE(resting_force(rest_trial(100, [](int, FingerFrame& forces, tasks::Phase&) {
+    forces.flags[1] = bit(SampleFlag::missing);
+  })));
 }
 
 TEST(RestingForce, SpasticToneIsDataNotAnError) {

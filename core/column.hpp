@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A column of signals: each stands once, as a constant, with its name in files, what it means and
+// in which axes. Who writes it and who reads it name that constant, so that a column cannot be
+// called two ways. Here: the type, and the columns of every trial; others beside what they are
+// about.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace isograsp {
+
+/// A text of at most kRoom characters, put together while the program is compiled.
+template <std::size_t kRoom>
+class FixedText {
+ public:
+  constexpr FixedText() = default;
+  /// The parts one after the other; too many characters do not compile.
+  template <class... Parts>
+  explicit constexpr FixedText(const Parts&... parts) {
+    (append(std::string_view(parts)), ...);
+  }
+  constexpr operator std::string_view() const noexcept {
+    return {letters_.data(), size_};
+  }  // NOLINT
+
+ private:
+  constexpr void append(std::string_view part) {
+    for (const char letter : part) letters_.at(size_++) = letter;
+  }
+  std::array<char, kRoom> letters_{};
+  std::size_t size_ = 0;
+};
+
+struct Column {
+  FixedText<28> name;          ///< in files, with its unit: "thumb_fx_N"
+  FixedText<112> description;  ///< a sentence without a full stop
+  std::string_view axes;       ///< one of kColumnAxes; empty: it has no direction in space
+  std::string_view component;  ///< x, y, z, quat_w, quat_x, quat_y, quat_z; empty: none
+  std::string_view body;       ///< what moves or is pressed: "thumb", "object"; empty: nothing
+
+  constexpr operator std::string_view() const noexcept { return name; }         // NOLINT
+  operator std::string() const { return std::string(std::string_view(name)); }  // NOLINT
+  friend constexpr bool operator==(const Column& column, std::string_view text) noexcept {
+    return std::string_view(column) == text;
+  }
+};
+
+/// Axes by their short name, in words.
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kColumnAxes{
+    {{"contact",
+      "of each finger's contact: z into the object (pressing is +z), x its tangent, y = "
+      "z cross x; right-handed"},
+     {"world", "the patient's screen: x right, y up, z out of the screen; right-handed"},
+     {"platform", "of the device; the wrench is about its origin; right-handed"},
+     {"hand", "of the hand, left hands mirrored: flexion (closing), radial, distal"},
+     {"sensor", "of each finger's sensor as its maker defines them"}}};
+
+/// The unit that a name ends with: "N" of "thumb_fx_N"; empty: a number without one.
+[[nodiscard]] std::string_view unit_of(std::string_view column) noexcept;
+
+/// Columns of every trial. A constant is called like its column: a search finds both.
+namespace columns {
+
+/// A column without a direction in space.
+[[nodiscard]] constexpr Column plain(std::string_view name, std::string_view description,
+                                     std::string_view body = {}) {
+  return {FixedText<28>(name), FixedText<112>(description), {}, {}, body};
+}
+
+inline constexpr Column t_s = plain("t_s", "Time since the trial began");
+inline constexpr Column task_time_s =
+    plain("task_time_s", "The task's own clock, which stands still while paused");
+inline constexpr Column phase =
+    plain("phase", "0 lead-in, 1 active, 2 transport, 3 hold, 4 paused, 5 done");
+inline constexpr Column lateness_s =
+    plain("lateness_s", "From the instant of the grid to its record");
+inline constexpr Column compute_s = plain("compute_s", "Work on the frame before");
+
+}  // namespace columns
+
+}  // namespace isograsp

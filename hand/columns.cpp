@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hand/columns.hpp"
+
+#include <map>
+
+namespace isograsp::columns {
+
+namespace {
+
+class ByName {
+ public:
+  template <class... Columns>
+  explicit ByName(const Columns&... columns) {
+    (add(columns), ...);
+  }
+  [[nodiscard]] const Column* find(std::string_view name) const {
+    const auto found = columns_.find(name);
+    return found == columns_.end() ? nullptr : found->second;
+  }
+
+ private:
+  void add(const Column& column) { columns_.emplace(column, &column); }
+  template <class Some, std::size_t kCount>
+  void add(const std::array<Some, kCount>& columns) {
+    for (const auto& some : columns) add(some);
+  }
+  std::map<std::string_view, const Column*> columns_;
+};
+
+}  // namespace
+
+const Column* find(std::string_view name) {
+  static const ByName kAll(
+      t_s, task_time_s, phase, sample_flags, target_force_N, actual_force_N, resting_force_N,
+      maximum_force_N, noise_sd_N, resolution_N, device_delay_s, display_delay_s, segment, cue,
+      channel_digits, channel_direction, force_shown, target_shown, target_index, targets_reached,
+      drops, target_force, finger_force, finger_torque, finger_flags, net_force, net_torque,
+      net_push_percent, hand_force, raw_force, raw_torque, target_position, actual_position,
+      target_attitude, actual_attitude, target_angle_rad, actual_angle_rad, object_velocity,
+      object_angular_velocity, object_force, object_torque, contact, slip, utilisation,
+      model_error_rad, model_inexact, lateness_s, compute_s);
+  return kAll.find(name);
+}
+
+}  // namespace isograsp::columns

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Column and value stand in one line, and the same lines give the names of the columns once a trial
+// and their values every frame.
+#include "session/acquisition/trial_row.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "hand/columns.hpp"
+
+namespace isograsp::session {
+
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// Collects the columns; values are of no interest.
+struct Names {
+  std::vector<storage::SignalGroup>& groups;
+  void begin(std::string_view group) { groups.push_back({std::string(group), {}}); }
+  void put(const Column& column, double) { groups.back().columns.emplace_back(column); }
+};
+
+/// Collects the values.
+struct Values {
+  TrialRow& row;
+  void begin(std::string_view) noexcept {}
+  void put(const Column&, double value) noexcept { row.add(value); }
+};
+
+template <class Sink>
+void put_axes(Sink& sink, const columns::OfAxes& axes, const Vec3& value, bool known = true) {
+  for (std::size_t a = 0; a < 3; ++a)
+    sink.put(axes[a], known ? value[static_cast<Eigen::Index>(a)] : kMissing);
+}
+
+template <class Sink>
+void put_attitude(Sink& sink, const columns::OfComponents& components, const Quat& q, bool known) {
+  const std::array<double, 4> value{q.w(), q.x(), q.y(), q.z()};
+  for (std::size_t i = 0; i < 4; ++i) sink.put(components[i], known ? value[i] : kMissing);
+}
+
+template <class Number>
+double number(Number value) {
+  return static_cast<double>(value);
+}
+
+/// A noise of 0 means that no noise was measured.
+double known(double value) {
+  return value > 0.0 ? value : kMissing;
+}
+
+/// Rotation of an attitude about world z [rad], -pi … pi.
+double angle_about_z(const Quat& q) {
+  return 2.0 * std::atan2(q.z(), q.w());
+}
+
+/// Numbers of enumerations: docs/file_formats.md.
+template <class Sink>
+void put_force_task(Sink& sink, const tasks::TaskView& task) {
+  sink.put(columns::segment, number(task.segment));
+  sink.put(columns::cue, number(task.cue));
+  sink.put(columns::channel_digits, number(task.channel.digits));
+  sink.put(columns::channel_direction, number(task.channel.direction));
+  sink.put(columns::force_shown, number(task.force_shown));
+  sink.put(columns::target_shown, number(task.force_target_shown));
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    put_axes(sink, columns::target_force[f], task.digit_targets.force_C[f],
+             task.digit_targets.shown[f]);
+}
+
+template <class Sink>
+void put_object_task(Sink& sink, const tasks::TaskView& task, const ObjectState& object) {
+  const bool shown = task.pose_target_shown;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    sink.put(columns::target_position[a], shown ? task.target.p_WO[axis] : kMissing);
+    sink.put(columns::actual_position[a], object.pose.p_WO[axis]);
+  }
+  sink.put(columns::target_angle_rad, shown ? angle_about_z(task.target.q_WO) : kMissing);
+  sink.put(columns::actual_angle_rad, object.angle_rad);
+  sink.put(columns::target_index, number(task.target_index));
+  sink.put(columns::targets_reached, number(task.targets_reached));
+  sink.put(columns::drops, number(task.drops));
+}
+
+template <class Sink>
+void put_task(Sink& sink, const TrialFrame& frame, bool has_object) {
+  const tasks::TaskView& task = frame.task;
+  const auto& flags = frame.forces.flags;
+  sink.begin("task");
+  sink.put(columns::t_s, frame.t_s);
+  sink.put(columns::task_time_s, task.task_time_s);
+  sink.put(columns::phase, number(frame.phase));
+  sink.put(columns::sample_flags, number(flags[0] | flags[1] | flags[2]));
+  sink.put(columns::target_force_N, task.has_force_target ? task.target_force_N : kMissing);
+  sink.put(columns::actual_force_N, task.actual_force_N);
+  sink.put(columns::resting_force_N, task.resting_force_N);
+  sink.put(columns::maximum_force_N, task.maximum_force_N);
+  sink.put(columns::noise_sd_N, known(task.noise_sd_N));
+  sink.put(columns::resolution_N, frame.constants.resolution_N);
+  sink.put(columns::device_delay_s, frame.constants.device_delay_s);
+  sink.put(columns::display_delay_s, frame.constants.display_delay_s);
+  if (has_object)
+    put_object_task(sink, task, frame.object);
+  else
+    put_force_task(sink, task);
+}
+
+template <class Sink>
+void put_forces(Sink& sink, const FingerFrame& forces, const NetPush& push) {
+  sink.begin("force");
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const bool there = (forces.flags[f] & bit(SampleFlag::missing)) == 0;
+    put_axes(sink, columns::finger_force[f], forces.wrench_C[f].force, there);
+    put_axes(sink, columns::finger_torque[f], forces.wrench_C[f].torque, there);
+  }
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    sink.put(columns::finger_flags[f], number(forces.flags[f]));
+  put_axes(sink, columns::net_force, push.wrench_P.force, push.known);
+  put_axes(sink, columns::net_torque, push.wrench_P.torque, push.known);
+  sink.put(columns::net_push_percent, push.share_of_grip_percent.value_or(kMissing));
+}
+
+template <class Sink>
+void put_counts(Sink& sink, const FingerFrame& forces) {
+  sink.begin("raw");
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const RawCounts& counts = forces.raw_counts[f];
+    for (std::size_t a = 0; a < 3; ++a) sink.put(columns::raw_force[f][a], number(counts[a]));
+    for (std::size_t a = 0; a < 3; ++a) sink.put(columns::raw_torque[f][a], number(counts[3 + a]));
+  }
+}
+
+template <class Sink>
+void put_object(Sink& sink, const tasks::TaskView& task, const ObjectState& object,
+                const GraspWrench& grasp) {
+  sink.begin("object");
+  put_attitude(sink, columns::actual_attitude, object.pose.q_WO, true);
+  put_attitude(sink, columns::target_attitude, task.target.q_WO, task.pose_target_shown);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    sink.put(columns::object_velocity[a], object.v_WO_W[axis]);
+    sink.put(columns::object_angular_velocity[a], object.w_WO_W[axis]);
+    sink.put(columns::object_force[a], grasp.F_O_W.force[axis]);
+    sink.put(columns::object_torque[a], grasp.F_O_W.torque[axis]);
+  }
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    sink.put(columns::contact[f], number(grasp.contact[f]));
+    sink.put(columns::slip[f], number(grasp.slip[f]));
+    sink.put(columns::utilisation[f], grasp.utilisation[f]);
+  }
+  sink.put(columns::model_error_rad, object.error_rad);
+  sink.put(columns::model_inexact, number(object.tolerance_exceeded));
+}
+
+template <class Sink>
+void put_all(Sink sink, const TrialFrame& frame, bool has_object) {
+  put_task(sink, frame, has_object);
+  put_forces(sink, frame.forces, frame.push);
+  put_counts(sink, frame.forces);
+  if (has_object) put_object(sink, frame.task, frame.object, frame.grasp);
+  sink.begin("timing");
+  sink.put(columns::lateness_s, frame.lateness_s);
+  sink.put(columns::compute_s, frame.compute_s);
+}
+
+}  // namespace
+
+std::vector<storage::SignalGroup> signal_groups(bool has_object) {
+  std::vector<storage::SignalGroup> groups;
+  put_all(Names{groups}, {0.0, {}, {}, {}, {}, {}, {}, {}, 0.0, 0.0}, has_object);
+  return groups;
+}
+
+void write_row(const TrialFrame& frame, bool has_object, TrialRow& row) noexcept {
+  row.clear();
+  put_all(Values{row}, frame, has_object);
+}
+
+}  // namespace isograsp::session

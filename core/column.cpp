@@ -3,6 +3,10 @@
 
 namespace isograsp {
 
+std::vector<std::string> names_of(std::span<const Column> columns) {
+  return {columns.begin(), columns.end()};
+}
+
 std::string_view unit_of(std::string_view column) noexcept {
   constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
       {"_Nm", "N m"},    {"_N", "N"},     {"_mps", "m/s"}, {"_radps", "rad/s"},

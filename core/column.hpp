@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace isograsp {
 
@@ -48,6 +50,9 @@ struct Column {
     return std::string_view(column) == text;
   }
 };
+
+/// Their names, in order.
+[[nodiscard]] std::vector<std::string> names_of(std::span<const Column> columns);
 
 /// Axes by their short name, in words.
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kColumnAxes{

@@ -96,6 +96,8 @@ inline constexpr OfFingersAxes target_force =
 // The fingers' forces.
 inline constexpr OfFingersAxes finger_force =
     along_of_fingers("", "_f", "_N", "Force of the ", "", "contact");
+/// Of each finger into the object: z of the contact.
+inline constexpr OfFingers normal_force{finger_force[0][2], finger_force[1][2], finger_force[2][2]};
 inline constexpr OfFingersAxes finger_torque =
     along_of_fingers("", "_t", "_Nm", "Torque of the ", "", "contact");
 inline constexpr OfFingers finger_flags = each_finger([](std::string_view finger) {

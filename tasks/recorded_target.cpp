@@ -103,8 +103,8 @@ class Recording {
   }
 
   Result<void> find_path() {
-    std::vector<std::string> pose(columns::actual_position.begin(), columns::actual_position.end());
-    pose.insert(pose.end(), columns::actual_attitude.begin(), columns::actual_attitude.end());
+    auto pose = names_of(columns::actual_position);
+    for (const Column& component : columns::actual_attitude) pose.emplace_back(component);
     const Section rows = record_.select({Phase::active, Phase::transport, Phase::hold}, pose);
     if (!enough(rows))
       return refused("it holds no path of an object", "record one").about(spec_.name);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/effort_score.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
@@ -53,12 +54,12 @@ std::vector<Measure> score_directional_maxima(const DirectionalMaximaSpec& spec,
   for (const Part& part : efforts_of(record)) {
     const std::string channel = name_of(part.channel);
     const EffortForces effort = effort_of(record, part, spec.window_s);
-    const Section section = record.select(part.first, part.last, {}, {"actual_force_N"});
+    const Section section = record.select(part.first, part.last, {}, {columns::actual_force_N});
     list.add("maximum_force", channel, "N", section, effort.above_rest);
     const auto digit = single_digit(part.channel);
     if (!digit || !effort.total.value) continue;
-    const std::string name(name_of(*digit));
-    const auto [vectors, force_N] = vectors_of(record, part.first, part.last, name);
+    const auto [vectors, force_N] =
+        vectors_of(record, part.first, part.last, columns::finger_force[index_of(*digit)]);
     // While the force builds up its direction is not the one that was meant.
     constexpr double kOfMaximum = 0.5;
     list.add("direction_error", channel, "rad", vectors,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/kinds/force/fatigue.hpp"
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/effort_score.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
@@ -42,7 +43,7 @@ std::vector<Measure> score_fatigue(const FatigueSpec& spec, const Record& record
     add("mean_force", "N", weighted_mean(trace.force_N, trace.weight_s));
     add("time_in_range", "%",
         time_in_band(trace.target_N, trace.force_N, trace.weight_s, spec.aim.band_fraction,
-                     record.constant("noise_sd_N").value_or(0.0)));
+                     record.constant(columns::noise_sd_N).value_or(0.0)));
   }
   add_force_of_maximum(record, spec.aim.channel, list);
   add_net_push(record, spec.aim.channel, list);

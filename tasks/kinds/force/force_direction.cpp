@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
@@ -73,19 +74,20 @@ std::vector<Measure> score_force_direction(const ForceDirectionSpec&, const Reco
   std::vector<Section> paths;
   for (const Finger finger : kFingers) {
     const std::string name(name_of(finger));
+    const std::size_t f = index_of(finger);
     std::vector<statistics::Computed> angle, projection, error;
     std::vector<Section> sections;
     for (const Part& part : parts_of(record)) {
       if (part.phase != Phase::active) continue;
-      const Vectors target = vectors_of(record, part.first, part.last, "target_" + name);
+      const Vectors target = vectors_of(record, part.first, part.last, columns::target_force[f]);
       if (target.force_N.empty()) {  // this digit was not asked, or nothing can be computed
-        if (record.signals().has("target_" + name + "_fz_N") && !target.section.reason.empty())
+        if (record.signals().has(columns::target_force[f][2]) && !target.section.reason.empty())
           sections.push_back(target.section);
         continue;
       }
-      const Vectors actual = vectors_of(record, part.first, part.last, name);
+      const Vectors actual = vectors_of(record, part.first, part.last, columns::finger_force[f]);
       const Vec3 wanted_N = target.force_N.front();
-      const double noise_N = known_in(record, part, "noise_sd_N");
+      const double noise_N = known_in(record, part, columns::noise_sd_N);
       constexpr double kLeast_sd = 3.0;
       angle.push_back(direction_error(actual.force_N, wanted_N, actual.section.weight_s,
                                       std::isnan(noise_N) ? 0.0 : kLeast_sd * noise_N));

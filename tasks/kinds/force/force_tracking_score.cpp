@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/csv.hpp"
+#include "hand/columns.hpp"
 #include "tasks/kinds/force/force_tracking.hpp"
 #include "tasks/kinds/tools/hold_score.hpp"
 #include "tasks/measures/delay.hpp"
@@ -26,7 +27,7 @@ void add_errors(const Record& record, const Trace& trace, double band_fraction,
   const auto add = [&](const char* name, const char* unit, const statistics::Computed& computed) {
     list.add(name, channel, unit, trace.section, computed);
   };
-  const double noise_N = record.constant("noise_sd_N").value_or(0.0);
+  const double noise_N = record.constant(columns::noise_sd_N).value_or(0.0);
   add("rmse", "N", rmse(target_N, force_N, weight_s));
   add("relative_rmse", "%", relative_rmse(target_N, force_N, weight_s));
   add("mae", "N", mae(target_N, force_N, weight_s));
@@ -101,7 +102,7 @@ void add_part(const ForceTrackingSpec& spec, const Record& record, const std::st
   list.add("rmse", channel, "N", part.section, rmse(part.target_N, part.force_N, part.weight_s));
   list.add("time_in_range", channel, "%", part.section,
            time_in_band(part.target_N, part.force_N, part.weight_s, spec.aim.band_fraction,
-                        record.constant("noise_sd_N").value_or(0.0)));
+                        record.constant(columns::noise_sd_N).value_or(0.0)));
 }
 
 void add_ramps(const ForceTrackingSpec& spec, const Record& record, MeasureList& list) {
@@ -126,7 +127,7 @@ void add_ramps(const ForceTrackingSpec& spec, const Record& record, MeasureList&
   constexpr double kSettle_s = 1.0;  // the end of the ramp is no steady force yet
   const Trace hold = piece_of(record, wave.rise_s + kSettle_s, fall_at_s);
   add_part(spec, record, "force_hold", hold, list);
-  add_steadiness(hold, "force_hold", record.constant("noise_sd_N").value_or(0.0), list);
+  add_steadiness(hold, "force_hold", record.constant(columns::noise_sd_N).value_or(0.0), list);
   add("force_fall", piece_of(record, fall_at_s, fall_at_s + wave.fall_s));
 }
 
@@ -203,12 +204,13 @@ void add_cycles(const ForceTrackingSpec& spec, const Record& record, MeasureList
 std::vector<Measure> score_force_tracking(const ForceTrackingSpec& spec, const Record& record) {
   MeasureList list;
   Trace trace;
-  trace.section = record.select({Phase::active}, {"target_force_N", "actual_force_N"});
+  trace.section =
+      record.select({Phase::active}, {columns::target_force_N, columns::actual_force_N});
   if (trace.section.reason.empty()) {
     trace.t_s = trace.section.t_s;
     trace.weight_s = trace.section.weight_s;
-    trace.target_N = trace.section.values("target_force_N");
-    trace.force_N = trace.section.values("actual_force_N");
+    trace.target_N = trace.section.values(columns::target_force_N);
+    trace.force_N = trace.section.values(columns::actual_force_N);
   }
   add_errors(record, trace, spec.aim.band_fraction, "force", list);
   add_lag(record, trace, "force", list);

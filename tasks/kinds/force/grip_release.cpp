@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/cue_score.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
@@ -63,11 +64,11 @@ std::vector<Measure> score_grip_release(const GripReleaseSpec& spec, const Recor
     if (spec.open)
       for (std::size_t k = 0; k < trace.t_s.size(); ++k)
         if (trace.section.rows[k] >= part.first) trace.force_N[k] = -trace.force_N[k];
-    const double resting_N = known_in(record, held, "resting_force_N");
-    const AskedGrip asked{known_or_zero(record, held, "target_force_N"),
-                          known_or_zero(record, held, "resting_force_N"),
-                          known_or_zero(record, held, "noise_sd_N"),
-                          known_or_zero(record, part, "resolution_N")};
+    const double resting_N = known_in(record, held, columns::resting_force_N);
+    const AskedGrip asked{known_or_zero(record, held, columns::target_force_N),
+                          known_or_zero(record, held, columns::resting_force_N),
+                          known_or_zero(record, held, columns::noise_sd_N),
+                          known_or_zero(record, part, columns::resolution_N)};
     const Release let_go = release(trace.t_s, trace.force_N, record.task_time_s(part.first), asked);
     if (!let_go.grip_made.value_or(true)) ++missed;
     initiations.push_back(let_go.initiation);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
@@ -57,7 +58,7 @@ std::vector<Measure> score_individuation(const IndividuationSpec& spec, const Re
       start_N = forces.mean();
     }
     if (part.phase != Phase::active || !digit) continue;
-    maximum_N[index_of(*digit)] = known_in(record, part, "maximum_force_N");
+    maximum_N[index_of(*digit)] = known_in(record, part, columns::maximum_force_N);
     sections.push_back(forces.section);
     if (forces.section.rows.empty() || !rested) continue;
     holds.push_back({*digit, start_N, forces.mean()});
@@ -67,7 +68,7 @@ std::vector<Measure> score_individuation(const IndividuationSpec& spec, const Re
           {holds.back().mean_N[index_of(*digit)] - start_N[index_of(*digit)], *off.value});
   }
   const Section all = join(sections);
-  const double noise_N = record.constant("noise_sd_N").value_or(0.0);
+  const double noise_N = record.constant(columns::noise_sd_N).value_or(0.0);
   constexpr double kLeastRise_sd = 3.0;  // a press that is not above the noise moved nobody
   list.add("individuation_index", "digits", "", all, individuation_index(points));
   list.add("individuation_slope", "digits", "", all, individuation_slope(points));

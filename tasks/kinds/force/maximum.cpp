@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/effort_score.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
@@ -47,7 +48,7 @@ void add_rates(const Record& record, const Part& part, const std::string& channe
   statistics::Computed early = "the force before the cue is not known";
   const auto before = trace_of(record, 0, part.first);
   if (const auto rest = resting_level(before.force_N)) {
-    const double resolution_N = known_in(record, part, "resolution_N");
+    const double resolution_N = known_in(record, part, columns::resolution_N);
     const double lsb_N = std::isnan(resolution_N) ? 0.0 : resolution_N;
     const auto begin =
         onset(trace.t_s, trace.force_N, rest->mean + rest->margin(lsb_N), Change::rise);
@@ -61,7 +62,7 @@ std::vector<Measure> score_maximum(const MaximumSpec& spec, const Record& record
   MeasureList list;
   const std::string channel = name_of(spec.channel);
   const auto efforts = efforts_of(record);
-  const Section squeeze = record.select({Phase::active}, {"actual_force_N"});
+  const Section squeeze = record.select({Phase::active}, {columns::actual_force_N});
   const EffortForces effort =
       efforts.empty() ? EffortForces{} : effort_of(record, efforts.front(), spec.window_s);
   const std::string kind = spec.comfortable ? "comfortable_force" : "maximum_force";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
 #include "tasks/measures/error.hpp"
@@ -51,7 +52,7 @@ KindSpec read_recorded(TomlReader& reader) {
 }
 
 void add_corridor(const Record& record, MeasureList& list) {
-  const Section section = record.select({}, {"actual_force_N", "corridor_error_N"});
+  const Section section = record.select({}, {columns::actual_force_N, "corridor_error_N"});
   // The error is a distance from the nearer edge: the corridor seen from there is a line at 0.
   const auto error_N =
       section.reason.empty() ? section.values("corridor_error_N") : std::vector<double>();
@@ -70,11 +71,11 @@ void add_maximum(const RecordedSpec& spec, const Record& record, MeasureList& li
     list.add("maximum_window_mean", "force", "N", none, none.reason);
     return;
   }
-  const Section section =
-      record.select(rows - spec.window.first, rows - spec.window.last, {}, {"actual_force_N"});
+  const Section section = record.select(rows - spec.window.first, rows - spec.window.last, {},
+                                        {columns::actual_force_N});
   statistics::Computed mean = section.reason;
   if (section.reason.empty()) {
-    auto size_N = section.values("actual_force_N");
+    auto size_N = section.values(columns::actual_force_N);
     for (double& force_N : size_N) force_N = std::abs(force_N);
     mean = weighted_mean(size_N, section.weight_s);
   }
@@ -94,7 +95,7 @@ void add_tracking(const Record& record, MeasureList& list) {
   add("constant_error", "N", constant_error(target_N, force_N, weight_s));
   add("time_in_range", "%",
       time_in_band(target_N, force_N, weight_s, kBand,
-                   record.constant("noise_sd_N").value_or(0.0)));
+                   record.constant(columns::noise_sd_N).value_or(0.0)));
 }
 
 /// Forces of all fingers in the rows in which all of them are known.

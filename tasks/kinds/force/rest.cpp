@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/kinds/force/rest.hpp"
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
 #include "tasks/kinds/tools/segments.hpp"
@@ -25,22 +26,19 @@ Duration rest_duration(const RestSpec& spec) {
 }
 
 std::vector<Measure> score_rest(const RestSpec&, const Record& record) {
-  struct Axis {
-    const char* name;
-    const char* unit;
-  };
-  constexpr Axis kAxes[] = {{"fx", "N"},  {"fy", "N"},  {"fz", "N"},
-                            {"tx", "Nm"}, {"ty", "Nm"}, {"tz", "Nm"}};
   MeasureList list;
-  const auto add = [&](const std::string& channel, const std::string& column, const char* unit) {
+  const auto add = [&](const std::string& channel, const Column& column, const char* unit) {
     const Section rest = record.select({Phase::active}, {column});
     list.add("resting_force", channel, unit, rest, mean_over(rest, column));
   };
-  add("grip", "actual_force_N", "N");
+  add("grip", columns::actual_force_N, "N");
   for (const Finger finger : kFingers)
-    for (const Axis& axis : kAxes) {
-      const std::string channel = std::string(name_of(finger)) + "_" + axis.name;
-      add(channel, channel + "_" + axis.unit, axis.unit);
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      const bool force = axis < 3;
+      const auto& wrench = force ? columns::finger_force : columns::finger_torque;
+      add(std::string(name_of(finger)) + (force ? "_f" : "_t") +
+              std::string(columns::kXyz[axis % 3]),
+          wrench[index_of(finger)][axis % 3], force ? "N" : "Nm");
     }
   return list.take();
 }

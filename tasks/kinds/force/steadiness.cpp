@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/csv.hpp"
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/hold_score.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
@@ -63,7 +64,7 @@ std::vector<Measure> score_steadiness(const SteadinessSpec& spec, const Record& 
     if (part.phase != Phase::active || level == channels.size()) continue;
     const std::string& channel = channels[level++];
     const Trace hold = trace_of(record, part.first, part.last, true);
-    const double noise_N = known_in(record, part, "noise_sd_N");
+    const double noise_N = known_in(record, part, columns::noise_sd_N);
     add_steadiness(hold, channel, noise_N, list);
     list.add("constant_error", channel, "N", hold.section,
              constant_error(hold.target_N, hold.force_N, hold.weight_s));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/cue_score.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
@@ -52,12 +53,12 @@ std::vector<Measure> score_step_response(const StepResponseSpec& spec, const Rec
     const Part& part = parts[i];
     if (part.phase != Phase::active) continue;
     const Trace trace = trace_of(record, parts[i - 1].first, part.last);
-    const double from_N = known_in(record, parts[i - 1], "target_force_N");
-    const double to_N = known_in(record, part, "target_force_N");
+    const double from_N = known_in(record, parts[i - 1], columns::target_force_N);
+    const double to_N = known_in(record, part, columns::target_force_N);
     if (trace.empty() || !(from_N != to_N)) continue;
     const CuedStep step{record.task_time_s(part.first), from_N, to_N};
     const CuedStepResponse response = cued_step_response(
-        trace.t_s, trace.force_N, step, known_or_zero(record, part, "resolution_N"));
+        trace.t_s, trace.force_N, step, known_or_zero(record, part, columns::resolution_N));
     reactions.push_back(response.reaction);
     t63.push_back(response.t63);
     settling.push_back(response.settling);

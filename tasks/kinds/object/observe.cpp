@@ -2,6 +2,7 @@
 // Free handling of an object: an instruction for a fixed time.
 #include "tasks/kinds/object/observe.hpp"
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/object_score.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_object_keys.hpp"
@@ -54,7 +55,7 @@ Duration observe_duration(const ObserveSpec& spec) {
 
 std::vector<Measure> score_observe(const ObserveSpec&, const Record& record) {
   const ObjectRecord object(record);
-  const Section force = record.select({Phase::active}, {"actual_force_N"});
+  const Section force = record.select({Phase::active}, {columns::actual_force_N});
   const Section motion = record.select_position(0, record.rows(), {Phase::active});
   Section contact = record.select({Phase::active}, object.contact_columns());
   if (contact.reason.empty()) contact.reason = object.no_contact_columns();
@@ -62,7 +63,7 @@ std::vector<Measure> score_observe(const ObserveSpec&, const Record& record) {
   for (std::size_t k = 0; k < contact.rows.size(); ++k)
     if (object.touched(contact.rows[k])) touching_s += contact.weight_s[k];
   statistics::Computed most = "no samples";
-  for (const double force_N : force.values("actual_force_N"))
+  for (const double force_N : force.values(columns::actual_force_N))
     if (!most.value || force_N > *most.value) most = force_N;
   return {object.mean_grip({Phase::active}), make_measure("peak_force", "grip", "N", force, most),
           path_length(motion), make_measure("contact_time", "contact", "s", contact, touching_s)};

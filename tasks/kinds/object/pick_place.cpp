@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_object_keys.hpp"
 #include "tasks/pace.hpp"
@@ -172,7 +173,7 @@ int pick_place_count(const PickPlaceSpec& spec) {
 
 constexpr PlacedMeasure kPickPlacePlaces[] = {{"targets_reached", "", Prominence::key},
                                               {"median_completion_time", "", Prominence::key},
-                                              {"drops", "", Prominence::trend}};
+                                              {columns::drops, "", Prominence::trend}};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/object/pick_place.hpp"
 #include "tasks/kinds/tools/object_score.hpp"
 #include "tasks/measures/motion.hpp"
@@ -34,16 +35,16 @@ class PickPlaceScore {
 
  private:
   [[nodiscard]] Measure drops() const {
-    Section section = record_.select(kMoving, {"drops"});
+    Section section = record_.select(kMoving, {columns::drops});
     double most = 0.0;
-    for (const double drops : section.values("drops")) most = std::max(most, drops);
+    for (const double drops : section.values(columns::drops)) most = std::max(most, drops);
     return make_measure("drops", "contact", "", section, most);
   }
 
   /// The way that ended at the target: from where the object appeared last. In the row in which it
   /// is put there it is still where it was before.
   [[nodiscard]] Section last_way(const Attempt& attempt) const {
-    const auto drops = record_.signals().column("drops");
+    const auto drops = record_.signals().column(columns::drops);
     std::size_t first = attempt.first_row + 1;
     if (!drops.empty()) {
       double before = drops[attempt.first_row];

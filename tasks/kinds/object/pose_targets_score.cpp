@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/kinds/object/pose_targets.hpp"
 #include "tasks/kinds/tools/object_score.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
@@ -150,7 +151,8 @@ class PoseScore {
       const Smoothness of_motion = object_.smoothness_of_motion(way);
       motion_arcs.push_back(of_motion.sparc);
       motion_jerks.push_back(of_motion.ldlj);
-      const Section grip = record_.select(attempt.first_row, end, kMoving, {"actual_force_N"});
+      const Section grip =
+          record_.select(attempt.first_row, end, kMoving, {columns::actual_force_N});
       append(force, grip);
       const Smoothness of_grip = object_.smoothness_of_grip(grip);
       force_arcs.push_back(of_grip.sparc);

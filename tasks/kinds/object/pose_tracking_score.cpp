@@ -6,6 +6,7 @@
 
 #include "core/csv.hpp"
 #include "grasp_model/scene.hpp"
+#include "hand/columns.hpp"
 #include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/kinds/tools/object_score.hpp"
 #include "tasks/measures/delay.hpp"
@@ -43,7 +44,7 @@ class TrackingScore {
     add_whole(all);
     const Section motion = record_.select_position(0, record_.rows(), kScored);
     all.push_back(path_length(motion));
-    const Section force = record_.select(kScored, {"actual_force_N"});
+    const Section force = record_.select(kScored, {columns::actual_force_N});
     const Smoothness of_motion = object_.smoothness_of_motion(motion);
     const Smoothness of_grip = object_.smoothness_of_grip(force);
     all.push_back(make_measure("sparc", "position", "", motion, of_motion.sparc));
@@ -60,9 +61,8 @@ class TrackingScore {
   [[nodiscard]] Followed followed(int dof) const {
     Followed result;
     if (dof < 3) {
-      const std::string name = std::string(kDofNames[static_cast<std::size_t>(dof)]) + "_m";
-      const std::string target = "target_" + name;
-      const std::string actual = "actual_" + name;
+      const Column& target = columns::target_position[static_cast<std::size_t>(dof)];
+      const Column& actual = columns::actual_position[static_cast<std::size_t>(dof)];
       result.section = record_.select(kScored, {target, actual});
       if (!result.section.reason.empty()) return result;
       result.target = result.section.values(target);

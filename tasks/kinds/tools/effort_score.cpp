@@ -3,12 +3,13 @@
 
 #include <cmath>
 
+#include "hand/columns.hpp"
 #include "tasks/measures/error.hpp"
 
 namespace isograsp::tasks {
 
 EffortForces effort_of(const Record& record, const Part& part, double window_s) {
-  const auto force = record.signals().column("actual_force_N");
+  const auto force = record.signals().column(columns::actual_force_N);
   // A window must be uninterrupted, so this list keeps the rows that do not count.
   std::vector<double> force_N;
   std::vector<double> weight_s;
@@ -24,7 +25,7 @@ EffortForces effort_of(const Record& record, const Part& part, double window_s) 
   }
   effort.total = best_moving_mean(force_N, weight_s, valid, window_s);
   effort.above_rest = effort.total;
-  const double resting_N = known_in(record, part, "resting_force_N");
+  const double resting_N = known_in(record, part, columns::resting_force_N);
   if (effort.total.value)
     effort.above_rest = std::isnan(resting_N)
                             ? statistics::Computed("the resting force was not measured")
@@ -37,8 +38,7 @@ void add_coflexion(const Record& record, const Part& part, const std::string& ch
   std::size_t first = part.first;
   while (first > 0 && record.phase(first - 1) == Phase::lead_in) --first;
   const NormalForces before = normal_forces(record, first, part.first);
-  const Section opening =
-      record.select(part.first, part.last, {}, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
+  const Section opening = record.select(part.first, part.last, {}, names_of(columns::normal_force));
   statistics::Computed share = "the force before the cue is not known";
   if (!before.section.rows.empty() && opening.reason.empty()) {
     // A window must be uninterrupted, so these lists keep the rows that do not count.
@@ -52,7 +52,7 @@ void add_coflexion(const Record& record, const Part& part, const std::string& ch
     DigitForces forces;
     for (const Finger finger : kFingers) {
       const std::size_t f = index_of(finger);
-      const auto column = record.signals().column(std::string(name_of(finger)) + "_fz_N");
+      const auto column = record.signals().column(columns::normal_force[f]);
       for (std::size_t k = 0; k < rows; ++k)
         force_N[f].push_back(valid[k] ? column[part.first + k] - resting_N[f] : 0.0);
       forces.force_N[f] = force_N[f];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "hand/columns.hpp"
 #include "statistics/quantile.hpp"
 #include "tasks/kinds/tools/object_score.hpp"
 #include "tasks/measures/coupling.hpp"
@@ -99,21 +100,21 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
                std::initializer_list<Phase> phases) {
   std::array<Touch, kFingerCount> fingers;
   bool known = false;
-  std::vector<std::string> forces, columns;
+  std::vector<std::string> forces, all;
   for (const Finger finger : kFingers) {
-    const std::string name(name_of(finger));
-    const std::vector<std::string> names{name + "_fx_N", name + "_fy_N", name + "_fz_N",
-                                         "contact_" + name, "utilisation_" + name};
+    const std::size_t f = index_of(finger);
+    const auto& [x, y, z] = columns::finger_force[f];
+    const std::vector<std::string> names{x, y, z, columns::contact[f], columns::utilisation[f]};
     const auto column = [&](std::size_t i) { return record.signals().column(names[i]); };
     const Touch touch{column(0), column(1), column(2), column(3), column(4)};
     known = known || touch.known();
     // Never a contact, not even a 0: the scene lacks this finger.
-    if (!touch.known() || !record.constant("contact_" + name)) continue;
-    fingers[index_of(finger)] = touch;
+    if (!touch.known() || !record.constant(columns::contact[f])) continue;
+    fingers[f] = touch;
     forces.insert(forces.end(), names.begin(), names.begin() + 3);
-    columns.insert(columns.end(), names.begin(), names.end());
+    all.insert(all.end(), names.begin(), names.end());
   }
-  Section section = record.select(phases, columns);
+  Section section = record.select(phases, all);
   if (!known) section.reason = "forces, contacts or utilisation of the fingers are missing";
   // Beside a contact of 1 no force looks small.
   if (std::string why = record.unusable(section, forces); section.reason.empty() && !why.empty()) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/csv.hpp"
+#include "hand/columns.hpp"
 #include "tasks/measures/motion.hpp"
 #include "tasks/measures/smoothness.hpp"
 
@@ -20,40 +21,39 @@ void append(Section& sum, const Section& part) {
 
 ObjectRecord::ObjectRecord(const Record& record)
     : record_(record),
-      actual_q_(components("actual_q")),
-      target_q_(components("target_q")),
-      actual_angle_(record.signals().column("actual_angle_rad")),
-      target_angle_(record.signals().column("target_angle_rad")),
-      contact_(flags("contact_")),
-      slip_(flags("slip_")) {
+      actual_q_(components(columns::actual_attitude)),
+      target_q_(components(columns::target_attitude)),
+      actual_angle_(record.signals().column(columns::actual_angle_rad)),
+      target_angle_(record.signals().column(columns::target_angle_rad)),
+      contact_(flags(columns::contact, "the columns contact_* are missing")),
+      slip_(flags(columns::slip, "the columns slip_* are missing")) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::string name = std::string(1, "xyz"[axis]) + "_m";
-    actual_m_[axis] = record.signals().column("actual_" + name);
-    target_m_[axis] = record.signals().column("target_" + name);
+    actual_m_[axis] = record.signals().column(columns::actual_position[axis]);
+    target_m_[axis] = record.signals().column(columns::target_position[axis]);
   }
   // A height that only one of the two has cannot be compared.
   if (actual_m_[2].empty() || target_m_[2].empty()) actual_m_[2] = target_m_[2] = {};
 }
 
-ObjectRecord::Components ObjectRecord::components(const std::string& prefix) const {
+ObjectRecord::Components ObjectRecord::components(const columns::OfComponents& attitude) const {
   Components found;
-  for (std::size_t i = 0; i < 4; ++i) found[i] = record_.signals().column(prefix + "wxyz"[i]);
+  for (std::size_t i = 0; i < 4; ++i) found[i] = record_.signals().column(attitude[i]);
   const bool complete =
       std::none_of(found.begin(), found.end(), [](const auto& column) { return column.empty(); });
   return complete ? found : Components{};
 }
 
-ObjectRecord::Flags ObjectRecord::flags(const std::string& prefix) const {
+ObjectRecord::Flags ObjectRecord::flags(const columns::OfFingers& of, const char* absent) const {
   Flags found;
   bool known = false;
   for (const Finger finger : kFingers) {
-    const std::string name = prefix + std::string(name_of(finger));
+    const Column& name = of[index_of(finger)];
     known = known || record_.signals().has(name);
     if (!record_.constant(name)) continue;  // never a value: the scene lacks this finger
-    found.names.push_back(name);
+    found.names.emplace_back(name);
     found.columns.push_back(record_.signals().column(name));
   }
-  if (!known) found.absent = "the columns " + prefix + "* are missing";
+  if (!known) found.absent = absent;
   return found;
 }
 
@@ -69,24 +69,24 @@ bool ObjectRecord::touch_known(std::size_t row) const {
 
 Section ObjectRecord::select_positions(std::size_t first, std::size_t last,
                                        std::initializer_list<Phase> phases) const {
+  const auto& [x, y, z] = columns::actual_position;
+  const auto& [target_x, target_y, target_z] = columns::target_position;
   if (!actual_m_[2].empty())
-    return record_.select(
-        first, last, phases,
-        {"actual_x_m", "actual_y_m", "actual_z_m", "target_x_m", "target_y_m", "target_z_m"});
-  return record_.select(first, last, phases,
-                        {"actual_x_m", "actual_y_m", "target_x_m", "target_y_m"});
+    return record_.select(first, last, phases, {x, y, z, target_x, target_y, target_z});
+  return record_.select(first, last, phases, {x, y, target_x, target_y});
 }
 
 Section ObjectRecord::select_attitudes(std::size_t first, std::size_t last,
                                        std::initializer_list<Phase> phases) const {
-  std::vector<std::string> columns;
-  const auto add = [&](const std::string& of, const Components& q) {
-    if (q[0].empty()) return columns.push_back(of + "_angle_rad");
-    for (const char part : {'w', 'x', 'y', 'z'}) columns.push_back(of + "_q" + part);
+  std::vector<std::string> names;
+  const auto add = [&](const columns::OfComponents& attitude, const Column& angle,
+                       const Components& q) {
+    if (q[0].empty()) return names.push_back(angle);
+    for (const Column& component : attitude) names.push_back(component);
   };
-  add("actual", actual_q_);
-  add("target", target_q_);
-  return record_.select(first, last, phases, columns);
+  add(columns::actual_attitude, columns::actual_angle_rad, actual_q_);
+  add(columns::target_attitude, columns::target_angle_rad, target_q_);
+  return record_.select(first, last, phases, names);
 }
 
 std::vector<Quat> ObjectRecord::attitudes(const Section& section) const {
@@ -148,8 +148,8 @@ Measure ObjectRecord::slip(std::initializer_list<Phase> phases) const {
 }
 
 Measure ObjectRecord::mean_grip(std::initializer_list<Phase> phases) const {
-  const Section force = record_.select(phases, {"actual_force_N"});
-  return make_measure("mean_grip", "grip", "N", force, mean_over(force, "actual_force_N"));
+  const Section force = record_.select(phases, {columns::actual_force_N});
+  return make_measure("mean_grip", "grip", "N", force, mean_over(force, columns::actual_force_N));
 }
 
 Smoothness ObjectRecord::smoothness_of_motion(const Section& section) const {
@@ -163,7 +163,7 @@ Smoothness ObjectRecord::smoothness_of_grip(const Section& section) const {
   const char* const too_short = "fewer than two samples";
   if (section.rows.size() < 2) return {too_short, too_short};
   const statistics::UniformSamples rate =
-      rate_of(statistics::on_uniform_grid(section.t_s, section.values("actual_force_N")));
+      rate_of(statistics::on_uniform_grid(section.t_s, section.values(columns::actual_force_N)));
   return {sparc(rate), ldlj(rate)};
 }
 
@@ -171,12 +171,13 @@ Attempts attempts_of(const Record& record, std::size_t count) {
   const Signals& signals = record.signals();
   Attempts attempts;
   attempts.all.resize(count);
-  for (const char* name : {"phase", "target_index", "targets_reached"})
+  for (const std::string_view name :
+       {columns::phase, columns::target_index, columns::targets_reached})
     if (!signals.has(name) && attempts.absent.empty())
       attempts.absent = "the column " + std::string(name) + " is missing";
   if (!attempts.absent.empty()) return attempts;
-  const auto index = signals.column("target_index");
-  const auto reached = signals.column("targets_reached");
+  const auto index = signals.column(columns::target_index);
+  const auto reached = signals.column(columns::targets_reached);
   double reached_before = 0.0;
   for (std::size_t row = 0; row < record.rows(); ++row) {
     const bool working = record.phase(row) == Phase::transport || record.phase(row) == Phase::hold;

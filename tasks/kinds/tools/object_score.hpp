@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/spatial.hpp"
+#include "hand/columns.hpp"
 #include "statistics/survival.hpp"
 #include "tasks/record.hpp"
 
@@ -97,8 +98,8 @@ class ObjectRecord {
   [[nodiscard]] static bool any(const Flags& flags, std::size_t row);
   [[nodiscard]] std::vector<Quat> attitudes(const Section& section) const;
   [[nodiscard]] std::vector<Quat> target_attitudes(const Section& section) const;
-  [[nodiscard]] Components components(const std::string& prefix) const;
-  [[nodiscard]] Flags flags(const std::string& prefix) const;
+  [[nodiscard]] Components components(const columns::OfComponents& attitude) const;
+  [[nodiscard]] Flags flags(const columns::OfFingers& of, const char* absent) const;
 
   const Record& record_;
   Axes actual_m_, target_m_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hand/columns.hpp"
 #include "statistics/survival.hpp"
 #include "tasks/measures/direction.hpp"
 #include "tasks/measures/error.hpp"
@@ -24,10 +25,10 @@ Enum stored(std::span<const double> column, std::size_t row, std::size_t count) 
 
 std::vector<Part> parts_of(const Record& record) {
   const Signals& signals = record.signals();
-  const auto segment = signals.column("segment");
-  const auto cue = signals.column("cue");
-  const auto digits = signals.column("channel_digits");
-  const auto direction = signals.column("channel_direction");
+  const auto segment = signals.column(columns::segment);
+  const auto cue = signals.column(columns::cue);
+  const auto digits = signals.column(columns::channel_digits);
+  const auto direction = signals.column(columns::channel_direction);
   std::vector<Part> parts;
   double before = std::numeric_limits<double>::quiet_NaN();
   std::size_t rows = 0;
@@ -65,13 +66,14 @@ double end_of(const Record& record, const Part& part) {
 
 Trace trace_of(const Record& record, std::size_t first, std::size_t last, bool with_target) {
   Trace trace;
-  trace.section = with_target ? record.select(first, last, {}, {"target_force_N", "actual_force_N"})
-                              : record.select(first, last, {}, {"actual_force_N"});
+  trace.section = with_target ? record.select(first, last, {},
+                                              {columns::target_force_N, columns::actual_force_N})
+                              : record.select(first, last, {}, {columns::actual_force_N});
   if (!trace.section.reason.empty()) return trace;
   trace.t_s = trace.section.t_s;
   trace.weight_s = trace.section.weight_s;
-  trace.force_N = trace.section.values("actual_force_N");
-  if (with_target) trace.target_N = trace.section.values("target_force_N");
+  trace.force_N = trace.section.values(columns::actual_force_N);
+  if (with_target) trace.target_N = trace.section.values(columns::target_force_N);
   return trace;
 }
 
@@ -104,17 +106,17 @@ PerDigit NormalForces::mean() const {
 NormalForces normal_forces(const Record& record, std::size_t first, std::size_t last,
                            std::initializer_list<Phase> phases) {
   NormalForces forces;
-  forces.section = record.select(first, last, phases, {"thumb_fz_N", "index_fz_N", "middle_fz_N"});
+  forces.section = record.select(first, last, phases, names_of(columns::normal_force));
   if (!forces.section.reason.empty()) return forces;
   for (const Finger finger : kFingers)
     forces.force_N[index_of(finger)] =
-        forces.section.values(std::string(name_of(finger)) + "_fz_N");
+        forces.section.values(columns::normal_force[index_of(finger)]);
   return forces;
 }
 
 Vectors vectors_of(const Record& record, std::size_t first, std::size_t last,
-                   const std::string& prefix) {
-  const std::string x = prefix + "_fx_N", y = prefix + "_fy_N", z = prefix + "_fz_N";
+                   const columns::OfAxes& axes) {
+  const auto& [x, y, z] = axes;
   Vectors vectors;
   vectors.section = record.select(first, last, {}, {x, y, z});
   for (const std::size_t row : vectors.section.rows)
@@ -199,14 +201,15 @@ void MeasureList::add_times(const std::string& name, const std::string& channel,
 
 void add_net_push(const Record& record, ForceChannel channel, MeasureList& list) {
   if (single_digit(channel)) return;
+  const auto& [push_x, push_y, push_z] = columns::net_force;
   const Section section = record.select({Phase::active, Phase::hold},
-                                        {"net_fx_N", "net_fy_N", "net_fz_N", "actual_force_N"});
+                                        {push_x, push_y, push_z, columns::actual_force_N});
   const Signals& signals = record.signals();
-  if (!signals.has("net_fz_N") || !signals.has("actual_force_N")) return;  // not recorded
-  const auto x = section.values("net_fx_N");
-  const auto y = section.values("net_fy_N");
-  const auto z = section.values("net_fz_N");
-  auto grip_N = section.values("actual_force_N");
+  if (!signals.has(push_z) || !signals.has(columns::actual_force_N)) return;  // not recorded
+  const auto x = section.values(push_x);
+  const auto y = section.values(push_y);
+  const auto z = section.values(push_z);
+  auto grip_N = section.values(columns::actual_force_N);
   std::vector<double> push_N;
   for (std::size_t k = 0; k < x.size(); ++k) {
     push_N.push_back(std::hypot(x[k], y[k], z[k]));
@@ -223,7 +226,8 @@ void add_sharing(const Record& record, ForceChannel channel, MeasureList& list) 
                          channel.digits == Digits::sum;
   if (!all_press || channel.direction != Direction::plus_z) return;
   const NormalForces forces = normal_forces(record, 0, record.rows(), {Phase::active});
-  if (!record.signals().has("middle_fz_N")) return;  // finger forces were not recorded
+  if (!record.signals().has(columns::normal_force[index_of(Finger::middle)]))
+    return;  // finger forces were not recorded
   const PerDigit mean_N = forces.mean();
   for (const Finger finger : kFingers)
     list.add("sharing", std::string(name_of(finger)), "%", forces.section, sharing(mean_N, finger));
@@ -231,9 +235,9 @@ void add_sharing(const Record& record, ForceChannel channel, MeasureList& list) 
 }
 
 void add_force_of_maximum(const Record& record, ForceChannel channel, MeasureList& list) {
-  const auto force = record.signals().column("actual_force_N");
-  const auto maximum = record.signals().column("maximum_force_N");
-  const auto resting = record.signals().column("resting_force_N");
+  const auto force = record.signals().column(columns::actual_force_N);
+  const auto maximum = record.signals().column(columns::maximum_force_N);
+  const auto resting = record.signals().column(columns::resting_force_N);
   if (force.empty() || maximum.empty() || resting.empty()) return;
   std::vector<double> of_maximum(record.rows(), 0.0);
   std::vector<double> weight_s(record.rows(), 0.0);
@@ -250,10 +254,11 @@ void add_force_of_maximum(const Record& record, ForceChannel channel, MeasureLis
   }
   if (!known) return;
   constexpr double kWindow_s = 0.5;  // that of the maximum itself
-  list.add("force_of_maximum", name_of(channel), "%",
-           record.select({Phase::active, Phase::hold},
-                         {"actual_force_N", "resting_force_N", "maximum_force_N"}),
-           best_moving_mean(of_maximum, weight_s, valid, kWindow_s));
+  list.add(
+      "force_of_maximum", name_of(channel), "%",
+      record.select({Phase::active, Phase::hold},
+                    {columns::actual_force_N, columns::resting_force_N, columns::maximum_force_N}),
+      best_moving_mean(of_maximum, weight_s, valid, kWindow_s));
 }
 
 void add_synergy(const CycleSynergy& found, const Section& section, MeasureList& list) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hand/columns.hpp"
 #include "hand/force_channel.hpp"
 #include "statistics/samples.hpp"
 #include "tasks/measures/digits.hpp"
@@ -61,7 +62,7 @@ struct Vectors {
   std::vector<Vec3> force_N;
 };
 [[nodiscard]] Vectors vectors_of(const Record& record, std::size_t first, std::size_t last,
-                                 const std::string& prefix);
+                                 const columns::OfAxes& axes);
 
 /// Value of a column in the first row of the part in which it is known; NaN: nowhere.
 [[nodiscard]] double known_in(const Record& record, const Part& part, std::string_view column);

@@ -38,13 +38,13 @@ struct TaskOfSession {
   std::map<MeasureKey, Collected> measures;
 };
 
-struct Work {
+struct SessionWork {
   std::vector<TaskKey> order;
   std::map<TaskKey, TaskOfSession> tasks;
 };
 
-Work collect(const CourseSession& session) {
-  Work work;
+SessionWork collect(const CourseSession& session) {
+  SessionWork work;
   for (const auto& trial : session.trials) {
     if (!is_assessment(trial.record)) continue;
     const auto key = task_of(trial.record);
@@ -146,8 +146,8 @@ SessionComparison compare_sessions(const CourseSession& a, const CourseSession& 
     comparison.left_out.push_back(why);
     return comparison;
   }
-  const Work in_a = collect(a);
-  const Work in_b = collect(b);
+  const SessionWork in_a = collect(a);
+  const SessionWork in_b = collect(b);
   for (const auto& key : in_b.order) {
     if (const auto same = in_a.tasks.find(key); same != in_a.tasks.end()) {
       add_rows(same->second, in_b.tasks.at(key), comparison);

@@ -15,14 +15,14 @@ namespace {
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 /// Collects the columns; values are of no interest.
-struct Names {
+struct ColumnNames {
   std::vector<storage::SignalGroup>& groups;
   void begin(std::string_view group) { groups.push_back({std::string(group), {}}); }
   void put(const Column& column, double) { groups.back().columns.emplace_back(column); }
 };
 
 /// Collects the values.
-struct Values {
+struct ColumnValues {
   TrialRow& row;
   void begin(std::string_view) noexcept {}
   void put(const Column&, double value) noexcept { row.add(value); }
@@ -169,13 +169,13 @@ void put_all(Sink sink, const TrialFrame& frame, bool has_object) {
 
 std::vector<storage::SignalGroup> signal_groups(bool has_object) {
   std::vector<storage::SignalGroup> groups;
-  put_all(Names{groups}, {0.0, {}, {}, {}, {}, {}, {}, {}, 0.0, 0.0}, has_object);
+  put_all(ColumnNames{groups}, {0.0, {}, {}, {}, {}, {}, {}, {}, 0.0, 0.0}, has_object);
   return groups;
 }
 
 void write_row(const TrialFrame& frame, bool has_object, TrialRow& row) noexcept {
   row.clear();
-  put_all(Values{row}, frame, has_object);
+  put_all(ColumnValues{row}, frame, has_object);
 }
 
 }  // namespace isograsp::session

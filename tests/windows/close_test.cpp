@@ -39,6 +39,24 @@ TEST_F(Leaving, AFilledClinicEndsWithStatusZeroFromEveryPage) {
   }
 }
 
+TEST_F(Leaving, RightBehindThePressOfConnectLeavesNoSessionOpen) {
+  connect();
+  expect_clean_end();
+  EXPECT_EQ(stored("SELECT count(*) FROM sessions WHERE ended_utc = ''"), "0\n");
+  expect_sound();
+}
+
+TEST_F(Leaving, TheLoginOfAProtectedClinicEndsWithStatusZero) {
+  const std::string phrase =
+      desktop_.folder().write("phrase", "seven calm boats on a wide river\n");
+  const auto made =
+      test::isograsp("db init --protected " + database() + " --passphrase-file " + phrase);
+  ASSERT_EQ(made.status, 0) << made.err;
+  start();
+  ASSERT_TRUE(desktop_.wait_for("login"));
+  expect_clean_end();
+}
+
 TEST_F(Leaving, AnOpenSessionIsEndedInTheDatabase) {
   open_session();
   ASSERT_TRUE(desktop_.wait_for("start"));

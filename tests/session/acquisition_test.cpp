@@ -198,6 +198,7 @@ TEST(TrialRow, EveryColumnStandsOnceAndHasAValue) {
     for (const auto& group : signal_groups(has_object))
       for (const auto& name : group.columns) EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_EQ(names.size(), has_object ? kObjectTask : kForceTask);
+    ASSERT_LE(names.size(), TrialRow::kMostColumns);
     TrialRow row;
     write_row({0.0, {}, {}, tasks::Phase::active, {}, {}, {}, {}, 0.0, 0.0}, has_object, row);
     EXPECT_EQ(row.values().size(), names.size());

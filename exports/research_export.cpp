@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <unordered_set>
 
-#include <unistd.h>
+#include "core/staging_folder.hpp"
 
 namespace isograsp::exports {
 
@@ -95,14 +95,20 @@ Result<std::size_t> write_export(storage::SessionStore& store, const ExportReque
   const bool made = fs::create_directories(out, failure);
   if (failure || !fs::is_directory(out))
     return refused("the folder cannot be made", "choose another one").at(folder).about("--out");
-  const fs::path staging = out / (".part" + std::to_string(getpid()));
-  auto written = write_all(store, request, format, staging, total, progress);
-  if (written) try {
-      if (const auto done = publish(staging, out); !done) written = done.error();
+  const auto write_and_publish = [&]() -> Result<std::size_t> {
+    const auto staging = StagingFolder::beside(folder);
+    if (!staging) return Error(staging.error()).about("--out");
+    const fs::path part = staging->file();
+    auto written = write_all(store, request, format, part, total, progress);
+    if (!written) return written;
+    try {
+      if (const auto done = publish(part, out); !done) return done.error();
     } catch (const fs::filesystem_error& why) {
-      written = not_written(why, folder);
+      return not_written(why, folder);
     }
-  fs::remove_all(staging, failure);
+    return written;
+  };
+  auto written = write_and_publish();
   if (!written && made) fs::remove(out, failure);
   return written;
 }

@@ -21,6 +21,14 @@ constexpr double kStampJitter_s = 0.001;
 constexpr double kPartOfRecord = 0.25;
 /// Boxes round their rate to a fraction of their own and have clocks of their own.
 constexpr double kRateTolerance = 0.02;
+/// A box may be slower than believed by the tolerance, and what is believed faster than the middle
+/// by another: its records seem late by no more than two tolerances of the time that passes. What
+/// is saved up is given back a little faster, so that a slow clock never makes room for a forged
+/// record.
+constexpr double kGivenBack = 2.1;
+/// But not what the network has shown to need: the most that one record has caught up is remembered
+/// for about this time.
+constexpr double kJitterMemory_s = 60.0;
 
 }  // namespace
 
@@ -35,9 +43,15 @@ double NetFtSequence::sent_in(double seconds) const noexcept {
   return seconds * rate_Hz_ * (1.0 + kRateTolerance);
 }
 
+/// The slack of a record that may come a little early.
+double NetFtSequence::slack() const noexcept {
+  return kPartOfRecord + sent_in(kStampJitter_s);
+}
+
 void NetFtSequence::join(const NetFtRecord& record, Timestamp stamp, double spare) noexcept {
   started_.reset();
   unplaced_.reset();
+  jitter_ = 0.0;
   newest_ = Number{record.rdt_sequence, record.ft_sequence};
   newest_stamp_ = stamp;
   spare_ = std::min(spare, kLongestDelay_s * rate_Hz_);
@@ -86,6 +100,17 @@ NetFtSequence::Place NetFtSequence::begin(const NetFtRecord& record, Timestamp s
   return Place::in_order;
 }
 
+/// It is the newest now.
+void NetFtSequence::advance(const NetFtRecord& record, Timestamp stamp) noexcept {
+  const std::uint32_t ahead = record.rdt_sequence - newest_->rdt;
+  lost_ += ahead - 1;
+  seen_ = ahead < kWindow ? seen_ << ahead : 0;
+  newest_ = Number{record.rdt_sequence, record.ft_sequence};
+  newest_stamp_ = std::max(newest_stamp_, stamp);
+  unplaced_.reset();
+  remember(record);
+}
+
 /// A record with a higher number than all before.
 NetFtSequence::Place NetFtSequence::go_on(const NetFtRecord& record, Timestamp stamp) noexcept {
   const std::uint32_t ahead = record.rdt_sequence - newest_->rdt;
@@ -94,29 +119,45 @@ NetFtSequence::Place NetFtSequence::go_on(const NetFtRecord& record, Timestamp s
   const double since_s = std::max(0.0, to_seconds(stamp - newest_stamp_));
   // The next one may have been kept by the network for long; that some of those before it are
   // missing is believed only as far as the time tells it.
-  const double kept = ahead == 1 ? spare_ : std::min(spare_, kLongestJitter_s * rate_Hz_);
-  const double slack = kPartOfRecord + sent_in(kStampJitter_s);
+  const double given_back = kGivenBack * kRateTolerance * sent_in(since_s);
+  const double spare = std::max(spare_ - given_back, std::min(spare_, jitter_));
+  const double kept = ahead == 1 ? spare : std::min(spare, kLongestJitter_s * rate_Hz_);
   const double most_ft = (since_s + kLongestDelay_s) * kNetFtFastest_Hz * (1.0 + kRateTolerance);
-  if (ahead > sent_in(since_s) + kept + slack || ft_ahead > most_ft)
-    return contradiction(record, stamp, Place::impossible);
-  lost_ += ahead - 1;
-  seen_ = ahead < kWindow ? seen_ << ahead : 0;
-  newest_ = Number{record.rdt_sequence, record.ft_sequence};
-  newest_stamp_ = std::max(newest_stamp_, stamp);
-  spare_ = std::min(spare_ + sent_in(since_s) - ahead, kLongestDelay_s * rate_Hz_);
-  unplaced_.reset();
-  remember(record);
+  if (ft_ahead > most_ft) return contradiction(record, stamp, Place::impossible);
+  if (ahead > sent_in(since_s) + kept + slack()) return before_its_time(record, stamp);
+  advance(record, stamp);
+  const double caught_up = ahead - sent_in(since_s);
+  spare_ = std::min(spare - caught_up, kLongestDelay_s * rate_Hz_);
+  jitter_ = std::max(jitter_ * std::max(0.0, 1.0 - since_s / kJitterMemory_s), caught_up);
   if (ft_ahead != 0) return Place::in_order;
   ++stalled_;
   return Place::stalled;
+}
+
+/// Where a stream comes earlier than before for good, a delay that lasted has ended: it goes on
+/// with the first record that is not before its time after the one before.
+NetFtSequence::Place NetFtSequence::before_its_time(const NetFtRecord& record,
+                                                    Timestamp stamp) noexcept {
+  if (record.rdt_sequence - newest_->rdt >= kWindow || !unplaced_)
+    return contradiction(record, stamp, Place::impossible);
+  const std::uint32_t ahead = record.rdt_sequence - unplaced_->number.rdt;
+  const bool follows = ahead >= 1 && ahead < kWindow;
+  if (follows && ahead <= sent_in(to_seconds(stamp - unplaced_->stamp)) + slack()) {
+    advance(record, stamp);
+    spare_ = 0.0;
+    return Place::in_order;
+  }
+  ++impossible_;
+  unplaced_ = Arrival{{record.rdt_sequence, record.ft_sequence}, stamp};
+  return Place::impossible;
 }
 
 /// A stream that began anew goes on from its first record; a stray record stands alone.
 NetFtSequence::Place NetFtSequence::contradiction(const NetFtRecord& record, Timestamp stamp,
                                                   Place what) noexcept {
   if (unplaced_) {
-    const std::uint32_t ahead = record.rdt_sequence - unplaced_->rdt;
-    const std::uint32_t ft_ahead = record.ft_sequence - unplaced_->ft;
+    const std::uint32_t ahead = record.rdt_sequence - unplaced_->number.rdt;
+    const std::uint32_t ft_ahead = record.ft_sequence - unplaced_->number.ft;
     if (ahead >= 1 && ahead < kWindow && ft_ahead < kHalf) {
       ++restarts_;
       lost_ += ahead - 1;
@@ -125,7 +166,7 @@ NetFtSequence::Place NetFtSequence::contradiction(const NetFtRecord& record, Tim
     }
   }
   ++(what == Place::impossible ? impossible_ : late_);
-  unplaced_ = Number{record.rdt_sequence, record.ft_sequence};
+  unplaced_ = Arrival{{record.rdt_sequence, record.ft_sequence}, stamp};
   return what;
 }
 

@@ -18,7 +18,10 @@ namespace isograsp {
 ///
 /// Anybody on the network can send a record. No box sends more of them than its rate and the time
 /// since its start allow, however long the network kept them: a number beyond that is impossible.
-/// So lost() agrees with the time that has passed, and one forged record changes nothing.
+/// So lost() agrees with the time that has passed, and one forged record changes nothing. A record
+/// that comes before its time is impossible in the tenth hour as in the first second, as far as the
+/// network itself does not scatter them. A delay that lasts becomes the new time after a while, and
+/// when it ends the stream goes on from there.
 class NetFtSequence {
  public:
   enum class Place : std::uint8_t {
@@ -56,8 +59,11 @@ class NetFtSequence {
   [[nodiscard]] Place begin(const NetFtRecord& record, Timestamp stamp) noexcept;
   [[nodiscard]] Place go_on(const NetFtRecord& record, Timestamp stamp) noexcept;
   [[nodiscard]] double sent_in(double seconds) const noexcept;
+  [[nodiscard]] double slack() const noexcept;
+  void advance(const NetFtRecord& record, Timestamp stamp) noexcept;
   void remember(const NetFtRecord& record) noexcept;
   [[nodiscard]] bool remembers(std::uint32_t rdt_sequence) const noexcept;
+  [[nodiscard]] Place before_its_time(const NetFtRecord& record, Timestamp stamp) noexcept;
   [[nodiscard]] Place contradiction(const NetFtRecord& record, Timestamp stamp,
                                     Place what) noexcept;
 
@@ -65,11 +71,16 @@ class NetFtSequence {
     std::uint32_t rdt = 0;
     std::uint32_t ft = 0;
   };
+  struct Arrival {
+    Number number;
+    Timestamp stamp{0};
+  };
   double rate_Hz_;
   std::optional<Timestamp> started_;  ///< waiting for the first record of this stream
   std::optional<Number> newest_;
-  std::optional<Number> unplaced_;
+  std::optional<Arrival> unplaced_;
   Timestamp newest_stamp_{0};
+  double jitter_ = 0.0;     ///< records by which one has caught up lately
   double spare_ = 0.0;      ///< records that could have come by newest_stamp_, beyond the newest
   std::uint64_t seen_ = 0;  ///< bit k: record number newest - k has come
   std::array<std::uint32_t, kWindow> ft_of_{};

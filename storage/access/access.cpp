@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include <soci/soci.h>
-#include <unistd.h>
 
+#include "core/staging_folder.hpp"
 #include "storage/access/accounts.hpp"
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/audit_head_file.hpp"
@@ -148,12 +148,9 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   if (failure || fs::exists(fs::symlink_status(target)))
     return refused("exists already", "name a new file").at(database);
   if (auto good = check_password(passphrase, "passphrase"); !good) return good.error();
-  const std::string part = target.string() + ".new" + std::to_string(getpid());
-  const auto tidy = [&] {
-    for (const char* suffix : {"", "-wal", "-shm", "-journal", "-lock", "-audit"})
-      fs::remove(part + suffix, failure);
-  };
-  tidy();
+  const auto staging = StagingFolder::beside(target);
+  if (!staging) return staging.error();
+  const std::string& part = staging->file();
   Secret recovery_key = make_recovery_key();
   const auto made = [&]() -> Result<void> {
     auto file = Database::open(part, OpenMode::create);
@@ -164,14 +161,12 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
     });
   }();
   if (!made) {
-    tidy();
     Error error = made.error();
     error.file = database;
     return error;
   }
   // Not with rename: a file that appeared meanwhile is kept.
   const bool named = ::link(part.c_str(), target.c_str()) == 0;
-  tidy();
   if (!named) return failed("could not be made", "choose another name or folder").at(database);
   (void)set_aside_head_file(target);  // of a database of this name that is gone
   auto access = open(database);

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include <soci/soci.h>
-#include <unistd.h>
 
+#include "core/staging_folder.hpp"
 #include "core/time.hpp"
 #include "storage/access/access.hpp"
 #include "storage/access/open_store.hpp"
@@ -156,18 +156,17 @@ Result<void> put_back(const std::string& database, const EmergencyFile& file) {
     return failed("is not there, so nothing can be taken into it",
                   "put it back or restore the last backup, then rescue again")
         .at(database);
-  const std::string part = database + ".part" + std::to_string(getpid());
-  fs::remove(part, ignored);  // of a program of that number that was killed
+  const auto staging = StagingFolder::beside(database);
+  if (!staging) return staging.error();
+  const std::string& part = staging->file();
   std::error_code failure;
   fs::copy_file(file.whole(), part, failure);
   const bool synced = !failure && sync_path(part);
   if (!failure) fs::rename(part, database, failure);
-  if (failure || !synced) {
-    fs::remove(part, ignored);
+  if (failure || !synced)
     return failed("the copy " + file.whole() + " cannot be put back",
                   "check the disk and the folder")
         .at(database);
-  }
   static_cast<void>(sync_path(fs::path(absolute(database)).parent_path()));
   return {};
 }

@@ -7,8 +7,8 @@
 
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
-#include <unistd.h>
 
+#include "core/staging_folder.hpp"
 #include "storage/access/audit_head_file.hpp"
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
@@ -150,20 +150,15 @@ Result<Restored> restore_backup(const std::string& backup, const std::string& da
     return refused("cannot be reached", "check the path").at(database);
   if (fs::equivalent(backup, target, failure))
     return refused("is the backup itself", "name two files").at(database);
-  const std::string copy = target + ".restored" + std::to_string(getpid());
-  const auto tidy = [&copy] {
-    std::error_code ignored;
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(copy + suffix, ignored);
-    fs::remove(head_file_of(copy), ignored);
-  };
-  tidy();
+  const auto staging = StagingFolder::beside(target);
+  if (!staging) return staging.error();
+  const std::string& copy = staging->file();
   Restored restored;
   if (fs::exists(fs::symlink_status(target))) restored.kept = free_name(target + ".before-restore");
   auto done = prepare(copy, backup, restored.kept, log_in);
   if (done) done = close_for_all(copy);
   if (done) done = put_in_place(copy, target, restored.kept);
   if (done) return restored;
-  tidy();
   Error error = done.error();
   if (error.file == copy) error.file = backup;
   return error;

@@ -30,7 +30,7 @@ namespace {
 
 NamedFile named(const std::string& path) {
   struct stat found {};
-  if (stat(path.c_str(), &found) != 0) return {};
+  if (lstat(path.c_str(), &found) != 0) return {};  // a link in its place is another file
   constexpr std::int64_t kNs = 1'000'000'000;
   return {true, found.st_dev, found.st_ino, found.st_size,
           found.st_mtim.tv_sec * kNs + found.st_mtim.tv_nsec};

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include <soci/soci.h>
-#include <unistd.h>
 
+#include "core/staging_folder.hpp"
 #include "storage/file/open_mode.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
@@ -62,12 +62,9 @@ Result<void> SqliteStore::backup(const std::string& to) {
     return refused("exists already", "name a new file").at(to);
   if (!fs::is_directory(target.parent_path(), failure))
     return refused("its folder does not exist", "make the folder").at(to);
-  const std::string temporary = target.string() + ".part" + std::to_string(getpid());
-  const auto tidy = [&] {
-    for (const char* suffix : {"", "-journal", "-wal", "-shm"})
-      fs::remove(temporary + suffix, failure);
-  };
-  tidy();
+  const auto staging = StagingFolder::beside(target);
+  if (!staging) return staging.error();
+  const std::string& temporary = staging->file();
   // One read transaction: a consistent picture, while others go on writing. The copy is no WAL
   // file, so it can be read from a read-only medium.
   const auto copied = database_.guard("copying", [&] {
@@ -78,28 +75,18 @@ Result<void> SqliteStore::backup(const std::string& to) {
     sql << "VACUUM INTO :to", soci::use(temporary);
     sql << "PRAGMA query_only=" + std::to_string(query_only);
   });
-  if (!copied) {
-    tidy();
-    return copied.error();
-  }
+  if (!copied) return copied.error();
   auto copy = Database::open(temporary, OpenMode::read_only);
-  if (!copy) {
-    tidy();
-    return copy.error();
-  }
+  if (!copy) return copy.error();
   // Not through a store with the rules of access: a copy is sound or not, whoever is logged in.
   const auto problems = SqliteStore(*std::move(copy)).check();
-  if (!problems || !problems->empty()) {
-    tidy();
-    if (!problems) return problems.error();
+  if (!problems) return problems.error();
+  if (!problems->empty())
     return failed("the copy is not sound: " + problems->front(), "run isograsp db check").at(to);
-  }
   const bool synced = sync_path(temporary);
   fs::rename(temporary, target, failure);
-  if (!synced || failure) {
-    tidy();
+  if (!synced || failure)
     return failed("the copy could not be written", "check the disk and the folder").at(to);
-  }
   static_cast<void>(sync_path(target.parent_path()));
   return {};
 }

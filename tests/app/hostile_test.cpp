@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "tests/storage/planted_blocks.hpp"
 #include "tests/support/command.hpp"
 
 namespace isograsp::app::hostile_test {
@@ -77,6 +79,52 @@ TEST_F(Hostile, APipeIsRefusedByEveryReaderAndNobodyWaits) {
         << arguments << "\nended with " << refused.status << "\n"
         << refused.err;
     EXPECT_NE(refused.err.find("isograsp: error: "), std::string::npos) << arguments;
+  }
+}
+
+/// Of all commands that have ended until now, the one that had most.
+double peak_memory_MiB() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  return static_cast<double>(used.ru_maxrss) / 1024.0;
+}
+
+TEST_F(Hostile, AMegabyteOfADatabaseBecomesNoGigabytesInAnyCommand) {
+  record();
+  const std::string other = folder.path("other.db");
+  ASSERT_EQ(isograsp("db init " + other).status, 0);
+  int asked = 0;
+  const auto ask_all = [&] {
+    const std::string out = " --out " + folder.path("out" + std::to_string(++asked));
+    std::vector<std::string> commands = {
+        "db check " + db,
+        "db verify " + db,
+        "db stats " + db,
+        "db backup " + db + " --to " + folder.path("copy" + std::to_string(asked)) + ".db",
+        "db merge " + other + " --from " + db,
+        "db person " + db + " --patient T-01" + out + "-person",
+        "report --patient T-01 --db " + db + out + ".html"};
+    for (const char* format : {"csv", "hdf5", "bids", "fhir"})
+      commands.push_back("export --db " + db + " --format " + format + out + "-" + format);
+    for (const auto& arguments : commands) {
+      const auto said = isograsp(arguments);
+      EXPECT_TRUE(said.status >= 0 && said.status <= 2) << arguments << "\n" << said.err;
+    }
+  };
+  ask_all();
+  const double usual_MiB = peak_memory_MiB();
+  ASSERT_GT(usual_MiB, 10.0);
+  // 64 MiB in each of 80 blocks, 5 GiB in all. One block may be unpacked, as bytes and as numbers.
+  constexpr std::size_t kRows = std::size_t{1} << 23;
+  constexpr double kMoreAllowed_MiB = 256.0;
+  for (const test::ZeroBlocks& attack :
+       {test::ZeroBlocks{80, kRows, 1, 1}, test::ZeroBlocks{1, kRows, 1, 80}}) {
+    test::plant_blocks(db, 1, attack);
+    execute("UPDATE trials SET sample_count = " + std::to_string(kRows * attack.seconds) +
+            " WHERE id = 1");
+    ASSERT_LT(fs::file_size(db), 4'000'000u);
+    ask_all();
+    EXPECT_LT(peak_memory_MiB(), usual_MiB + kMoreAllowed_MiB);
   }
 }
 

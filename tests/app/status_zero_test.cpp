@@ -161,6 +161,13 @@ const Fault kFaults[]{
     {"moved", [](const RecordingRun& run) { fs::rename(run.db, run.db + ".away"); },
      "was deleted or moved away",
      [](const RecordingRun& run) { fs::rename(run.db + ".away", run.db); }},
+    {"moved, a link in its place",
+     [](const RecordingRun& run) {
+       fs::rename(run.db, run.db + ".away");
+       fs::create_symlink(run.db + ".away", run.db);
+     },
+     "another file was put in its place",
+     [](const RecordingRun& run) { fs::rename(run.db + ".away", run.db); }},
     {"emptied", [](const RecordingRun& run) { fs::resize_file(run.db, 0); }, "was emptied",
      restore_backup},
     {"cut off", [](const RecordingRun& run) { fs::resize_file(run.db, fs::file_size(run.db) / 2); },

@@ -56,6 +56,12 @@ const FileFault kFaults[]{
        fs::rename(path + ".new", path);
      },
      "another file was put in its place"},
+    {"moved, a link in its place",
+     [](const std::string& path) {
+       fs::rename(path, path + ".away");
+       fs::create_symlink(path + ".away", path);
+     },
+     "another file was put in its place"},
     {"emptied", [](const std::string& path) { fs::resize_file(path, 0); }, "emptied"},
     {"cut off", [](const std::string& path) { fs::resize_file(path, fs::file_size(path) / 2); },
      "cut off"},

@@ -13,8 +13,8 @@
 #include "storage/access/open_store.hpp"
 #include "storage/crypto/secret.hpp"
 #include "storage/file/database.hpp"
-#include "storage/sqlite/block_codec.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/storage/planted_blocks.hpp"
 
 namespace isograsp::storage::hostile_test {
 namespace {
@@ -67,35 +67,6 @@ struct HostileDatabase : testing::Test {
     soci::session sql(soci::sqlite3, path);
     sql << statement;
   }
-  /// Blocks of nothing but zeros, each of `rows` rows, in all groups of the trial.
-  void plant_blocks(int count, std::size_t rows, std::size_t columns, int groups) const {
-    const Planes zeros = shuffle_rows(std::vector<double>(rows * columns), columns);
-    const std::string bytes = compress(zeros);
-    soci::session sql(soci::sqlite3, path);
-    soci::transaction whole(sql);
-    sql << "UPDATE trials SET signals_blake2b = NULL";
-    sql << "DELETE FROM signal_packs";
-    sql << "DELETE FROM signal_groups";
-    std::string names = "c0";
-    for (std::size_t c = 1; c < columns; ++c) names += "\nc" + std::to_string(c);
-    for (int g = 0; g < groups; ++g) {
-      const std::string name = "g" + std::to_string(g);
-      sql << "INSERT INTO signal_groups (trial_id, position, name, column_names) "
-             "VALUES (1, :position, :name, :names)",
-          soci::use(g), soci::use(name), soci::use(names);
-    }
-    const long long crc = crc32(bytes);
-    const auto row_count = static_cast<long long>(rows);
-    for (int g = 0; g < groups; ++g)
-      for (int second = 0; second < count; ++second) {
-        soci::blob data(sql);
-        data.append(bytes.data(), bytes.size());
-        sql << "INSERT INTO signal_blocks (trial_id, position, second, row_count, crc32, "
-               "float64_shuffled_zstd) VALUES (1, :g, :s, :rows, :crc, :data)",
-            soci::use(g), soci::use(second), soci::use(row_count), soci::use(crc), soci::use(data);
-      }
-    whole.commit();
-  }
   [[nodiscard]] std::string refusal() const {
     return said_within(kLittle_MiB, [this] {
       const auto store = open_store(path, OpenMode::read_only);
@@ -110,7 +81,7 @@ struct HostileDatabase : testing::Test {
 
 TEST_F(HostileDatabase, AMegabyteDoesNotBecomeGigabytes) {
   constexpr std::size_t kRows = std::size_t{1} << 23;  // 64 MiB in each of 80 blocks: 5 GiB
-  plant_blocks(80, kRows, 1, 1);
+  test::plant_blocks(path, 1, {80, kRows, 1, 1});
   execute("UPDATE trials SET sample_count = " + std::to_string(80 * kRows));
   EXPECT_LT(std::filesystem::file_size(path), 2'000'000u);
   EXPECT_NE(refusal().find("more than any trial"), std::string::npos) << refusal();
@@ -118,13 +89,13 @@ TEST_F(HostileDatabase, AMegabyteDoesNotBecomeGigabytes) {
 
 TEST_F(HostileDatabase, AFewRowsInHugeBlocksOfManyGroupsAreRefused) {
   constexpr std::size_t kRows = std::size_t{1} << 23;
-  plant_blocks(1, kRows, 1, 80);
+  test::plant_blocks(path, 1, {1, kRows, 1, 80});
   execute("UPDATE trials SET sample_count = 10");
   EXPECT_NE(refusal().find("the block is longer than any trial"), std::string::npos) << refusal();
 }
 
 TEST_F(HostileDatabase, ThousandsOfColumnsReserveNoMemoryForRowsThatAreNotThere) {
-  plant_blocks(0, 1, 10'000, 1);
+  test::plant_blocks(path, 1, {0, 1, 10'000, 1});
   execute("UPDATE trials SET sample_count = 10000");
   EXPECT_NE(refusal().find("the block is missing"), std::string::npos) << refusal();
   execute("UPDATE signal_groups SET column_names = ''");
@@ -132,7 +103,7 @@ TEST_F(HostileDatabase, ThousandsOfColumnsReserveNoMemoryForRowsThatAreNotThere)
 }
 
 TEST_F(HostileDatabase, NegativeCountsAreRefused) {
-  plant_blocks(3, 100, 2, 1);
+  test::plant_blocks(path, 1, {3, 100, 2, 1});
   for (const char* change :
        {"UPDATE signal_blocks SET row_count = -5", "UPDATE trials SET sample_count = -5"}) {
     try {

@@ -36,8 +36,8 @@ class TrajectoryWriter {
   }
 
   void add(double t_s, const ObjectState& state, const GraspWrench& wrench) {
-    const Vec3& p = state.pose.p_WO;
-    const Quat& q = state.pose.q_WO;
+    const Vec3& p = state.X_WO.p;
+    const Quat& q = state.X_WO.q;
     const Vec3& v = state.v_WO_W;
     const Vec3& w = state.w_WO_W;
     const Vec3& f = wrench.F_O_W.force;

@@ -26,8 +26,8 @@ Plan plan_of(const Case& scene) {
 
 Motion6 motion_of(const ObjectState& state) {
   const auto triple = [](const Vec3& v) { return Triple{v.x(), v.y(), v.z()}; };
-  const Quat& q = state.pose.q_WO;
-  return {triple(state.pose.p_WO),
+  const Quat& q = state.X_WO.q;
+  return {triple(state.X_WO.p),
           {q.w(), q.x(), q.y(), q.z()},
           triple(state.v_WO_W),
           triple(state.w_WO_W)};

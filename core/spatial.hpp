@@ -21,10 +21,11 @@ struct Wrench {
   Vec3 torque = Vec3::Zero();
 };
 
-/// Position [m] and attitude (unit quaternion) of the object in the world.
+/// Position [m] and attitude (unit quaternion) of one frame in another; which ones, the name of the
+/// variable says: X_WO.p is p_WO, X_WO.q is q_WO.
 struct Pose {
-  Vec3 p_WO = Vec3::Zero();
-  Quat q_WO = Quat::Identity();
+  Vec3 p = Vec3::Zero();
+  Quat q = Quat::Identity();
 };
 
 /// Matrix of the cross product: skew(a) b = a x b.

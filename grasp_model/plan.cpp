@@ -49,7 +49,7 @@ Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
   plan.anchor_m_ = scene.anchor_m;
   plan.weight_W_ = scene.mass_kg * scene.gravity_m_s2;
   // The logarithm starts on its principal branch, whatever sign the file gave the quaternion.
-  plan.branch_ = scene.initial_pose.q_WO.w() < 0.0 ? -1.0 : 1.0;
+  plan.branch_ = scene.initial_X_WO.q.w() < 0.0 ? -1.0 : 1.0;
   plan.coupling_ = {scene.mass_kg,
                     in_world(scene.R_WD, scene.damping.head<3>()),
                     in_world(scene.R_WK, scene.stiffness.head<3>()),
@@ -145,27 +145,27 @@ void Plan::compile_contacts() {
 
 ObjectState Plan::initial_state() const {
   ObjectState state;
-  state.pose = scene_.initial_pose;
+  state.X_WO = scene_.initial_X_WO;
   state.v_WO_W = scene_.initial_v_WO_W;
   state.w_WO_W = scene_.initial_w_WO_W;
   if (rotations_ == Rotations::one_axis) {
-    const Quat& q = scene_.initial_pose.q_WO;
+    const Quat& q = scene_.initial_X_WO.q;
     state.angle_rad = 2.0 * std::atan2(branch_ * q.vec()[axis_], branch_ * q.w());
   }
   return state;
 }
 
-ObjectState Plan::at_rest(const Pose& pose) const noexcept {
+ObjectState Plan::at_rest(const Pose& X_WO) const noexcept {
   ObjectState state;
-  state.pose = scene_.initial_pose;
+  state.X_WO = scene_.initial_X_WO;
   for (Eigen::Index i = 0; i < 3; ++i)
-    if (scene_.free[static_cast<std::size_t>(i)]) state.pose.p_WO[i] = pose.p_WO[i];
+    if (scene_.free[static_cast<std::size_t>(i)]) state.X_WO.p[i] = X_WO.p[i];
   // Both signs of a quaternion are the same attitude: the springs take the shorter way back.
   if (rotations_ == Rotations::three)
-    state.pose.q_WO.coeffs() =
-        pose.q_WO.w() < 0.0 ? -branch_ * pose.q_WO.coeffs() : branch_ * pose.q_WO.coeffs();
+    state.X_WO.q.coeffs() =
+        X_WO.q.w() < 0.0 ? -branch_ * X_WO.q.coeffs() : branch_ * X_WO.q.coeffs();
   if (rotations_ == Rotations::one_axis) {
-    const double angle_rad = 2.0 * std::atan2(pose.q_WO.vec()[axis_], pose.q_WO.w());
+    const double angle_rad = 2.0 * std::atan2(X_WO.q.vec()[axis_], X_WO.q.w());
     state.angle_rad = std::remainder(angle_rad, 2.0 * std::numbers::pi);
     set_attitude(state.angle_rad, state);
   }

@@ -23,9 +23,9 @@ namespace isograsp {
 
 /// What moves.
 struct ObjectState {
-  Pose pose;                   ///< p_WO [m], q_WO; the sign of q is continuous in time
-  Vec3 v_WO_W = Vec3::Zero();  ///< velocity of the COM, world axes [m/s]
-  Vec3 w_WO_W = Vec3::Zero();  ///< angular velocity, world axes [rad/s]
+  Pose X_WO;                                 ///< the sign of the quaternion is continuous in time
+  Vec3 v_WO_W = Vec3::Zero();                ///< velocity of the COM, world axes [m/s]
+  Vec3 w_WO_W = Vec3::Zero();                ///< angular velocity, world axes [rad/s]
   std::array<bool, kFingerCount> contact{};  ///< hysteresis: touching since the last frame
   double angle_rad = 0.0;                    ///< one free rotation: its angle, unwrapped
   /// Three free rotations: estimated error of the attitude made in the last hold [rad].
@@ -59,9 +59,9 @@ class Plan {
   [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
   [[nodiscard]] double hold_s() const noexcept { return hold_s_; }
   [[nodiscard]] ObjectState initial_state() const;
-  /// At rest at `pose`, as far as the free degrees of freedom reach; the others stay as they began.
+  /// At rest at `X_WO`, as far as the free degrees of freedom reach; the others stay as they began.
   /// A single free rotation takes the angle within half a turn. Real-time safe.
-  [[nodiscard]] ObjectState at_rest(const Pose& pose) const noexcept;
+  [[nodiscard]] ObjectState at_rest(const Pose& X_WO) const noexcept;
 
   /// One hold, from finger forces to the object's new state: contact hysteresis, friction clamp,
   /// the rows of the grasp map that move something, the exact step. Real-time safe.
@@ -132,8 +132,8 @@ class Plan {
   }
   void set_attitude(double angle_rad, ObjectState& state) const noexcept {
     const auto [cosine, sine] = so3::cos_sin(0.5 * angle_rad);
-    state.pose.q_WO.w() = branch_ < 0.0 ? -cosine : cosine;
-    state.pose.q_WO.vec()[axis_] = branch_ < 0.0 ? -sine : sine;
+    state.X_WO.q.w() = branch_ < 0.0 ? -cosine : cosine;
+    state.X_WO.q.vec()[axis_] = branch_ < 0.0 ? -sine : sine;
   }
   /// Three free rotations, or a force that follows one.
   void turn(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
@@ -172,7 +172,7 @@ class Plan {
   bool force_follows_ = false;
   bool coupled_ = false;
   Eigen::Index axis_ = 2;  ///< of the one free rotation
-  double branch_ = 1.0;    ///< q of the spring's branch = branch_ * pose.q_WO
+  double branch_ = 1.0;    ///< q of the spring's branch = branch_ * pose.q
   double hold_s_ = 0.0;
   Vec3 anchor_m_ = Vec3::Zero();
   Vec3 weight_W_ = Vec3::Zero();  ///< mass times gravity [N]

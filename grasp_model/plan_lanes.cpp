@@ -37,7 +37,7 @@ void Plan::step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
   if (!plan.acts_[mask]) sum0 = sum1 = Pair{};
 
   // Position and velocity of a lane.
-  Vec3& p_WO = state.pose.p_WO;
+  Vec3& p_WO = state.X_WO.p;
   Vec3& v_WO_W = state.v_WO_W;
   const auto x = [&](int lane) -> double& {
     return lane < linear ? p_WO[plan.axes_[static_cast<std::size_t>(lane)]] : state.angle_rad;

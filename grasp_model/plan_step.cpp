@@ -55,7 +55,7 @@ GraspWrench Plan::grasp(const FingerWrenches& wrench_C, ObjectState& state) cons
   out.held = {sum.head<3>(), sum.tail<3>()};
   out.F_O_W = out.held;
   if (scene_.wrench_frame == WrenchFrame::object && rotations_ != Rotations::none)
-    out.F_O_W = {state.pose.q_WO * out.held.force, state.pose.q_WO * out.held.torque};
+    out.F_O_W = {state.X_WO.q * out.held.force, state.X_WO.q * out.held.torque};
   return out;
 }
 
@@ -91,12 +91,12 @@ void Plan::move_coupled(const CoupledStep& step, const double* rows,
   Vec3 force_W = Vec3::Zero();
   for (std::size_t a = 0; a < axis_count_; ++a) {
     const Eigen::Index axis = axes_[a];
-    x[axis] = state.pose.p_WO[axis] - anchor_m_[axis];
+    x[axis] = state.X_WO.p[axis] - anchor_m_[axis];
     force_W[axis] = rows[a] + weight_W_[axis];
   }
   step.advance(force_W, x, state.v_WO_W);
   for (std::size_t a = 0; a < axis_count_; ++a)
-    state.pose.p_WO[axes_[a]] = anchor_m_[axes_[a]] + x[axes_[a]];
+    state.X_WO.p[axes_[a]] = anchor_m_[axes_[a]] + x[axes_[a]];
 }
 
 void Plan::move_along_axes(const Coefficients& steps, const double* rows,
@@ -106,7 +106,7 @@ void Plan::move_along_axes(const Coefficients& steps, const double* rows,
     const auto i = static_cast<std::size_t>(axis);
     const double anchor = anchor_m_[axis];
     const double force = rows[a] + weight_W_[axis];
-    double& p = state.pose.p_WO[axis];
+    double& p = state.X_WO.p[axis];
     const Motion start{p - anchor, state.v_WO_W[axis]};
     Motion end;
     if (limited_[i]) {

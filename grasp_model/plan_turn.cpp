@@ -48,7 +48,7 @@ void Plan::push_over(const QuadraturePanel& panel, const PanelForces& forces,
     const Eigen::Index axis = axes_[a];
     const auto i = static_cast<std::size_t>(axis);
     const double anchor = anchor_m_[axis];
-    double& p = state.pose.p_WO[axis];
+    double& p = state.X_WO.p[axis];
     double& v = state.v_WO_W[axis];
     const Motion end = panel.advance(axis, {p - anchor, v}, forces);
     if (!limited_[i]) {
@@ -159,7 +159,7 @@ void Plan::turn_freely(double hold_s, const Vec6& held, ObjectState& state) cons
   const Vec3 torque = held.tail<3>();
   so3::SpinRate rate = rate_;
   rate.load(world ? so3::Torques{torque, Vec3::Zero()} : so3::Torques{Vec3::Zero(), torque});
-  Quat& q_WO = state.pose.q_WO;
+  Quat& q_WO = state.X_WO.q;
   so3::SpinVector y = so3::pack({Quat(branch_ * q_WO.coeffs()), q_WO.conjugate() * state.w_WO_W});
 
   int coarsest = level_for(rate.fastest(y, hold_s) * hold_s, kStable_rad);

@@ -144,11 +144,11 @@ void read_attitude(TomlReader& table, Scene& scene) {
     wxyz[axis + 1] = 0.0;
   }
   wxyz /= wxyz.norm();
-  scene.initial_pose.q_WO = Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+  scene.initial_X_WO.q = Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
 }
 
 void read_initial(TomlReader table, Scene& scene) {
-  scene.initial_pose.p_WO = table.vec3("position_m", scene.anchor_m);
+  scene.initial_X_WO.p = table.vec3("position_m", scene.anchor_m);
   read_attitude(table, scene);
   scene.initial_v_WO_W = table.vec3("velocity_m_s", Vec3::Zero());
   scene.initial_w_WO_W = table.vec3("angular_velocity_rad_s", Vec3::Zero());
@@ -162,7 +162,7 @@ void read_initial(TomlReader table, Scene& scene) {
   }
   for (const auto& limit : scene.limits) {
     if (limit.dof > Dof::z) continue;
-    const double start = scene.initial_pose.p_WO[static_cast<Eigen::Index>(limit.dof)];
+    const double start = scene.initial_X_WO.p[static_cast<Eigen::Index>(limit.dof)];
     if (start < limit.least || start > limit.most)
       table.fail("position_m",
                  "starts outside the limit of " +

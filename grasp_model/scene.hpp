@@ -59,7 +59,7 @@ struct Scene {
   Vec3 anchor_m = Vec3::Zero();
   std::vector<TravelLimit> limits;
   GraspRule grasp_rule = GraspRule::any;
-  Pose initial_pose;
+  Pose initial_X_WO;
   Vec3 initial_v_WO_W = Vec3::Zero();  ///< [m/s]
   Vec3 initial_w_WO_W = Vec3::Zero();  ///< [rad/s]
   std::vector<Contact> contacts;       ///< at most one per finger, in the order of the file

@@ -48,8 +48,8 @@ struct Stimulus {
   double shown_force_N = 0.0;  ///< the force of the channel
   DigitTargets digit_targets;
   bool object_shown = false;  ///< object and target pose below are on the screen
-  Pose object;
-  Pose target;
+  Pose X_WO;
+  Pose X_WT;
   std::array<bool, kFingerCount> contact{};  ///< virtual finger touches (drawn green)
 };
 

@@ -15,9 +15,8 @@ namespace isograsp::tasks {
 struct PoseTolerance {
   double position_m = 0.0;
   double angle_rad = 0.0;
-  [[nodiscard]] bool holds(const Pose& target, const Pose& object) const noexcept {
-    return (object.p_WO - target.p_WO).norm() <= position_m &&
-           angle_between(target.q_WO, object.q_WO) <= angle_rad;
+  [[nodiscard]] bool holds(const Pose& X_WT, const Pose& X_WO) const noexcept {
+    return (X_WO.p - X_WT.p).norm() <= position_m && angle_between(X_WT.q, X_WO.q) <= angle_rad;
   }
 };
 

@@ -59,13 +59,13 @@ struct TaskView {
   double maximum_force_N = kNotMeasured;
   double noise_sd_N = 0.0;
   bool pose_target_shown = false;
-  Pose target;
+  Pose X_WT;
   int target_index = -1;  ///< which of target_count
   int target_count = 0;
   int targets_reached = 0;
   int drops = 0;
-  bool object_placed = false;  ///< the object appears anew, at rest, at `placed` after this frame
-  Pose placed;
+  bool object_placed = false;  ///< the object appears anew, at rest, after this frame, at
+  Pose placed_X_WO;
   double hold_fraction = 0.0;  ///< 0 … 1: progress ring
 };
 

@@ -45,7 +45,7 @@ Vec3 shortest_turn(const Quat& from, const Quat& to) noexcept {
 PosePlan::PosePlan(const Pose& from, const Pose& to, double start_s, double duration_s) noexcept
     : from_(from),
       to_(to),
-      turn_(shortest_turn(from.q_WO, to.q_WO)),
+      turn_(shortest_turn(from.q, to.q)),
       start_s_(start_s),
       duration_s_(duration_s) {}
 
@@ -54,9 +54,9 @@ PosePlan::Point PosePlan::at(double t_s) const noexcept {
   const double way = u * u * u * (10.0 + u * (6.0 * u - 15.0));
   const double rate = 30.0 * u * u * (1.0 - u) * (1.0 - u) / duration_s_;
   Point point;
-  point.pose.p_WO = from_.p_WO + way * (to_.p_WO - from_.p_WO);
-  point.pose.q_WO = from_.q_WO * so3::exp(way * turn_);
-  point.v_WO_W = rate * (to_.p_WO - from_.p_WO);
+  point.X_WO.p = from_.p + way * (to_.p - from_.p);
+  point.X_WO.q = from_.q * so3::exp(way * turn_);
+  point.v_WO_W = rate * (to_.p - from_.p);
   point.w_WO_O = rate * turn_;
   return point;
 }
@@ -64,8 +64,8 @@ PosePlan::Point PosePlan::at(double t_s) const noexcept {
 void Pursuit::see(const Pose& target, double dt_s, double t_s) noexcept {
   if (seen_ && dt_s > 0.0) {
     const double share = 1.0 - std::exp(-dt_s / kSpeedSeen_s);
-    v_W_ += share * ((target.p_WO - target_.p_WO) / dt_s - v_W_);
-    w_T_ += share * (shortest_turn(target_.q_WO, target.q_WO) / dt_s - w_T_);
+    v_W_ += share * ((target.p - target_.p) / dt_s - v_W_);
+    w_T_ += share * (shortest_turn(target_.q, target.q) / dt_s - w_T_);
   }
   target_ = target;
   seen_ = true;
@@ -84,23 +84,23 @@ void Pursuit::forget() noexcept {
 
 Pose Pursuit::expected(double t_s) const noexcept {
   const double ahead_s = t_s - seen_at_s_ + delay_s_;
-  return {target_.p_WO + ahead_s * v_W_, target_.q_WO * so3::exp(ahead_s * w_T_)};
+  return {target_.p + ahead_s * v_W_, target_.q * so3::exp(ahead_s * w_T_)};
 }
 
 void Pursuit::begin(const Pose& from, double t_s, double duration_s, double delay_s) noexcept {
   delay_s_ = delay_s;
   const Pose target = expected(t_s);
-  const Pose behind{from.p_WO - target.p_WO, target.q_WO.conjugate() * from.q_WO};
+  const Pose behind{from.p - target.p, target.q.conjugate() * from.q};
   catch_up_ = PosePlan(behind, Pose{}, t_s, duration_s);
 }
 
 PosePlan::Point Pursuit::at(double t_s) const noexcept {
   const Pose target = expected(t_s);
   PosePlan::Point point = catch_up_.at(t_s);
-  point.pose.p_WO += target.p_WO;
+  point.X_WO.p += target.p;
   point.v_WO_W += v_W_;
-  point.w_WO_O += point.pose.q_WO.conjugate() * w_T_;
-  point.pose.q_WO = target.q_WO * point.pose.q_WO;
+  point.w_WO_O += point.X_WO.q.conjugate() * w_T_;
+  point.X_WO.q = target.q * point.X_WO.q;
   return point;
 }
 
@@ -149,7 +149,7 @@ void ObjectSkill::learn_grasp() {
 }
 
 void ObjectSkill::begin(double t_s) noexcept {
-  plan_ = PosePlan(picture_.object);
+  plan_ = PosePlan(picture_.X_WO);
   begin_s_ = t_s;
   waiting_ = pursuing_ = false;
   moving_s_ = 0.0;
@@ -164,7 +164,7 @@ void ObjectSkill::begin(double t_s) noexcept {
 
 Vec6 ObjectSkill::error(const Pose& wanted, const Pose& seen) const noexcept {
   Vec6 difference;
-  difference << wanted.p_WO - seen.p_WO, seen.q_WO * shortest_turn(seen.q_WO, wanted.q_WO);
+  difference << wanted.p - seen.p, seen.q * shortest_turn(seen.q, wanted.q);
   return difference.cwiseProduct(free_);
 }
 
@@ -175,21 +175,21 @@ PosePlan::Point ObjectSkill::planned(double t_s) const noexcept {
 /// @pre picture_ is the picture before
 void ObjectSkill::see_target(const Stimulus& picture, double dt_s, double t_s) noexcept {
   const auto far = [](const Pose& a, const Pose& b) {
-    return (a.p_WO - b.p_WO).norm() > kShift_m || angle_between(a.q_WO, b.q_WO) > kShift_rad;
+    return (a.p - b.p).norm() > kShift_m || angle_between(a.q, b.q) > kShift_rad;
   };
-  if (far(picture.target, picture_.target)) {
-    if (std::exchange(pursuing_, false)) plan_ = PosePlan(pursuit_.at(t_s).pose);
+  if (far(picture.X_WT, picture_.X_WT)) {
+    if (std::exchange(pursuing_, false)) plan_ = PosePlan(pursuit_.at(t_s).X_WO);
     pursuit_.forget();
     moving_s_ = 0.0;
   }
-  pursuit_.see(picture.target, dt_s, t_s);
+  pursuit_.see(picture.X_WT, dt_s, t_s);
   moving_s_ = pursuit_.moves() ? moving_s_ + dt_s : 0.0;
   if (pursuing_) return;
   if (moving_s_ >= traits_.reaction_s) {
-    pursuit_.begin(plan_.at(t_s).pose, t_s, traits_.movement_s, loop_delay_s(traits_));
+    pursuit_.begin(plan_.at(t_s).X_WO, t_s, traits_.movement_s, loop_delay_s(traits_));
     pursuing_ = true;
     waiting_ = false;
-  } else if (moving_s_ == 0.0 && far(picture.target, plan_.end()) && !waiting_) {
+  } else if (moving_s_ == 0.0 && far(picture.X_WT, plan_.end()) && !waiting_) {
     waiting_ = true;
     waiting_until_s_ = t_s + traits_.reaction_s;
   }
@@ -200,7 +200,7 @@ void ObjectSkill::perceive(const Stimulus& picture, double t_s) noexcept {
   const bool had_object = seen_ && picture_.object_shown;
   if (picture.object_shown) {
     if (!had_object) {
-      plan_ = PosePlan(picture.object);
+      plan_ = PosePlan(picture.X_WO);
       pursuing_ = false;
       pursuit_.forget();
     }
@@ -212,7 +212,7 @@ void ObjectSkill::perceive(const Stimulus& picture, double t_s) noexcept {
 
   // What is seen answers to what was wanted one loop delay ago.
   const double answered_s = t_s - loop_delay_s(traits_);
-  error_ = error(planned(answered_s).pose, picture.object);
+  error_ = error(planned(answered_s).X_WO, picture.X_WO);
   bool held = true;
   for (const Contact& contact : scene_.contacts) held &= picture.contact[index_of(contact.finger)];
   if (!held) return;
@@ -222,14 +222,14 @@ void ObjectSkill::perceive(const Stimulus& picture, double t_s) noexcept {
 
 Vec6 ObjectSkill::wrench_W(double t_s) noexcept {
   if (waiting_ && t_s >= waiting_until_s_) {
-    plan_ = PosePlan(plan_.at(t_s).pose, picture_.target, t_s, traits_.movement_s);
+    plan_ = PosePlan(plan_.at(t_s).X_WO, picture_.X_WT, t_s, traits_.movement_s);
     waiting_ = false;
   }
   const PosePlan::Point point = planned(t_s);
-  const Quat& q = point.pose.q_WO;
+  const Quat& q = point.X_WO.q;
   Quat near = q;  // of the two signs, the one nearer to the springs' rest
   if (near.w() < 0.0) near.coeffs() = -near.coeffs();
-  const Vec3 force = scene_.stiffness.head<3>().cwiseProduct(point.pose.p_WO - scene_.anchor_m) +
+  const Vec3 force = scene_.stiffness.head<3>().cwiseProduct(point.X_WO.p - scene_.anchor_m) +
                      scene_.damping.head<3>().cwiseProduct(point.v_WO_W) -
                      scene_.mass_kg * scene_.gravity_m_s2;
   const Vec3 torque_O = scene_.damping.tail<3>().cwiseProduct(point.w_WO_O) -
@@ -269,7 +269,7 @@ FingerForces ObjectSkill::wanted(double t_s) noexcept {
   if (!seen_ || !picture_.object_shown) return wanted;
   Vec6 wrench = wrench_W(t_s);
   if (scene_.wrench_frame == WrenchFrame::object) {
-    const Quat to_object = picture_.object.q_WO.conjugate();
+    const Quat to_object = picture_.X_WO.q.conjugate();
     wrench.head<3>() = to_object * Vec3(wrench.head<3>());
     wrench.tail<3>() = to_object * Vec3(wrench.tail<3>());
   }

@@ -15,7 +15,7 @@ namespace isograsp::virtual_patient {
 class PosePlan {
  public:
   struct Point {
-    Pose pose;
+    Pose X_WO;
     Vec3 v_WO_W = Vec3::Zero();  ///< [m/s]
     Vec3 w_WO_O = Vec3::Zero();  ///< [rad/s], object axes
   };

@@ -112,11 +112,11 @@ void ObjectScene::show(const PatientPicture& picture) {
     p.scene = picture.scene;
     p.rebuild();
   }
-  p.object_place->translation.setValue(to_sb(picture.object.p_WO));
-  p.object_place->rotation.setValue(to_sb(picture.object.q_WO));
+  p.object_place->translation.setValue(to_sb(picture.X_WO.p));
+  p.object_place->rotation.setValue(to_sb(picture.X_WO.q));
   p.ghost_shown->whichChild.setValue(picture.target_shown ? SO_SWITCH_ALL : SO_SWITCH_NONE);
-  p.ghost_place->translation.setValue(to_sb(picture.target.p_WO));
-  p.ghost_place->rotation.setValue(to_sb(picture.target.q_WO));
+  p.ghost_place->translation.setValue(to_sb(picture.X_WT.p));
+  p.ghost_place->rotation.setValue(to_sb(picture.X_WT.q));
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& finger = picture.fingers[f];
     auto& nodes = p.fingers[f];

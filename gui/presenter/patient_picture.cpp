@@ -37,12 +37,11 @@ constexpr double kOnTarget = 0.15;
 
 /// Where the object is `ahead_s` after its state, at the velocity that it had then.
 Pose moved(const ObjectState& state, double ahead_s) {
-  Pose pose = state.pose;
-  pose.p_WO += ahead_s * state.v_WO_W;
+  Pose X_WO = state.X_WO;
+  X_WO.p += ahead_s * state.v_WO_W;
   const double angle_rad = ahead_s * state.w_WO_W.norm();
-  if (angle_rad > 0.0)
-    pose.q_WO = Eigen::AngleAxisd(angle_rad, state.w_WO_W.normalized()) * pose.q_WO;
-  return pose;
+  if (angle_rad > 0.0) X_WO.q = Eigen::AngleAxisd(angle_rad, state.w_WO_W.normalized()) * X_WO.q;
+  return X_WO;
 }
 
 FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) {
@@ -58,16 +57,16 @@ FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) 
   const double approach = facts.calm ? 0.0 : 0.8 * std::min(1.0, normal_N / reach_N);
   const double gap_m = finger.touching ? 0.0 : kStandOff_m * (1.0 - approach);
   const Vec3 normal_O = contact.R_OC.col(2);
-  const Pose object = moved(now.object, facts.ahead_s);
-  finger.axis_W = object.q_WO * normal_O;
-  finger.tip_W = object.p_WO + object.q_WO * (contact.p_OC - gap_m * normal_O);
+  const Pose X_WO = moved(now.object, facts.ahead_s);
+  finger.axis_W = X_WO.q * normal_O;
+  finger.tip_W = X_WO.p + X_WO.q * (contact.p_OC - gap_m * normal_O);
   return finger;
 }
 
 /// Is the object, as it is drawn, near enough to the outline, and is it to be held there?
 bool is_held(const PatientFacts& facts, const PatientPicture& picture) {
   const auto tolerance = facts.task->tolerance();
-  if (!tolerance || !tolerance->holds(picture.target, picture.object)) return false;
+  if (!tolerance || !tolerance->holds(picture.X_WT, picture.X_WO)) return false;
   const auto targets = facts.task->targets();
   const auto target = static_cast<std::size_t>(facts.snapshot.task.target_index);
   return target < targets.size() && targets[target].held;
@@ -77,11 +76,11 @@ void add_object(const PatientFacts& facts, PatientPicture& picture) {
   const session::Snapshot& now = facts.snapshot;
   picture.page = Page::object;
   picture.scene = facts.scene;
-  picture.object = moved(now.object, facts.ahead_s);
+  picture.X_WO = moved(now.object, facts.ahead_s);
   picture.target_shown = now.task.pose_target_shown;
-  picture.target = now.task.target;
+  picture.X_WT = now.task.X_WT;
   picture.hold_fraction = is_held(facts, picture) ? now.task.hold_fraction : 0.0;
-  picture.ring_W = picture.target.p_WO;
+  picture.ring_W = picture.X_WT.p;
   picture.targets_reached = now.task.targets_reached;
   picture.target_count = now.task.target_count;
   for (const auto& contact : facts.scene->contacts)

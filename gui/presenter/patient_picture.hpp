@@ -92,9 +92,9 @@ struct PatientPicture {
   double digits_N = 1.0;  ///< largest force asked of a digit in this trial
 
   std::shared_ptr<const Scene> scene;
-  Pose object;
+  Pose X_WO;
   bool target_shown = false;
-  Pose target;
+  Pose X_WT;
   double hold_fraction = 0.0;  ///< 0: no ring
   Vec3 ring_W = Vec3::Zero();  ///< its centre: that of the outline [m]
   int targets_reached = 0;

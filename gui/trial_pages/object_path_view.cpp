@@ -117,12 +117,12 @@ void ObjectPathView::paint_backdrop() {
 
 void ObjectPathView::paint_outline(QPainter& painter, const View& view, const Pose& pose) const {
   if (!trial_->scene) {
-    painter.drawEllipse(place(view, pose.p_WO), 6.0, 6.0);
+    painter.drawEllipse(place(view, pose.p), 6.0, 6.0);
     return;
   }
   if (trial_->scene->shape == Shape::sphere) {
     const double radius_px = 0.5 * view.px_per_m * trial_->scene->size_m[0];
-    painter.drawEllipse(place(view, pose.p_WO), radius_px, radius_px);
+    painter.drawEllipse(place(view, pose.p), radius_px, radius_px);
     return;
   }
   const auto corners = corners_of(*trial_->scene);
@@ -134,21 +134,21 @@ void ObjectPathView::paint_outline(QPainter& painter, const View& view, const Po
       const std::size_t base = end << axis;
       QPolygonF face;
       for (const std::size_t corner : {base, base + u, base + u + v, base + v})
-        face << place(view, pose.p_WO + pose.q_WO * corners[corner]);
+        face << place(view, pose.p + pose.q * corners[corner]);
       painter.drawPolygon(face);
     }
 }
 
 void ObjectPathView::paint_object(QPainter& painter, const View& view) const {
-  if (state_.target) {
+  if (state_.X_WT) {
     painter.setPen(QPen(kTargetColour, 1.5, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
-    paint_outline(painter, view, *state_.target);
+    paint_outline(painter, view, *state_.X_WT);
   }
-  if (!state_.object) return;
+  if (!state_.X_WO) return;
   painter.setPen(QPen(look::kText, 1.2));
   painter.setBrush(QColor(0x33, 0x6B, 0xA8, 40));
-  paint_outline(painter, view, *state_.object);
+  paint_outline(painter, view, *state_.X_WO);
   if (!trial_->scene) return;
   for (const auto& contact : trial_->scene->contacts) {
     const auto f = index_of(contact.finger);
@@ -156,8 +156,7 @@ void ObjectPathView::paint_object(QPainter& painter, const View& view) const {
       continue;
     painter.setPen(QPen(look::kFingers[f], 1.5));
     painter.setBrush(state_.fingers[f].touching ? look::kFingers[f] : QColor(Qt::white));
-    painter.drawEllipse(place(view, state_.object->p_WO + state_.object->q_WO * contact.p_OC), 4.0,
-                        4.0);
+    painter.drawEllipse(place(view, state_.X_WO->p + state_.X_WO->q * contact.p_OC), 4.0, 4.0);
   }
 }
 

@@ -52,7 +52,7 @@ void ReplayWindow::draw_path(QSize size_px) {
 
 void ReplayWindow::paintGL() {
   const QSize size_px = size() * devicePixelRatio();
-  if (trial_ == nullptr || !state_.object) {
+  if (trial_ == nullptr || !state_.X_WO) {
     glClearColor(0.91F, 0.93F, 0.95F, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     return;

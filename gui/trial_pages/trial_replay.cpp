@@ -155,12 +155,12 @@ std::optional<Pose> TrialReplay::pose(const PoseColumns& columns, std::size_t ro
   for (const int i : {0, 1, 2, 3})
     turn[i] = value(columns.quaternion[static_cast<std::size_t>(i)], row);
   Pose pose;
-  pose.p_WO = place;
+  pose.p = place;
   if (turn.allFinite() && turn.norm() > 0.0) {
-    pose.q_WO = Quat(turn[0], turn[1], turn[2], turn[3]).normalized();
+    pose.q = Quat(turn[0], turn[1], turn[2], turn[3]).normalized();
   } else {
     const double angle_rad = value(columns.angle_rad, row);
-    pose.q_WO = Quat(Eigen::AngleAxisd(std::isfinite(angle_rad) ? angle_rad : 0.0, Vec3::UnitZ()));
+    pose.q = Quat(Eigen::AngleAxisd(std::isfinite(angle_rad) ? angle_rad : 0.0, Vec3::UnitZ()));
   }
   return pose;
 }
@@ -175,7 +175,7 @@ bool TrialReplay::object_moves_on(std::size_t row) const {
   const auto here = pose(columns_.object, row);
   const auto next = pose(columns_.object, row + 1);
   const double step_s = value(columns_.t_s, row + 1) - value(columns_.t_s, row);
-  return here && next && (next->p_WO - here->p_WO).norm() < kFastestHand_mps * step_s;
+  return here && next && (next->p - here->p).norm() < kFastestHand_mps * step_s;
 }
 
 std::optional<Pose> TrialReplay::object_between(std::size_t row, double share) const {
@@ -183,8 +183,8 @@ std::optional<Pose> TrialReplay::object_between(std::size_t row, double share) c
   if (!here || share <= 0.0 || !object_moves_on(row)) return here;
   const auto next = pose(columns_.object, row + 1);
   if (!next) return here;
-  here->p_WO += share * (next->p_WO - here->p_WO);
-  here->q_WO = here->q_WO.slerp(share, next->q_WO);
+  here->p += share * (next->p - here->p);
+  here->q = here->q.slerp(share, next->q);
   return here;
 }
 
@@ -231,8 +231,8 @@ ReplayState TrialReplay::at(double t_s) const {
     state.actual_N = known(between(columns_.actual_N, row, joined ? share : 0.0));
   // The target is what the screen showed, frame by frame.
   state.target_N = known(value(columns_.target_N, row));
-  state.target = pose(columns_.target, row);
-  state.object = object_between(row, share);
+  state.X_WT = pose(columns_.target, row);
+  state.X_WO = object_between(row, share);
   return state;
 }
 
@@ -245,8 +245,8 @@ std::vector<Vec3> TrialReplay::path(double least_step_m) const {
     if (!here) continue;
     const bool stretch_ends = !object_moves_on(row);
     const bool begins = path.empty() || !path.back().allFinite();
-    if (begins || stretch_ends || (here->p_WO - path.back()).norm() >= least_step_m)
-      path.push_back(here->p_WO);
+    if (begins || stretch_ends || (here->p - path.back()).norm() >= least_step_m)
+      path.push_back(here->p);
     if (stretch_ends && row + 1 < rows()) path.push_back(end_of_stretch);
   }
   return path;

@@ -38,8 +38,8 @@ struct ReplayState {
   std::array<ReplayFinger, kFingerCount> fingers{};
   std::optional<double> actual_N;  ///< of the channel that the task is about
   std::optional<double> target_N;
-  std::optional<Pose> object;
-  std::optional<Pose> target;
+  std::optional<Pose> X_WO;
+  std::optional<Pose> X_WT;
   int target_index = -1;
   int targets_reached = 0;
   int drops = 0;

@@ -183,7 +183,7 @@ void Acquisition::run_trial(const FingerFrame& frame) noexcept {
   push(RecordItem::Kind::sample);
   if (!moving) return;
   if (trial.plan && now_.task.object_placed)
-    now_.object = trial.plan->at_rest(now_.task.placed);
+    now_.object = trial.plan->at_rest(now_.task.placed_X_WO);
   else if (trial.plan)
     trial.plan->move(now_.grasp, now_.object);
   if (now_.task.phase == tasks::Phase::done) end_trial(storage::TrialStatus::completed, "");
@@ -302,8 +302,8 @@ void Acquisition::show_to_viewer() noexcept {
     screen.shown_force_N = now_.task.actual_force_N;
     screen.digit_targets = now_.task.digit_targets;
     screen.object_shown = now_.has_object;
-    screen.object = now_.object.pose;
-    screen.target = now_.task.pose_target_shown ? now_.task.target : now_.object.pose;
+    screen.X_WO = now_.object.X_WO;
+    screen.X_WT = now_.task.pose_target_shown ? now_.task.X_WT : now_.object.X_WO;
     screen.contact = now_.grasp.contact;
   }
   options_.viewer->see(screen);

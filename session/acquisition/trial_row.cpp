@@ -74,10 +74,10 @@ void put_object_task(Sink& sink, const tasks::TaskView& task, const ObjectState&
   const bool shown = task.pose_target_shown;
   for (std::size_t a = 0; a < 3; ++a) {
     const auto axis = static_cast<Eigen::Index>(a);
-    sink.put(columns::target_position[a], shown ? task.target.p_WO[axis] : kMissing);
-    sink.put(columns::actual_position[a], object.pose.p_WO[axis]);
+    sink.put(columns::target_position[a], shown ? task.X_WT.p[axis] : kMissing);
+    sink.put(columns::actual_position[a], object.X_WO.p[axis]);
   }
-  sink.put(columns::target_angle_rad, shown ? angle_about_z(task.target.q_WO) : kMissing);
+  sink.put(columns::target_angle_rad, shown ? angle_about_z(task.X_WT.q) : kMissing);
   sink.put(columns::actual_angle_rad, object.angle_rad);
   sink.put(columns::target_index, number(task.target_index));
   sink.put(columns::targets_reached, number(task.targets_reached));
@@ -136,8 +136,8 @@ template <class Sink>
 void put_object(Sink& sink, const tasks::TaskView& task, const ObjectState& object,
                 const GraspWrench& grasp) {
   sink.begin("object");
-  put_attitude(sink, columns::actual_attitude, object.pose.q_WO, true);
-  put_attitude(sink, columns::target_attitude, task.target.q_WO, task.pose_target_shown);
+  put_attitude(sink, columns::actual_attitude, object.X_WO.q, true);
+  put_attitude(sink, columns::target_attitude, task.X_WT.q, task.pose_target_shown);
   for (std::size_t a = 0; a < 3; ++a) {
     const auto axis = static_cast<Eigen::Index>(a);
     sink.put(columns::object_velocity[a], object.v_WO_W[axis]);

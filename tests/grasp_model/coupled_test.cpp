@@ -97,11 +97,11 @@ TEST(CoupledStep, APlanUsesItForTiltedSpringsAndOnlyThere) {
   forces[0].force = Vec3(0, 0, 2);  // along x alone
   ObjectState state = tilted_plan.initial_state();
   for (int i = 0; i < 3000; ++i) tilted_plan.step(forces, state);
-  EXPECT_GT(std::abs(state.pose.p_WO.y()), 1e-3);  // and yet it moves along y
+  EXPECT_GT(std::abs(state.X_WO.p.y()), 1e-3);  // and yet it moves along y
   const Mat3 R = Quat(0.9, 0, 0, 0.4358898943540674).normalized().toRotationMatrix();
   const Vec3 rest =
       R * Vec3(30, 400, 5).cwiseInverse().asDiagonal() * R.transpose() * Vec3(2, 0, 0);
-  EXPECT_LE((state.pose.p_WO.head<2>() - rest.head<2>()).norm(), 1e-12 * rest.norm());
+  EXPECT_LE((state.X_WO.p.head<2>() - rest.head<2>()).norm(), 1e-12 * rest.norm());
 }
 
 TEST(CoupledStep, RefusesWhatItCannotDoExactly) {

@@ -46,9 +46,9 @@ Deviation follow(const std::string& name) {
     EXPECT_FALSE(state.tolerance_exceeded);
     if (hold % kEvery != 0) continue;
     EXPECT_TRUE(*reference->next(expected));
-    const Vec3 w_O = state.pose.q_WO.conjugate() * state.w_WO_W;
-    const Vec3& p = state.pose.p_WO;
-    const Vec3 q = state.pose.q_WO.vec();
+    const Vec3 w_O = state.X_WO.q.conjugate() * state.w_WO_W;
+    const Vec3& p = state.X_WO.p;
+    const Vec3 q = state.X_WO.q.vec();
     const Vec3& v = state.v_WO_W;
     const std::array<const Vec3*, 4> values{&p, &q, &v, &w_O};
     const std::array<std::size_t, 4> first{1, 5, 8, 11};
@@ -89,8 +89,8 @@ TEST(Dynamics, TumblingKeepsEnergyAndMomentumAndStaysNearTheReference) {
   std::vector<double> expected(reference->columns().size());
   ObjectState state = plan.initial_state();
   const auto momentum = [&]() -> Vec3 {
-    const Vec3 w_O = state.pose.q_WO.conjugate() * state.w_WO_W;
-    return state.pose.q_WO * scene.inertia_kg_m2.cwiseProduct(w_O);
+    const Vec3 w_O = state.X_WO.q.conjugate() * state.w_WO_W;
+    return state.X_WO.q * scene.inertia_kg_m2.cwiseProduct(w_O);
   };
   const Vec3 momentum_before = momentum();
   const double energy_before = momentum_before.dot(state.w_WO_W);
@@ -101,7 +101,7 @@ TEST(Dynamics, TumblingKeepsEnergyAndMomentumAndStaysNearTheReference) {
     if (hold % kEvery != 0) continue;
     ASSERT_TRUE(*reference->next(expected));
     // Next to a separatrix rounding alone costs 1e-7 rad.
-    EXPECT_WITHIN(state.pose.q_WO.w(), expected[4], 1e-6);
+    EXPECT_WITHIN(state.X_WO.q.w(), expected[4], 1e-6);
   }
 }
 

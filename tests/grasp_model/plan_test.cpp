@@ -40,11 +40,11 @@ TEST(Plan, LockedAxesKeepTheirBits) {
       test::block(dynamics("\"x\", \"rz\"", "gravity_m_s2 = [1, -9.81, 3]"),
                   "[initial]\nposition_m = [0.1, 0.2, 0.3]\n" + test::kDeviceContacts));
   const ObjectState state = run(test::plan_of(scene), kPress, 500);
-  EXPECT_NE(state.pose.p_WO.x(), 0.1);
-  EXPECT_EQ(state.pose.p_WO.y(), 0.2);
-  EXPECT_EQ(state.pose.p_WO.z(), 0.3);
-  EXPECT_EQ(state.pose.q_WO.x(), 0.0);
-  EXPECT_EQ(state.pose.q_WO.y(), 0.0);
+  EXPECT_NE(state.X_WO.p.x(), 0.1);
+  EXPECT_EQ(state.X_WO.p.y(), 0.2);
+  EXPECT_EQ(state.X_WO.p.z(), 0.3);
+  EXPECT_EQ(state.X_WO.q.x(), 0.0);
+  EXPECT_EQ(state.X_WO.q.y(), 0.0);
   EXPECT_EQ(state.v_WO_W.y(), 0.0);
   EXPECT_EQ(state.w_WO_W.x(), 0.0);
   EXPECT_NE(state.w_WO_W.z(), 0.0);
@@ -62,9 +62,9 @@ TEST(Plan, AnObjectPutDownRestsThereAndItsLockedAxesStay) {
                       test::kDeviceContacts));
   const Plan plan = test::plan_of(scene);
   const ObjectState state = plan.at_rest(turned_about(Vec3::UnitZ(), 0.4));
-  EXPECT_EQ(state.pose.p_WO, Vec3(0.11, 0.2, 0.3));
+  EXPECT_EQ(state.X_WO.p, Vec3(0.11, 0.2, 0.3));
   EXPECT_WITHIN(state.angle_rad, 0.4, 4.0 * test::kEpsilon);
-  EXPECT_WITHIN(angle_between(state.pose.q_WO, Quat(Eigen::AngleAxisd(0.4, Vec3::UnitZ()))), 0.0,
+  EXPECT_WITHIN(angle_between(state.X_WO.q, Quat(Eigen::AngleAxisd(0.4, Vec3::UnitZ()))), 0.0,
                 4.0 * test::kEpsilon);
   EXPECT_EQ(state.v_WO_W, Vec3::Zero());
   EXPECT_EQ(state.w_WO_W, Vec3::Zero());
@@ -74,7 +74,7 @@ TEST(Plan, AnObjectPutDownRestsThereAndItsLockedAxesStay) {
 TEST(Plan, ALockedAttitudeStaysWhateverThePoseSays) {
   const Plan plan = test::plan_of(test::scene_of(test::block(dynamics("\"x\", \"y\""))));
   const ObjectState state = plan.at_rest(turned_about(Vec3::UnitZ(), 0.4));
-  EXPECT_EQ(state.pose.q_WO.coeffs(), Quat::Identity().coeffs());
+  EXPECT_EQ(state.X_WO.q.coeffs(), Quat::Identity().coeffs());
   EXPECT_EQ(state.angle_rad, 0.0);
 }
 
@@ -84,7 +84,7 @@ TEST(Plan, OneFreeRotationTakesItsOwnAngleWithinHalfATurn) {
   for (const double angle_rad : {-3.0, -0.5, 0.0, 1.5, 3.0}) {
     Pose pose = turned_about(Vec3::UnitY(), angle_rad);
     EXPECT_WITHIN(plan.at_rest(pose).angle_rad, angle_rad, kRounding_rad);
-    pose.q_WO.coeffs() = -pose.q_WO.coeffs();  // the same attitude
+    pose.q.coeffs() = -pose.q.coeffs();  // the same attitude
     EXPECT_WITHIN(plan.at_rest(pose).angle_rad, angle_rad, kRounding_rad);
   }
   EXPECT_EQ(plan.at_rest(turned_about(Vec3::UnitX(), 0.5)).angle_rad, 0.0);
@@ -93,7 +93,7 @@ TEST(Plan, OneFreeRotationTakesItsOwnAngleWithinHalfATurn) {
 TEST(Plan, AnObjectPutDownGoesBackTheShorterWayWhicheverSignsItsQuaternionsHave) {
   const Pose pose = turned_about(Vec3(1, 2, 2) / 3.0, 0.6);
   Pose same = pose;
-  same.q_WO.coeffs() = -same.q_WO.coeffs();
+  same.q.coeffs() = -same.q.coeffs();
   for (const char* initial : {"[1, 0, 0, 0]", "[-1, 0, 0, 0]"})
     for (const char* free : {"\"rz\"", "\"rx\", \"ry\", \"rz\""}) {
       const Plan plan = test::plan_of(test::scene_of(test::block(
@@ -101,13 +101,13 @@ TEST(Plan, AnObjectPutDownGoesBackTheShorterWayWhicheverSignsItsQuaternionsHave)
           "[initial]\nquaternion_wxyz = " + std::string(initial) + "\n" + test::kDeviceContacts)));
       for (const Pose& put : {pose, same}) {
         ObjectState state = plan.at_rest(put);
-        const Quat before = state.pose.q_WO;
+        const Quat before = state.X_WO.q;
         double largest_rad = angle_between(before, Quat::Identity());
         plan.step({}, state);
-        EXPECT_GT(before.dot(state.pose.q_WO), 0.0) << "the sign is continuous";
+        EXPECT_GT(before.dot(state.X_WO.q), 0.0) << "the sign is continuous";
         for (int hold = 0; hold < 2; ++hold) {
           plan.step({}, state);
-          const double angle_rad = angle_between(state.pose.q_WO, Quat::Identity());
+          const double angle_rad = angle_between(state.X_WO.q, Quat::Identity());
           EXPECT_LE(angle_rad, largest_rad);
           largest_rad = angle_rad;
         }
@@ -123,7 +123,7 @@ TEST(Plan, EachFreeAxisMovesAsIfAlone) {
       run(test::plan_of(test::scene_of(test::block(dynamics("\"y\"")))), kPress, 300);
   const ObjectState ry =
       run(test::plan_of(test::scene_of(test::block(dynamics("\"ry\"")))), kPress, 300);
-  EXPECT_EQ(all.pose.p_WO.y(), y.pose.p_WO.y());
+  EXPECT_EQ(all.X_WO.p.y(), y.X_WO.p.y());
   EXPECT_EQ(all.angle_rad, ry.angle_rad);
 }
 
@@ -135,7 +135,7 @@ TEST(Plan, OneAxisAndThreeAxesAgreeOnATurnAboutOneAxis) {
   const ObjectState a = run(test::plan_of(three), forces, 200);
   const ObjectState b = run(test::plan_of(one), forces, 200);
   EXPECT_GT(std::abs(b.angle_rad), 0.01);
-  EXPECT_LE((a.pose.q_WO.coeffs() - b.pose.q_WO.coeffs()).norm(), 1e-7);
+  EXPECT_LE((a.X_WO.q.coeffs() - b.X_WO.q.coeffs()).norm(), 1e-7);
 }
 
 TEST(Plan, HoldOfAnotherLengthIsThePlanOfThatLength) {
@@ -148,7 +148,7 @@ TEST(Plan, HoldOfAnotherLengthIsThePlanOfThatLength) {
     fast.move(fast.grasp(kPress, a), a);
     slow.move(slow.grasp(kPress, b), 0.004, b);
   }
-  EXPECT_EQ(a.pose.p_WO, b.pose.p_WO);
+  EXPECT_EQ(a.X_WO.p, b.X_WO.p);
   EXPECT_EQ(a.angle_rad, b.angle_rad);
 }
 
@@ -190,19 +190,19 @@ void expect_follows_exactly(const std::string& free, double tolerance) {
       // The torque follows the attitude as well: turned at the middle, found by half a step.
       GraspWrench push;
       ObjectState middle = at;
-      push.held = {at.pose.q_WO * F_O.force, at.pose.q_WO * F_O.torque};
+      push.held = {at.X_WO.q * F_O.force, at.X_WO.q * F_O.torque};
       half.move(push, middle);
-      push.held = {middle.pose.q_WO * F_O.force, middle.pose.q_WO * F_O.torque};
+      push.held = {middle.X_WO.q * F_O.force, middle.X_WO.q * F_O.torque};
       part.move(push, at);
     }
     return at;
   };
   const ObjectState coarse = fine(1000);
   const ObjectState finer = fine(2000);
-  const Vec3 p = finer.pose.p_WO + (finer.pose.p_WO - coarse.pose.p_WO) / 3.0;
+  const Vec3 p = finer.X_WO.p + (finer.X_WO.p - coarse.X_WO.p) / 3.0;
   const Vec3 v = finer.v_WO_W + (finer.v_WO_W - coarse.v_WO_W) / 3.0;
-  EXPECT_GT(std::abs(state.angle_rad) + state.pose.q_WO.vec().norm(), 0.1);
-  EXPECT_LE((state.pose.p_WO - p).norm(), tolerance * p.norm());
+  EXPECT_GT(std::abs(state.angle_rad) + state.X_WO.q.vec().norm(), 0.1);
+  EXPECT_LE((state.X_WO.p - p).norm(), tolerance * p.norm());
   EXPECT_LE((state.v_WO_W - v).norm(), tolerance * v.norm());
 }
 
@@ -224,7 +224,7 @@ TEST(Plan, AStiffFollowerFlagsOrAgreesWithTheFixedForceWhenNothingTurns) {
     push[0].force.z() = 3.0;  // through the COM: no torque
     const ObjectState a = run(test::plan_of(scene), push, 50);
     const ObjectState b = run(test::plan_of(fixed), push, 50);
-    EXPECT_WITHIN(a.pose.p_WO.x() / b.pose.p_WO.x(), 1.0, k < 1e8 ? 1e-10 : 0.5);
+    EXPECT_WITHIN(a.X_WO.p.x() / b.X_WO.p.x(), 1.0, k < 1e8 ? 1e-10 : 0.5);
     EXPECT_EQ(a.tolerance_exceeded, k > 1e8);
   }
 }
@@ -239,7 +239,7 @@ TEST(Plan, TravelLimitsStopTheBlockAndTheKnob) {
   double least_angle = 0.0;
   for (int i = 0; i < 300; ++i) {
     plan.move(plan.grasp(press(5, 1, 0, {2, 0, 0}), state), state);
-    most = std::max(most, state.pose.p_WO.x());
+    most = std::max(most, state.X_WO.p.x());
     least_angle = std::min(least_angle, state.angle_rad);
   }
   EXPECT_EQ(most, 0.01);
@@ -263,12 +263,12 @@ TEST(Plan, UnderAForceThatTurnsTheStopIsMetInsideTheHold) {
     ObjectState b = a;
     whole.step(kPress, a);
     for (int i = 0; i < 64; ++i) part.step(kPress, b);
-    EXPECT_EQ(b.pose.p_WO.y(), 0.002);  // it has met this stop, and stays
-    EXPECT_EQ(a.pose.p_WO.y(), b.pose.p_WO.y());
+    EXPECT_EQ(b.X_WO.p.y(), 0.002);  // it has met this stop, and stays
+    EXPECT_EQ(a.X_WO.p.y(), b.X_WO.p.y());
     EXPECT_EQ(a.v_WO_W.y(), 0.0);
-    EXPECT_WITHIN(a.pose.p_WO.x(), b.pose.p_WO.x(), 1e-10);
+    EXPECT_WITHIN(a.X_WO.p.x(), b.X_WO.p.x(), 1e-10);
     EXPECT_WITHIN(a.v_WO_W.x(), b.v_WO_W.x(), 1e-8);
-    EXPECT_LE(angle_between(a.pose.q_WO, b.pose.q_WO), 1e-9);
+    EXPECT_LE(angle_between(a.X_WO.q, b.X_WO.q), 1e-9);
   }
 }
 
@@ -297,19 +297,19 @@ TEST(Plan, ThreeLeftDigitsPushingToThePatientsRightMoveTheBlockRight) {
       forces[index_of(contact.finger)].force =
           contact.R_OC.transpose() * Vec3(2.0, 0, 0) + Vec3(0, 0, 5.0);
     const ObjectState state = run(test::plan_of(turned), forces, 20);
-    EXPECT_GT(state.pose.p_WO.x(), 0.0) << name_of(hand);
+    EXPECT_GT(state.X_WO.p.x(), 0.0) << name_of(hand);
   }
   // The thumb of the left hand stands on the right, and pressing with it moves the block left.
   const ObjectState thumb = run(test::plan_of(for_hand(scene, Hand::left)), press(3, 0, 0), 20);
-  EXPECT_LT(thumb.pose.p_WO.x(), 0.0);
+  EXPECT_LT(thumb.X_WO.p.x(), 0.0);
 }
 
 TEST(Plan, TurningTheDeviceByPiGivesTheMirroredMotion) {
   const auto scene = test::scene_of(test::block(dynamics("\"x\", \"y\", \"rz\"")));
   const ObjectState right = run(test::plan_of(scene), kPress, 200);
   const ObjectState left = run(test::plan_of(for_hand(scene, Hand::left)), kPress, 200);
-  EXPECT_EQ(left.pose.p_WO.x(), -right.pose.p_WO.x());
-  EXPECT_EQ(left.pose.p_WO.y(), right.pose.p_WO.y());
+  EXPECT_EQ(left.X_WO.p.x(), -right.X_WO.p.x());
+  EXPECT_EQ(left.X_WO.p.y(), right.X_WO.p.y());
   EXPECT_EQ(left.angle_rad, -right.angle_rad);
 }
 
@@ -323,7 +323,7 @@ TEST(Plan, ScalingForceMassSpringAndDamperByPowersOfTwoChangesNoBit) {
   FingerWrenches forces = kPress;
   for (auto& wrench : forces) wrench.force *= 4;
   const ObjectState scaled = run(test::plan_of(scene), forces, 200);
-  EXPECT_EQ(plain.pose.p_WO, scaled.pose.p_WO);
+  EXPECT_EQ(plain.X_WO.p, scaled.X_WO.p);
   EXPECT_EQ(plain.v_WO_W, scaled.v_WO_W);
   EXPECT_EQ(plain.angle_rad, scaled.angle_rad);
 }
@@ -336,10 +336,10 @@ TEST(Plan, TheSignOfTheQuaternionIsTheFilesAndChangesNoPhysics) {
     };
     const Plan plus = from("[0.8, 0, 0, 0.6]");
     const Plan minus = from("[-0.8, 0, 0, -0.6]");
-    EXPECT_EQ(minus.initial_state().pose.q_WO.w(), -0.8);
+    EXPECT_EQ(minus.initial_state().X_WO.q.w(), -0.8);
     const ObjectState a = run(plus, kPress, 300);
     const ObjectState b = run(minus, kPress, 300);
-    EXPECT_EQ(a.pose.q_WO.coeffs(), Eigen::Vector4d(-b.pose.q_WO.coeffs()));
+    EXPECT_EQ(a.X_WO.q.coeffs(), Eigen::Vector4d(-b.X_WO.q.coeffs()));
     EXPECT_EQ(a.w_WO_W, b.w_WO_W);
   }
 }
@@ -349,11 +349,11 @@ TEST(Plan, AKnobTurnedTwiceKeepsAContinuousQuaternion) {
   scene.stiffness.setZero();
   const Plan plan = test::plan_of(scene);
   ObjectState state = plan.initial_state();
-  Eigen::Vector4d last = state.pose.q_WO.coeffs();
+  Eigen::Vector4d last = state.X_WO.q.coeffs();
   for (int i = 0; i < 2000 && std::abs(state.angle_rad) < 14.0; ++i) {
     plan.move(plan.grasp(press(0, 0.5, 0), state), state);
-    EXPECT_LT((state.pose.q_WO.coeffs() - last).norm(), 0.5);
-    last = state.pose.q_WO.coeffs();
+    EXPECT_LT((state.X_WO.q.coeffs() - last).norm(), 0.5);
+    last = state.X_WO.q.coeffs();
   }
   EXPECT_GT(std::abs(state.angle_rad), 13.0);
 }
@@ -362,7 +362,7 @@ TEST(Plan, GravityIsAConstantForceAndNotPartOfTheFingersWrench) {
   auto scene = test::scene_of(test::block(dynamics("\"y\"", "gravity_m_s2 = [0, -9.81, 0]")));
   const Plan plan = test::plan_of(scene);
   ObjectState state = run(plan, press(0, 0, 0), 6000);
-  EXPECT_WITHIN(state.pose.p_WO.y(), -0.3 * 9.81 / 40.0, 1e-12);
+  EXPECT_WITHIN(state.X_WO.p.y(), -0.3 * 9.81 / 40.0, 1e-12);
   EXPECT_EQ(plan.grasp(press(0, 0, 0), state).F_O_W.force, Vec3::Zero());
 }
 
@@ -402,7 +402,7 @@ TEST(Plan, ShippedScenesRestWhenNobodyTouchesThem) {
         test::scene_file(std::string(ISOGRASP_SOURCE_DIR) + "/library/scenes/" + name + ".toml");
     const Plan plan = test::plan_of(scene);
     const ObjectState state = run(plan, {}, 1000);
-    EXPECT_LE((state.pose.p_WO - scene.initial_pose.p_WO).norm(), 1e-12) << name;
+    EXPECT_LE((state.X_WO.p - scene.initial_X_WO.p).norm(), 1e-12) << name;
   }
 }
 

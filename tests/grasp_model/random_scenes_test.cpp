@@ -54,7 +54,7 @@ Scene random_scene(Dice& dice, Turning turning, WrenchFrame frame) {
   if (dice.chance(0.2)) scene.stiffness.tail<3>().setZero();
   if (dice.chance(0.3)) scene.gravity_m_s2 = 3.0 * dice.direction();
   scene.anchor_m = 0.1 * dice.direction();
-  scene.initial_pose.p_WO = scene.anchor_m;
+  scene.initial_X_WO.p = scene.anchor_m;
   for (const Finger finger : kFingers) {
     if (dice.chance(0.15)) continue;
     Contact contact;
@@ -95,7 +95,7 @@ class Reference {
  public:
   explicit Reference(const Scene& scene) : scene_(scene) {
     at_.setZero();
-    at_.head<3>() = scene.initial_pose.p_WO.cast<Real>();
+    at_.head<3>() = scene.initial_X_WO.p.cast<Real>();
     at_[6] = 1;
   }
 
@@ -221,9 +221,9 @@ Worst compare(Turning turning, WrenchFrame frame, int scenes, std::uint64_t seed
       const FingerWrenches& forces = presses.next();
       plan.step(forces, state);
       reference.hold(forces, kHold_s);
-      error_m = std::max(error_m, (state.pose.p_WO - reference.p_WO()).norm());
+      error_m = std::max(error_m, (state.X_WO.p - reference.p_WO()).norm());
       excursion_m = std::max(excursion_m, (reference.p_WO() - scene.anchor_m).norm());
-      worst.angle_rad = std::max(worst.angle_rad, angle_between(state.pose.q_WO, reference.q_WO()));
+      worst.angle_rad = std::max(worst.angle_rad, angle_between(state.X_WO.q, reference.q_WO()));
       worst.exceeded += state.tolerance_exceeded ? 1 : 0;
     }
     worst.position = std::max(worst.position, error_m / excursion_m);

@@ -35,7 +35,7 @@ TEST(Scene, ReadsWhatTheFileSaysAndFillsInTheRest) {
   EXPECT_EQ(scene.wrench_frame, WrenchFrame::hand);
   EXPECT_EQ(scene.grasp_rule, GraspRule::any);
   EXPECT_EQ(scene.gravity_m_s2, Vec3::Zero());
-  EXPECT_EQ(scene.initial_pose.q_WO.coeffs(), Quat::Identity().coeffs());
+  EXPECT_EQ(scene.initial_X_WO.q.coeffs(), Quat::Identity().coeffs());
   ASSERT_EQ(scene.contacts.size(), 3u);
   EXPECT_EQ(scene.contacts[1].finger, Finger::index);
   EXPECT_EQ(scene.contacts[1].p_OC, Vec3(0.0325, 0.0125, 0));
@@ -72,7 +72,7 @@ TEST(Scene, ContactFramesAreOrthonormalAndRightHandedWhateverTheFileGives) {
 }
 
 TEST(Scene, TheInitialPositionIsTheAnchorUnlessGiven) {
-  EXPECT_EQ(test::scene_of(test::block(kFree + "anchor_m = [0.1, 0, 0]")).initial_pose.p_WO,
+  EXPECT_EQ(test::scene_of(test::block(kFree + "anchor_m = [0.1, 0, 0]")).initial_X_WO.p,
             Vec3(0.1, 0, 0));
 }
 

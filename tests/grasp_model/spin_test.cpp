@@ -35,7 +35,7 @@ class Turntable {
       worst_error_rad_ = std::max(worst_error_rad_, state_.error_rad);
     }
   }
-  [[nodiscard]] const Quat& q_WO() const { return state_.pose.q_WO; }
+  [[nodiscard]] const Quat& q_WO() const { return state_.X_WO.q; }
   [[nodiscard]] Vec3 w_O() const { return q_WO().conjugate() * state_.w_WO_W; }
   [[nodiscard]] bool exceeded() const { return exceeded_; }
   [[nodiscard]] double worst_error_rad() const { return worst_error_rad_; }
@@ -49,7 +49,7 @@ class Turntable {
     scene.damping.tail<3>() = body.damping;
     scene.stiffness.tail<3>() = body.stiffness;
     scene.wrench_frame = torques.body.isZero(0.0) ? WrenchFrame::hand : WrenchFrame::object;
-    scene.initial_pose.q_WO = start.q_WO;
+    scene.initial_X_WO.q = start.q_WO;
     scene.initial_w_WO_W = start.q_WO * start.w_O;
     return scene;
   }

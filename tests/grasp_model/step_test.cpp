@@ -46,15 +46,15 @@ class Presses {
 };
 
 void expect_same(const ObjectState& a, const ObjectState& b) {
-  EXPECT_EQ(a.pose.p_WO, b.pose.p_WO);
-  EXPECT_EQ(a.pose.q_WO.coeffs(), b.pose.q_WO.coeffs());
+  EXPECT_EQ(a.X_WO.p, b.X_WO.p);
+  EXPECT_EQ(a.X_WO.q.coeffs(), b.X_WO.q.coeffs());
   EXPECT_EQ(a.v_WO_W, b.v_WO_W);
   EXPECT_EQ(a.w_WO_W, b.w_WO_W);
   EXPECT_EQ(a.contact, b.contact);
 }
 
 bool finite(const ObjectState& state) {
-  return state.pose.p_WO.allFinite() && state.pose.q_WO.coeffs().allFinite() &&
+  return state.X_WO.p.allFinite() && state.X_WO.q.coeffs().allFinite() &&
          state.v_WO_W.allFinite() && state.w_WO_W.allFinite();
 }
 
@@ -77,7 +77,7 @@ TEST(Step, WithAndWithoutTheRecordIsTheSameMotionBitForBit) {
           plan.move(plan.grasp(forces, b), b);
         }
         expect_same(a, b);
-        EXPECT_NE(a.pose.p_WO.norm() + a.pose.q_WO.vec().norm(), 0.0);
+        EXPECT_NE(a.X_WO.p.norm() + a.X_WO.q.vec().norm(), 0.0);
       }
 }
 
@@ -120,7 +120,7 @@ TEST(Step, ForcesNearTheEndsOfTheNumbersStayNumbers) {
       forces[0].force.z() = 3.0 * size;
       for (int i = 0; i < 20; ++i) plan.step(forces, state);
       EXPECT_TRUE(finite(state)) << size;
-      EXPECT_EQ(state.pose.p_WO.x() != 0.0, size > 1e-320) << size;
+      EXPECT_EQ(state.X_WO.p.x() != 0.0, size > 1e-320) << size;
     }
   }
 }
@@ -142,7 +142,7 @@ TEST(Step, OneFingerAloneTurnsAndPushes) {
   FingerWrenches forces;
   forces[2].force.z() = 2.0;  // middle: above the COM's line by -12.5 mm, pushes -x
   plan.step(forces, state);
-  EXPECT_LT(state.pose.p_WO.x(), 0.0);
+  EXPECT_LT(state.X_WO.p.x(), 0.0);
   EXPECT_LT(state.angle_rad, 0.0);
 }
 
@@ -175,7 +175,7 @@ TEST(Step, CoincidentAndCollinearContactsMoveTheObjectLikeOne) {
   whole[0].force = 3.0 * thirds[0].force;
   plan.step(thirds, together);
   plan.step(whole, alone);
-  EXPECT_LE((together.pose.p_WO - alone.pose.p_WO).norm(), 1e-18);
+  EXPECT_LE((together.X_WO.p - alone.X_WO.p).norm(), 1e-18);
 }
 
 TEST(Step, PowerThatTheFingersGiveIsPowerThatTheObjectTakes) {
@@ -223,8 +223,8 @@ TEST(Step, AnyRateFrom50To1000HzTracesTheSameMotion) {
     for (const int per_20_ms : {2, 5, 20}) {
       const ObjectState fine = after(per_20_ms);
       const double tolerance = free == kAll ? 1e-9 : 1e-13;
-      EXPECT_LE((coarse.pose.p_WO - fine.pose.p_WO).norm(), tolerance);
-      EXPECT_LE(angle_between(coarse.pose.q_WO, fine.pose.q_WO), tolerance);
+      EXPECT_LE((coarse.X_WO.p - fine.X_WO.p).norm(), tolerance);
+      EXPECT_LE(angle_between(coarse.X_WO.q, fine.X_WO.q), tolerance);
     }
   }
 }

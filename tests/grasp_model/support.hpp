@@ -122,7 +122,7 @@ inertia_kg_m2 = [1e-4, 2e-4, 3e-4]
 }
 
 inline Mat3 rotation_of(const ObjectState& state) {
-  return state.pose.q_WO.toRotationMatrix();
+  return state.X_WO.q.toRotationMatrix();
 }
 
 }  // namespace isograsp::test

@@ -58,14 +58,14 @@ TEST(PatientPicture, AFingerComesNearerWithForceAndTouchesOnContact) {
 TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
   PatientFacts facts = with_object();
   facts.snapshot.grasp.contact = {true, true, true};
-  Pose& pose = facts.snapshot.object.pose;
-  pose.p_WO = Vec3(0.05, -0.03, 0.0);
-  pose.q_WO = Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
+  Pose& pose = facts.snapshot.object.X_WO;
+  pose.p = Vec3(0.05, -0.03, 0.0);
+  pose.q = Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
   for (const auto& contact : facts.scene->contacts) {
     const auto finger = picture_for(facts).fingers[index_of(contact.finger)];
-    EXPECT_NEAR((pose.q_WO.conjugate() * (finger.tip_W - pose.p_WO) - contact.p_OC).norm(), 0.0,
+    EXPECT_NEAR((pose.q.conjugate() * (finger.tip_W - pose.p) - contact.p_OC).norm(), 0.0,
                 kRounding_m);
-    EXPECT_NEAR((pose.q_WO.conjugate() * finger.axis_W - contact.R_OC.col(2)).norm(), 0.0,
+    EXPECT_NEAR((pose.q.conjugate() * finger.axis_W - contact.R_OC.col(2)).norm(), 0.0,
                 kRounding_m);
   }
 }
@@ -78,16 +78,15 @@ TEST(PatientPicture, WhatMovesIsShownWhereItIsNow) {
   facts.snapshot.task.task_time_s = 3.0;
   facts.ahead_s = 0.015;
   const auto picture = picture_for(facts);
-  EXPECT_NEAR((picture.object.p_WO - Vec3(0.003, 0.0, -0.0015)).norm(), 0.0, kRounding_m);
+  EXPECT_NEAR((picture.X_WO.p - Vec3(0.003, 0.0, -0.0015)).norm(), 0.0, kRounding_m);
   const Quat turned(Eigen::AngleAxisd(0.03, Vec3::UnitZ()));
-  EXPECT_NEAR(picture.object.q_WO.angularDistance(turned), 0.0, 1e-7);  // acos near 1
+  EXPECT_NEAR(picture.X_WO.q.angularDistance(turned), 0.0, 1e-7);  // acos near 1
   EXPECT_EQ(picture.task_time_s, 3.015);
   const Contact& thumb = *facts.scene->contact_of(Finger::thumb);
   facts.snapshot.grasp.contact[0] = true;
-  EXPECT_NEAR((picture_for(facts).fingers[0].tip_W -
-               (picture.object.p_WO + picture.object.q_WO * thumb.p_OC))
-                  .norm(),
-              0.0, kRounding_m)
+  EXPECT_NEAR(
+      (picture_for(facts).fingers[0].tip_W - (picture.X_WO.p + picture.X_WO.q * thumb.p_OC)).norm(),
+      0.0, kRounding_m)
       << "fingers go with it";
 }
 
@@ -105,17 +104,17 @@ TEST(PatientPicture, TheRingOfAHoldStandsAtTheOutlineAndOnlyWhileTheBlockIsSeenT
   view.target_index = 1;  // it is to be held for a second
   view.phase = tasks::Phase::hold;
   view.hold_fraction = 0.5;
-  view.target.p_WO = Vec3(-0.08, -0.06, 0.0);
-  Pose& block = facts.snapshot.object.pose;
-  block.p_WO = view.target.p_WO + Vec3(0.015, 0.0, 0.0);  // the task allows 20 mm
+  view.X_WT.p = Vec3(-0.08, -0.06, 0.0);
+  Pose& block = facts.snapshot.object.X_WO;
+  block.p = view.X_WT.p + Vec3(0.015, 0.0, 0.0);  // the task allows 20 mm
   auto picture = picture_for(facts);
   EXPECT_EQ(picture.hold_fraction, 0.5);
-  EXPECT_EQ(picture.ring_W, view.target.p_WO) << "what is to be filled is the outline";
+  EXPECT_EQ(picture.ring_W, view.X_WT.p) << "what is to be filled is the outline";
   facts.snapshot.object.v_WO_W = Vec3(0.5, 0.0, 0.0);
   facts.ahead_s = 0.02;  // seen 10 mm further on, outside
   EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
   facts.ahead_s = 0.0;
-  block.q_WO = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));  // the task allows 15 degrees
+  block.q = Quat(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));  // the task allows 15 degrees
   EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
 }
 

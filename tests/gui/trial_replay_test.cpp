@@ -131,7 +131,7 @@ TEST(TrialReplay, ChannelsThatWereNotRecordedHaveNoValue) {
   const auto state = replay.at(0.005);
   EXPECT_EQ(state.actual_N, 3.0);
   EXPECT_FALSE(state.target_N.has_value());
-  EXPECT_FALSE(state.object.has_value());
+  EXPECT_FALSE(state.X_WO.has_value());
   for (const auto& finger : state.fingers) EXPECT_EQ(finger.quality, SampleQuality::missing);
 }
 
@@ -173,20 +173,20 @@ Signals moving_object(int rows, int jump_at = -1) {
 TEST(TrialReplay, TheObjectGoesAndTurnsEvenlyBetweenSamples) {
   const auto replay = replay_of(moving_object(100));
   for (const double t_s : {0.0, 0.123, 0.4567, 0.99}) {
-    const auto object = replay.at(t_s).object;
-    ASSERT_TRUE(object.has_value());
-    EXPECT_NEAR(object->p_WO.x(), 0.1 * t_s, 1e-12);
-    EXPECT_EQ(object->p_WO.z(), 0.01);
+    const auto X_WO = replay.at(t_s).X_WO;
+    ASSERT_TRUE(X_WO.has_value());
+    EXPECT_NEAR(X_WO->p.x(), 0.1 * t_s, 1e-12);
+    EXPECT_EQ(X_WO->p.z(), 0.01);
     const Quat expected(Eigen::AngleAxisd(t_s, Vec3::UnitZ()));
-    EXPECT_NEAR(object->q_WO.angularDistance(expected), 0.0, 1e-7);
+    EXPECT_NEAR(X_WO->q.angularDistance(expected), 0.0, 1e-7);
   }
-  EXPECT_FALSE(replay.at(0.5).target.has_value()) << "y of the target is not known";
+  EXPECT_FALSE(replay.at(0.5).X_WT.has_value()) << "y of the target is not known";
 }
 
 TEST(TrialReplay, AnObjectThatAppearsAnewDoesNotFlyThere) {
   const auto replay = replay_of(moving_object(100, 50));
-  EXPECT_NEAR(replay.at(0.499).object->p_WO.x(), 0.049, 1e-12);
-  EXPECT_NEAR(replay.at(0.5).object->p_WO.x(), 0.25, 1e-12);
+  EXPECT_NEAR(replay.at(0.499).X_WO->p.x(), 0.049, 1e-12);
+  EXPECT_NEAR(replay.at(0.5).X_WO->p.x(), 0.25, 1e-12);
   EXPECT_EQ(replay.at(0.499).targets_reached, 0);
   EXPECT_EQ(replay.at(0.5).targets_reached, 1);
   int ends = 0;
@@ -208,9 +208,9 @@ TEST(TrialReplay, AngleStandsInForAnAttitudeThatWasNotRecorded) {
   Signals signals({"t_s", "actual_x_m", "actual_y_m", "actual_angle_rad"});
   for (const double t_s : {0.0, 0.01})
     signals.append_row(std::array{t_s, 0.0, 0.0, std::numbers::pi / 2});
-  const auto object = replay_of(std::move(signals)).at(0.0).object;
-  ASSERT_TRUE(object.has_value());
-  EXPECT_NEAR((object->q_WO * Vec3::UnitX() - Vec3::UnitY()).norm(), 0.0, 1e-12);
+  const auto X_WO = replay_of(std::move(signals)).at(0.0).X_WO;
+  ASSERT_TRUE(X_WO.has_value());
+  EXPECT_NEAR((X_WO->q * Vec3::UnitX() - Vec3::UnitY()).norm(), 0.0, 1e-12);
 }
 
 TEST(TrialCurves, ReadingsSayWhatIsHeldAndWhatIsMissing) {

@@ -28,13 +28,15 @@ if(NOT output STREQUAL expected)
   message(FATAL_ERROR "the program printed\n${output}instead of\n${expected}")
 endif()
 
-# The package knows its version: the next one with other interfaces does not pass for it.
+# The package knows its version: one with other interfaces does not pass for it.
 file(WRITE ${folder}/wrong/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
 project(Wrong LANGUAGES CXX)
-find_package(IsoGrasp 99 QUIET)
-if(IsoGrasp_FOUND)
-  message(FATAL_ERROR \"version 99 was found\")
-endif()
+foreach(other 0.1 99)
+  find_package(IsoGrasp \${other} QUIET)
+  if(IsoGrasp_FOUND)
+    message(FATAL_ERROR \"version \${other} was found\")
+  endif()
+endforeach()
 find_package(IsoGrasp ${version} REQUIRED)
 ")
 run(${CMAKE_COMMAND} -S ${folder}/wrong -B ${folder}/wrong/build -G ${generator}

@@ -193,7 +193,7 @@ inline std::vector<Measure> leaning_object(const tasks::TaskSpec& spec) {
   return tasks::score(spec, play_object(spec, [](const tasks::TaskView&, const Pose&) {
                         constexpr double kLean_rad = 0.1;
                         Handled now;
-                        now.pose.q_WO = Quat(Eigen::AngleAxisd(kLean_rad, Vec3::UnitX()));
+                        now.X_WO.q = Quat(Eigen::AngleAxisd(kLean_rad, Vec3::UnitX()));
                         return now;
                       }));
 }

@@ -214,7 +214,7 @@ TEST(Acquisition, AMissingSampleIsHeldAndASilentSensorPausesTheTrialWithoutMovin
   EXPECT_EQ(shown.stage, Stage::paused);
   EXPECT_EQ(shown.pause_cause, PauseCause::missing_samples);
   EXPECT_EQ(shown.task.task_time_s, 0.0);
-  EXPECT_EQ(shown.object.pose.p_WO, Vec3(0, 0, 0));
+  EXPECT_EQ(shown.object.X_WO.p, Vec3(0, 0, 0));
 }
 
 TEST(Acquisition, PauseStopsTaskAndObjectAndResumeContinues) {

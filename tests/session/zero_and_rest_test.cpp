@@ -446,8 +446,8 @@ TEST(Thresholds, AreStoredAndTheStoredTrialMovesTheObjectAgainToTheBit) {
   const auto y_m = signals.column("actual_y_m");
   const auto angle_rad = signals.column("actual_angle_rad");
   for (std::size_t row = 0; row < signals.rows(); ++row) {
-    ASSERT_EQ(state.pose.p_WO.x(), x_m[row]) << row;
-    ASSERT_EQ(state.pose.p_WO.y(), y_m[row]) << row;
+    ASSERT_EQ(state.X_WO.p.x(), x_m[row]) << row;
+    ASSERT_EQ(state.X_WO.p.y(), y_m[row]) << row;
     ASSERT_EQ(state.angle_rad, angle_rad[row]) << row;
     FingerWrenches wrench_C{};
     for (std::size_t f = 0; f < kFingerCount; ++f)

@@ -43,8 +43,8 @@ TaskInput pressing(double thumb_N, double index_N, double middle_N) {
 
 ObjectState object_at(double x_m, double y_m, double angle_rad) {
   ObjectState state;
-  state.pose.p_WO = {x_m, y_m, 0.0};
-  state.pose.q_WO = Quat(Eigen::AngleAxisd(angle_rad, Vec3::UnitZ()));
+  state.X_WO.p = {x_m, y_m, 0.0};
+  state.X_WO.q = Quat(Eigen::AngleAxisd(angle_rad, Vec3::UnitZ()));
   state.angle_rad = angle_rad;
   return state;
 }

@@ -37,13 +37,13 @@ Scene block() {
 
 Pose planar(double x_m, double y_m, double angle_rad) {
   Pose pose;
-  pose.p_WO = {x_m, y_m, 0.0};
-  pose.q_WO = Quat(Eigen::AngleAxisd(angle_rad, Vec3::UnitZ()));
+  pose.p = {x_m, y_m, 0.0};
+  pose.q = Quat(Eigen::AngleAxisd(angle_rad, Vec3::UnitZ()));
   return pose;
 }
 
 struct Target {
-  Pose pose;
+  Pose X_WT;
   double hold_s;
 };
 /// Lower left, turned there and back, upper right, turned there.
@@ -85,15 +85,15 @@ Outcome play(const char* name, std::uint64_t seed, const Scene& scene,
       stimulus.t_s = person.t_s();
       stimulus.cue = Cue::move;
       stimulus.object_shown = true;
-      stimulus.object = state.pose;
-      stimulus.target = target.pose;
+      stimulus.X_WO = state.X_WO;
+      stimulus.X_WT = target.X_WT;
       stimulus.contact = wrench.contact;
       person.patient.see(stimulus);
-      const bool inside = (state.pose.p_WO - target.pose.p_WO).norm() <= kPositionTolerance_m &&
-                          angle_between(state.pose.q_WO, target.pose.q_WO) <= kAngleTolerance_rad;
+      const bool inside = (state.X_WO.p - target.X_WT.p).norm() <= kPositionTolerance_m &&
+                          angle_between(state.X_WO.q, target.X_WT.q) <= kAngleTolerance_rad;
       inside_s = inside ? inside_s + kFrame_s : 0.0;
       reached = inside && inside_s > target.hold_s;
-      tilt_rad = std::max(tilt_rad, angle_between(state.pose.q_WO, Quat::Identity()));
+      tilt_rad = std::max(tilt_rad, angle_between(state.X_WO.q, Quat::Identity()));
       for (std::size_t f = 0; f < kFingerCount; ++f) {
         outcome.largest_force_N = std::max(outcome.largest_force_N, wrench_C[f].force.z());
         EXPECT_GE(person.pressed[f].force.z(), 0.0) << "fingers push and never pull";
@@ -187,14 +187,14 @@ double pursuit_error_m(const char* name, double frequency_Hz, double amplitude_m
     stimulus.t_s = person.t_s();
     stimulus.cue = Cue::move;
     stimulus.object_shown = true;
-    stimulus.object = state.pose;
+    stimulus.X_WO = state.X_WO;
     const double turn = 2.0 * std::numbers::pi * frequency_Hz * t_s;
-    stimulus.target = planar(amplitude_m * std::sin(turn), 0.0, 0.0);
+    stimulus.X_WT = planar(amplitude_m * std::sin(turn), 0.0, 0.0);
     stimulus.contact = wrench.contact;
     person.patient.see(stimulus);
     plan->move(wrench, state);
     if (t_s < kSettle_s) continue;
-    squares += (state.pose.p_WO - stimulus.target.p_WO).squaredNorm();
+    squares += (state.X_WO.p - stimulus.X_WT.p).squaredNorm();
     ++count;
   }
   return std::sqrt(squares / count);
@@ -214,8 +214,8 @@ TEST(VirtualPatientObject, AKnobIsTurnedAndAFreeBlockIsTiltedInSpace) {
         play("healthy", seed, shipped("knob"), {{planar(0.0, 0.0, 1.0), 1.0}, {Pose{}, 1.0}});
     EXPECT_EQ(knob.reached, 2);
     Pose tilted;
-    tilted.p_WO = {0.03, -0.02, 0.03};
-    tilted.q_WO = Quat(Eigen::AngleAxisd(0.4, Vec3(1.0, 2.0, -1.0).normalized()));
+    tilted.p = {0.03, -0.02, 0.03};
+    tilted.q = Quat(Eigen::AngleAxisd(0.4, Vec3(1.0, 2.0, -1.0).normalized()));
     const Outcome block =
         play("healthy", seed, shipped("free_block"), {{tilted, 1.0}, {Pose{}, 1.0}});
     EXPECT_EQ(block.reached, 2);
@@ -234,7 +234,7 @@ TEST(VirtualPatientObject, ChangingTheTargetIsTheOnlyWayToMoveThem) {
     stimulus.t_s = t_s;
     stimulus.cue = Cue::move;
     stimulus.object_shown = true;
-    stimulus.target = target;
+    stimulus.X_WT = target;
     stimulus.contact = {true, true, true};
     return stimulus;
   };
@@ -272,7 +272,7 @@ TEST(VirtualPatientObject, MovingAnObjectAllocatesNothing) {
   Stimulus stimulus;
   stimulus.cue = Cue::move;
   stimulus.object_shown = true;
-  stimulus.target = planar(0.05, 0.02, 0.4);
+  stimulus.X_WT = planar(0.05, 0.02, 0.4);
   for (int ms = 0; ms < 3000; ++ms) {
     stimulus.t_s = 0.001 * ms;
     if (ms % 10 == 0) person.see(stimulus);

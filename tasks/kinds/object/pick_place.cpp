@@ -50,7 +50,7 @@ class PickPlace final : public Task {
     const Item& item = items_[current_];
     view.target_index = static_cast<int>(current_);
     view.pose_target_shown = true;
-    view.target = item.X_WT;
+    view.X_WT = item.X_WT;
     const bool done = advance(input, item, view);
     view.cue = held_ ? Cue::let_go : Cue::move;
     view.drops = drops_;
@@ -73,7 +73,7 @@ class PickPlace final : public Task {
     }
     const bool touched = std::any_of(input.contact.begin(), input.contact.end(),
                                      [](bool contact) { return contact; });
-    const bool inside = input.object != nullptr && tolerance_.holds(item.X_WT, input.object->pose);
+    const bool inside = input.object != nullptr && tolerance_.holds(item.X_WT, input.object->X_WO);
     if (inside) view.phase = Phase::hold;
     if (held_ && inside && !touched) return true;
     inside_frames_ = inside && touched ? inside_frames_ + 1 : 0;
@@ -85,7 +85,7 @@ class PickPlace final : public Task {
       view.hold_fraction =
           static_cast<double>(inside_frames_ - 1) / static_cast<double>(hold_frames_);
     const bool away = input.object != nullptr && !inside &&
-                      (input.object->pose.p_WO - item.X_WO.p_WO).norm() > drop_distance_m_;
+                      (input.object->X_WO.p - item.X_WO.p).norm() > drop_distance_m_;
     picked_up_ = picked_up_ || touched;
     if (picked_up_ && !touched && away) drop(item, view);
     return false;
@@ -97,7 +97,7 @@ class PickPlace final : public Task {
   }
   void place(const Item& item, TaskView& view) noexcept {
     view.object_placed = true;
-    view.placed = item.X_WO;
+    view.placed_X_WO = item.X_WO;
     held_ = picked_up_ = false;
     inside_frames_ = 0;
   }

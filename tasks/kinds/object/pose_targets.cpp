@@ -42,14 +42,14 @@ class PoseTargets final : public Task {
       return view;
     }
     const Goal& goal = goals_[current_];
-    const bool inside = input.object != nullptr && tolerance_.holds(goal.X_WT, input.object->pose);
+    const bool inside = input.object != nullptr && tolerance_.holds(goal.X_WT, input.object->X_WO);
     inside_frames_ = inside ? inside_frames_ + 1 : 0;
     const bool reached = inside_frames_ > goal.hold_frames;  // n + 1 samples span n periods
     if (reached) ++reached_;
     view.phase = inside ? Phase::hold : Phase::transport;
     view.cue = Cue::move;
     view.pose_target_shown = true;
-    view.target = goal.X_WT;
+    view.X_WT = goal.X_WT;
     view.target_index = static_cast<int>(current_);
     view.targets_reached = reached_;
     view.hold_fraction = hold_fraction(goal, reached);

@@ -42,7 +42,7 @@ class PoseTracking final : public Task {
     view.actual_force_N = force_of(input.wrench_C, view.channel);
     if (over) return view;
     view.pose_target_shown = true;
-    view.target = pose_of(
+    view.X_WT = pose_of(
         targets_[static_cast<std::size_t>(std::max<std::int64_t>(0, frame_ - lead_in_frames_))]);
     ++frame_;
     return view;
@@ -53,9 +53,9 @@ class PoseTracking final : public Task {
   static Pose pose_of(const Vec6& x) noexcept {
     const Vec3 turn = x.tail<3>();
     const double angle_rad = turn.norm();
-    Pose pose{x.head<3>(), Quat::Identity()};
-    if (angle_rad > 0.0) pose.q_WO = Quat(Eigen::AngleAxisd(angle_rad, turn / angle_rad));
-    return pose;
+    Pose X_WT{x.head<3>(), Quat::Identity()};
+    if (angle_rad > 0.0) X_WT.q = Quat(Eigen::AngleAxisd(angle_rad, turn / angle_rad));
+    return X_WT;
   }
 
   TaskView blank_;

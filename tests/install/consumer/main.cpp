@@ -50,7 +50,7 @@ int main() {
   wrench_C[index_of(Finger::thumb)].force = {0, 0, 1};
   ObjectState state = plan->initial_state();
   plan->step(wrench_C, state);
-  std::printf("x = %g m\n", state.pose.p_WO.x());
+  std::printf("x = %g m\n", state.X_WO.p.x());
 
   Thumb thumb;
   const auto device = open_device("sim://me?rate=100", {&thumb, nullptr});

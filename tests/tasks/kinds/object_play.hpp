@@ -13,7 +13,7 @@ namespace isograsp::test {
 
 /// What the hand does in a frame, and where the object is then.
 struct Handled {
-  Pose pose;
+  Pose X_WO;
   bool contact = true;
   bool slip = false;
   double grip_N = 3.0;
@@ -40,17 +40,17 @@ inline Signals play_object(const tasks::TaskSpec& spec,
   for (int k = 0;; ++k) {
     const Handled now = hand(view, object);
     ObjectState state;
-    state.pose = now.pose;
+    state.X_WO = now.X_WO;
     tasks::TaskInput input;
     input.object = &state;
     input.contact[0] = now.contact;
     input.wrench_C[0].force.z() = input.wrench_C[1].force.z() = now.grip_N;
     view = (*task)->step(input);
     if (view.phase == tasks::Phase::done) return signals;
-    const Vec3& a = now.pose.p_WO;
-    const Quat& q = now.pose.q_WO;
-    const Vec3& b = view.target.p_WO;
-    const Quat& r = view.target.q_WO;
+    const Vec3& a = now.X_WO.p;
+    const Quat& q = now.X_WO.q;
+    const Vec3& b = view.X_WT.p;
+    const Quat& r = view.X_WT.q;
     const double row[] = {k / rate_Hz,
                           static_cast<double>(view.phase),
                           0.0,
@@ -77,7 +77,7 @@ inline Signals play_object(const tasks::TaskSpec& spec,
                           now.contact ? 1.0 : 0.0,
                           now.slip ? 1.0 : 0.0};
     signals.append_row(row);
-    object = view.object_placed ? view.placed : now.pose;
+    object = view.object_placed ? view.placed_X_WO : now.X_WO;
   }
 }
 

@@ -35,12 +35,12 @@ struct Hand {
   int frame = 0;
   Handled operator()(const TaskView& view, const Pose& object) {
     Handled now;
-    now.pose = object;
+    now.X_WO = object;
     const int k = frame++;
     now.contact = view.cue != Cue::let_go && k != drop_frame && view.target_index < idle_from;
     if (!now.contact || !view.pose_target_shown || view.object_placed) return now;
-    const double left_m = 0.044 - object.p_WO.x();
-    if (left_m > 0.0) now.pose.p_WO.x() += std::min(0.001, left_m);
+    const double left_m = 0.044 - object.p.x();
+    if (left_m > 0.0) now.X_WO.p.x() += std::min(0.001, left_m);
     return now;
   }
 };
@@ -133,7 +133,7 @@ TEST(ScorePickPlace, AnObjectThatLeansHasThatErrorOfItsAxisAndOneThatTurnsOnTheS
     const auto measures =
         score(spec, play_object(spec, [&](const TaskView& view, const Pose& object) {
                 Handled now = hand(view, object);
-                now.pose.q_WO = Quat(Eigen::AngleAxisd(kLean_rad, about));
+                now.X_WO.q = Quat(Eigen::AngleAxisd(kLean_rad, about));
                 return now;
               }));
     EXPECT_NEAR(value_of(measures, "hold_error_angle"), kLean_rad, 1e-9);

@@ -41,7 +41,7 @@ class Play {
   /// Some frames with the object there; where the task puts it, it is.
   TaskView at(const Vec3& p_WO, bool touched, int frames = 1) {
     for (int frame = 0; frame < frames; ++frame) {
-      object_.pose.p_WO = p_WO;
+      object_.X_WO.p = p_WO;
       view_ = step(touched);
     }
     return view_;
@@ -68,7 +68,7 @@ class Play {
     const TaskView view = task_->step(input);
     if (view.object_placed) {
       object_ = {};
-      object_.pose = view.placed;
+      object_.X_WO = view.placed_X_WO;
       ++placements_;
     }
     return view;
@@ -84,8 +84,8 @@ TEST(PickPlace, TheObjectAppearsAtItsPlaceAndItsTargetIsShown) {
   Play play(spec_of());
   const TaskView view = play.wait(1);
   EXPECT_TRUE(view.object_placed);
-  EXPECT_EQ(play.object().pose.p_WO, kStart_m);
-  EXPECT_EQ(view.target.p_WO, kGoal_m);
+  EXPECT_EQ(play.object().X_WO.p, kStart_m);
+  EXPECT_EQ(view.X_WT.p, kGoal_m);
   EXPECT_TRUE(view.pose_target_shown);
   EXPECT_EQ(view.target_index, 0);
   EXPECT_EQ(view.target_count, 2);
@@ -142,7 +142,7 @@ TEST(PickPlace, ADropOnTheWayPutsTheObjectBackAndIsCountedOnce) {
   TaskView view = play.at(kHalfway_m, false);
   EXPECT_EQ(view.drops, 1);
   EXPECT_TRUE(view.object_placed);
-  EXPECT_EQ(play.object().pose.p_WO, kStart_m);
+  EXPECT_EQ(play.object().X_WO.p, kStart_m);
   EXPECT_EQ(view.target_index, 0) << "the same object again";
   view = play.wait(50);
   EXPECT_EQ(view.drops, 1);
@@ -233,7 +233,7 @@ TEST(PickPlace, PlacingIsTheSameAtEveryFrameRate) {
     const auto made = make_task(task, context);
     ASSERT_TRUE(made);
     ObjectState object;
-    object.pose.p_WO = kGoal_m;
+    object.X_WO.p = kGoal_m;
     double let_go_s = -1.0;
     for (int frame = 0; let_go_s < 0.0 && frame < 5.0 * rate_Hz; ++frame) {
       TaskInput input;

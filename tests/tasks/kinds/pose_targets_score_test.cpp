@@ -65,8 +65,8 @@ Signals play_poses(const PoseTargetsSpec& spec, const std::function<Motion(doubl
     const double t_s = k * kPeriod_s;
     const Motion m = motion(t_s);
     ObjectState object;
-    object.pose.p_WO = {m.x_m, m.y_m, 0.0};
-    object.pose.q_WO = Quat(Eigen::AngleAxisd(m.angle_rad, Vec3::UnitZ()));
+    object.X_WO.p = {m.x_m, m.y_m, 0.0};
+    object.X_WO.q = Quat(Eigen::AngleAxisd(m.angle_rad, Vec3::UnitZ()));
     TaskInput input;
     input.object = &object;
     if (!m.paused) view = (*task)->step(input);

@@ -43,8 +43,8 @@ Handled late(const TaskView& view, const Pose&) {
   const double t_s = view.duration_s == 0.0 ? -2.0 : view.task_time_s + 0.01 - 2.0;
   Handled now;
   const double value = kGain * wave(t_s - kLag_s);
-  now.pose.p_WO.x() = 0.05 * value;
-  now.pose.q_WO = Quat(Eigen::AngleAxisd(value, Vec3::UnitZ()));
+  now.X_WO.p.x() = 0.05 * value;
+  now.X_WO.q = Quat(Eigen::AngleAxisd(value, Vec3::UnitZ()));
   return now;
 }
 double closed_rmse(double amplitude) {
@@ -100,8 +100,8 @@ TEST(ScorePoseTracking, AConstantOffsetIsAllErrorOfItsAxisAndOfThePosition) {
   const auto measures = score(kPlanar, play_object(kPlanar, [](const TaskView& view, const Pose&) {
                                 const double t_s = std::max(0.0, view.task_time_s + 0.01 - 2.0);
                                 Handled now;
-                                now.pose.p_WO = {0.05 * wave(t_s) + 0.003, 0.004, 0.012};
-                                now.pose.q_WO = Quat(Eigen::AngleAxisd(wave(t_s), Vec3::UnitZ()));
+                                now.X_WO.p = {0.05 * wave(t_s) + 0.003, 0.004, 0.012};
+                                now.X_WO.q = Quat(Eigen::AngleAxisd(wave(t_s), Vec3::UnitZ()));
                                 return now;
                               }));
   constexpr double kRounding = 1e-12;
@@ -115,7 +115,7 @@ TEST(ScorePoseTracking, FullTurnsOfTheObjectDoNotCountAndSignsOfQuaternionsDoNot
   const auto turned =
       score(kPlanar, play_object(kPlanar, [](const TaskView& view, const Pose& pose) {
               Handled now = late(view, pose);
-              now.pose.q_WO.coeffs() = -now.pose.q_WO.coeffs();
+              now.X_WO.q.coeffs() = -now.X_WO.q.coeffs();
               return now;
             }));
   for (const char* name : {"rmse", "mae", "constant_error", "gain"})
@@ -127,7 +127,7 @@ TEST(ScorePoseTracking, TargetsBeyondHalfATurnAreFollowedRound) {
   const auto measures = score(wide, play_object(wide, [](const TaskView& view, const Pose&) {
                                 const double t_s = std::max(0.0, view.task_time_s + 0.01 - 2.0);
                                 Handled now;
-                                now.pose.q_WO =
+                                now.X_WO.q =
                                     Quat(Eigen::AngleAxisd(5.0 * wave(t_s) + 0.1, Vec3::UnitZ()));
                                 return now;
                               }));

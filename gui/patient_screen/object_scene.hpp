@@ -9,7 +9,7 @@
 #include <QSize>
 #include <memory>
 
-#include "gui/presenter/patient_picture.hpp"
+#include "gui/rules/patient_picture.hpp"
 
 namespace isograsp::gui {
 

@@ -7,7 +7,7 @@
 
 #include <QPainter>
 
-#include "gui/presenter/patient_picture.hpp"
+#include "gui/rules/patient_picture.hpp"
 
 namespace isograsp::gui {
 

@@ -10,7 +10,7 @@
 #include "gui/patient_screen/object_scene.hpp"
 #include "gui/patient_screen/speaker.hpp"
 #include "gui/presenter/session_presenter.hpp"
-#include "gui/presenter/soundtrack.hpp"
+#include "gui/rules/soundtrack.hpp"
 
 namespace isograsp::gui {
 

@@ -6,7 +6,7 @@
 #include <QString>
 #include <memory>
 
-#include "gui/presenter/tones.hpp"
+#include "gui/rules/tones.hpp"
 
 namespace isograsp::gui {
 

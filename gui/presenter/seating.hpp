@@ -8,8 +8,8 @@
 #include <string>
 
 #include "gui/clinic/clinic.hpp"
-#include "gui/presenter/posture.hpp"
-#include "gui/presenter/presentation.hpp"
+#include "gui/rules/posture.hpp"
+#include "gui/rules/presentation.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp::gui {

@@ -17,9 +17,9 @@
 #include "gui/clinic/settings.hpp"
 #include "gui/library/session_library.hpp"
 #include "gui/presenter/example_player.hpp"
-#include "gui/presenter/patient_picture.hpp"
 #include "gui/presenter/seating.hpp"
 #include "gui/presenter/session_state.hpp"
+#include "gui/rules/patient_picture.hpp"
 
 namespace isograsp::gui {
 

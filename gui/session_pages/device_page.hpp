@@ -9,8 +9,8 @@
 #include <QTableWidget>
 #include <QWidget>
 
-#include "gui/presenter/guided_check.hpp"
 #include "gui/presenter/session_presenter.hpp"
+#include "gui/rules/guided_check.hpp"
 #include "gui/session_pages/state_light.hpp"
 #include "gui/session_pages/support_picture.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "gui/presenter/flow.hpp"
+#include "gui/rules/flow.hpp"
 
 namespace isograsp::gui {
 

@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "gui/presenter/flow.hpp"
+#include "gui/rules/flow.hpp"
 
 namespace isograsp::gui {
 

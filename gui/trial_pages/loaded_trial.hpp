@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "gui/presenter/patient_picture.hpp"
+#include "gui/rules/patient_picture.hpp"
 #include "gui/trial_pages/opened_trial.hpp"
 #include "gui/trial_pages/trial_replay.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The logic of a session: one sensible next step, nothing possible that must not be.
-#include "gui/presenter/flow.hpp"
+#include "gui/rules/flow.hpp"
 
 #include <algorithm>
 

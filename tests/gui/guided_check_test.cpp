@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guided check in the window: it hears what the session publishes, not every frame.
-#include "gui/presenter/guided_check.hpp"
+#include "gui/rules/guided_check.hpp"
 
 #include <gtest/gtest.h>
 

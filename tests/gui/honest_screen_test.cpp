@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gui/presenter/flow.hpp"
+#include "gui/rules/flow.hpp"
 
 namespace isograsp::gui::honest_screen_test {
 namespace {

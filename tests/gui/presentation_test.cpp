@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What suits one person on the screen, and that an angle on it is what was asked for.
-#include "gui/presenter/presentation.hpp"
+#include "gui/rules/presentation.hpp"
 
 #include <gtest/gtest.h>
 
-#include "gui/presenter/posture.hpp"
+#include "gui/rules/posture.hpp"
 
 namespace isograsp::gui::presentation_test {
 namespace {

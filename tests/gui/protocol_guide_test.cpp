@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A protocol as the windows follow it: order, rests, what begins by itself, when patients are
 // asked.
-#include "gui/presenter/protocol_guide.hpp"
+#include "gui/rules/protocol_guide.hpp"
 
 #include <gtest/gtest.h>
 

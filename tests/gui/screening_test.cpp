@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The screening: what the answers suggest, and that the therapist decides.
-#include "gui/presenter/screening.hpp"
+#include "gui/rules/screening.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gui/presenter/soundtrack.hpp"
+#include "gui/rules/soundtrack.hpp"
 
 namespace isograsp::gui::sound_test {
 namespace {

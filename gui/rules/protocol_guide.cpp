@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/protocol_guide.hpp"
+#include "gui/rules/protocol_guide.hpp"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "grasp_model/scene.hpp"
-#include "gui/presenter/presentation.hpp"
-#include "gui/presenter/target_preview.hpp"
+#include "gui/rules/presentation.hpp"
+#include "gui/rules/target_preview.hpp"
 #include "session/acquisition/snapshot.hpp"
 
 namespace isograsp::gui {

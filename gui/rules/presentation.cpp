@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/presentation.hpp"
+#include "gui/rules/presentation.hpp"
 
 #include <QCoreApplication>
 #include <QStringList>

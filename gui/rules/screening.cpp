@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/screening.hpp"
+#include "gui/rules/screening.hpp"
 
 #include <QCoreApplication>
 #include <QStringList>

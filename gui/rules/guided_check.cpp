@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/guided_check.hpp"
+#include "gui/rules/guided_check.hpp"
 
 #include <QCoreApplication>
 #include <algorithm>

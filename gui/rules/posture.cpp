@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/posture.hpp"
+#include "gui/rules/posture.hpp"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/patient_picture.hpp"
+#include "gui/rules/patient_picture.hpp"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

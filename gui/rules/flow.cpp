@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/flow.hpp"
+#include "gui/rules/flow.hpp"
 
-#include "gui/presenter/flow_start.hpp"
+#include "gui/rules/flow_start.hpp"
 #include "session/acquisition/zeroing.hpp"
 
 namespace isograsp::gui {

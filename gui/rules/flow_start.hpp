@@ -2,7 +2,7 @@
 // Inside the flow only: why no trial can begin at this moment.
 #pragma once
 
-#include "gui/presenter/flow.hpp"
+#include "gui/rules/flow.hpp"
 
 namespace isograsp::gui {
 

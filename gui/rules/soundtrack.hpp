@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "gui/presenter/patient_picture.hpp"
-#include "gui/presenter/presentation.hpp"
-#include "gui/presenter/tones.hpp"
+#include "gui/rules/patient_picture.hpp"
+#include "gui/rules/presentation.hpp"
+#include "gui/rules/tones.hpp"
 
 namespace isograsp::gui {
 

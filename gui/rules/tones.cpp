@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/tones.hpp"
+#include "gui/rules/tones.hpp"
 
 #include <algorithm>
 #include <cmath>

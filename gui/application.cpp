@@ -43,7 +43,7 @@ bool is_to_end(const ApplicationConfig& config) {
 /// written to its end.
 bool has_closed(Windows& windows) {
   windows.therapist().close();
-  return !windows.presenter().busy();
+  return !windows.presenter().state().busy();
 }
 
 }  // namespace
@@ -104,7 +104,8 @@ Result<void> run_application(const ApplicationConfig& config) {
     QApplication::exec();
     open = nullptr;
     // Nobody may have looked at the screen.
-    if (const auto& lost = windows.presenter().lost(); lost && is_to_end(config)) return *lost;
+    if (const auto& lost = windows.presenter().state().connection.lost; lost && is_to_end(config))
+      return *lost;
   }
   return {};
 }

@@ -60,16 +60,16 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
   resize(1280, 720);
   setMinimumSize(1100, 660);
   add_shortcuts();
-  connect(&presenter_, &SessionPresenter::changed, this, &TherapistWindow::refresh);
-  connect(&presenter_, &SessionPresenter::failed, this, &TherapistWindow::say);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &TherapistWindow::refresh);
+  connect(&presenter_.flow(), &SessionFlow::failed, this, &TherapistWindow::say);
   connect(&clinic_, &Clinic::failed, this, &TherapistWindow::say);
   const auto close_at_last = [this] {
     if (closing_) close();
   };
   // Whoever waits for files, or for a session to be stored, wants to know that there are none.
   const auto stay = [this] { closing_ = false; };
-  connect(&presenter_, &SessionPresenter::settled, this, [this, close_at_last, stay] {
-    if (presenter_.lost()) stay();
+  connect(&presenter_.flow(), &SessionFlow::settled, this, [this, close_at_last, stay] {
+    if (presenter_.state().connection.lost) stay();
     close_at_last();
   });
   connect(&clinic_.report(), &ReportWork::written, this, close_at_last);
@@ -85,9 +85,9 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
   show_page(Page::start);
   refresh();
   const auto say_problems = [this] {
-    for (const auto& problem : presenter_.library_problems()) say(shown(problem));
+    for (const auto& problem : presenter_.state().library.problems) say(shown(problem));
   };
-  connect(&presenter_, &SessionPresenter::library_changed, this, say_problems);
+  connect(&presenter_.flow(), &SessionFlow::library_changed, this, say_problems);
   say_problems();
   connect(&staff_, &Staff::changed, this, &TherapistWindow::show_who_is_in);
   connect(&staff_, &Staff::locking, person_, &ProfilePanel::store_now);
@@ -198,7 +198,7 @@ void TherapistWindow::make_pages() {
   start_ = new StartPage(clinic_, presenter_, staff_);
   add_page(Page::start, tr("Start"), start_);
   add_page(Page::patient, tr("Patient"), make_patient());
-  auto* session = new SessionPage(presenter_);
+  auto* session = new SessionPage(presenter_, settings_);
   add_page(Page::session, tr("Session"), session);
   add_page(Page::device, tr("Device"), new DevicePage(presenter_));
   reports_ = new ReportsPage(clinic_, presenter_);
@@ -232,17 +232,17 @@ QWidget* TherapistWindow::make_patient() {
   for (QWidget* widget : {static_cast<QWidget*>(tabs), static_cast<QWidget*>(tabs->tabBar())})
     describe(*widget, tr("Course or person"),
              tr("What was measured, or what is known of the person (Tab, arrow keys)"));
-  connect(&presenter_, &SessionPresenter::trial_ended, this, &TherapistWindow::show_patient);
-  connect(&presenter_, &SessionPresenter::settled, this, &TherapistWindow::show_patient);
+  connect(&presenter_.flow(), &SessionFlow::trial_ended, this, &TherapistWindow::show_patient);
+  connect(&presenter_.flow(), &SessionFlow::settled, this, &TherapistWindow::show_patient);
   return tabs;
 }
 
 /// Reads the patient anew, if the page is looked at.
 void TherapistWindow::show_patient() {
   if (page() != Page::patient) return;
-  course_->show_patient(presenter_.patient());
-  person_->show_patient(presenter_.patient());
-  identity_->show_patient(presenter_.patient());
+  course_->show_patient(presenter_.state().choices.patient);
+  person_->show_patient(presenter_.state().choices.patient);
+  identity_->show_patient(presenter_.state().choices.patient);
 }
 
 void TherapistWindow::show_page(Page page) {
@@ -262,25 +262,25 @@ void TherapistWindow::add_shortcuts() {
     keys_.push_back(new QShortcut(key, this));
     connect(keys_.back(), &QShortcut::activated, this, act);
   };
-  add(Qt::Key_F7, [this] { presenter_.show_how(); });
-  add(Qt::Key_F8, [this] { presenter_.start(); });
-  add(Qt::Key_F9, [this] { presenter_.start_pause_resume(); });
+  add(Qt::Key_F7, [this] { presenter_.tasks().show_how(); });
+  add(Qt::Key_F8, [this] { presenter_.trials().start(); });
+  add(Qt::Key_F9, [this] { presenter_.trials().start_pause_resume(); });
   add(Qt::Key_F10, [this] {
-    presenter_.stop();
-    presenter_.stand_by();
+    presenter_.trials().stop();
+    presenter_.protocol().stand_by();
   });
   keys_.pop_back();  // stopping is never locked away
   add(QKeySequence::Find, [this] {
     show_page(Page::start);
     findChild<QLineEdit*>("patient_search")->setFocus();
   });
-  add(QKeySequence("Ctrl+-"), [this] { presenter_.adjust_difficulty(-1); });
-  add(QKeySequence("Ctrl++"), [this] { presenter_.adjust_difficulty(+1); });
-  add(QKeySequence("Ctrl+K"), [this] { presenter_.skip(); });
-  add(QKeySequence("Ctrl+Shift+R"), [this] { presenter_.repeat(); });
+  add(QKeySequence("Ctrl+-"), [this] { presenter_.tasks().adjust_difficulty(-1); });
+  add(QKeySequence("Ctrl++"), [this] { presenter_.tasks().adjust_difficulty(+1); });
+  add(QKeySequence("Ctrl+K"), [this] { presenter_.protocol().skip(); });
+  add(QKeySequence("Ctrl+Shift+R"), [this] { presenter_.trials().repeat(); });
   add(QKeySequence("Ctrl+M"), [this] {
-    if (!presenter_.session_open()) return;
-    presenter_.note("Mark");
+    if (!presenter_.state().session_open()) return;
+    presenter_.remarks().note("Mark");
     say(tr("Marked."));
   });
   add(QKeySequence("Ctrl+N"), [this] {
@@ -310,12 +310,12 @@ void TherapistWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void TherapistWindow::refresh() {
-  const auto& view = presenter_.view();
-  identity_->show_patient(presenter_.patient());  // never that of the one before
+  const auto& view = presenter_.flow().view();
+  identity_->show_patient(presenter_.state().choices.patient);  // never that of the one before
   light_->show_mood(view.mood);
   sentence_->setText(QString::fromStdString(view.sentence));
-  simulated_->setVisible(presenter_.simulated() || presenter_.recorded());
-  simulated_->setText(presenter_.recorded() ? tr("RECORDED") : tr("SIMULATED"));
+  simulated_->setVisible(presenter_.state().simulated() || presenter_.state().recorded());
+  simulated_->setText(presenter_.state().recorded() ? tr("RECORDED") : tr("SIMULATED"));
   device_light_->show_mood(view.device_mood);
   const auto words = QString::fromStdString(view.device_words);
   device_words_->setText(device_words_->fontMetrics().elidedText(words, Qt::ElideRight,
@@ -369,8 +369,8 @@ void TherapistWindow::leave() {
 
 void TherapistWindow::closeEvent(QCloseEvent* event) {
   person_->store_now();
-  presenter_.cancel_connecting();  // nothing has begun that could be lost
-  if (!presenter_.busy() && !clinic_.writing() && !reports_->printing()) {
+  presenter_.connecting().cancel();  // nothing has begun that could be lost
+  if (!presenter_.state().busy() && !clinic_.writing() && !reports_->printing()) {
     event->accept();
     if (on_closed) on_closed();
     return;
@@ -378,7 +378,7 @@ void TherapistWindow::closeEvent(QCloseEvent* event) {
   // Session and files are written to their ends first; the window goes when that is done.
   event->ignore();
   closing_ = true;
-  presenter_.end_session();
+  presenter_.connecting().end_session();
 }
 
 }  // namespace isograsp::gui

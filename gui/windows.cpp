@@ -54,7 +54,7 @@ Windows::Windows(const GuiConfig& config)
 Windows::~Windows() = default;
 
 void Windows::watch_staff() {
-  staff_.set_trial_runs([this] { return presenter_.under_way(); });
+  staff_.set_trial_runs([this] { return presenter_.flow().under_way(); });
   staff_.set_after_storing(
       [this](std::function<void()> then) { clinic_.when_done(std::move(then)); });
   QObject::connect(&staff_, &Staff::changed, &presenter_, [this] { follow_staff(); });
@@ -65,15 +65,15 @@ void Windows::watch_staff() {
   QObject::connect(&clinic_, &Clinic::opened, &backups_, [this] {
     if (!look_only_) backups_.begin();
   });
-  QObject::connect(&presenter_, &SessionPresenter::changed, &backups_,
-                   [this] { backups_.hold(presenter_.busy()); });
+  QObject::connect(&presenter_.flow(), &SessionFlow::changed, &backups_,
+                   [this] { backups_.hold(presenter_.state().busy()); });
   QObject::connect(&backups_, &BackupWork::failed, &presenter_,
                    [this](const QString& why) { therapist_->say(why); });
 }
 
 /// The next person has rights and eyes of their own.
 void Windows::follow_staff() {
-  presenter_.name_operator(staff_.user());
+  presenter_.choices().name_operator(staff_.user());
   const bool was_closed = std::exchange(closed_, staff_.closed());
   if (closed_) return clinic_.forget_profile();
   // Whoever comes back has not seen what was said before.
@@ -81,8 +81,8 @@ void Windows::follow_staff() {
   if (!reads_only_ || staff_.busy()) return;
   const bool reads_only = look_only_ || !staff_.allows(storage::Right::write_records);
   if (std::exchange(reads_only_, reads_only) != reads_only) clinic_.open(reads_only);
-  if (clinic_.is_open() && clinic_.file_of() != presenter_.patient())
-    clinic_.load_profile(presenter_.patient());
+  if (clinic_.is_open() && clinic_.file_of() != presenter_.state().choices.patient)
+    clinic_.load_profile(presenter_.state().choices.patient);
 }
 
 /// What leaves the database stands in its audit log, like what happens in it.
@@ -136,7 +136,7 @@ void Windows::apply_settings() {
   const auto former = std::move(therapist_);
   make_therapist();
   carry_typed(*former, *therapist_);
-  clinic_.load_history(presenter_.patient());  // titles of measures stand in it
+  clinic_.load_history(presenter_.state().choices.patient);  // titles of measures stand in it
   therapist_->setGeometry(place);
   therapist_->show_page(page);
   therapist_->setWindowState(state);

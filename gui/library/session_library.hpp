@@ -3,6 +3,8 @@
 // library.
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,13 @@ struct SessionLibrary {
 [[nodiscard]] SessionLibrary read_session_library(const std::string& shipped,
                                                   const std::string& own);
 
+/// The place of the first task that fits; nothing: there is none.
+template <class Fits>
+[[nodiscard]] std::optional<int> first_task(const std::vector<tasks::TaskSpec>& tasks, Fits fits) {
+  const auto found = std::find_if(tasks.begin(), tasks.end(), fits);
+  if (found == tasks.end()) return std::nullopt;
+  return static_cast<int>(found - tasks.begin());
+}
 /// The place of the element that was read from `file`; -1: there is none.
 [[nodiscard]] int place_of_file(const std::vector<tasks::TaskSpec>& tasks, const std::string& file);
 [[nodiscard]] int place_of_file(const std::vector<session::ReadyProtocol>& protocols,

@@ -42,7 +42,8 @@ LibraryPage::LibraryPage(Clinic& clinic, SessionPresenter& presenter, QWidget* p
     : QWidget(parent),
       clinic_(clinic),
       presenter_(presenter),
-      files_(presenter.config().library, session::own_library_folder(presenter.config().database)) {
+      files_(presenter.state().config.library,
+             session::own_library_folder(presenter.state().config.database)) {
   auto* row = new QBoxLayout(side_by_side(), this);
   row->setContentsMargins(12, 12, 12, 12);
   row->setSpacing(10);

@@ -206,7 +206,7 @@ void LibraryPage::duplicate() {
               [this](const Made& made) {
                 if (!made) return say(shown(made.error()));
                 search_->clear();
-                presenter_.reload_library();
+                presenter_.library().reload();
                 list_files(made->path, true);
               });
 }
@@ -230,8 +230,8 @@ void LibraryPage::save() {
   const bool asked = clinic_.read(
       this,
       [kind = entry_->kind, former = former_, now = text(),
-       planned =
-           presenter_.session_open() && presenter_.has_protocol()](storage::SessionStore& store) {
+       planned = presenter_.state().session_open() &&
+                 presenter_.state().has_protocol()](storage::SessionStore& store) {
         auto use = use_of(store, kind, former, now);
         if (use && planned) count_as_used(*use, kind, former, now);
         return use;
@@ -248,7 +248,7 @@ void LibraryPage::save() {
 
 void LibraryPage::show_saved(const LibraryEntry& entry, const LibraryFiles::Saved& saved,
                              const std::string& sent) {
-  presenter_.reload_library();
+  presenter_.library().reload();
   if (!entry_ || entry_->path != entry.path) return;  // another one was chosen meanwhile
   former_ = saved.text;
   entry_->draft = false;
@@ -297,7 +297,7 @@ void LibraryPage::remove() {
                 removed_ = Removed{entry, *put};
                 entry_.reset();
                 loaded_ = false;
-                presenter_.reload_library();
+                presenter_.library().reload();
                 list_files("");
               });
 }
@@ -312,7 +312,7 @@ void LibraryPage::bring_back() {
         if (!done) return say(shown(done.error()));
         removed_.reset();
         kind_ = entry.kind;
-        presenter_.reload_library();
+        presenter_.library().reload();
         list_files(entry.path);
       });
 }

@@ -39,7 +39,7 @@ ExportPanel::ExportPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* p
   row->addWidget(choices);
   row->addWidget(make_list(), 1);
   connect(&clinic_, &Clinic::history_changed, this, &ExportPanel::look_again);
-  connect(&presenter_, &SessionPresenter::changed, this, &ExportPanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ExportPanel::refresh);
   ExportWork& work = clinic_.research_export();
   connect(&work, &ExportWork::progress, this, [this](double fraction, const QString& code) {
     writing_->show_fraction(fraction);
@@ -137,7 +137,7 @@ QWidget* ExportPanel::make_list() {
 
 exports::ExportRequest ExportPanel::request() const {
   if (whose_->currentIndex() == 1) return {};
-  return {presenter_.patient(), span_->first(), span_->last()};
+  return {presenter_.state().choices.patient, span_->first(), span_->last()};
 }
 
 exports::ExportFormat ExportPanel::format() const {
@@ -146,7 +146,7 @@ exports::ExportFormat ExportPanel::format() const {
 
 void ExportPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (stale_ || code_ != presenter_.patient()) load_sessions();
+  if (stale_ || code_ != presenter_.state().choices.patient) load_sessions();
 }
 
 void ExportPanel::look_again() {
@@ -155,7 +155,7 @@ void ExportPanel::look_again() {
 }
 
 void ExportPanel::load_sessions() {
-  const auto code = presenter_.patient();
+  const auto code = presenter_.state().choices.patient;
   const bool same = code == code_;
   if (!same) {
     span_->show_sessions({}, false);
@@ -237,7 +237,7 @@ void ExportPanel::refresh() {
   const bool any = files_->count() > 0;
   span_->setVisible(one);
   const int files = any ? count_->property("files").toInt() : 0;
-  count_->setText(one && presenter_.patient().empty()
+  count_->setText(one && presenter_.state().choices.patient.empty()
                       ? tr("Choose a patient on the start page, or all.")
                   : !problem_.isEmpty() ? problem_
                   : any                 ? tr("%n file(s), below a new folder:", "", files)
@@ -248,7 +248,7 @@ void ExportPanel::refresh() {
                     tr("%n patient(s) left out: not released for research.", "", not_released));
   // Reading whole trials and writing them disturbs the disk: a trial has it for itself.
   ExportWork& work = clinic_.research_export();
-  const bool waits = presenter_.view().may_stop;
+  const bool waits = presenter_.flow().view().may_stop;
   work.hold(waits);
   export_->setEnabled(any && !work.running() && !waits);
   writing_->setVisible(work.running());

@@ -45,7 +45,7 @@ ReportPanel::ReportPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* p
   connect(&between_events_, &QTimer::timeout, this, &ReportPanel::print_next);
   connect_report();
   connect(&clinic_, &Clinic::history_changed, this, &ReportPanel::look_again);
-  connect(&presenter_, &SessionPresenter::changed, this, &ReportPanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ReportPanel::refresh);
   refresh();
 }
 
@@ -160,7 +160,7 @@ void ReportPanel::connect_report() {
 
 void ReportPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (stale_ || code_ != presenter_.patient()) load_sessions();
+  if (stale_ || code_ != presenter_.state().choices.patient) load_sessions();
 }
 
 void ReportPanel::forget() {
@@ -181,7 +181,7 @@ void ReportPanel::look_again() {
 }
 
 void ReportPanel::load_sessions() {
-  const auto code = presenter_.patient();
+  const auto code = presenter_.state().choices.patient;
   const bool same = code == code_;
   if (!same) forget();
   code_ = code;
@@ -239,7 +239,7 @@ void ReportPanel::show_pages(Result<reports::ReportContent> content) {
 
 void ReportPanel::ask_where() {
   const auto folder = proposed_folder(clinic_.database());
-  const auto code = presenter_.patient();
+  const auto code = presenter_.state().choices.patient;
   const bool html = format_->currentData() == "html";
   const auto suffix = html ? QStringLiteral("html") : QStringLiteral("pdf");
   const auto name = QString::fromStdString(code) + QStringLiteral(".") + suffix;
@@ -258,7 +258,7 @@ void ReportPanel::ask_where() {
 }
 
 void ReportPanel::ask_printer() {
-  if (pages_ == nullptr || printing_ != nullptr || presenter_.view().may_stop) return;
+  if (pages_ == nullptr || printing_ != nullptr || presenter_.flow().view().may_stop) return;
   printer_ = std::make_unique<QPrinter>(QPrinter::HighResolution);
   printer_->setPageSize(QPageSize(QPageSize::A4));
   printer_->setFullPage(true);
@@ -274,7 +274,7 @@ void ReportPanel::ask_printer() {
 }
 
 void ReportPanel::print_next() {
-  if (presenter_.view().may_stop) return;  // a trial needs its even picture
+  if (presenter_.flow().view().may_stop) return;  // a trial needs its even picture
   if (!printing_->paint_next()) {
     Q_EMIT sent(printer_->docName(), false);
     end_printing();
@@ -303,11 +303,11 @@ void ReportPanel::end_printing() {
 void ReportPanel::refresh() {
   ReportWork& report = clinic_.report();
   // A trial needs its even picture: the pages wait for its end.
-  const bool waits = presenter_.view().may_stop;
+  const bool waits = presenter_.flow().view().may_stop;
   report.hold(waits);
   view_->hold(waits);
-  const bool chosen = !presenter_.patient().empty();
-  patient_->setText(chosen ? QString::fromStdString(presenter_.patient())
+  const bool chosen = !presenter_.state().choices.patient.empty();
+  patient_->setText(chosen ? QString::fromStdString(presenter_.state().choices.patient)
                            : tr("No patient is chosen."));
   report_->setEnabled(chosen && !report.running());
   print_->setEnabled(pages_ != nullptr && printing_ == nullptr && !waits);

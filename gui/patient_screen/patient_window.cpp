@@ -62,11 +62,11 @@ PatientWindow::PatientWindow(SessionPresenter& presenter, const SettingsFile& se
   setTitle(tr("IsoGrasp: patient screen"));
   resize(1280, 720);
   setMinimumSize(QSize(640, 360));
-  connect(&presenter_, &SessionPresenter::frame, this, [this] {
+  connect(&presenter_.flow(), &SessionFlow::frame, this, [this] {
     if (isExposed()) update();
   });
   connect(this, &QOpenGLWindow::frameSwapped, &presenter_,
-          [this] { presenter_.picture_shown(shown_); });
+          [this] { presenter_.patient_view().picture_shown(shown_); });
 }
 
 PatientWindow::~PatientWindow() {
@@ -125,7 +125,7 @@ void PatientWindow::initializeGL() {
 void PatientWindow::paintGL() {
   QElapsedTimer stopwatch;
   stopwatch.start();
-  shown_ = presenter_.picture(content_height_m());
+  shown_ = presenter_.patient_view().picture(content_height_m());
   const PatientPicture& picture = shown_;
   const bool object = picture.page == PatientPicture::Page::object;
   const QSize size = device_size();
@@ -175,7 +175,7 @@ void PatientWindow::sound() {
 void PatientWindow::say_once(const QString& why) {
   if (why.isEmpty() || said_.contains(why)) return;
   said_ += why;
-  Q_EMIT presenter_.failed(why);
+  Q_EMIT presenter_.flow().failed(why);
 }
 
 void PatientWindow::hideEvent(QHideEvent* event) {
@@ -244,8 +244,8 @@ void PatientWindow::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape: return showNormal();
     case Qt::Key_F8:
     case Qt::Key_F9:
-    case Qt::Key_Space: return presenter_.start_pause_resume();
-    case Qt::Key_F10: return presenter_.stop();
+    case Qt::Key_Space: return presenter_.trials().start_pause_resume();
+    case Qt::Key_F10: return presenter_.trials().stop();
     default: QOpenGLWindow::keyPressEvent(event);
   }
 }

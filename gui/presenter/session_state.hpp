@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands behind both windows, by lifetime: what the therapist chose stays, a connection, a
 // session and a trial are made anew as a whole. What exists only while one of them lives is a
-// member of it, so that nothing of an earlier one can be shown. Data only; GUI thread.
+// member of it, so that nothing of an earlier one can be shown. Screens read it, acts change it.
+// Data, and what follows from them at once; GUI thread.
 #pragma once
 
 #include <array>
@@ -13,7 +14,9 @@
 #include <vector>
 
 #include "core/histogram.hpp"
+#include "gui/library/session_library.hpp"
 #include "gui/look/force_history.hpp"
+#include "gui/presenter/gui_config.hpp"
 #include "gui/rules/flow.hpp"
 #include "gui/rules/presentation.hpp"
 #include "gui/rules/protocol_guide.hpp"
@@ -29,10 +32,11 @@ namespace isograsp::gui {
 struct Choices {
   static constexpr int kByHand = -1;
 
-  std::string patient;     ///< code; empty: nobody
-  std::string device_uri;  ///< empty: none
-  int protocol = kByHand;  ///< place in the library
-  int task = -1;           ///< by hand, while no session is open: place in the library
+  std::string operator_name;  ///< who has logged in; empty: as the settings say
+  std::string patient;        ///< code; empty: nobody
+  std::string device_uri;     ///< empty: none
+  int protocol = kByHand;     ///< place in the library
+  int task = -1;              ///< by hand, while no session is open: place in the library
   bool practice = false;
   bool by_itself = true;  ///< acts of the protocol begin by themselves
 
@@ -139,6 +143,11 @@ struct Work {
   std::map<std::string, double> levels;     ///< that the therapist chose, by task file
   int maximum_attempts = 0;
   bool task_done = false;  ///< one after the maximum
+
+  /// The protocol, not the therapist, says what comes.
+  [[nodiscard]] bool follows() const noexcept { return guide.active() && !by_hand; }
+  /// As the therapist made it easier or harder; else as it is.
+  [[nodiscard]] Result<tasks::TaskSpec> at_chosen_level(const tasks::TaskSpec& spec) const;
 };
 
 /// Dies with the session.
@@ -166,6 +175,66 @@ struct OpenSession {
   std::optional<EndedTrial> ended;
 
   [[nodiscard]] double time_s() const noexcept { return snapshot.session_time_s; }
+  /// A trial was asked for, and no frame of it has come.
+  [[nodiscard]] bool starting() const noexcept { return trial && !trial->arrived; }
+};
+
+/// All of it.
+struct SessionState {
+  GuiConfig config;
+  SessionLibrary library;
+  Choices choices;
+  ConnectionState connection;
+  std::optional<OpenSession> open;
+  SessionTraces left;  ///< by the last session
+
+  [[nodiscard]] bool session_open() const noexcept { return open.has_value(); }
+  /// A session is open, or being opened or closed.
+  [[nodiscard]] bool busy() const noexcept { return connection.phase != Connection::none; }
+  /// The last session could not go on.
+  [[nodiscard]] bool broken_off() const noexcept {
+    return connection.failure && connection.failure->broken_off;
+  }
+  [[nodiscard]] bool simulated() const noexcept;
+  [[nodiscard]] bool recorded() const noexcept;
+  /// That is connected; null: none.
+  [[nodiscard]] const DeviceInfo* device() const noexcept;
+  /// What the acquisition thread was given; empty: not asked for.
+  [[nodiscard]] std::string realtime() const;
+
+  // Of the session that is open; else as if nothing had happened yet.
+  [[nodiscard]] const session::Snapshot& snapshot() const noexcept;
+  /// What it measures beside the hand.
+  [[nodiscard]] const session::Compensation& compensation() const noexcept;
+  [[nodiscard]] const ProtocolGuide& guide() const noexcept;
+  [[nodiscard]] const Rating& rating() const noexcept;
+  /// What the resting force suggests; empty: not measured yet.
+  [[nodiscard]] const std::string& rest_words() const noexcept;
+  /// Of the running or the last trial: the therapist helps, or helped.
+  [[nodiscard]] bool helped() const noexcept;
+
+  /// Of the session that is open, or of the last one.
+  [[nodiscard]] const SessionTraces& traces() const noexcept { return open ? open->traces : left; }
+  /// Of the running trial so far, or of the last one.
+  [[nodiscard]] const std::vector<Measure>& live_score() const noexcept;
+
+  /// The session follows, or will follow, the chosen protocol. A recording follows none: whatever
+  /// was done in it is done.
+  [[nodiscard]] bool has_protocol() const noexcept;
+  /// @pre choices.protocol is not kByHand
+  [[nodiscard]] const session::ReadyProtocol& chosen_protocol() const {
+    return library.protocols[static_cast<std::size_t>(choices.protocol)];
+  }
+  /// The protocol, not the therapist, says what comes.
+  [[nodiscard]] bool follows() const noexcept { return open && open->work.follows(); }
+  /// Chosen by hand, place in the library; -1: none, or the protocol says what comes.
+  [[nodiscard]] int task() const noexcept { return follows() ? -1 : task_by_hand(); }
+  /// Of a protocol that stands by, too.
+  [[nodiscard]] int task_by_hand() const noexcept { return open ? open->work.task : choices.task; }
+  /// The task that Start begins, at its level in the protocol; null: none.
+  [[nodiscard]] const tasks::TaskSpec* next_task() const noexcept;
+  /// The protocol asks for a zero of the empty device.
+  [[nodiscard]] bool zero_is_next() const noexcept;
 };
 
 }  // namespace isograsp::gui

@@ -59,13 +59,14 @@ HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget*
   connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &HistoryPanel::show_series);
   connect(&clinic_, &Clinic::history_changed, this, &HistoryPanel::fill);
-  connect(&presenter_, &SessionPresenter::changed, this, &HistoryPanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &HistoryPanel::refresh);
   fill();
 }
 
 void HistoryPanel::fill() {
   const auto shown = choice_->currentText();
-  series_ = presenter_.patient().empty() ? std::vector<HistorySeries>{} : clinic_.history();
+  series_ =
+      presenter_.state().choices.patient.empty() ? std::vector<HistorySeries>{} : clinic_.history();
   {
     const QSignalBlocker quiet(choice_);
     choice_->clear();
@@ -116,9 +117,10 @@ void HistoryPanel::refresh() {
   if (!series_.empty()) {
     nothing_->hide();
   } else {
-    nothing_->setText(presenter_.patient().empty() ? tr("Choose a patient to see what is stored.")
-                      : clinic_.history_loading()  ? tr("Reading what is stored …")
-                                                   : tr("Nothing stored for this patient yet."));
+    nothing_->setText(presenter_.state().choices.patient.empty()
+                          ? tr("Choose a patient to see what is stored.")
+                      : clinic_.history_loading() ? tr("Reading what is stored …")
+                                                  : tr("Nothing stored for this patient yet."));
     nothing_->show();
   }
 }

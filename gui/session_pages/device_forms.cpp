@@ -44,18 +44,18 @@ ConnectForm::ConnectForm(SessionPresenter& presenter, QWidget* parent)
   column->addWidget(devices_);
   column->addWidget(connect_);
   column->addWidget(progress_);
-  fill(presenter_.device_uri());
+  fill(presenter_.state().choices.device_uri);
   connect(devices_, &QListWidget::currentRowChanged, this, &ConnectForm::choose);
   connect(connect_, &QPushButton::clicked, this, [this] {
-    const auto& view = presenter_.view();
+    const auto& view = presenter_.flow().view();
     if (view.may_connect)
-      presenter_.connect_device();
+      presenter_.connecting().connect_device();
     else if (view.may_cancel_connecting)
-      presenter_.cancel_connecting();
+      presenter_.connecting().cancel();
     else
-      presenter_.disconnect_device();
+      presenter_.connecting().disconnect_device();
   });
-  connect(&presenter_, &SessionPresenter::changed, this, &ConnectForm::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ConnectForm::refresh);
   refresh();
 }
 
@@ -80,7 +80,7 @@ void ConnectForm::choose(int row) {
   if (uri.empty())
     choose_recording();
   else
-    presenter_.choose_device(uri);
+    presenter_.choices().choose_device(uri);
 }
 
 void ConnectForm::choose_recording() {
@@ -90,21 +90,22 @@ void ConnectForm::choose_recording() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const auto uri = recording_uri(path.toStdString());
-    presenter_.choose_device(uri);
+    presenter_.choices().choose_device(uri);
     fill(uri);
   });
-  connect(dialog, &QFileDialog::rejected, this, [this] { fill(presenter_.device_uri()); });
+  connect(dialog, &QFileDialog::rejected, this,
+          [this] { fill(presenter_.state().choices.device_uri); });
   dialog->open();
 }
 
 void ConnectForm::refresh() {
-  const auto& view = presenter_.view();
+  const auto& view = presenter_.flow().view();
   devices_->setEnabled(view.may_change_device);
-  devices_->setVisible(!presenter_.session_open());
+  devices_->setVisible(!presenter_.state().session_open());
   if (view.may_cancel_connecting) {
     connect_->setText(tr("&Cancel"));
     describe(*connect_, tr("Cancel connecting"), tr("Do not connect to this device (Alt+C)"));
-  } else if (presenter_.session_open()) {
+  } else if (presenter_.state().session_open()) {
     connect_->setText(tr("Dis&connect"));
     describe(*connect_, tr("Disconnect"), tr("End the session and disconnect (Alt+C)"));
   } else {
@@ -115,7 +116,7 @@ void ConnectForm::refresh() {
   connect_->setEnabled(view.may_connect || view.may_cancel_connecting || view.may_disconnect);
   mark_next(*devices_, view.press == NextPress::device);
   mark_next(*connect_, view.press == NextPress::connect);
-  progress_->setVisible(presenter_.busy() && !presenter_.session_open());
+  progress_->setVisible(presenter_.state().busy() && !presenter_.state().session_open());
 }
 
 ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
@@ -167,17 +168,17 @@ ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
   };
   connect(confirmed_, &QPushButton::clicked, this, [this, put_away] {
     put_away();
-    presenter_.set_zero();
+    presenter_.preparing().set_zero();
   });
   connect(not_yet_, &QPushButton::clicked, this, put_away);
-  connect(changed_, &QPushButton::clicked, this, [this] { presenter_.set_zero(true); });
-  connect(&presenter_, &SessionPresenter::changed, this, &ZeroForm::refresh);
-  connect(&presenter_, &SessionPresenter::frame, this, &ZeroForm::refresh_progress);
+  connect(changed_, &QPushButton::clicked, this, [this] { presenter_.preparing().set_zero(true); });
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ZeroForm::refresh);
+  connect(&presenter_.flow(), &SessionFlow::frame, this, &ZeroForm::refresh_progress);
   refresh();
 }
 
 void ZeroForm::refresh() {
-  const auto& view = presenter_.view();
+  const auto& view = presenter_.flow().view();
   zero_->setEnabled(view.may_zero);
   mark_next(*zero_, view.press == NextPress::zero);
   mark_next(*confirmed_, view.press == NextPress::zero);
@@ -189,7 +190,7 @@ void ZeroForm::refresh() {
 }
 
 void ZeroForm::refresh_progress() {
-  const auto& now = presenter_.snapshot();
+  const auto& now = presenter_.state().snapshot();
   progress_->setVisible(now.stage == session::Stage::zeroing);
   progress_->setValue(static_cast<int>(100.0 * now.zero_progress));
 }

@@ -71,8 +71,8 @@ DevicePage::DevicePage(SessionPresenter& presenter, QWidget* parent)
   right->addWidget(make_faults(), 1);
   columns->addLayout(left, 1);
   columns->addLayout(right, 1);
-  connect(&presenter_, &SessionPresenter::changed, this, &DevicePage::refresh);
-  connect(&presenter_, &SessionPresenter::frame, this, &DevicePage::look);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &DevicePage::refresh);
+  connect(&presenter_.flow(), &SessionFlow::frame, this, &DevicePage::look);
   refresh();
 }
 
@@ -167,17 +167,17 @@ void DevicePage::toggle_check() {
       check_.state() == GuidedCheck::State::empty || check_.state() == GuidedCheck::State::pressing;
   if (running)
     check_.stop();
-  else if (const auto* info = presenter_.device_info())
-    check_.begin(info->frame_period_s, presenter_.hand().value_or(Hand::right),
-                 presenter_.snapshot().frames);
+  else if (const auto* info = presenter_.state().device())
+    check_.begin(info->frame_period_s, presenter_.state().choices.today.hand.value_or(Hand::right),
+                 presenter_.state().snapshot().frames);
   refresh_check();
 }
 
 void DevicePage::look() {
-  if (!presenter_.view().may_check) check_.stop();
-  if (check_.look(presenter_.snapshot())) {
+  if (!presenter_.flow().view().may_check) check_.stop();
+  if (check_.look(presenter_.state().snapshot())) {
     if (check_.state() == GuidedCheck::State::over)
-      presenter_.note("Guided check: " + check_.outcome());
+      presenter_.remarks().note("Guided check: " + check_.outcome());
     refresh_check();
   }
   // Twice a second is enough for counters.
@@ -186,14 +186,14 @@ void DevicePage::look() {
 }
 
 void DevicePage::refresh() {
-  const auto& view = presenter_.view();
+  const auto& view = presenter_.flow().view();
   light_->show_mood(view.device_mood);
   words_->setText(QString::fromStdString(view.device_words));
-  const auto* info = presenter_.device_info();
+  const auto* info = presenter_.state().device();
   details_->setText(info == nullptr ? tr("A device is chosen and connected on the page of the "
                                          "session, once patient and hand are known.")
                                     : details_of(*info));
-  const auto& faults = presenter_.faults();
+  const auto& faults = presenter_.state().traces().faults;
   if (faults_->count() != static_cast<int>(faults.size())) {
     faults_->clear();
     for (auto fault = faults.rbegin(); fault != faults.rend(); ++fault)
@@ -207,10 +207,10 @@ void DevicePage::refresh() {
 }
 
 void DevicePage::refresh_check() {
-  const auto& view = presenter_.view();
+  const auto& view = presenter_.flow().view();
   const auto state = check_.state();
   const bool running = state == GuidedCheck::State::empty || state == GuidedCheck::State::pressing;
-  const auto hand = presenter_.hand().value_or(Hand::right);
+  const auto hand = presenter_.state().choices.today.hand.value_or(Hand::right);
   picture_->show_step(
       state == GuidedCheck::State::pressing ? std::optional(check_.step()) : std::nullopt, hand);
   begin_->setText(running ? tr("Stop the chec&k") : tr("Chec&k the supports"));
@@ -241,12 +241,12 @@ void DevicePage::refresh_check() {
 }
 
 void DevicePage::refresh_sensors() {
-  const auto& health = presenter_.snapshot().health;
+  const auto& health = presenter_.state().snapshot().health;
   for (std::size_t row = 0; row < kCounters.size(); ++row)
     for (std::size_t f = 0; f < kFingerCount; ++f) {
       const auto count = health.sensors[f].*kCounters[row].count;
       auto* item = sensors_->item(static_cast<int>(row), static_cast<int>(f) + 1);
-      item->setText(presenter_.session_open() ? QString::number(count) : QString());
+      item->setText(presenter_.state().session_open() ? QString::number(count) : QString());
     }
 }
 

@@ -98,8 +98,8 @@ QString grip_words(const session::Snapshot& snapshot, double maximum_N) {
 
 }  // namespace
 
-LivePanel::LivePanel(SessionPresenter& presenter, QWidget* parent)
-    : Card(tr("Live forces"), parent), presenter_(presenter) {
+LivePanel::LivePanel(SessionPresenter& presenter, const SettingsFile& settings, QWidget* parent)
+    : Card(tr("Live forces"), parent), presenter_(presenter), settings_(settings) {
   auto* head = new QHBoxLayout;
   head->setSpacing(12);
   for (const Finger finger : kFingers) {
@@ -144,33 +144,40 @@ LivePanel::LivePanel(SessionPresenter& presenter, QWidget* parent)
   column_->addWidget(compensation_);
   column_->addWidget(health_);
   connect(all_, &QPushButton::toggled, channels_, &QWidget::setVisible);
-  connect(&presenter_, &SessionPresenter::frame, this, &LivePanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::frame, this, &LivePanel::refresh);
   refresh();
+}
+
+/// Today's maximum grip, if it is known and forces are to be shown as a share of it; else 0.
+double LivePanel::shown_maximum_N() const noexcept {
+  const auto& open = presenter_.state().open;
+  const bool wanted = settings_.now().share_of_maximum && open;
+  return wanted ? open->session->maximum_force_N() : 0.0;
 }
 
 void LivePanel::refresh() {
   // Thirty times a second is enough for the eye; polls come at sixty.
   if (++polls_ % 2 == 0 || !isVisible()) return;
-  const auto& now = presenter_.snapshot();
+  const auto& now = presenter_.state().snapshot();
   const bool known = now.frames > 0;
-  const double full_N = presenter_.forces().range().most_N;
+  const double full_N = presenter_.state().traces().forces.range().most_N;
   for (std::size_t f = 0; f < kFingerCount; ++f)
     fingers_[f]->show_force(now.forces.wrench_C[f].force.z(), full_N, now.forces.flags[f], known);
-  grip_->setText(grip_words(now, presenter_.shown_maximum_N()));
-  plot_->show_forces(presenter_.forces());
+  grip_->setText(grip_words(now, shown_maximum_N()));
+  plot_->show_forces(presenter_.state().traces().forces);
   // Numbers that change thirty times a second cannot be read: twice is enough.
   constexpr int kTextEvery = 30;
   if (polls_ % kTextEvery != 1) return;
   if (channels_->isVisible()) channels_->show_channels(now);
   // What was seen before forces failed to arrive says nothing about now.
-  const bool arrive = known && presenter_.view().device_mood != Mood::fault;
-  const auto beside = arrive ? compensation_words(presenter_.compensation()) : QString();
+  const bool arrive = known && presenter_.flow().view().device_mood != Mood::fault;
+  const auto beside = arrive ? compensation_words(presenter_.state().compensation()) : QString();
   compensation_->setText(beside);
   compensation_->setVisible(!beside.isEmpty());
-  health_->setText(health_line(now, presenter_.worst_lateness_s()));
+  health_->setText(health_line(now, presenter_.state().traces().worst_lateness_s));
   health_->setToolTip(
       tr("Health of the stream: gaps are bridged for at most 50 ms, then the trial waits.\n") +
-      timing_details(now.timing, presenter_.realtime()));
+      timing_details(now.timing, presenter_.state().realtime()));
   for (const Finger finger : kFingers) {
     const auto f = index_of(finger);
     fingers_[f]->setAccessibleName(

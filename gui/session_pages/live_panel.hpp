@@ -35,12 +35,14 @@ class LivePanel final : public Card {
   Q_OBJECT
 
  public:
-  explicit LivePanel(SessionPresenter& presenter, QWidget* parent = nullptr);
+  LivePanel(SessionPresenter& presenter, const SettingsFile& settings, QWidget* parent = nullptr);
 
  private:
   void refresh();
+  [[nodiscard]] double shown_maximum_N() const noexcept;
 
   SessionPresenter& presenter_;
+  const SettingsFile& settings_;
   std::array<FingerBar*, kFingerCount> fingers_{};
   QLabel* grip_;
   LivePlot* plot_;

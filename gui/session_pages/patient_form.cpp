@@ -69,21 +69,21 @@ PatientForm::PatientForm(SessionPresenter& presenter, QWidget* parent)
     presentation.half = static_cast<PlaceHalf>(half_->currentData().toInt());
     presenter_.seating().say_presentation(presentation);
   });
-  connect(&presenter_, &SessionPresenter::changed, this, &PatientForm::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &PatientForm::refresh);
   refresh();
 }
 
 void PatientForm::refresh() {
-  const auto& view = presenter_.view();
+  const auto& view = presenter_.flow().view();
   const auto& presentation = presenter_.seating().presentation();
   patients_->setEnabled(view.may_change_patient);
   mark_next(*patients_, view.press == NextPress::patient);
   half_->setCurrentIndex(half_->findData(static_cast<int>(presentation.half)));
-  half_->setEnabled(!presenter_.patient().empty());
+  half_->setEnabled(!presenter_.state().choices.patient.empty());
   for (std::size_t i = 0; i < kPatientSwitches.size(); ++i) {
     const QSignalBlocker quiet(switches_[i]);
     switches_[i]->setChecked(presentation.*kPatientSwitches[i]);
-    switches_[i]->setEnabled(!presenter_.patient().empty());
+    switches_[i]->setEnabled(!presenter_.state().choices.patient.empty());
   }
 }
 

@@ -58,7 +58,7 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
     column->setStretch(column->count() - 1, shown ? 0 : 1);
   };
   connect(sections_[static_cast<std::size_t>(Step::work)], &StepSection::opened, this, share);
-  connect(&presenter_, &SessionPresenter::changed, this, &PreparePanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &PreparePanel::refresh);
   refresh();
 }
 
@@ -70,7 +70,7 @@ QWidget* PreparePanel::make_hand() {
     button->setCheckable(true);
     describe(*button, name, tr("%1: asked in every session (%2)").arg(name, key));
     connect(button, &QPushButton::clicked, &presenter_, [this, hand] {
-      presenter_.choose_hand(hand);
+      presenter_.choices().choose_hand(hand);
       refresh();
     });
     return button;
@@ -81,7 +81,8 @@ QWidget* PreparePanel::make_hand() {
   confirm_hand_->setObjectName("confirm_hand");
   describe(*confirm_hand_, tr("Yes, today the less affected hand"),
            tr("The hand on the affected side is another one; this one is meant (Tab, then space)"));
-  connect(confirm_hand_, &QPushButton::clicked, &presenter_, &SessionPresenter::confirm_hand);
+  connect(confirm_hand_, &QPushButton::clicked, this,
+          [this] { presenter_.choices().confirm_hand(); });
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(left_);
@@ -94,45 +95,45 @@ QWidget* PreparePanel::make_hand() {
 }
 
 QString PreparePanel::summary_of(Step step) const {
-  const auto& view = presenter_.view();
-  const auto hand = presenter_.hand();
+  const auto& view = presenter_.flow().view();
+  const auto hand = presenter_.state().choices.today.hand;
   const bool done = view.steps[static_cast<std::size_t>(step)] == StepState::done;
   switch (step) {
     case Step::patient: {
       const auto screen = summary(presenter_.seating().presentation());
-      const auto code = QString::fromStdString(presenter_.patient());
+      const auto code = QString::fromStdString(presenter_.state().choices.patient);
       return screen.isEmpty() ? code : tr("%1, %2").arg(code, screen);
     }
     case Step::hand: return !hand ? QString() : *hand == Hand::left ? tr("left") : tr("right");
-    case Step::screening: return summary(presenter_.screening());
+    case Step::screening: return summary(presenter_.state().choices.today.screening);
     case Step::device: return QString::fromStdString(view.device_words);
     case Step::zero:
-      return done ? tr("set") : presenter_.snapshot().zeroed ? tr("once more") : QString();
+      return done ? tr("set") : presenter_.state().snapshot().zeroed ? tr("once more") : QString();
     case Step::rest: return done ? tr("measured") : QString();
     case Step::work: {
-      const auto& guide = presenter_.guide();
+      const auto& guide = presenter_.state().guide();
       if (guide.over()) return tr("finished");
       if (guide.active()) return tr("%1 of %2").arg(guide.acts_done()).arg(guide.acts());
-      if (!presenter_.has_protocol()) return tr("one by one");
-      const auto chosen = static_cast<std::size_t>(presenter_.protocol());
-      return shown(presenter_.protocols()[chosen].spec.name);
+      if (!presenter_.state().has_protocol()) return tr("one by one");
+      const auto chosen = static_cast<std::size_t>(presenter_.state().choices.protocol);
+      return shown(presenter_.state().library.protocols[chosen].spec.name);
     }
   }
   return {};
 }
 
 void PreparePanel::refresh() {
-  const auto& view = presenter_.view();
+  const auto& view = presenter_.flow().view();
   for (std::size_t i = 0; i < kStepCount; ++i)
     sections_[i]->show_state(view.steps[i], summary_of(static_cast<Step>(i)));
-  const auto hand = presenter_.hand();
+  const auto hand = presenter_.state().choices.today.hand;
   left_->setChecked(hand == Hand::left);
   right_->setChecked(hand == Hand::right);
   for (auto* button : {left_, right_}) {
     button->setEnabled(view.may_change_hand);
     mark_next(*button, view.press == NextPress::hand);
   }
-  confirm_hand_->setVisible(presenter_.hand_to_confirm());
+  confirm_hand_->setVisible(presenter_.flow().hand_to_confirm());
   mark_next(*confirm_hand_, view.press == NextPress::confirm_hand);
 }
 

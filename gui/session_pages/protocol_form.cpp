@@ -93,18 +93,18 @@ ProtocolForm::ProtocolForm(SessionPresenter& presenter, QWidget* parent)
   column->addWidget(steps_, 1);
   connect(protocols_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     const bool by_hand = index == protocols_->count() - 1;
-    presenter_.choose_protocol(by_hand ? SessionPresenter::kByHand : index);
+    presenter_.choices().choose_protocol(by_hand ? Choices::kByHand : index);
   });
   connect(go_on_, &QPushButton::clicked, this, [this] {
-    presenter_.decide_earlier(true);
+    presenter_.choices().decide_earlier(true);
     refresh();
   });
   connect(anew_, &QPushButton::clicked, this, [this] {
-    presenter_.decide_earlier(false);
+    presenter_.choices().decide_earlier(false);
     refresh();
   });
-  connect(&presenter_, &SessionPresenter::changed, this, &ProtocolForm::refresh);
-  connect(&presenter_, &SessionPresenter::library_changed, this, &ProtocolForm::fill_protocols);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ProtocolForm::refresh);
+  connect(&presenter_.flow(), &SessionFlow::library_changed, this, &ProtocolForm::fill_protocols);
   fill_protocols();
 }
 
@@ -112,7 +112,7 @@ void ProtocolForm::fill_protocols() {
   {
     const QSignalBlocker quiet(protocols_);
     protocols_->clear();
-    for (const auto& protocol : presenter_.protocols())
+    for (const auto& protocol : presenter_.state().library.protocols)
       protocols_->addItem(shown(protocol.spec.name));
     protocols_->addItem(tr("Tasks one by one"));
   }
@@ -121,30 +121,32 @@ void ProtocolForm::fill_protocols() {
 }
 
 void ProtocolForm::refresh() {
-  const bool by_hand = !presenter_.has_protocol();
-  const int chosen = by_hand ? SessionPresenter::kByHand : presenter_.protocol();
+  const bool by_hand = !presenter_.state().has_protocol();
+  const int chosen = by_hand ? Choices::kByHand : presenter_.state().choices.protocol;
   {
     const QSignalBlocker quiet(protocols_);
     protocols_->setCurrentIndex(by_hand ? protocols_->count() - 1 : chosen);
   }
-  protocols_->setEnabled(presenter_.view().may_change_hand);
+  protocols_->setEnabled(presenter_.flow().view().may_change_hand);
   if (described_ != chosen) {
     described_ = chosen;
     preview_.end();
-    if (!by_hand) preview_.begin(presenter_.protocols()[static_cast<std::size_t>(chosen)], {}, 0);
-    duration_->setText(
-        by_hand
-            ? tr("You choose every task yourself.")
-            : duration_words(presenter_.protocols()[static_cast<std::size_t>(chosen)].duration()));
+    if (!by_hand)
+      preview_.begin(presenter_.state().library.protocols[static_cast<std::size_t>(chosen)], {}, 0);
+    duration_->setText(by_hand
+                           ? tr("You choose every task yourself.")
+                           : duration_words(presenter_.state()
+                                                .library.protocols[static_cast<std::size_t>(chosen)]
+                                                .duration()));
   }
-  const auto earlier = presenter_.earlier();
-  earlier_->setVisible(earlier.has_value() && presenter_.view().may_change_hand);
+  const auto earlier = presenter_.state().choices.interrupted.acts;
+  earlier_->setVisible(earlier.has_value() && presenter_.flow().view().may_change_hand);
   if (earlier) {
     question_->setText(
         tr("Interrupted today after %n step(s). Go on where it stopped?", "", *earlier));
-    go_on_->setChecked(presenter_.goes_on_earlier() == true);
-    anew_->setChecked(presenter_.goes_on_earlier() == false);
-    const bool asked = presenter_.view().press == NextPress::earlier;
+    go_on_->setChecked(presenter_.state().choices.interrupted.go_on == true);
+    anew_->setChecked(presenter_.state().choices.interrupted.go_on == false);
+    const bool asked = presenter_.flow().view().press == NextPress::earlier;
     mark_next(*go_on_, asked);
     mark_next(*anew_, asked);
   }
@@ -152,7 +154,7 @@ void ProtocolForm::refresh() {
 }
 
 void ProtocolForm::fill_steps() {
-  auto rows = presenter_.guide().rows();
+  auto rows = presenter_.state().guide().rows();
   if (rows.empty()) {  // before the session: the whole way, nothing done
     rows = preview_.rows();
     for (auto& row : rows) row.state = ProtocolGuide::RowState::open;

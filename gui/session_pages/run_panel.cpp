@@ -9,6 +9,7 @@
 
 #include "gui/library/task_groups.hpp"
 #include "gui/look/look.hpp"
+#include "gui/presenter/next_words.hpp"
 #include "gui/words/texts.hpp"
 
 namespace isograsp::gui {
@@ -96,42 +97,44 @@ RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
   column_->addWidget(hint_);
   make_between();
 
-  connect(follow_, &QPushButton::clicked, &presenter_, [this] {
-    presenter_.follow_protocol();
+  connect(follow_, &QPushButton::clicked, this, [this] {
+    presenter_.protocol().follow();
     refresh();
   });
-  connect(by_hand_, &QPushButton::clicked, &presenter_, [this] {
-    presenter_.choose_by_hand();
+  connect(by_hand_, &QPushButton::clicked, this, [this] {
+    presenter_.protocol().choose_by_hand();
     refresh();
     list_->setFocus();
   });
   connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     if (item != nullptr && item->data(Qt::UserRole).isValid())
-      presenter_.choose_task(item->data(Qt::UserRole).toInt());
+      presenter_.tasks().choose(item->data(Qt::UserRole).toInt());
   });
-  connect(practice_, &QCheckBox::toggled, &presenter_, &SessionPresenter::set_practice);
-  connect(by_itself_, &QCheckBox::toggled, &presenter_, &SessionPresenter::set_by_itself);
-  connect(show_how_, &QPushButton::clicked, &presenter_, &SessionPresenter::show_how);
-  connect(start_, &QPushButton::clicked, &presenter_, &SessionPresenter::start);
+  connect(practice_, &QCheckBox::toggled, this,
+          [this](bool practice) { presenter_.tasks().set_practice(practice); });
+  connect(by_itself_, &QCheckBox::toggled, this,
+          [this](bool by_itself) { presenter_.protocol().set_by_itself(by_itself); });
+  connect(show_how_, &QPushButton::clicked, this, [this] { presenter_.tasks().show_how(); });
+  connect(start_, &QPushButton::clicked, this, [this] { presenter_.trials().start(); });
   connect(end_report_, &QPushButton::clicked, this, &RunPanel::report_wanted);
-  connect(end_disconnect_, &QPushButton::clicked, &presenter_,
-          &SessionPresenter::disconnect_device);
-  connect(pause_, &QPushButton::clicked, &presenter_, [this] {
-    const auto& view = presenter_.view();
+  connect(end_disconnect_, &QPushButton::clicked, this,
+          [this] { presenter_.connecting().disconnect_device(); });
+  connect(pause_, &QPushButton::clicked, this, [this] {
+    const auto& view = presenter_.flow().view();
     if (view.may_pause)
-      presenter_.pause();
+      presenter_.trials().pause();
     else if (view.may_resume)
-      presenter_.resume();
+      presenter_.trials().resume();
     else
-      presenter_.stand_by();
+      presenter_.protocol().stand_by();
   });
-  connect(stop_, &QPushButton::clicked, &presenter_, &SessionPresenter::stop);
-  connect(&presenter_, &SessionPresenter::changed, this, &RunPanel::refresh);
-  connect(&presenter_, &SessionPresenter::library_changed, this, [this] {
+  connect(stop_, &QPushButton::clicked, this, [this] { presenter_.trials().stop(); });
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &RunPanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::library_changed, this, [this] {
     fill_list();
     refresh();
   });
-  connect(&presenter_, &SessionPresenter::frame, this, &RunPanel::refresh_progress);
+  connect(&presenter_.flow(), &SessionFlow::frame, this, &RunPanel::refresh_progress);
   refresh();
   refresh_progress();
 }
@@ -179,16 +182,18 @@ void RunPanel::make_between() {
   column_->addLayout(trials);
   column_->addWidget(note_);
   column_->addStretch(0);
-  connect(easier_, &QPushButton::clicked, this, [this] { presenter_.adjust_difficulty(-1); });
-  connect(harder_, &QPushButton::clicked, this, [this] { presenter_.adjust_difficulty(+1); });
-  connect(repeat_, &QPushButton::clicked, &presenter_, &SessionPresenter::repeat);
-  connect(skip_, &QPushButton::clicked, &presenter_, &SessionPresenter::skip);
-  connect(helped_, &QPushButton::clicked, &presenter_, [this] {
-    presenter_.toggle_helped();
+  connect(easier_, &QPushButton::clicked, this,
+          [this] { presenter_.tasks().adjust_difficulty(-1); });
+  connect(harder_, &QPushButton::clicked, this,
+          [this] { presenter_.tasks().adjust_difficulty(+1); });
+  connect(repeat_, &QPushButton::clicked, this, [this] { presenter_.trials().repeat(); });
+  connect(skip_, &QPushButton::clicked, this, [this] { presenter_.protocol().skip(); });
+  connect(helped_, &QPushButton::clicked, this, [this] {
+    presenter_.remarks().toggle_helped();
     refresh();
   });
   connect(note_, &QLineEdit::returnPressed, this, [this] {
-    presenter_.note(note_->text().trimmed().toStdString());
+    presenter_.remarks().note(note_->text().trimmed().toStdString());
     note_->clear();
   });
 }
@@ -196,7 +201,7 @@ void RunPanel::make_between() {
 void RunPanel::fill_list() {
   constexpr int kRow_px = 24;
   std::optional<TaskGroup> group;
-  const auto& tasks = presenter_.tasks();
+  const auto& tasks = presenter_.state().library.tasks;
   const QSignalBlocker quiet(list_);
   list_->clear();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -219,17 +224,18 @@ void RunPanel::fill_list() {
 }
 
 void RunPanel::refresh() {
-  const auto& view = presenter_.view();
+  const auto& view = presenter_.flow().view();
   refresh_choice();
-  const auto* spec = presenter_.next_task();
-  next_->setText(QString::fromStdString(presenter_.next_words()));
+  const auto* spec = presenter_.state().next_task();
+  next_->setText(QString::fromStdString(next_words(presenter_.state())));
   next_->setVisible(!next_->text().isEmpty());
   instruction_->setText(spec == nullptr ? QString() : shown(spec->instruction));
   instruction_->setVisible(!instruction_->text().isEmpty());
-  show_how_->setText(presenter_.showing_how() ? tr("Stop sho&wing") : tr("Show the patient ho&w"));
+  show_how_->setText(presenter_.tasks().showing_how() ? tr("Stop sho&wing")
+                                                      : tr("Show the patient ho&w"));
   describe(*show_how_, show_how_->text().remove(QLatin1Char('&')),
            tr("The patient's screen shows how a healthy hand does this task (F7, Alt+W)"));
-  show_how_->setEnabled(view.may_show_how || presenter_.showing_how());
+  show_how_->setEnabled(view.may_show_how || presenter_.tasks().showing_how());
   describe(*start_, tr("Start: %1").arg(next_->text()), tr("Begin (F8, Alt+S)"));
   start_->setEnabled(view.may_start);
   // With nothing left to start, its place is that of the end.
@@ -257,9 +263,9 @@ void RunPanel::refresh() {
 }
 
 void RunPanel::refresh_choice() {
-  const auto& view = presenter_.view();
-  const bool protocol = presenter_.guide().active();
-  const bool follows = presenter_.follows();
+  const auto& view = presenter_.flow().view();
+  const bool protocol = presenter_.state().guide().active();
+  const bool follows = presenter_.state().follows();
   follow_->setVisible(protocol);
   by_hand_->setVisible(protocol);
   follow_->setChecked(follows);
@@ -267,16 +273,16 @@ void RunPanel::refresh_choice() {
   follow_->setEnabled(view.may_choose_task);
   by_hand_->setEnabled(view.may_choose_task);
   // Before a session the protocol is what will come; tasks are listed only where one is chosen.
-  const bool listed =
-      !follows && (protocol || presenter_.session_open() || !presenter_.has_protocol());
+  const bool listed = !follows && (protocol || presenter_.state().session_open() ||
+                                   !presenter_.state().has_protocol());
   list_->setVisible(listed);
   practice_->setVisible(listed);
   by_itself_->setVisible(!listed);
   {
     const QSignalBlocker quiet(by_itself_);
-    by_itself_->setChecked(presenter_.by_itself());
+    by_itself_->setChecked(presenter_.state().choices.by_itself);
   }
-  const int task = presenter_.task();
+  const int task = presenter_.state().task();
   const QSignalBlocker quiet(list_);
   for (int row = 0; row < list_->count(); ++row) {
     const auto number = list_->item(row)->data(Qt::UserRole);
@@ -288,9 +294,9 @@ void RunPanel::refresh_choice() {
 }
 
 void RunPanel::refresh_between() {
-  const auto& view = presenter_.view();
-  const auto level = presenter_.difficulty();
-  const bool idle = view.may_choose_task && presenter_.session_open();
+  const auto& view = presenter_.flow().view();
+  const auto level = presenter_.tasks().difficulty();
+  const bool idle = view.may_choose_task && presenter_.state().session_open();
   easier_->setVisible(level.has_value());
   harder_->setVisible(level.has_value());
   level_->setVisible(level.has_value());
@@ -299,16 +305,16 @@ void RunPanel::refresh_between() {
     harder_->setEnabled(idle && *level < 1.0);
     level_->setText(tr("Difficulty %1 %").arg(100.0 * *level, 0, 'f', 0));
   }
-  repeat_->setEnabled(presenter_.may_repeat());
-  skip_->setVisible(presenter_.follows());
+  repeat_->setEnabled(presenter_.flow().view().may_repeat);
+  skip_->setVisible(presenter_.state().follows());
   skip_->setEnabled(view.may_skip);
-  helped_->setEnabled(presenter_.may_help());
-  helped_->setChecked(presenter_.helped());
-  note_->setEnabled(presenter_.session_open());
+  helped_->setEnabled(presenter_.remarks().may_help());
+  helped_->setChecked(presenter_.state().helped());
+  note_->setEnabled(presenter_.state().session_open());
 }
 
 void RunPanel::refresh_progress() {
-  const auto picture = presenter_.picture();
+  const auto picture = presenter_.patient_view().picture();
   progress_->setValue(picture.progress_shown ? static_cast<int>(1000.0 * picture.progress) : 0);
 }
 
@@ -336,20 +342,23 @@ RatingPanel::RatingPanel(SessionPresenter& presenter, QWidget* parent)
   add(questions[1], pain_);
   correct_ = new QPushButton;
   correct_->setObjectName("rating_correct");
-  connect(correct_, &QPushButton::clicked, &presenter_, &SessionPresenter::show_rated);
+  connect(correct_, &QPushButton::clicked, this, [this] { presenter_.remarks().show_rated(); });
   column_->addWidget(remark_);
   column_->addWidget(correct_);
-  connect(effort_, &ScoreRow::chosen, &presenter_, &SessionPresenter::rate_effort);
-  connect(pain_, &ScoreRow::chosen, &presenter_, &SessionPresenter::rate_pain);
-  connect(&presenter_, &SessionPresenter::changed, this, &RatingPanel::refresh);
+  connect(effort_, &ScoreRow::chosen, this,
+          [this](int effort) { presenter_.remarks().rate_effort(effort); });
+  connect(pain_, &ScoreRow::chosen, this,
+          [this](int pain) { presenter_.remarks().rate_pain(pain); });
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &RatingPanel::refresh);
   refresh();
 }
 
 void RatingPanel::refresh() {
-  const bool due = presenter_.guide().rating_due();
-  const bool possible = presenter_.session_open() && presenter_.last_trial().has_value();
+  const bool due = presenter_.state().guide().rating_due();
+  const bool possible =
+      presenter_.state().session_open() && presenter_.state().traces().last_trial.has_value();
   setVisible(possible);
-  const Rating& rating = presenter_.rating();
+  const Rating& rating = presenter_.state().rating();
   effort_->show_value(rating.effort);
   pain_->show_value(rating.pain);
   const auto& rated = rating.last;

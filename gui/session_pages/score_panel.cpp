@@ -35,15 +35,15 @@ ScorePanel::ScorePanel(SessionPresenter& presenter, QWidget* parent)
   title_->setBuddy(table_);
   column_->addWidget(remark_);
   column_->addWidget(table_, 1);
-  connect(&presenter_, &SessionPresenter::score_changed, this, &ScorePanel::refresh);
-  connect(&presenter_, &SessionPresenter::changed, this, &ScorePanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::score_changed, this, &ScorePanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ScorePanel::refresh);
   refresh();
 }
 
 void ScorePanel::refresh() {
-  const auto& measures = presenter_.live_score();
-  const auto& last = presenter_.last_trial();
-  if (presenter_.view().may_stop) {
+  const auto& measures = presenter_.state().live_score();
+  const auto& last = presenter_.state().traces().last_trial;
+  if (presenter_.flow().view().may_stop) {
     remark_->setText(tr("So far, renewed every second"));
   } else if (last) {
     const auto name = shown(last->trial.task_name);

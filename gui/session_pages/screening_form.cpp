@@ -34,7 +34,7 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
     cautions_[static_cast<std::size_t>(caution)] = box;
     column->addWidget(box);
     connect(box, &QCheckBox::toggled, this, [this, caution](bool on) {
-      Screening answers = presenter_.screening();
+      Screening answers = presenter_.state().choices.today.screening;
       answers.applies[static_cast<std::size_t>(caution)] = on;
       answers.allowed.reset();  // decided anew
       answer(answers);
@@ -44,7 +44,7 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
   pain_ = new ScoreRow("screening_pain", tr("Pain now"));
   column->addWidget(pain_);
   connect(pain_, &ScoreRow::chosen, this, [this](int pain) {
-    Screening answers = presenter_.screening();
+    Screening answers = presenter_.state().choices.today.screening;
     answers.pain = pain;
     answers.allowed.reset();
     answer(answers);
@@ -61,7 +61,7 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
     efforts_[static_cast<std::size_t>(effort)] = button;
     column->addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, effort] {
-      Screening answers = presenter_.screening();
+      Screening answers = presenter_.state().choices.today.screening;
       answers.allowed = effort;
       answer(answers);
     });
@@ -84,7 +84,7 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
   limit->addStretch(1);
   column->addLayout(limit);
   const auto set_ceiling = [this] {
-    Screening answers = presenter_.screening();
+    Screening answers = presenter_.state().choices.today.screening;
     answers.ceiling_N.reset();
     if (limited_->isChecked()) answers.ceiling_N = ceiling_->value();
     answer(answers);
@@ -99,20 +99,20 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
     Screening answers;
     answers.pain = 0;
     answers.allowed = tasks::Effort::maximum;
-    answers.ceiling_N = presenter_.screening().ceiling_N;
+    answers.ceiling_N = presenter_.state().choices.today.screening.ceiling_N;
     answer(answers);
   });
-  connect(&presenter_, &SessionPresenter::changed, this, &ScreeningForm::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ScreeningForm::refresh);
   refresh();
 }
 
 void ScreeningForm::answer(Screening answers) {
-  presenter_.answer_screening(answers);
+  presenter_.choices().answer_screening(answers);
 }
 
 void ScreeningForm::refresh() {
-  const auto& answers = presenter_.screening();
-  const auto& view = presenter_.view();
+  const auto& answers = presenter_.state().choices.today.screening;
+  const auto& view = presenter_.flow().view();
   setEnabled(view.may_change_hand);
   const bool next = view.press == NextPress::screening;
   const bool untouched = answers == Screening{};

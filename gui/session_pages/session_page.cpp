@@ -12,7 +12,8 @@
 
 namespace isograsp::gui {
 
-SessionPage::SessionPage(SessionPresenter& presenter, QWidget* parent) : QWidget(parent) {
+SessionPage::SessionPage(SessionPresenter& presenter, const SettingsFile& settings, QWidget* parent)
+    : QWidget(parent) {
   // With large letters what is watched stands below the two columns of what is done.
   constexpr int kLargestInARow_percent = 115;
   const bool in_a_row = scaled(100) <= kLargestInARow_percent;
@@ -34,7 +35,7 @@ SessionPage::SessionPage(SessionPresenter& presenter, QWidget* parent) : QWidget
   auto* left = make_column(in_a_row ? 290 : 260, in_a_row ? 360 : 0);
   left->addWidget(prepare);
   auto* watch = make_column(400, 0);
-  watch->addWidget(new LivePanel(presenter), 3);
+  watch->addWidget(new LivePanel(presenter, settings), 3);
   watch->addWidget(new ScorePanel(presenter), 2);
   auto* run = make_column(in_a_row ? 290 : 250, in_a_row ? 400 : 0);
   auto* now = new RunPanel(presenter);

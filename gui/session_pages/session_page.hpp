@@ -13,7 +13,7 @@ class SessionPage final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SessionPage(SessionPresenter& presenter, QWidget* parent = nullptr);
+  SessionPage(SessionPresenter& presenter, const SettingsFile& settings, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void other_patient();

@@ -38,17 +38,17 @@ StartPage::StartPage(Clinic& clinic, SessionPresenter& presenter, Staff& staff, 
   connect(&clinic_, &Clinic::patients_changed, this, &StartPage::load_recent);
   connect(&clinic_, &Clinic::patient_added, this, [this](const QString& code) {
     search_->setText({});
-    presenter_.choose_patient(code.toStdString());
+    presenter_.choices().choose_patient(code.toStdString());
     fill();
     // Whoever adds a patient begins a session with them.
     Q_EMIT begin_session();
   });
-  connect(&presenter_, &SessionPresenter::changed, this, &StartPage::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &StartPage::refresh);
   connect(&staff_, &Staff::changed, this, [this] {
     if (staff_.closed()) search_->setText({});  // it may be a name
     fill();
   });
-  connect(&presenter_, &SessionPresenter::settled, this, &StartPage::load_recent);
+  connect(&presenter_.flow(), &SessionFlow::settled, this, &StartPage::load_recent);
   offer_demonstration(false);
   fill();
   load_recent();
@@ -103,7 +103,7 @@ QWidget* StartPage::make_patients() {
   column.addWidget(add_);
   connect(search_, &QLineEdit::textChanged, this, &StartPage::fill);
   connect(list_, &QListWidget::currentTextChanged, this, [this](const QString& code) {
-    if (!code.isEmpty()) presenter_.choose_patient(code.toStdString());
+    if (!code.isEmpty()) presenter_.choices().choose_patient(code.toStdString());
   });
   connect(list_, &QListWidget::itemActivated, this, &StartPage::begin_session);
   connect(add_, &QPushButton::clicked, &clinic_, &Clinic::add_patient);
@@ -138,7 +138,7 @@ QWidget* StartPage::make_recent() {
   connect(recent_, &QTableWidget::itemSelectionChanged, this, [this] {
     const int row = recent_->currentRow();
     if (row >= 0 && !recent_->selectedItems().isEmpty())
-      presenter_.choose_patient(recent_->item(row, 1)->text().toStdString());
+      presenter_.choices().choose_patient(recent_->item(row, 1)->text().toStdString());
   });
   connect(recent_, &QTableWidget::itemActivated, this, &StartPage::open_patient);
   return card;
@@ -173,7 +173,7 @@ void StartPage::offer_demonstration(bool making) {
 void StartPage::fill() {
   const QSignalBlocker quiet(list_);
   list_->clear();
-  const auto chosen = QString::fromStdString(presenter_.patient());
+  const auto chosen = QString::fromStdString(presenter_.state().choices.patient);
   // Who was here last, or was added last, is the likeliest one to be sought.
   auto patients = clinic_.patients();
   const auto newest = [this](const storage::PatientRecord& patient) {
@@ -250,20 +250,20 @@ void StartPage::fill_recent(const std::vector<storage::SessionRecord>& sessions)
 }
 
 void StartPage::refresh() {
-  const auto& view = presenter_.view();
-  const bool chosen = !presenter_.patient().empty();
+  const auto& view = presenter_.flow().view();
+  const bool chosen = !presenter_.state().choices.patient.empty();
   names_->setVisible(staff_.is_protected() && staff_.allows(storage::Right::identities) &&
                      staff_.names().empty());
   list_->setEnabled(view.may_change_patient);
   recent_->setEnabled(view.may_change_patient);
-  add_->setEnabled(view.may_change_patient && !presenter_.look_only());
-  begin_->setEnabled(chosen && !presenter_.look_only());
+  add_->setEnabled(view.may_change_patient && !presenter_.state().config.look_only);
+  begin_->setEnabled(chosen && !presenter_.state().config.look_only);
   open_->setEnabled(chosen);
   const bool next = view.next() == Step::patient && view.may_change_patient;
   mark_next(*add_, next && clinic_.patients().empty());
   mark_next(*list_, next && !clinic_.patients().empty());
   mark_next(*begin_, chosen && view.may_change_patient);
-  const auto code = QString::fromStdString(presenter_.patient());
+  const auto code = QString::fromStdString(presenter_.state().choices.patient);
   const auto shown = list_->currentItem() == nullptr ? QString() : list_->currentItem()->text();
   if (code != shown) {
     const QSignalBlocker quiet(list_);

@@ -62,9 +62,9 @@ StrapForm::StrapForm(SessionPresenter& presenter, QWidget* parent)
   connect(edit_, &QPushButton::toggled, fields_, &QWidget::setVisible);
   connect(strapped_, &QPushButton::clicked, this, [this] {
     edit_->setChecked(false);
-    presenter_.mark_strapped();
+    presenter_.preparing().mark_strapped();
   });
-  connect(&presenter_, &SessionPresenter::changed, this, &StrapForm::refresh);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &StrapForm::refresh);
   refresh();
 }
 
@@ -115,7 +115,7 @@ void StrapForm::say() {
 }
 
 void StrapForm::refresh() {
-  const auto& view = presenter_.view();
+  const auto& view = presenter_.flow().view();
   const auto& posture = presenter_.seating().posture();
   const auto& last = presenter_.seating().last_posture();
   for (const auto item : kPostureOrder) {
@@ -145,7 +145,7 @@ void StrapForm::refresh() {
               "measured (Alt+I)"));
   strapped_->setEnabled(view.may_strap);
   mark_next(*strapped_, view.press == NextPress::strap);
-  const auto rest = presenter_.rest_words();
+  const auto rest = presenter_.state().rest_words();
   words_->setText(rest.empty() ? tr("After a minute of settling the resting force is measured.")
                                : shown(rest));
 }

@@ -481,6 +481,17 @@
     </message>
 </context>
 <context>
+    <name>NextWords</name>
+    <message>
+        <source>%1, practice</source>
+        <translation>%1, entraînement</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 sur %3)</translation>
+    </message>
+</context>
+<context>
     <name>PatientScreen</name>
     <message>
         <source>Thumb and index</source>
@@ -10597,15 +10608,7 @@
     </message>
 </context>
 <context>
-    <name>isograsp::gui::SessionPresenter</name>
-    <message>
-        <source>%1, practice</source>
-        <translation>%1, entraînement</translation>
-    </message>
-    <message>
-        <source>%1 (%2 of %3)</source>
-        <translation>%1 (%2 sur %3)</translation>
-    </message>
+    <name>isograsp::gui::SessionFlow</name>
     <message>
         <source>Left out: %1: %2; %3</source>
         <translation>Omis&#xa0;: %1&#xa0;: %2&#xa0;; %3</translation>

@@ -25,7 +25,6 @@ const std::map<std::string, std::string>& larger_ones() {
       {"SqliteStore", "the same table"},
       {"GuardedStore", "the same table, as far as rights matter"},
       {"Session", "to be divided: commands, and what is known of it"},
-      {"SessionPresenter", "to be divided: its acts, by what they act on"},
       {"Clinic", "to be divided: four pairs of add and remove"}};
   return kLarger;
 }

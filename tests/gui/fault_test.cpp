@@ -34,8 +34,8 @@ class FaultDuringATrial : public QtTest {
     EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
   }
   ~FaultDuringATrial() override {
-    presenter_.end_session();
-    EXPECT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+    presenter_.connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !presenter_.state().busy(); }));
   }
 
   /// Three boxes, one of which will have that fault; free handling is chosen.
@@ -47,9 +47,10 @@ class FaultDuringATrial : public QtTest {
     if (!fault.empty()) options.faults.push_back(*Fault::parse(fault));
     boxes_ = std::make_unique<Boxes>(options, at_rest());
     operator_.prepare_person();
-    presenter_.choose_protocol(SessionPresenter::kByHand);
-    presenter_.choose_device("udp://" + boxes_->full_address(0) + "," + boxes_->full_address(1) +
-                             "," + boxes_->full_address(2) + "?protocol=net-ft");
+    presenter_.choices().choose_protocol(Choices::kByHand);
+    presenter_.choices().choose_device("udp://" + boxes_->full_address(0) + "," +
+                                       boxes_->full_address(1) + "," + boxes_->full_address(2) +
+                                       "?protocol=net-ft");
     operator_.press("connect");
     operator_.set_zero();
     operator_.choose_task("observe");
@@ -62,19 +63,21 @@ class FaultDuringATrial : public QtTest {
   /// The fault has come when the first snapshot tells it: both screens must say so with that look.
   void expect_both_screens_say_so(const char* word) {
     bool late = false;
-    const auto watch = QObject::connect(&presenter_, &SessionPresenter::frame, [&] {
-      const bool told = presenter_.snapshot().stage == session::Stage::paused;
-      const bool shown = presenter_.view().mood == Mood::fault &&
-                         presenter_.picture().notice == PatientPicture::Notice::fault;
+    const auto watch = QObject::connect(&presenter_.flow(), &SessionFlow::frame, [&] {
+      const bool told = presenter_.state().snapshot().stage == session::Stage::paused;
+      const bool shown =
+          presenter_.flow().view().mood == Mood::fault &&
+          presenter_.patient_view().picture().notice == PatientPicture::Notice::fault;
       late = late || (told && !shown);
     });
-    ASSERT_TRUE(wait_until([&] { return presenter_.view().mood == Mood::fault; }, 30));
+    ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().mood == Mood::fault; }, 30));
     QObject::disconnect(watch);
     EXPECT_FALSE(late);
     EXPECT_TRUE(wait_until(
-        [&] { return presenter_.view().device_words.find(word) != std::string::npos; }, 30))
-        << presenter_.view().device_words;
-    EXPECT_NE(presenter_.picture().notice_words.find("You did nothing wrong"), std::string::npos);
+        [&] { return presenter_.flow().view().device_words.find(word) != std::string::npos; }, 30))
+        << presenter_.flow().view().device_words;
+    EXPECT_NE(presenter_.patient_view().picture().notice_words.find("You did nothing wrong"),
+              std::string::npos);
   }
 
   std::vector<storage::EventRecord> stored_faults() {
@@ -100,11 +103,15 @@ TEST_F(FaultDuringATrial, AnUnpluggedSensorIsSaidAndTheTrialGoesOnWhenItIsBack) 
   start_trial("silence=index:2s@10s");
   expect_both_screens_say_so("index");
   ASSERT_TRUE(wait_until(
-      [&] { return presenter_.view().may_resume && presenter_.view().device_mood != Mood::fault; },
+      [&] {
+        return presenter_.flow().view().may_resume &&
+               presenter_.flow().view().device_mood != Mood::fault;
+      },
       30))
-      << presenter_.view().sentence;
+      << presenter_.flow().view().sentence;
   operator_.press("pause");  // now Resume
-  ASSERT_TRUE(wait_until([&] { return presenter_.snapshot().stage == session::Stage::trial; }));
+  ASSERT_TRUE(
+      wait_until([&] { return presenter_.state().snapshot().stage == session::Stage::trial; }));
   operator_.press("stop");
   operator_.finish_task();
   const auto trials = stored_trials();
@@ -118,29 +125,31 @@ TEST_F(FaultDuringATrial, AFrozenSensorIsSaid) {
   operator_.press("stop");
   operator_.finish_task();
   EXPECT_EQ(stored_trials().size(), 1U) << "what there was is kept";
-  EXPECT_TRUE(presenter_.faults().size() >= 1) << "and the fault stands in the history";
+  EXPECT_TRUE(presenter_.state().traces().faults.size() >= 1)
+      << "and the fault stands in the history";
 }
 
 TEST_F(FaultDuringATrial, AnOverloadIsSaid) {
   start_trial("saturate=thumb:2s@10s");
   ASSERT_TRUE(wait_until(
-      [&] { return presenter_.view().device_words.find("thumb") != std::string::npos; }, 30))
-      << presenter_.view().device_words;
-  EXPECT_NE(presenter_.view().device_mood, Mood::ready);
+      [&] { return presenter_.flow().view().device_words.find("thumb") != std::string::npos; }, 30))
+      << presenter_.flow().view().device_words;
+  EXPECT_NE(presenter_.flow().view().device_mood, Mood::ready);
   operator_.press("stop");
   operator_.finish_task();
 }
 
 TEST_F(FaultDuringATrial, ARestartBetweenTrialsIsStoredAndNothingStartsBeforeANewZero) {
   connect("dip=index@15s");
-  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_start; }));
+  ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_start; }));
   ASSERT_TRUE(wait_until(
       [&] {
-        return presenter_.snapshot().restarted && presenter_.view().device_mood != Mood::fault;
+        return presenter_.state().snapshot().restarted &&
+               presenter_.flow().view().device_mood != Mood::fault;
       },
       60))
-      << presenter_.view().sentence;
-  const auto& view = presenter_.view();
+      << presenter_.flow().view().sentence;
+  const auto& view = presenter_.flow().view();
   EXPECT_FALSE(view.may_start);
   EXPECT_EQ(view.mood, Mood::attention);
   EXPECT_EQ(view.next(), Step::zero);
@@ -150,11 +159,12 @@ TEST_F(FaultDuringATrial, ARestartBetweenTrialsIsStoredAndNothingStartsBeforeANe
   EXPECT_FALSE(operator_.find<QAbstractButton>("start").isEnabled());
   operator_.set_zero();
   operator_.choose_task("observe");
-  EXPECT_TRUE(wait_until([&] { return presenter_.view().may_start; }, 5) ||
-              presenter_.snapshot().restarted)  // on a busy machine a sensor may be lost again
-      << presenter_.view().sentence;
-  presenter_.end_session();
-  ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+  EXPECT_TRUE(
+      wait_until([&] { return presenter_.flow().view().may_start; }, 5) ||
+      presenter_.state().snapshot().restarted)  // on a busy machine a sensor may be lost again
+      << presenter_.flow().view().sentence;
+  presenter_.connecting().end_session();
+  ASSERT_TRUE(wait_until([&] { return !presenter_.state().busy(); }));
   const auto faults = stored_faults();
   bool index_told = false;
   for (const auto& fault : faults) {
@@ -183,27 +193,28 @@ class FullDisk {
 
 TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) {
   start_trial("");
-  ASSERT_TRUE(wait_until([&] { return presenter_.snapshot().task.task_time_s > 2.5; }));
+  ASSERT_TRUE(wait_until([&] { return presenter_.state().snapshot().task.task_time_s > 2.5; }));
   {
     std::uintmax_t largest = 0;
     for (const auto& entry : fs::directory_iterator(folder_.path("")))
       if (entry.is_regular_file()) largest = std::max(largest, entry.file_size());
     const FullDisk full(largest);
-    ASSERT_TRUE(wait_until([&] { return !presenter_.session_open(); }, 30));
-    EXPECT_EQ(presenter_.view().mood, Mood::fault);
-    EXPECT_EQ(presenter_.picture().notice, PatientPicture::Notice::fault)
-        << presenter_.picture().headline;
-    ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
-    EXPECT_NE(presenter_.view().sentence.find("disk"), std::string::npos)
-        << presenter_.view().sentence;
+    ASSERT_TRUE(wait_until([&] { return !presenter_.state().session_open(); }, 30));
+    EXPECT_EQ(presenter_.flow().view().mood, Mood::fault);
+    EXPECT_EQ(presenter_.patient_view().picture().notice, PatientPicture::Notice::fault)
+        << presenter_.patient_view().picture().headline;
+    ASSERT_TRUE(wait_until([&] { return !presenter_.state().busy(); }));
+    EXPECT_NE(presenter_.flow().view().sentence.find("disk"), std::string::npos)
+        << presenter_.flow().view().sentence;
     const auto result = operator_.find<QLabel>("result_remark").text();
     EXPECT_TRUE(result.contains("Free handling: interrupted")) << result.toStdString();
-    EXPECT_FALSE(presenter_.last_trial()->measures.empty() && presenter_.live_score().empty());
+    EXPECT_FALSE(presenter_.state().traces().last_trial->measures.empty() &&
+                 presenter_.state().live_score().empty());
     QTest::qWait(100);  // the disk is seen full
   }
-  EXPECT_TRUE(wait_until([&] { return presenter_.view().mood != Mood::fault; }))
-      << "there is room again: " << presenter_.view().sentence;
-  EXPECT_EQ(presenter_.view().next(), Step::hand);
+  EXPECT_TRUE(wait_until([&] { return presenter_.flow().view().mood != Mood::fault; }))
+      << "there is room again: " << presenter_.flow().view().sentence;
+  EXPECT_EQ(presenter_.flow().view().next(), Step::hand);
   const auto trials = stored_trials();
   ASSERT_EQ(trials.size(), 1U);
   auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::existing);
@@ -215,17 +226,18 @@ TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) 
 
 TEST_F(FaultDuringATrial, ASessionThatAFullDiskRefusedIsToldUntilThereIsRoom) {
   operator_.prepare_person();
-  presenter_.choose_protocol(SessionPresenter::kByHand);
-  presenter_.choose_device("sim://healthy?seed=7");
+  presenter_.choices().choose_protocol(Choices::kByHand);
+  presenter_.choices().choose_device("sim://healthy?seed=7");
   {
     const FullDisk full(0);
     operator_.press("connect");
-    ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
-    EXPECT_EQ(presenter_.view().situation, Situation::session_failed) << presenter_.view().sentence;
+    ASSERT_TRUE(wait_until([&] { return !presenter_.state().busy(); }));
+    EXPECT_EQ(presenter_.flow().view().situation, Situation::session_failed)
+        << presenter_.flow().view().sentence;
     QTest::qWait(100);  // the disk is seen full
   }
-  EXPECT_TRUE(wait_until([&] { return presenter_.view().mood != Mood::fault; }))
-      << "there is room again: " << presenter_.view().sentence;
+  EXPECT_TRUE(wait_until([&] { return presenter_.flow().view().mood != Mood::fault; }))
+      << "there is room again: " << presenter_.flow().view().sentence;
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ class FilledWindow : public QtTest {
     windows_->therapist().resize(1280, 720);
     windows_->therapist().show();
     EXPECT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
-    windows_->presenter().choose_patient("P-1");
+    windows_->presenter().choices().choose_patient("P-1");
   }
   ~FilledWindow() override {
     windows_.reset();

@@ -15,6 +15,7 @@
 #include "gui/library_pages/library_preview.hpp"
 #include "gui/library_pages/library_view.hpp"
 #include "gui/look/toml_editor.hpp"
+#include "gui/presenter/next_words.hpp"
 #include "operator.hpp"
 #include "session/library.hpp"
 #include "short_library.hpp"
@@ -81,8 +82,8 @@ class LibraryPageTest : public QtTest {
   LibraryPageTest() { start(); }
   ~LibraryPageTest() override {
     if (windows_ == nullptr) return;
-    windows_->presenter().end_session();
-    EXPECT_TRUE(wait_until([&] { return !windows_->presenter().busy(); }));
+    windows_->presenter().connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_->presenter().state().busy(); }));
   }
 
   void start() {
@@ -144,7 +145,7 @@ class LibraryPageTest : public QtTest {
   }
   [[nodiscard]] QString remark() { return operator_->find<QLabel>("library_remark").text(); }
   [[nodiscard]] bool session_offers(const std::string& name) {
-    const auto& tasks = windows_->presenter().tasks();
+    const auto& tasks = windows_->presenter().state().library.tasks;
     return std::any_of(tasks.begin(), tasks.end(),
                        [&](const tasks::TaskSpec& task) { return task.name == name; });
   }
@@ -269,16 +270,17 @@ TEST_F(LibraryPageTest, ATaskThatATrialUsedIsKeptAndGetsTheNextVersion) {
   const auto path = operator_->find<QLabel>("library_place").text().toStdString();
   const auto used = read_text(path).value();
   operator_->prepare("sim://healthy?seed=7");
-  ASSERT_TRUE(wait_until([&] { return windows_->presenter().view().may_choose_task; }));
-  const auto& tasks = windows_->presenter().tasks();
+  ASSERT_TRUE(wait_until([&] { return windows_->presenter().flow().view().may_choose_task; }));
+  const auto& tasks = windows_->presenter().state().library.tasks;
   for (std::size_t i = 0; i < tasks.size(); ++i)
     if (tasks[i].name == "Resting force (copy)")
-      windows_->presenter().choose_task(static_cast<int>(i));
-  ASSERT_EQ(windows_->presenter().next_words(), "Resting force (copy)");
+      windows_->presenter().tasks().choose(static_cast<int>(i));
+  ASSERT_EQ(next_words(windows_->presenter().state()), "Resting force (copy)");
   operator_->strap_in();
   operator_->run_task();
-  ASSERT_TRUE(wait_until([&] { return windows_->presenter().last_trial().has_value(); }));
-  ASSERT_EQ(windows_->presenter().last_trial()->trial.task_text, used);
+  ASSERT_TRUE(
+      wait_until([&] { return windows_->presenter().state().traces().last_trial.has_value(); }));
+  ASSERT_EQ(windows_->presenter().state().traces().last_trial->trial.task_text, used);
   windows_->therapist().show_page(TherapistWindow::Page::library);
   type("duration_s = 1.5", "duration_s = 2");
   save();

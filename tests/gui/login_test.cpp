@@ -145,7 +145,7 @@ TEST_F(LoginTest, TheLockClosesWhatWasOpenAndAPinOpensItAgain) {
 TEST_F(LoginTest, AnIdentityIsReadOnRequestAndTheLogSaysByWhom) {
   log_in("Ada", kPassword);
   ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
-  windows_->presenter().choose_patient("P-0427");
+  windows_->presenter().choices().choose_patient("P-0427");
   windows_->therapist().show_page(TherapistWindow::Page::patient);
   operator_->find<QTabWidget>("patient_tabs").setCurrentIndex(1);
   auto& name = operator_->find<QLineEdit>("identity_name");
@@ -161,7 +161,7 @@ TEST_F(LoginTest, AnIdentityIsReadOnRequestAndTheLogSaysByWhom) {
     return std::any_of(labels.begin(), labels.end(),
                        [](const QLabel* label) { return label->text() == "Kept."; });
   }));
-  windows_->presenter().choose_patient("");
+  windows_->presenter().choices().choose_patient("");
   EXPECT_TRUE(name.text().isEmpty()) << "nothing of one person stays for the next";
   storage::Access& access = *windows_->staff().access();
   ASSERT_TRUE(access.log_in_with_passphrase(storage::Secret(kPassphrase)).ok());
@@ -178,7 +178,7 @@ TEST_F(LoginTest, AResearcherSeesNoIdentity) {
   log_in("Rosa", kPassword);
   ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
   EXPECT_FALSE(operator_->find<QPushButton>("show_names").isVisible());
-  windows_->presenter().choose_patient("P-0427");
+  windows_->presenter().choices().choose_patient("P-0427");
   windows_->therapist().show_page(TherapistWindow::Page::patient);
   operator_->find<QTabWidget>("patient_tabs").setCurrentIndex(1);
   EXPECT_FALSE(operator_->find<QPushButton>("identity_show").isVisible());
@@ -187,7 +187,7 @@ TEST_F(LoginTest, AResearcherSeesNoIdentity) {
 TEST_F(LoginTest, NothingThatWasDecryptedStaysForTheNextPerson) {
   log_in("Ada", kPassword);
   ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
-  windows_->presenter().choose_patient("P-0427");
+  windows_->presenter().choices().choose_patient("P-0427");
   windows_->therapist().show_page(TherapistWindow::Page::patient);
   auto& goals = operator_->find<QPlainTextEdit>("goals");
   ASSERT_TRUE(wait_until([&] { return goals.isEnabled(); }));
@@ -257,7 +257,7 @@ TEST_F(LoginTest, TheContactKeepsItsLines) {
   const std::string contact = "555 0100\nmaria@example.org";
   ASSERT_TRUE(
       storage::set_identity(access, "P-0427", {"Maria Berger", "1950-03-05", contact}).ok());
-  windows_->presenter().choose_patient("P-0427");
+  windows_->presenter().choices().choose_patient("P-0427");
   windows_->therapist().show_page(TherapistWindow::Page::patient);
   operator_->find<QTabWidget>("patient_tabs").setCurrentIndex(1);
   operator_->press("identity_show");

@@ -19,8 +19,8 @@ class LostSession : public QtTest {
     windows_.show();
   }
   ~LostSession() override {
-    windows_.presenter().end_session();
-    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+    windows_.presenter().connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
     unsetenv("XDG_STATE_HOME");
   }
 
@@ -34,12 +34,12 @@ TEST_F(LostSession, FoundWhileTheWindowClosesKeepsItOpenUntilItWasSeen) {
   operator_.prepare("sim://healthy?seed=7");
   fs::rename(folder_.path("clinic.db"), folder_.path("away.db"));
   windows_.therapist().close();
-  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
   EXPECT_TRUE(windows_.therapist().isVisible());
   const auto words = operator_.find<QLabel>("sentence").text().toStdString();
   EXPECT_NE(words.find("was deleted or moved away"), std::string::npos) << words;
   EXPECT_NE(words.find("isograsp db rescue"), std::string::npos) << words;
-  ASSERT_TRUE(windows_.presenter().lost());
+  ASSERT_TRUE(windows_.presenter().state().connection.lost);
   windows_.therapist().close();
   EXPECT_FALSE(windows_.therapist().isVisible()) << "seen now";
 }
@@ -48,7 +48,7 @@ TEST_F(LostSession, ASoundOneLetsTheWindowGo) {
   operator_.prepare("sim://healthy?seed=7");
   windows_.therapist().close();
   ASSERT_TRUE(wait_until([&] { return !windows_.therapist().isVisible(); }));
-  EXPECT_FALSE(windows_.presenter().lost());
+  EXPECT_FALSE(windows_.presenter().state().connection.lost);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class Operator {
  public:
   /// An act that the session refuses fails the test.
   explicit Operator(Windows& windows) : windows_(windows) {
-    QObject::connect(&windows.presenter(), &SessionPresenter::failed, &windows.therapist(),
+    QObject::connect(&windows.presenter().flow(), &SessionFlow::failed, &windows.therapist(),
                      [](const QString& why) { ADD_FAILURE() << "refused: " << why.toStdString(); });
   }
 
@@ -40,7 +40,7 @@ class Operator {
   void press(const char* name) const {
     auto& button = find<QAbstractButton>(name);
     ASSERT_TRUE(wait_until([&] { return button.isEnabled() && button.isVisible(); }))
-        << name << " stays disabled: " << windows_.presenter().view().sentence;
+        << name << " stays disabled: " << windows_.presenter().flow().view().sentence;
     QTest::mouseClick(&button, Qt::LeftButton);
   }
 
@@ -61,11 +61,12 @@ class Operator {
 
   void disconnect() const {
     // Its step is open by itself until the first forces arrive.
-    ASSERT_TRUE(wait_until(
-        [&] { return windows_.presenter().view().situation != Situation::wait_for_forces; }));
+    ASSERT_TRUE(wait_until([&] {
+      return windows_.presenter().flow().view().situation != Situation::wait_for_forces;
+    }));
     if (!find<QAbstractButton>("connect").isVisible()) open_section(Step::device);
     press("connect");
-    ASSERT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+    ASSERT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
   }
 
   void choose_task(std::string_view kind) const {
@@ -73,7 +74,7 @@ class Operator {
     for (int row = 0; row < list.count(); ++row) {
       const auto number = list.item(row)->data(Qt::UserRole);
       if (!number.isValid()) continue;  // a heading
-      const auto& task = windows_.presenter().tasks()[number.toUInt()];
+      const auto& task = windows_.presenter().state().library.tasks[number.toUInt()];
       if (task.kind->name != kind) continue;
       list.setCurrentRow(row);
       return;
@@ -82,10 +83,10 @@ class Operator {
   }
 
   void add_patient() const {
-    const auto before = windows_.presenter().patient();
+    const auto before = windows_.presenter().state().choices.patient;
     windows_.therapist().show_page(TherapistWindow::Page::start);
     press("add_patient");
-    ASSERT_TRUE(wait_until([&] { return windows_.presenter().patient() != before; }));
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().state().choices.patient != before; }));
   }
 
   /// From an empty window to a hand that may be asked for its maximum.
@@ -98,30 +99,31 @@ class Operator {
   /// From an empty window to a device that has its zero; tasks are chosen one by one.
   void prepare(const QString& uri, const char* hand = "hand_right") const {
     prepare_person(hand);
-    windows_.presenter().choose_protocol(SessionPresenter::kByHand);
-    if (windows_.presenter().device_uri() != uri.toStdString()) choose_device(uri);
+    windows_.presenter().choices().choose_protocol(Choices::kByHand);
+    if (windows_.presenter().state().choices.device_uri != uri.toStdString()) choose_device(uri);
     press("connect");
     set_zero();
   }
 
   void set_zero() const {
     // After the hand was in, this step is done and closed.
-    if (!find<QAbstractButton>("zero").isVisible() && windows_.presenter().snapshot().zeroed)
+    if (!find<QAbstractButton>("zero").isVisible() &&
+        windows_.presenter().state().snapshot().zeroed)
       open_section(Step::zero);
     press("zero");
     press("zero_confirmed");
     const auto set = [&] {
-      const auto& now = windows_.presenter().snapshot();
-      return now.zeroed && !now.restarted && windows_.presenter().view().may_choose_task;
+      const auto& now = windows_.presenter().state().snapshot();
+      return now.zeroed && !now.restarted && windows_.presenter().flow().view().may_choose_task;
     };
-    ASSERT_TRUE(wait_until(set)) << windows_.presenter().view().sentence;
+    ASSERT_TRUE(wait_until(set)) << windows_.presenter().flow().view().sentence;
   }
 
   /// The hand is in and has settled: the resting force can begin.
   void strap_in() const {
     press("strapped");
-    ASSERT_TRUE(wait_until([&] { return windows_.presenter().view().may_begin; }))
-        << windows_.presenter().view().sentence;
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().flow().view().may_begin; }))
+        << windows_.presenter().flow().view().sentence;
   }
 
   /// Runs the chosen task to its end.
@@ -132,13 +134,13 @@ class Operator {
   void start_task() const {
     press("start");
     ASSERT_TRUE(wait_until([&] {
-      return windows_.presenter().snapshot().stage == session::Stage::trial;
-    })) << windows_.presenter().view().sentence
+      return windows_.presenter().state().snapshot().stage == session::Stage::trial;
+    })) << windows_.presenter().flow().view().sentence
         << " / " << find<QLabel>("message").text().toStdString();
   }
   void finish_task() const {
-    ASSERT_TRUE(wait_until([&] { return !windows_.presenter().view().may_stop; }, 300));
-    ASSERT_TRUE(wait_until([&] { return windows_.presenter().view().may_choose_task; }));
+    ASSERT_TRUE(wait_until([&] { return !windows_.presenter().flow().view().may_stop; }, 300));
+    ASSERT_TRUE(wait_until([&] { return windows_.presenter().flow().view().may_choose_task; }));
   }
 
  private:

@@ -21,8 +21,8 @@ class Rating : public QtTest {
     operator_.run_task();
   }
   ~Rating() override {
-    windows_.presenter().end_session();
-    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+    windows_.presenter().connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
   }
 
   [[nodiscard]] bool chosen(const char* number) const {
@@ -66,13 +66,13 @@ TEST_F(Rating, WhatWasAnsweredStaysInSightAndAnotherPressCorrectsIt) {
   EXPECT_TRUE(chosen("effort_4"));
   EXPECT_TRUE(chosen("pain_5"));
   EXPECT_NE(remark().find("effort 4, pain 5"), std::string::npos) << remark();
-  EXPECT_NE(presenter.view().sentence.find("stop the work"), std::string::npos)
-      << presenter.view().sentence;
+  EXPECT_NE(presenter.flow().view().sentence.find("stop the work"), std::string::npos)
+      << presenter.flow().view().sentence;
   operator_.press("pain_1");
   EXPECT_FALSE(chosen("pain_5"));
   EXPECT_NE(remark().find("effort 4, pain 1"), std::string::npos) << remark();
-  EXPECT_EQ(presenter.view().sentence.find("stop the work"), std::string::npos)
-      << presenter.view().sentence;
+  EXPECT_EQ(presenter.flow().view().sentence.find("stop the work"), std::string::npos)
+      << presenter.flow().view().sentence;
   const auto all = stored();
   ASSERT_EQ(all.ratings.size(), 1U) << "a correction is no second answer";
   EXPECT_EQ(all.ratings[0].effort, 4);
@@ -85,7 +85,8 @@ TEST_F(Rating, ANewTrialAsksAnewAndTheLastAnswerCanStillBeCorrected) {
   operator_.press("effort_4");
   operator_.press("pain_5");
   operator_.press("repeat");
-  ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().trial_number == 2; }));
+  ASSERT_TRUE(
+      wait_until([&] { return windows_.presenter().state().snapshot().trial_number == 2; }));
   operator_.finish_task();
   EXPECT_FALSE(chosen("effort_4"));
   EXPECT_FALSE(chosen("pain_5"));
@@ -93,7 +94,8 @@ TEST_F(Rating, ANewTrialAsksAnewAndTheLastAnswerCanStillBeCorrected) {
   operator_.press("pain_0");
   EXPECT_TRUE(operator_.find<QAbstractButton>("rating_correct").isHidden()) << "it is in sight";
   operator_.press("repeat");
-  ASSERT_TRUE(wait_until([&] { return windows_.presenter().snapshot().trial_number == 3; }));
+  ASSERT_TRUE(
+      wait_until([&] { return windows_.presenter().state().snapshot().trial_number == 3; }));
   operator_.press("rating_correct");  // also while it runs
   EXPECT_TRUE(chosen("effort_6"));
   operator_.press("effort_3");
@@ -110,19 +112,19 @@ TEST_F(Rating, EndsWithItsSessionAndNothingOfASessionIsShownToTheNextPatient) {
   operator_.press("effort_4");
   operator_.press("pain_1");
   operator_.press("helped");
-  ASSERT_TRUE(presenter.rating().last);
-  ASSERT_TRUE(presenter.helped());
-  ASSERT_FALSE(presenter.forces().points().empty());
-  ASSERT_FALSE(presenter.rest_words().empty());
+  ASSERT_TRUE(presenter.state().rating().last);
+  ASSERT_TRUE(presenter.state().helped());
+  ASSERT_FALSE(presenter.state().traces().forces.points().empty());
+  ASSERT_FALSE(presenter.state().rest_words().empty());
   operator_.disconnect();
-  EXPECT_FALSE(presenter.rating().last);
-  EXPECT_FALSE(presenter.helped());
-  EXPECT_TRUE(presenter.rest_words().empty());
-  EXPECT_TRUE(presenter.last_trial()) << "its result may still be looked at";
+  EXPECT_FALSE(presenter.state().rating().last);
+  EXPECT_FALSE(presenter.state().helped());
+  EXPECT_TRUE(presenter.state().rest_words().empty());
+  EXPECT_TRUE(presenter.state().traces().last_trial) << "its result may still be looked at";
   operator_.add_patient();
-  EXPECT_FALSE(presenter.last_trial());
-  EXPECT_TRUE(presenter.live_score().empty());
-  EXPECT_TRUE(presenter.forces().points().empty());
+  EXPECT_FALSE(presenter.state().traces().last_trial);
+  EXPECT_TRUE(presenter.state().live_score().empty());
+  EXPECT_TRUE(presenter.state().traces().forces.points().empty());
 }
 
 }  // namespace

@@ -221,9 +221,9 @@ class LongWorkInTheWindow : public LongWork {
         operator_(windows_) {
     windows_.show();
     EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
-    windows_.presenter().choose_patient(kCode);
+    windows_.presenter().choices().choose_patient(kCode);
     EXPECT_TRUE(wait_until([&] { return !windows_.clinic().history_loading(); }));
-    windows_.presenter().choose_protocol(SessionPresenter::kByHand);
+    windows_.presenter().choices().choose_protocol(Choices::kByHand);
   }
   /// Up to the press of Connect.
   void begin_connecting() {
@@ -233,8 +233,8 @@ class LongWorkInTheWindow : public LongWork {
     operator_.press("connect");
   }
   ~LongWorkInTheWindow() override {
-    windows_.presenter().end_session();
-    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+    windows_.presenter().connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
   }
   ReportWork& report() { return windows_.clinic().report(); }
 
@@ -280,7 +280,7 @@ TEST_F(LongWorkInTheWindow, ClosingStaysOpenIfThereIsNoReportInTheEnd) {
 TEST_F(LongWorkInTheWindow, ASessionCanBeginWhileAReportIsWritten) {
   report().start(kCode, pdf_);
   begin_connecting();
-  ASSERT_TRUE(wait_until([&] { return windows_.presenter().session_open(); }));
+  ASSERT_TRUE(wait_until([&] { return windows_.presenter().state().session_open(); }));
   ASSERT_TRUE(wait_until([&] { return !report().running(); }));
   EXPECT_TRUE(fs::exists(pdf_));
 }
@@ -293,7 +293,7 @@ TEST_F(LongWorkInTheWindow, ThePagesWaitForTheEndOfATrial) {
   report().start(kCode, pdf_);
   ASSERT_TRUE(
       wait_until([&] { return operator_.find<QLabel>("report_doing").text().contains("waits"); }));
-  while (windows_.presenter().view().may_stop && report().running()) QTest::qWait(10);
+  while (windows_.presenter().flow().view().may_stop && report().running()) QTest::qWait(10);
   EXPECT_TRUE(report().running()) << "painted during the trial";
   ASSERT_TRUE(wait_until([&] { return !report().running(); }));
   EXPECT_TRUE(fs::exists(pdf_));
@@ -302,23 +302,23 @@ TEST_F(LongWorkInTheWindow, ThePagesWaitForTheEndOfATrial) {
 TEST_F(LongWorkInTheWindow, ConnectingCanBeCancelledAndTriedAgain) {
   auto& presenter = windows_.presenter();
   begin_connecting();
-  ASSERT_TRUE(presenter.view().may_cancel_connecting);
+  ASSERT_TRUE(presenter.flow().view().may_cancel_connecting);
   EXPECT_EQ(operator_.find<QPushButton>("connect").text(), "&Cancel");
   presenter.poll();
   EXPECT_TRUE(operator_.find<QProgressBar>("connect_progress").isVisible());
   operator_.press("connect");  // now Cancel
-  EXPECT_FALSE(presenter.busy());
-  EXPECT_TRUE(presenter.view().may_connect);
-  EXPECT_TRUE(presenter.view().device_words.find("Not connected") == 0);
+  EXPECT_FALSE(presenter.state().busy());
+  EXPECT_TRUE(presenter.flow().view().may_connect);
+  EXPECT_TRUE(presenter.flow().view().device_words.find("Not connected") == 0);
 
   operator_.press("connect");
-  ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
+  ASSERT_TRUE(wait_until([&] { return presenter.state().session_open(); }));
   operator_.press("zero");
 }
 
 TEST_F(LongWorkInTheWindow, ClosingWhileConnectingDoesNotWaitForTheDevice) {
   begin_connecting();
-  ASSERT_TRUE(windows_.presenter().busy());
+  ASSERT_TRUE(windows_.presenter().state().busy());
   windows_.therapist().close();
   EXPECT_FALSE(windows_.therapist().isVisible());
 }

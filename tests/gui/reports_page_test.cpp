@@ -43,7 +43,7 @@ class ReportsPageTest : public QtTest {
     operator_ = std::make_unique<Operator>(*windows_);
     windows_->therapist().show();
     EXPECT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
-    windows_->presenter().choose_patient(kCode);
+    windows_->presenter().choices().choose_patient(kCode);
     windows_->therapist().show_page(TherapistWindow::Page::reports);
   }
 
@@ -85,7 +85,7 @@ TEST_F(ReportsPageTest, ShowsThePagesOfTheChosenPatient) {
   QTest::keyClick(&view(), Qt::Key_End);
   EXPECT_EQ(view().page(), view().pages());
   ASSERT_TRUE(painted());
-  windows_->presenter().choose_patient("P-0001");
+  windows_->presenter().choices().choose_patient("P-0001");
   EXPECT_EQ(view().pages(), 0) << "never the pages of somebody else";
 }
 
@@ -241,7 +241,7 @@ TEST_F(ReportsPageTest, AnotherPatientHasNothingOfTheOneBefore) {
   choose("report_last", 1);
   show_tab(1);
   ASSERT_TRUE(wait_until([&] { return operator_->find<QListWidget>("export_files").count() > 0; }));
-  windows_->presenter().choose_patient("P-0001");
+  windows_->presenter().choices().choose_patient("P-0001");
   EXPECT_EQ(operator_->find<QListWidget>("export_files").count(), 0);
   EXPECT_EQ(operator_->find<QComboBox>("export_last").count(), 0);
   show_tab(0);
@@ -264,7 +264,7 @@ TEST_F(ReportsPageTest, TheWindowStaysUntilAnExportIsWritten) {
 }
 
 TEST_F(ReportsPageTest, WithoutAPatientItSaysWhatToDo) {
-  windows_->presenter().choose_patient("");
+  windows_->presenter().choices().choose_patient("");
   EXPECT_TRUE(operator_->find<QLabel>("report_nothing").isVisible());
   EXPECT_FALSE(operator_->find<QPushButton>("report").isEnabled());
   show_tab(1);

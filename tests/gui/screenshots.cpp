@@ -99,19 +99,19 @@ void photograph(const QString& output, const std::string& language) {
   therapist.press("hand_right");
   photographer.take_therapist("therapist_screening");
   therapist.press("screening_clear");
-  for (std::size_t i = 0; i < presenter.protocols().size(); ++i)
-    if (presenter.protocols()[i].spec.file.find("demonstration") != std::string::npos)
-      presenter.choose_protocol(static_cast<int>(i));
+  for (std::size_t i = 0; i < presenter.state().library.protocols.size(); ++i)
+    if (presenter.state().library.protocols[i].spec.file.find("demonstration") != std::string::npos)
+      presenter.choices().choose_protocol(static_cast<int>(i));
   QTest::qWait(300);
   photographer.take_therapist("therapist_device");
   therapist.press("connect");
-  ASSERT_TRUE(wait_until([&] { return presenter.view().may_zero; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_zero; }));
   QTest::qWait(1200);
   photographer.take_both("connected");
   therapist.press("zero");
   photographer.take_therapist("therapist_confirm");
   therapist.press("zero_confirmed");
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().zeroed; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.state().snapshot().zeroed; }));
   QTest::qWait(200);
   photographer.take_both("zeroed");
   therapist.press("posture_edit");
@@ -119,20 +119,21 @@ void photograph(const QString& output, const std::string& language) {
   photographer.take_therapist("therapist_posture");
   therapist.press("posture_edit");
   therapist.press("strapped");  // the resting force follows by itself
-  ASSERT_TRUE(wait_until([&] { return presenter.view().may_stop; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_stop; }));
   QTest::qWait(800);
   photographer.take_both("rest");
 
   const auto wait_for = [&](const char* name, double task_time_s) {
     return wait_until(
         [&] {
-          const auto& now = presenter.snapshot();
+          const auto& now = presenter.state().snapshot();
           return now.stage == session::Stage::trial && now.task.task_time_s > task_time_s &&
-                 presenter.view().sentence.find(shown(name).toStdString()) != std::string::npos;
+                 presenter.flow().view().sentence.find(shown(name).toStdString()) !=
+                     std::string::npos;
         },
         180);
   };
-  ASSERT_TRUE(wait_until([&] { return presenter.view().may_stand_by; }, 60));
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_stand_by; }, 60));
   QTest::qWait(1500);
   photographer.take_both("next");
   ASSERT_TRUE(wait_for("Maximum grip force", 2.6));
@@ -156,7 +157,7 @@ void photograph(const QString& output, const std::string& language) {
   ASSERT_TRUE(wait_for("Two targets", 1.2));
   photographer.take_patient("patient_transport");
   ASSERT_TRUE(wait_until([&] {
-    const auto& task = presenter.snapshot().task;
+    const auto& task = presenter.state().snapshot().task;
     return task.target_index == 1 && task.hold_fraction > 0.4;
   }));
   photographer.take_patient("patient_object");
@@ -172,11 +173,11 @@ void photograph(const QString& output, const std::string& language) {
   QTest::qWait(100);
   const auto rate = windows.patient()->rate();
   std::printf("patient screen: %lld pictures, %.1f ms each\n", rate.pictures, rate.mean_s * 1e3);
-  ASSERT_TRUE(wait_until([&] { return presenter.zero_is_next(); }, 120));
+  ASSERT_TRUE(wait_until([&] { return presenter.state().zero_is_next(); }, 120));
   QTest::qWait(200);
   photographer.take_both("hand_out");
   therapist.set_zero();
-  ASSERT_TRUE(wait_until([&] { return presenter.guide().over(); }));
+  ASSERT_TRUE(wait_until([&] { return presenter.state().guide().over(); }));
   QTest::qWait(200);
   photographer.take_both("over");
   therapist.press("by_hand");
@@ -217,14 +218,15 @@ void photograph(const QString& output, const std::string& language) {
   // A silent sensor: the trial waits and both screens say why.
   therapist.press("hand_right");
   therapist.press("screening_clear");
-  presenter.choose_device("replay://" + write_recording_with_gap(folder));
+  presenter.choices().choose_device("replay://" + write_recording_with_gap(folder));
   therapist.press("connect");
   therapist.start_task();
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == session::Stage::paused; }));
+  ASSERT_TRUE(
+      wait_until([&] { return presenter.state().snapshot().stage == session::Stage::paused; }));
   QTest::qWait(300);
   photographer.take_both("fault");
-  presenter.end_session();
-  ASSERT_TRUE(wait_until([&] { return !presenter.busy(); }));
+  presenter.connecting().end_session();
+  ASSERT_TRUE(wait_until([&] { return !presenter.state().busy(); }));
 
   // Every page with letters of twice the size.
   Settings settings;

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "core/files.hpp"
+#include "gui/presenter/next_words.hpp"
 #include "gui/windows.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
@@ -67,9 +68,9 @@ TEST_F(SettingsTest, OtherLettersMakeTheWindowAnewAtItsPlaceAndTheSessionGoesOn)
   ASSERT_TRUE(wait_until([&] { return windows.clinic().is_open(); }));
   const Operator therapist(windows);
   therapist.prepare_person();
-  windows.presenter().choose_device("sim://healthy?seed=7");
+  windows.presenter().choices().choose_device("sim://healthy?seed=7");
   therapist.press("connect");
-  ASSERT_TRUE(wait_until([&] { return windows.presenter().session_open(); }));
+  ASSERT_TRUE(wait_until([&] { return windows.presenter().state().session_open(); }));
   auto& note = therapist.find<QLineEdit>("note");
   QTest::keyClicks(&note, "half a wo");
   windows.therapist().show_page(TherapistWindow::Page::settings);
@@ -83,14 +84,14 @@ TEST_F(SettingsTest, OtherLettersMakeTheWindowAnewAtItsPlaceAndTheSessionGoesOn)
   EXPECT_EQ(windows.therapist().page(), TherapistWindow::Page::settings);
   EXPECT_EQ(windows.therapist().geometry().topLeft(), place.topLeft());
   EXPECT_TRUE(windows.therapist().isVisible());
-  EXPECT_TRUE(windows.presenter().session_open());
+  EXPECT_TRUE(windows.presenter().state().session_open());
   EXPECT_EQ(therapist.find<QLineEdit>("note").text(), "half a wo");
   EXPECT_EQ(ended.count(), 0) << "the program goes on";
   Settings usual;
   windows.settings().change(usual);
   ASSERT_TRUE(wait_until([&] { return QApplication::font().pointSizeF() == before; }));
-  windows.presenter().end_session();
-  ASSERT_TRUE(wait_until([&] { return !windows.presenter().busy(); }));
+  windows.presenter().connecting().end_session();
+  ASSERT_TRUE(wait_until([&] { return !windows.presenter().state().busy(); }));
 }
 
 TEST_F(SettingsTest, ANumberCanBeTypedDigitByDigit) {
@@ -125,23 +126,26 @@ TEST_F(SettingsTest, AVisualGainThatTheScreenCannotShowIsSaidOnceATrial) {
   const Operator therapist(windows);
   therapist.prepare("sim://healthy?seed=7");
   auto& presenter = windows.presenter();
-  ASSERT_TRUE(
-      wait_until([&] { return presenter.view().may_choose_task && presenter.view().may_strap; }));
-  const auto& tasks = presenter.tasks();
+  ASSERT_TRUE(wait_until([&] {
+    return presenter.flow().view().may_choose_task && presenter.flow().view().may_strap;
+  }));
+  const auto& tasks = presenter.state().library.tasks;
   for (std::size_t i = 0; i < tasks.size(); ++i)
-    if (tasks[i].name == "Familiarisation") presenter.choose_task(static_cast<int>(i));
-  ASSERT_EQ(presenter.next_words(), "Familiarisation");
+    if (tasks[i].name == "Familiarisation") presenter.tasks().choose(static_cast<int>(i));
+  ASSERT_EQ(next_words(presenter.state()), "Familiarisation");
   therapist.start_task();
-  QObject::disconnect(&presenter, &SessionPresenter::failed, nullptr, nullptr);  // to be expected
-  QSignalSpy said(&presenter, &SessionPresenter::failed);
+  QObject::disconnect(&presenter.flow(), &SessionFlow::failed, nullptr, nullptr);  // to be expected
+  QSignalSpy said(&presenter.flow(), &SessionFlow::failed);
   constexpr double kPicture_m = 0.3;
-  ASSERT_TRUE(wait_until([&] { return presenter.picture(kPicture_m).gain_deg_per_N.has_value(); }));
-  for (int i = 0; i < 100; ++i) presenter.picture_shown(presenter.picture(kPicture_m));
+  ASSERT_TRUE(wait_until(
+      [&] { return presenter.patient_view().picture(kPicture_m).gain_deg_per_N.has_value(); }));
+  for (int i = 0; i < 100; ++i)
+    presenter.patient_view().picture_shown(presenter.patient_view().picture(kPicture_m));
   ASSERT_EQ(said.count(), 1);
   EXPECT_TRUE(said[0][0].toString().contains("90° per newton"))
       << said[0][0].toString().toStdString();
-  presenter.end_session();
-  ASSERT_TRUE(wait_until([&] { return !presenter.busy(); }));
+  presenter.connecting().end_session();
+  ASSERT_TRUE(wait_until([&] { return !presenter.state().busy(); }));
 }
 
 TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
@@ -151,13 +155,13 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
   const Operator therapist(windows);
   therapist.prepare_person();
   auto& presenter = windows.presenter();
-  presenter.choose_protocol(SessionPresenter::kByHand);
+  presenter.choices().choose_protocol(Choices::kByHand);
   Presentation half;
   half.half = Presentation::Half::left;
   presenter.seating().say_presentation(half);
-  presenter.choose_device("sim://healthy?seed=7");
+  presenter.choices().choose_device("sim://healthy?seed=7");
   therapist.press("connect");
-  ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
+  ASSERT_TRUE(wait_until([&] { return presenter.state().session_open(); }));
   half.sound = true;  // said while the session is open
   presenter.seating().say_presentation(half);
   therapist.set_zero();
@@ -180,14 +184,14 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
     EXPECT_TRUE(has("donning_time_s"));
     EXPECT_TRUE(has("display_delay_s"));
   }
-  const auto code = presenter.patient();
+  const auto code = presenter.state().choices.patient;
   therapist.add_patient();
   EXPECT_EQ(presenter.seating().presentation(), Presentation{}) << "nothing of somebody else";
-  presenter.choose_patient(code);
+  presenter.choices().choose_patient(code);
   ASSERT_TRUE(wait_until([&] { return presenter.seating().presentation() == half; }));
-  presenter.choose_hand(Hand::left);
+  presenter.choices().choose_hand(Hand::left);
   EXPECT_FALSE(presenter.seating().posture().said()) << "of the other hand";
-  presenter.choose_hand(Hand::right);
+  presenter.choices().choose_hand(Hand::right);
   ASSERT_TRUE(wait_until([&] { return presenter.seating().posture() == posture; }));
   EXPECT_TRUE(therapist.find<QAbstractButton>("strapped").text().contains("as last time"));
 }

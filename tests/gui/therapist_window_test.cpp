@@ -27,14 +27,14 @@ class SessionWindow : public QtTest {
     EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
   }
   ~SessionWindow() override {
-    presenter_.end_session();
-    EXPECT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+    presenter_.connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !presenter_.state().busy(); }));
   }
 
   void choose_protocol(const std::string& name) {
-    for (std::size_t i = 0; i < presenter_.protocols().size(); ++i)
-      if (presenter_.protocols()[i].spec.name == name)
-        return presenter_.choose_protocol(static_cast<int>(i));
+    for (std::size_t i = 0; i < presenter_.state().library.protocols.size(); ++i)
+      if (presenter_.state().library.protocols[i].spec.name == name)
+        return presenter_.choices().choose_protocol(static_cast<int>(i));
     FAIL() << name;
   }
 
@@ -60,35 +60,35 @@ TEST_F(SessionWindow, EnterPressesTheButtonThatHasTheFocus) {
   operator_.add_patient();
   auto& left = operator_.find<QPushButton>("hand_left");
   for (const auto key : {Qt::Key_Return, Qt::Key_Enter}) {
-    presenter_.choose_hand(Hand::right);
+    presenter_.choices().choose_hand(Hand::right);
     left.setFocus();
     ASSERT_EQ(windows_.therapist().focusWidget(), &left);
     QTest::keyClick(&left, key);
-    EXPECT_EQ(presenter_.hand(), Hand::left);
+    EXPECT_EQ(presenter_.state().choices.today.hand, Hand::left);
   }
 }
 
 TEST_F(SessionWindow, OneButtonIsFilledAndTheHandSettlesBeforeAnythingStarts) {
   operator_.prepare_person();
   choose_protocol("First session");
-  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_connect; }));
+  ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_connect; }));
   EXPECT_EQ(filled(), Names{"connect"});
   operator_.press("connect");
-  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_zero; }));
+  ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_zero; }));
   EXPECT_EQ(filled(), Names{"zero"});
   operator_.set_zero();
-  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_strap; }));
+  ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_strap; }));
   EXPECT_EQ(filled(), Names{"strapped"});
   QTest::keyClick(&windows_.therapist(), Qt::Key_F8);
-  EXPECT_FALSE(presenter_.under_way()) << "F8 does not skip the minute";
+  EXPECT_FALSE(presenter_.flow().under_way()) << "F8 does not skip the minute";
   operator_.open_section(Step::zero);  // once more, though nothing asks for it
   operator_.press("zero");
   EXPECT_TRUE(operator_.find<QWidget>("zero_confirmed").isVisible());
   EXPECT_EQ(filled(), Names{"strapped"});
   operator_.press("zero_not_yet");
   operator_.press("strapped");
-  ASSERT_TRUE(wait_until([&] { return presenter_.view().may_stop; }))
-      << "it goes on by itself: " << presenter_.view().sentence;
+  ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_stop; }))
+      << "it goes on by itself: " << presenter_.flow().view().sentence;
 }
 
 TEST_F(SessionWindow, TheQuestionOfAnInterruptedProtocolIsReadableOnASmallDisplay) {
@@ -98,15 +98,15 @@ TEST_F(SessionWindow, TheQuestionOfAnInterruptedProtocolIsReadableOnASmallDispla
   operator_.set_zero();
   operator_.press("strapped");
   // Zero and resting force would be asked again; the maximum is done.
-  ASSERT_TRUE(wait_until([&] { return presenter_.guide().acts_done() >= 3; }, 120));
-  presenter_.stand_by();
+  ASSERT_TRUE(wait_until([&] { return presenter_.state().guide().acts_done() >= 3; }, 120));
+  presenter_.protocol().stand_by();
   operator_.disconnect();
   auto& window = windows_.therapist();
   window.resize(1280, 720);
   operator_.press("hand_right");
   operator_.press("screening_clear");
-  ASSERT_TRUE(wait_until([&] { return presenter_.earlier().has_value(); }));
-  EXPECT_EQ(presenter_.view().next(), Step::work) << "its step is open";
+  ASSERT_TRUE(wait_until([&] { return presenter_.state().choices.interrupted.acts.has_value(); }));
+  EXPECT_EQ(presenter_.flow().view().next(), Step::work) << "its step is open";
   QTest::qWait(50);
   for (const char* name : {"earlier_question", "earlier_go_on", "earlier_anew"}) {
     auto& part = operator_.find<QWidget>(name);
@@ -117,7 +117,7 @@ TEST_F(SessionWindow, TheQuestionOfAnInterruptedProtocolIsReadableOnASmallDispla
         << name;
   }
   operator_.press("earlier_go_on");
-  EXPECT_TRUE(presenter_.view().may_connect);
+  EXPECT_TRUE(presenter_.flow().view().may_connect);
 }
 
 TEST_F(SessionWindow, TheSentenceOfTheEndNamesButtonsThatAreThere) {
@@ -126,13 +126,13 @@ TEST_F(SessionWindow, TheSentenceOfTheEndNamesButtonsThatAreThere) {
   operator_.press("connect");
   operator_.set_zero();
   EXPECT_FALSE(operator_.find<QWidget>("end_report").isVisible());
-  ASSERT_TRUE(wait_until([&] { return presenter_.guide().acts_done() == 1; }));
-  while (!presenter_.guide().over()) presenter_.skip();
-  EXPECT_NE(presenter_.view().sentence.find("report, or disconnect"), std::string::npos);
+  ASSERT_TRUE(wait_until([&] { return presenter_.state().guide().acts_done() == 1; }));
+  while (!presenter_.state().guide().over()) presenter_.protocol().skip();
+  EXPECT_NE(presenter_.flow().view().sentence.find("report, or disconnect"), std::string::npos);
   EXPECT_TRUE(operator_.find<QWidget>("end_report").isVisible());
   EXPECT_FALSE(operator_.find<QWidget>("start").isVisible());
   operator_.press("end_disconnect");
-  ASSERT_TRUE(wait_until([&] { return !presenter_.busy(); }));
+  ASSERT_TRUE(wait_until([&] { return !presenter_.state().busy(); }));
 }
 
 TEST_F(SessionWindow, ALongSummaryKeepsItsBeginning) {
@@ -215,10 +215,10 @@ TEST_F(FileInUseTest, LookingChangesNothingAndBeginsNoSession) {
   ASSERT_TRUE(wait_until([&] { return windows.clinic().is_open(); }));
   auto& presenter = windows.presenter();
   ASSERT_EQ(windows.clinic().patients().size(), 1U);
-  presenter.choose_patient("P-0427");
-  presenter.choose_hand(Hand::right);
-  EXPECT_FALSE(presenter.view().may_connect);
-  EXPECT_EQ(presenter.view().situation, Situation::look_only);
+  presenter.choices().choose_patient("P-0427");
+  presenter.choices().choose_hand(Hand::right);
+  EXPECT_FALSE(presenter.flow().view().may_connect);
+  EXPECT_EQ(presenter.flow().view().situation, Situation::look_only);
   const Operator therapist(windows);
   EXPECT_FALSE(therapist.find<QPushButton>("add_patient").isEnabled());
 }

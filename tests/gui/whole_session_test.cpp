@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "gui/presenter/next_words.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
 #include "storage/access/open_store.hpp"
@@ -26,8 +27,8 @@ class WholeSession : public QtTest {
     windows_.show();
   }
   ~WholeSession() override {
-    windows_.presenter().end_session();
-    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+    windows_.presenter().connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
   }
 
   /// Both windows as test output.
@@ -64,32 +65,33 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   operator_.prepare("sim://healthy?seed=7");
   keep_picture("zeroed");
 
-  EXPECT_EQ(presenter.view().next(), Step::rest);
+  EXPECT_EQ(presenter.flow().view().next(), Step::rest);
   operator_.strap_in();
   operator_.run_task();
-  EXPECT_EQ(presenter.view().next(), Step::work);
+  EXPECT_EQ(presenter.flow().view().next(), Step::work);
   operator_.run_task();
-  EXPECT_EQ(presenter.view().next(), Step::work);
+  EXPECT_EQ(presenter.flow().view().next(), Step::work);
   operator_.start_task();
   QTest::qWait(2000);
-  EXPECT_FALSE(presenter.live_score().empty()) << "the score is live";
+  EXPECT_FALSE(presenter.state().live_score().empty()) << "the score is live";
   keep_picture("tracking");
   operator_.press("pause");
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == session::Stage::paused; }));
-  EXPECT_EQ(presenter.picture().notice, PatientPicture::Notice::pause);
+  ASSERT_TRUE(
+      wait_until([&] { return presenter.state().snapshot().stage == session::Stage::paused; }));
+  EXPECT_EQ(presenter.patient_view().picture().notice, PatientPicture::Notice::pause);
   QTest::qWait(100);
   keep_picture("paused");
   operator_.press("pause");  // now Resume
   operator_.finish_task();
-  EXPECT_FALSE(presenter.view().next().has_value()) << "every step is done";
+  EXPECT_FALSE(presenter.flow().view().next().has_value()) << "every step is done";
   EXPECT_GT(operator_.find<QTableWidget>("score").rowCount(), 0);
   ASSERT_TRUE(wait_until([&] { return windows_.clinic().history().size() > 0; }));
 
   operator_.choose_task("pose_targets");
   operator_.start_task();
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().grasp.contact[0]; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.state().snapshot().grasp.contact[0]; }));
   QTest::qWait(200);
-  EXPECT_EQ(presenter.picture().page, PatientPicture::Page::object);
+  EXPECT_EQ(presenter.patient_view().picture().page, PatientPicture::Page::object);
   keep_picture("object");
   operator_.press("stop");
   operator_.finish_task();
@@ -97,7 +99,7 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   const auto pdf = folder_.path("report.pdf");
   bool written = false;
   QObject::connect(&windows_.clinic().report(), &ReportWork::written, [&] { written = true; });
-  windows_.clinic().report().start(presenter.patient(), pdf);
+  windows_.clinic().report().start(presenter.state().choices.patient, pdf);
   ASSERT_TRUE(wait_until([&] { return written; }));
   EXPECT_TRUE(std::filesystem::exists(pdf));
   EXPECT_GT(windows_.patient()->rate().pictures, 0);
@@ -112,7 +114,8 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   for (const auto& trial : trials) EXPECT_EQ(trial.dropped, 0);
 
   operator_.disconnect();
-  EXPECT_FALSE(presenter.hand().has_value()) << "asked anew in the next session";
+  EXPECT_FALSE(presenter.state().choices.today.hand.has_value())
+      << "asked anew in the next session";
 }
 
 /// Presses of a mouse button and of keys, wherever they go.
@@ -137,9 +140,9 @@ TEST_F(WholeSession, AFirstSessionNeedsAtMostFifteenClicksAndNoTyping) {
   auto& presenter = windows_.presenter();
   ASSERT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
   // The battery is proposed, and takes ten minutes: a shorter one takes its place here.
-  for (std::size_t i = 0; i < presenter.protocols().size(); ++i)
-    if (presenter.protocols()[i].spec.name == "First session")
-      presenter.choose_protocol(static_cast<int>(i));
+  for (std::size_t i = 0; i < presenter.state().library.protocols.size(); ++i)
+    if (presenter.state().library.protocols[i].spec.name == "First session")
+      presenter.choices().choose_protocol(static_cast<int>(i));
   const Counter counter;
   operator_.press("add_patient");
   operator_.press("hand_right");
@@ -152,11 +155,11 @@ TEST_F(WholeSession, AFirstSessionNeedsAtMostFifteenClicksAndNoTyping) {
   operator_.press("connect");
   operator_.press("zero");
   operator_.press("zero_confirmed");
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().zeroed; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.state().snapshot().zeroed; }));
   operator_.press("strapped");
   // Nobody presses Start: the resting force follows when the hand has settled.
-  ASSERT_TRUE(wait_until([&] { return presenter.guide().over(); }, 250))
-      << presenter.view().sentence;
+  ASSERT_TRUE(wait_until([&] { return presenter.state().guide().over(); }, 250))
+      << presenter.flow().view().sentence;
   operator_.press("effort_4");
   operator_.press("pain_0");
   EXPECT_GT(operator_.find<QTableWidget>("score").rowCount(), 0) << "the result";
@@ -176,52 +179,53 @@ TEST_F(WholeSession, AFirstSessionNeedsAtMostFifteenClicksAndNoTyping) {
   std::printf("clicks from an empty window to the report: %d\n", counter.clicks);
   windows_.therapist().show_page(TherapistWindow::Page::session);
   operator_.press("end_disconnect");
-  ASSERT_TRUE(wait_until([&] { return !presenter.busy(); }));
+  ASSERT_TRUE(wait_until([&] { return !presenter.state().busy(); }));
   EXPECT_GE(stored_trials().size(), 3U);
 }
 
 TEST_F(WholeSession, AProtocolGoesOnByItselfUntilSomebodyHoldsIt) {
   auto& presenter = windows_.presenter();
   operator_.prepare_person();
-  const auto& protocols = presenter.protocols();
+  const auto& protocols = presenter.state().library.protocols;
   const auto found = std::find_if(protocols.begin(), protocols.end(), [](const auto& protocol) {
     return protocol.spec.name == "Short demonstration";
   });
   ASSERT_NE(found, protocols.end());
-  presenter.choose_protocol(static_cast<int>(found - protocols.begin()));
+  presenter.choices().choose_protocol(static_cast<int>(found - protocols.begin()));
   operator_.press("connect");
   operator_.set_zero();
-  ASSERT_TRUE(wait_until([&] { return presenter.guide().acts_done() == 1; }))
+  ASSERT_TRUE(wait_until([&] { return presenter.state().guide().acts_done() == 1; }))
       << "the zero is the first act";
-  presenter.start();
-  EXPECT_FALSE(presenter.view().may_stop) << "F8 skips neither the word nor the minute";
+  presenter.trials().start();
+  EXPECT_FALSE(presenter.flow().view().may_stop) << "F8 skips neither the word nor the minute";
   operator_.press("strapped");
-  EXPECT_TRUE(presenter.guide().goes_on());
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().trial_number == 1; }))
-      << "the resting force begins when the hand has settled: " << presenter.view().sentence;
-  ASSERT_TRUE(wait_until([&] { return presenter.view().may_stand_by; }));
-  EXPECT_NE(presenter.view().sentence.find("Next, in"), std::string::npos)
-      << presenter.view().sentence;
+  EXPECT_TRUE(presenter.state().guide().goes_on());
+  ASSERT_TRUE(wait_until([&] { return presenter.state().snapshot().trial_number == 1; }))
+      << "the resting force begins when the hand has settled: " << presenter.flow().view().sentence;
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_stand_by; }));
+  EXPECT_NE(presenter.flow().view().sentence.find("Next, in"), std::string::npos)
+      << presenter.flow().view().sentence;
   // Nobody presses: the maximum begins when its instruction has been read.
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().trial_number == 2; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.state().snapshot().trial_number == 2; }));
   operator_.press("helped");
-  ASSERT_TRUE(wait_until([&] { return presenter.view().may_stand_by; }));
-  presenter.start_pause_resume();
-  EXPECT_FALSE(presenter.guide().goes_on()) << "the one key holds what would begin by itself";
-  EXPECT_FALSE(presenter.view().may_stop) << "and does not begin it sooner";
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_stand_by; }));
+  presenter.trials().start_pause_resume();
+  EXPECT_FALSE(presenter.state().guide().goes_on())
+      << "the one key holds what would begin by itself";
+  EXPECT_FALSE(presenter.flow().view().may_stop) << "and does not begin it sooner";
   operator_.press("skip");
-  EXPECT_EQ(presenter.next_words(), "Two targets");
+  EXPECT_EQ(next_words(presenter.state()), "Two targets");
   operator_.press("repeat");  // the maximum, beside the protocol
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().trial_number == 3; }));
-  ASSERT_TRUE(wait_until([&] { return !presenter.view().may_stop; }));
-  EXPECT_EQ(presenter.next_words(), "Two targets") << "where the protocol stood";
+  ASSERT_TRUE(wait_until([&] { return presenter.state().snapshot().trial_number == 3; }));
+  ASSERT_TRUE(wait_until([&] { return !presenter.flow().view().may_stop; }));
+  EXPECT_EQ(next_words(presenter.state()), "Two targets") << "where the protocol stood";
   operator_.press("skip");
-  EXPECT_TRUE(presenter.guide().over());
-  EXPECT_TRUE(presenter.guide().rating_due());
+  EXPECT_TRUE(presenter.state().guide().over());
+  EXPECT_TRUE(presenter.state().guide().rating_due());
   operator_.press("effort_4");
   operator_.press("pain_5");
-  EXPECT_NE(presenter.view().sentence.find("stop the work"), std::string::npos)
-      << presenter.view().sentence;
+  EXPECT_NE(presenter.flow().view().sentence.find("stop the work"), std::string::npos)
+      << presenter.flow().view().sentence;
   operator_.disconnect();
 
   const auto trials = stored_trials();
@@ -245,17 +249,18 @@ TEST_F(WholeSession, ZeroAndRestAreTwoActs) {
   auto& presenter = windows_.presenter();
   operator_.prepare("sim://healthy?seed=7");
   EXPECT_TRUE(operator_.find<QAbstractButton>("zero_changed").isHidden());
-  EXPECT_NE(presenter.view().sentence.find("Strap the hand in"), std::string::npos);
+  EXPECT_NE(presenter.flow().view().sentence.find("Strap the hand in"), std::string::npos);
   operator_.press("strapped");
-  ASSERT_TRUE(wait_until([&] { return !presenter.view().may_start; }, 5))
-      << presenter.view().sentence << " / " << presenter.next_words();
-  EXPECT_NE(presenter.view().sentence.find("settles"), std::string::npos)
-      << presenter.view().sentence;
+  ASSERT_TRUE(wait_until([&] { return !presenter.flow().view().may_start; }, 5))
+      << presenter.flow().view().sentence << " / " << next_words(presenter.state());
+  EXPECT_NE(presenter.flow().view().sentence.find("settles"), std::string::npos)
+      << presenter.flow().view().sentence;
   operator_.set_zero();  // the hand is out again
-  EXPECT_FALSE(presenter.view().may_start) << "and goes in again first";
+  EXPECT_FALSE(presenter.flow().view().may_start) << "and goes in again first";
   operator_.strap_in();
   operator_.run_task();
-  EXPECT_EQ(presenter.view().sentence.find("At rest thumb"), 0u) << presenter.view().sentence;
+  EXPECT_EQ(presenter.flow().view().sentence.find("At rest thumb"), 0u)
+      << presenter.flow().view().sentence;
 }
 
 TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
@@ -263,16 +268,17 @@ TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
   windows_.show_patient_screen();
   auto& presenter = windows_.presenter();
   operator_.prepare_person();
-  presenter.choose_device("replay://" + write_recording_with_gap(folder_));
+  presenter.choices().choose_device("replay://" + write_recording_with_gap(folder_));
   operator_.press("connect");
-  ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
-  EXPECT_TRUE(wait_until([&] { return presenter.view().next() == Step::work; }))
+  ASSERT_TRUE(wait_until([&] { return presenter.state().session_open(); }));
+  EXPECT_TRUE(wait_until([&] { return presenter.flow().view().next() == Step::work; }))
       << "a recording needs no zero, rest or maximum";
   operator_.start_task();
-  ASSERT_TRUE(wait_until([&] { return presenter.snapshot().stage == session::Stage::paused; }));
+  ASSERT_TRUE(
+      wait_until([&] { return presenter.state().snapshot().stage == session::Stage::paused; }));
   QTest::qWait(100);
-  EXPECT_EQ(presenter.picture().notice, PatientPicture::Notice::fault);
-  EXPECT_EQ(presenter.view().mood, Mood::fault) << presenter.view().sentence;
+  EXPECT_EQ(presenter.patient_view().picture().notice, PatientPicture::Notice::fault);
+  EXPECT_EQ(presenter.flow().view().mood, Mood::fault) << presenter.flow().view().sentence;
   EXPECT_FALSE(operator_.find<QLabel>("sentence").text().isEmpty());
   keep_picture("fault");
 }
@@ -280,14 +286,14 @@ TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
 TEST_F(WholeSession, AZeroWithLostSamplesIsRefusedInWords) {
   auto& presenter = windows_.presenter();
   operator_.prepare_person();
-  presenter.choose_device("sim://healthy?seed=7&drop=0.25");
+  presenter.choices().choose_device("sim://healthy?seed=7&drop=0.25");
   operator_.press("connect");
   operator_.press("zero");
   operator_.press("zero_confirmed");
   ASSERT_TRUE(wait_until([&] {
-    return presenter.view().sentence.find("Zero refused") != std::string::npos;
-  })) << presenter.view().sentence;
-  EXPECT_FALSE(presenter.view().may_start);
+    return presenter.flow().view().sentence.find("Zero refused") != std::string::npos;
+  })) << presenter.flow().view().sentence;
+  EXPECT_FALSE(presenter.flow().view().may_start);
 }
 
 }  // namespace

@@ -83,15 +83,16 @@ TEST_F(TherapistWindowTest, NoHandIsChosenBeforehand) {
   operator_.add_patient();
   EXPECT_FALSE(operator_.find<QPushButton>("hand_left").isChecked());
   EXPECT_FALSE(operator_.find<QPushButton>("hand_right").isChecked());
-  EXPECT_FALSE(windows_.presenter().hand().has_value());
+  EXPECT_FALSE(windows_.presenter().state().choices.today.hand.has_value());
 }
 
 TEST_F(TherapistWindowTest, AnotherPatientIsAskedForTheHandAgain) {
   operator_.add_patient();
   operator_.press("hand_left");
-  EXPECT_EQ(windows_.presenter().hand(), Hand::left);
+  EXPECT_EQ(windows_.presenter().state().choices.today.hand, Hand::left);
   operator_.add_patient();
-  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().hand().has_value(); }));
+  ASSERT_TRUE(
+      wait_until([&] { return !windows_.presenter().state().choices.today.hand.has_value(); }));
 }
 
 TEST_F(TherapistWindowTest, AHandThatIsNotTheAffectedOneMustBeConfirmed) {
@@ -99,28 +100,28 @@ TEST_F(TherapistWindowTest, AHandThatIsNotTheAffectedOneMustBeConfirmed) {
   auto& presenter = windows_.presenter();
   storage::PatientProfile profile;
   profile.affected = storage::Side::left;
-  windows_.clinic().save_profile(presenter.patient(), profile);
+  windows_.clinic().save_profile(presenter.state().choices.patient, profile);
   ASSERT_TRUE(wait_until([&] {
     const auto& file = windows_.clinic().file();
     return file && file->profile.affected == storage::Side::left;
   }));
   operator_.press("hand_right");
-  EXPECT_EQ(presenter.view().next(), Step::hand);
-  EXPECT_NE(presenter.view().sentence.find("not the affected hand"), std::string::npos);
+  EXPECT_EQ(presenter.flow().view().next(), Step::hand);
+  EXPECT_NE(presenter.flow().view().sentence.find("not the affected hand"), std::string::npos);
   operator_.press("confirm_hand");
-  EXPECT_EQ(presenter.view().next(), Step::screening);
+  EXPECT_EQ(presenter.flow().view().next(), Step::screening);
   operator_.open_section(Step::hand);
   operator_.press("hand_left");
-  EXPECT_EQ(presenter.view().next(), Step::screening) << "the affected one needs no word";
+  EXPECT_EQ(presenter.flow().view().next(), Step::screening) << "the affected one needs no word";
   profile.affected = storage::Side::right;
-  windows_.clinic().save_profile(presenter.patient(), profile);
-  ASSERT_TRUE(wait_until([&] { return presenter.hand_to_confirm(); }))
+  windows_.clinic().save_profile(presenter.state().choices.patient, profile);
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().hand_to_confirm(); }))
       << "also if it is told, or read, after the hand was chosen";
 }
 
 TEST_F(TherapistWindowTest, WhatWasTypedIsStoredWhenTheWindowCloses) {
   operator_.add_patient();
-  const auto code = windows_.presenter().patient();
+  const auto code = windows_.presenter().state().choices.patient;
   windows_.therapist().show_page(TherapistWindow::Page::patient);
   operator_.find<QTabWidget>("patient_tabs").setCurrentIndex(1);
   auto& goals = operator_.find<QPlainTextEdit>("goals");
@@ -151,20 +152,21 @@ TEST_F(TherapistWindowTest, ANumberIsAnsweredFromTheKeyboard) {
   zero.setFocus();
   for (int value = 0; value < 3; ++value)
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
-  EXPECT_FALSE(windows_.presenter().screening().pain.has_value()) << "moving answers nothing";
+  EXPECT_FALSE(windows_.presenter().state().choices.today.screening.pain.has_value())
+      << "moving answers nothing";
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
-  EXPECT_EQ(windows_.presenter().screening().pain, 3);
+  EXPECT_EQ(windows_.presenter().state().choices.today.screening.pain, 3);
 }
 
 TEST_F(TherapistWindowTest, ARecordingFollowsNoProtocol) {
   auto& presenter = windows_.presenter();
-  ASSERT_NE(presenter.protocol(), SessionPresenter::kByHand) << "one is proposed";
+  ASSERT_NE(presenter.state().choices.protocol, Choices::kByHand) << "one is proposed";
   operator_.prepare_person();
-  presenter.choose_device("replay://" + write_recording_with_gap(folder_));
-  EXPECT_FALSE(presenter.has_protocol());
+  presenter.choices().choose_device("replay://" + write_recording_with_gap(folder_));
+  EXPECT_FALSE(presenter.state().has_protocol());
   operator_.press("connect");
-  ASSERT_TRUE(wait_until([&] { return presenter.session_open(); }));
-  EXPECT_FALSE(presenter.follows());
+  ASSERT_TRUE(wait_until([&] { return presenter.state().session_open(); }));
+  EXPECT_FALSE(presenter.state().follows());
   operator_.disconnect();
   auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
   EXPECT_EQ((*store)->recent_sessions(1)->front().protocol_name, "");
@@ -238,30 +240,31 @@ TEST_F(TherapistWindowTest, KeysAndClicksPassOverTheHeadingsOfTheTaskList) {
   int headings = 0;
   for (int row = 0; row < list.count(); ++row) headings += number(row).isValid() ? 0 : 1;
   EXPECT_GE(headings, 3);
-  EXPECT_EQ(list.count() - headings, static_cast<int>(windows_.presenter().tasks().size()));
+  EXPECT_EQ(list.count() - headings,
+            static_cast<int>(windows_.presenter().state().library.tasks.size()));
   EXPECT_FALSE(number(0).isValid()) << "a heading comes first";
   list.setFocus();
-  std::set<int> visited{windows_.presenter().task()};
+  std::set<int> visited{windows_.presenter().state().task()};
   for (int step = 0; step < list.count(); ++step) {
     QTest::keyClick(&list, Qt::Key_Down);
     ASSERT_TRUE(number(list.currentRow()).isValid()) << list.currentRow();
-    EXPECT_EQ(number(list.currentRow()).toInt(), windows_.presenter().task());
-    visited.insert(windows_.presenter().task());
+    EXPECT_EQ(number(list.currentRow()).toInt(), windows_.presenter().state().task());
+    visited.insert(windows_.presenter().state().task());
   }
-  EXPECT_EQ(visited.size(), windows_.presenter().tasks().size());
-  const int chosen = windows_.presenter().task();
+  EXPECT_EQ(visited.size(), windows_.presenter().state().library.tasks.size());
+  const int chosen = windows_.presenter().state().task();
   QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier,
                     list.visualItemRect(list.item(0)).center());
-  EXPECT_EQ(windows_.presenter().task(), chosen);
+  EXPECT_EQ(windows_.presenter().state().task(), chosen);
 }
 
 TEST_F(TherapistWindowTest, AnAbsentDeviceIsRefusedInWords) {
   operator_.add_patient();
   operator_.press("hand_right");
   operator_.press("screening_clear");
-  windows_.presenter().choose_device("replay:///nowhere/recording.csv");
+  windows_.presenter().choices().choose_device("replay:///nowhere/recording.csv");
   operator_.press("connect");
-  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().busy(); }));
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
   const auto words = operator_.find<QLabel>("device_words").text();
   EXPECT_TRUE(words.contains("recording.csv")) << words.toStdString();
   EXPECT_TRUE(operator_.find<QPushButton>("connect").isEnabled()) << "it can be tried again";
@@ -304,8 +307,8 @@ TEST(Database, ThatIsNoDatabaseIsNamedInTheWindow) {
   const auto path = folder.write("notes.txt", "These are my notes, not a database.\n");
   Windows windows({path, "", make_short_library(folder), "test"});
   windows.therapist().show();
-  ASSERT_TRUE(wait_until([&] { return windows.presenter().view().mood == Mood::fault; }));
-  EXPECT_NE(windows.presenter().view().sentence.find("notes.txt"), std::string::npos);
+  ASSERT_TRUE(wait_until([&] { return windows.presenter().flow().view().mood == Mood::fault; }));
+  EXPECT_NE(windows.presenter().flow().view().sentence.find("notes.txt"), std::string::npos);
 }
 
 // Pages of the patient's screen.

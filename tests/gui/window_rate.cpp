@@ -75,21 +75,22 @@ std::vector<Pictures> work(const std::string& database, const std::string& libra
         {page, count / (static_cast<double>(timer.elapsed()) * 1e-3), drawing_s / count * 1e3});
   };
   const auto begin = [&] {
-    presenter.start();
-    EXPECT_TRUE(wait_until([&] { return presenter.snapshot().stage == session::Stage::trial; }));
+    presenter.trials().start();
+    EXPECT_TRUE(
+        wait_until([&] { return presenter.state().snapshot().stage == session::Stage::trial; }));
   };
   begin();
-  measure("force that follows a line", [&] { return !presenter.view().may_stop; });
-  EXPECT_TRUE(wait_until([&] { return presenter.view().may_choose_task; }));
+  measure("force that follows a line", [&] { return !presenter.flow().view().may_stop; });
+  EXPECT_TRUE(wait_until([&] { return presenter.flow().view().may_choose_task; }));
   therapist.choose_task("pose_targets");
   begin();
   QElapsedTimer timer;
   timer.start();
   measure("object in 3D",
-          [&] { return !presenter.view().may_stop || timer.elapsed() > 1000 * kObject_s; });
-  presenter.stop();
-  presenter.end_session();
-  EXPECT_TRUE(wait_until([&] { return !presenter.busy(); }));
+          [&] { return !presenter.flow().view().may_stop || timer.elapsed() > 1000 * kObject_s; });
+  presenter.trials().stop();
+  presenter.connecting().end_session();
+  EXPECT_TRUE(wait_until([&] { return !presenter.state().busy(); }));
   return pictures;
 }
 

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/presenter/connecting.hpp"
+
+#include <cstdio>
+#include <utility>
+
+#include "gui/library/task_groups.hpp"
+#include "gui/words/texts.hpp"
+
+namespace isograsp::gui {
+
+Connecting::Connecting(const ActContext& with, SessionChoices& choices, NextWork& next)
+    : state_(with.state),
+      flow_(with.flow),
+      clinic_(with.clinic),
+      settings_(with.settings),
+      seating_(with.seating),
+      worker_(with.worker),
+      example_(with.example),
+      clock_(with.clock),
+      choices_(choices),
+      next_(next),
+      room_(with.state.config.database) {}
+
+void Connecting::connect_device() {
+  if (!flow_.view().may_connect) return;
+  example_.stop();
+  ConnectionState& connection = state_.connection;
+  const auto config = session_config(connection.failure && connection.failure->asks_clock);
+  connection = {};
+  connection.phase = Connection::opening;
+  using Opened = Result<std::unique_ptr<session::Session>>;
+  worker_.run(
+      [config, stop = connection.opening.get_token()]() -> Opened {
+        if (stop.stop_requested()) return cancelled();
+        auto opened = session::Session::open(config);
+        if (stop.stop_requested()) return cancelled();
+        return opened;
+      },
+      [this, stop = connection.opening.get_token(),
+       stored = seating_.presentation()](Opened opened) {
+        if (stop.stop_requested()) {
+          // Cancelled after the worker had looked: closing takes its time.
+          if (opened) close_on_worker(*std::move(opened), [](const std::optional<Error>&) {});
+          return;
+        }
+        take(std::move(opened), stored);
+      });
+  flow_.update();
+}
+
+session::SessionConfig Connecting::session_config(bool clock_is_right) const {
+  const Choices& choices = state_.choices;
+  const GuiConfig& started = state_.config;
+  const Settings& settings = settings_.now();
+  const Screening& screening = choices.today.screening;
+  session::SessionConfig config;
+  config.database = started.database;
+  config.patient_code = choices.patient;
+  config.hand = *choices.today.hand;
+  config.device_uri = choices.device_uri;
+  config.library = started.library;
+  config.software_version = started.software_version;
+  config.operator_name = !choices.operator_name.empty()   ? choices.operator_name
+                         : !started.operator_name.empty() ? started.operator_name
+                                                          : settings.operator_name;
+  config.realtime = started.realtime;
+  config.allowed = screening.allowed;
+  config.ceiling_N = screening.ceiling_N;
+  config.answers = stored(screening);
+  for (auto& answer : stored(seating_.presentation())) config.answers.push_back(std::move(answer));
+  const auto& delay_s = settings.display_delay_s;
+  config.answers.push_back(
+      {"screen", "display_delay_s",
+       delay_s ? QString::number(*delay_s, 'f', 4).toStdString() : "not measured"});
+  config.display_delay_s = delay_s;
+  config.resume = choices.interrupted.go_on.value_or(false);
+  config.clock_is_right = clock_is_right;
+  if (state_.has_protocol()) {
+    config.protocol_name = state_.chosen_protocol().spec.name;
+    config.protocol_text = state_.chosen_protocol().spec.text;
+  }
+  config.settle_after_strapping_s = started.settle_after_strapping_s;
+  return config;
+}
+
+void Connecting::take(Result<std::unique_ptr<session::Session>> opened,
+                      const Presentation& stored) {
+  if (opened) {
+    begin(*std::move(opened), stored);
+  } else {
+    state_.connection.phase = Connection::none;
+    Error error = opened.error();
+    const bool asks_clock = error.field == "clock";
+    if (asks_clock) error.remedy = "set the clock, or connect again if it is right";
+    state_.connection.failure = {shown(error).toStdString(), false, asks_clock};
+    room_.begin();  // perhaps the disk is full
+  }
+  flow_.update();
+  Q_EMIT flow_.settled();
+}
+
+void Connecting::begin(std::unique_ptr<session::Session> session, const Presentation& stored) {
+  const Choices& choices = state_.choices;
+  const bool numb_skin = choices.today.screening.applies[static_cast<std::size_t>(Caution::skin)];
+  const auto task =
+      first_task(state_.library.tasks, session->device().recorded ? is_free_handling : is_rest);
+  state_.left = {};
+  state_.open.emplace(std::move(session), clock_.now(), numb_skin, stored,
+                      task.value_or(choices.task));
+  state_.connection.phase = Connection::open;
+  take_earlier_work();
+  if (const auto got = state_.realtime(); !got.empty() && !std::exchange(realtime_said_, true))
+    std::fprintf(stderr, "isograsp: note: acquisition with %s\n", got.c_str());
+  next_.begin();
+}
+
+/// The hand has worked before the session was interrupted.
+void Connecting::take_earlier_work() {
+  OpenSession& open = *state_.open;
+  for (const auto& [trial, measures, ended_s] : open.session->earlier().trials) {
+    const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
+    if (spec && !is_rest(*spec))
+      open.limits.worked(static_cast<double>(trial.samples) / open.session->record().rate_Hz);
+    if (!trial.practice && !trial.helped) open.limits.tried(measures);
+  }
+}
+
+void Connecting::cancel() {
+  if (state_.connection.phase != Connection::opening) return;
+  state_.connection.opening.request_stop();
+  state_.connection.phase = Connection::none;
+  flow_.update();
+  Q_EMIT flow_.settled();
+}
+
+void Connecting::disconnect_device() {
+  if (flow_.view().may_disconnect) end_session();
+}
+
+void Connecting::end_session() {
+  cancel();
+  if (!state_.open) return;
+  state_.connection.failure.reset();
+  close();
+}
+
+void Connecting::break_off(const std::string& why) {
+  state_.connection.failure = {why, true, false};
+  keep_broken_trial(why);
+  close();
+}
+
+/// What was measured of a trial that could not be ended is that trial's, and no other one's.
+void Connecting::keep_broken_trial(const std::string& why) {
+  room_.begin();
+  OpenSession& open = *state_.open;
+  if (!open.trial) return;
+  session::TrialOutcome& outcome = open.traces.last_trial.emplace();
+  outcome.trial.task_name = open.trial->task->name;
+  outcome.trial.practice = open.trial->practice;
+  outcome.trial.status = storage::TrialStatus::interrupted;
+  outcome.reason = why;
+  outcome.measures = open.trial->score;
+  Q_EMIT flow_.score_changed();
+}
+
+void Connecting::close() {
+  example_.stop();
+  state_.connection.phase = Connection::closing;
+  auto leaving = std::move(state_.open->session);
+  state_.left = std::move(state_.open->traces);
+  state_.open.reset();
+  close_on_worker(std::move(leaving), [this](const std::optional<Error>& lost) {
+    ConnectionState& connection = state_.connection;
+    connection.phase = Connection::none;
+    connection.lost = lost;
+    if (lost && !state_.broken_off())  // the last look found it
+      connection.failure = {shown(*lost).toStdString(), true, false};
+    choices_.ask_anew();
+    clinic_.load_history(state_.choices.patient);
+    flow_.update();
+    Q_EMIT flow_.settled();
+  });
+  flow_.update();
+}
+
+template <class Closed>
+void Connecting::close_on_worker(std::unique_ptr<session::Session> session, Closed closed) {
+  worker_.run(
+      [leaving = std::make_shared<std::unique_ptr<session::Session>>(std::move(session))] {
+        (*leaving)->close();
+        auto lost = (*leaving)->failure();
+        leaving->reset();
+        return lost;
+      },
+      [closed = std::move(closed)](const std::optional<Error>& lost) { closed(lost); });
+}
+
+void Connecting::look() {
+  ConnectionState& connection = state_.connection;
+  if (connection.failure && connection.phase == Connection::none && room_.has_come_back())
+    connection.failure.reset();
+}
+
+}  // namespace isograsp::gui

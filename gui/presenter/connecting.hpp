@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way to the device and back: sessions are opened and closed on the worker. An act that the
+// flow does not allow is ignored. GUI thread.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "gui/clinic/disk_room.hpp"
+#include "gui/presenter/act_context.hpp"
+#include "gui/presenter/next_work.hpp"
+#include "gui/presenter/session_choices.hpp"
+
+namespace isograsp::gui {
+
+class Connecting {
+ public:
+  /// What is not in the context outlives it, too.
+  Connecting(const ActContext& with, SessionChoices& choices, NextWork& next);
+
+  // -> SessionFlow::settled()
+  /// Opens a session with what is chosen.
+  void connect_device();
+  /// At once for the therapist; what the worker has opened meanwhile is closed there.
+  void cancel();
+  void disconnect_device();
+  /// At once, whatever is running or being opened: the program is about to end.
+  void end_session();
+  /// It cannot go on: why. @pre a session is open
+  void break_off(const std::string& why);
+  /// Once a poll: a full disk is no reason any more when it has room again.
+  void look();
+
+ private:
+  [[nodiscard]] session::SessionConfig session_config(bool clock_is_right) const;
+  void take(Result<std::unique_ptr<session::Session>> opened, const Presentation& stored);
+  void begin(std::unique_ptr<session::Session> session, const Presentation& stored);
+  void take_earlier_work();
+  void keep_broken_trial(const std::string& why);
+  void close();
+  template <class Closed>
+  void close_on_worker(std::unique_ptr<session::Session> session, Closed closed);
+
+  SessionState& state_;
+  SessionFlow& flow_;
+  Clinic& clinic_;
+  const SettingsFile& settings_;
+  const Seating& seating_;
+  Background& worker_;
+  ExamplePlayer& example_;
+  const Clock& clock_;
+  SessionChoices& choices_;
+  NextWork& next_;
+  DiskRoom room_;               ///< after a session that could not be opened or go on
+  bool realtime_said_ = false;  ///< on standard error, once
+};
+
+}  // namespace isograsp::gui

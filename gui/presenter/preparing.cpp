@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/presenter/preparing.hpp"
+
+#include <QString>
+#include <cmath>
+#include <string>
+
+#include "gui/library/task_groups.hpp"
+
+namespace isograsp::gui {
+
+Preparing::Preparing(const ActContext& with, NextWork& next)
+    : state_(with.state),
+      flow_(with.flow),
+      seating_(with.seating),
+      example_(with.example),
+      clock_(with.clock),
+      next_(next) {}
+
+void Preparing::set_zero(bool accept_changed) {
+  const FlowView& view = flow_.view();
+  if (!(accept_changed ? view.may_accept_changed : view.may_zero)) return;
+  example_.stop();
+  Preparation& preparation = state_.open->preparation;
+  preparation.zero_refusal.clear();
+  preparation.zero_remark.clear();
+  preparation.zero_only_changed = false;
+  session::ZeroRequest request;
+  request.device_is_empty = true;
+  request.accept_changed = accept_changed;
+  if (auto started = state_.open->session->start_zero(request); started) {
+    preparation.zero_asked = true;
+    preparation.strapped = false;  // the hand is out
+  } else {
+    flow_.refuse(started.error());
+  }
+  flow_.update();
+}
+
+void Preparing::take(const session::ZeroOutcome& zero) {
+  OpenSession& open = *state_.open;
+  Preparation& preparation = open.preparation;
+  preparation.zero_asked = false;
+  preparation.zero_refusal = zero.accepted ? "" : zero.reason;
+  preparation.zero_only_changed = zero.only_changed;
+  preparation.zero_remark = zero.remark;
+  if (zero.accepted) {
+    if (!preparation.rest_done) next_.select_first(is_rest);
+    open.work.guide.zeroed(open.time_s());
+    preparation.zeroed_at = clock_.now();
+    next_.look_at_act();
+  }
+  Q_EMIT flow_.changed();
+}
+
+void Preparing::mark_strapped() {
+  if (!flow_.view().may_strap) return;
+  example_.stop();
+  OpenSession& open = *state_.open;
+  Preparation& preparation = open.preparation;
+  open.limits.straps_seen(open.time_s());
+  if (preparation.strapped) {  // looked at again
+    open.session->note("The straps were looked at.");
+    return flow_.update();
+  }
+  open.session->strapped();
+  preparation.strapped = true;
+  // The hand is in: after its minute the resting force follows, or what comes, if that is wanted.
+  if (open.work.follows() && (open.work.guide.rest_is_next() || preparation.rest_done))
+    open.work.guide.go_on(state_.choices.by_itself);
+  open.compensation.strapped();
+  preparation.shift_noted = {};
+  auto answers = stored(seating_.posture());
+  if (preparation.zeroed_at) {
+    const double donning_s = to_seconds(clock_.now() - *preparation.zeroed_at);
+    answers.push_back(
+        {"posture", "donning_time_s", QString::number(donning_s, 'f', 4).toStdString()});
+  }
+  if (auto taken = open.session->answer(answers); !taken) flow_.refuse(taken.error());
+  flow_.update();
+}
+
+void Preparing::look() {
+  OpenSession& open = *state_.open;
+  open.compensation.add(open.snapshot);
+  for (const Finger finger : kFingers) {
+    const auto shift_m = open.compensation.pad_shift_m(finger);
+    bool& noted = open.preparation.shift_noted[index_of(finger)];
+    if (noted || !shift_m || *shift_m <= session::kRemarkablePadShift_m) continue;
+    noted = true;
+    open.session->note("Pad shift: " + std::string(name_of(finger)) + " moved " +
+                       std::to_string(std::lround(*shift_m * 1000.0)) + " mm on its support");
+  }
+}
+
+}  // namespace isograsp::gui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Device and hand before the work: the zero of the empty device, and the straps. An act that the
+// flow does not allow is ignored. GUI thread.
+#pragma once
+
+#include "gui/presenter/act_context.hpp"
+#include "gui/presenter/next_work.hpp"
+
+namespace isograsp::gui {
+
+class Preparing {
+ public:
+  Preparing(const ActContext& with, NextWork& next);
+
+  /// The operator has confirmed that the device is empty, and perhaps that it was serviced or
+  /// remounted since its last zero.
+  void set_zero(bool accept_changed = false);
+  void mark_strapped();  ///< the hand is in and strapped, or the straps were looked at again
+
+  // @pre a session is open
+  void take(const session::ZeroOutcome& zero);
+  /// Once a poll. A finger that moved is noted with the session, once: its forces mean something
+  /// else since then.
+  void look();
+
+ private:
+  SessionState& state_;
+  SessionFlow& flow_;
+  const Seating& seating_;
+  ExamplePlayer& example_;
+  const Clock& clock_;
+  NextWork& next_;
+};
+
+}  // namespace isograsp::gui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of the work: effort and pain by the patient, help and notes by the therapist.
+// Without a session it is ignored. GUI thread.
+#pragma once
+
+#include <string>
+
+#include "gui/presenter/act_context.hpp"
+
+namespace isograsp::gui {
+
+class Remarks {
+ public:
+  explicit Remarks(const ActContext& with);
+
+  /// What the patient says of the work, 0 to 10 each; nothing is stored before both are known.
+  void rate_effort(int effort);
+  void rate_pain(int pain);
+  void show_rated();  ///< to correct it, after it was put away for the next answer
+  /// Another block of work begins: what was answered is put away.
+  void ask_rating_anew();
+  /// The therapist helps, or did in the last trial; again: takes it back.
+  void toggle_helped();
+  [[nodiscard]] bool may_help() const noexcept;
+  /// A remark at this moment, kept with the session.
+  void note(const std::string& text);
+
+ private:
+  void store_rating();
+
+  SessionState& state_;
+  SessionFlow& flow_;
+  Clinic& clinic_;
+};
+
+}  // namespace isograsp::gui

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/presenter/session_choices.hpp"
+
+#include <ctime>
+
+namespace isograsp::gui {
+
+namespace {
+
+/// As far as the work of an earlier session is looked for by it.
+storage::SessionRecord session_to_come(storage::RowId patient, Hand hand,
+                                       const std::string& device_uri,
+                                       const tasks::ProtocolSpec& protocol) {
+  storage::SessionRecord session;
+  session.patient_id = patient;
+  session.hand = hand;
+  session.simulated = device_uri.rfind("sim://", 0) == 0;
+  session.started_utc = utc_text(std::time(nullptr));
+  session.protocol_name = protocol.name;
+  session.protocol_text = protocol.text;
+  return session;
+}
+
+}  // namespace
+
+// Whoever goes on with the next session has read why the last one ended.
+
+SessionChoices::SessionChoices(const ActContext& with)
+    : state_(with.state), flow_(with.flow), clinic_(with.clinic), seating_(with.seating) {}
+
+void SessionChoices::choose_patient(const std::string& code) {
+  if (state_.busy() || code == state_.choices.patient) return;
+  state_.choices.patient = code;
+  ask_anew();
+  state_.connection.failure.reset();
+  state_.left = {};
+  clinic_.load_history(code);
+  clinic_.load_profile(code);
+  seating_.look(code, state_.choices.today.hand);
+  flow_.update();
+}
+
+void SessionChoices::choose_hand(Hand hand) {
+  if (!flow_.view().may_change_hand) return;
+  state_.connection.failure.reset();
+  auto& today = state_.choices.today;
+  if (today.hand != hand) today.screening = {};  // its outcome is that of one hand
+  today.hand = hand;
+  today.hand_confirmed = false;
+  look_for_earlier();
+  seating_.look(state_.choices.patient, hand);
+  flow_.update();
+}
+
+void SessionChoices::confirm_hand() {
+  if (!flow_.hand_to_confirm()) return;
+  state_.choices.today.hand_confirmed = true;
+  flow_.update();
+}
+
+void SessionChoices::answer_screening(const Screening& answers) {
+  if (state_.busy() || answers == state_.choices.today.screening) return;
+  state_.connection.failure.reset();
+  state_.choices.today.screening = answers;
+  flow_.update();
+}
+
+void SessionChoices::choose_device(const std::string& uri) {
+  if (!flow_.view().may_change_device) return;
+  state_.choices.device_uri = uri;
+  state_.connection.failure.reset();
+  look_for_earlier();
+  flow_.update();
+}
+
+void SessionChoices::choose_protocol(int index) {
+  if (state_.busy() || index == state_.choices.protocol) return;
+  state_.connection.failure.reset();
+  state_.choices.protocol = index;
+  look_for_earlier();
+  flow_.update();
+}
+
+void SessionChoices::decide_earlier(bool go_on) {
+  if (!state_.choices.interrupted.acts || state_.busy()) return;
+  state_.connection.failure.reset();
+  state_.choices.interrupted.go_on = go_on;
+  flow_.update();
+}
+
+void SessionChoices::name_operator(const std::string& name) {
+  state_.choices.operator_name = name;
+}
+
+void SessionChoices::ask_anew() {
+  state_.choices.today = {};
+  look_for_earlier();  // for nobody yet: what was asked before counts no more
+}
+
+void SessionChoices::look_for_earlier() {
+  const int lookup = ++lookups_;
+  Choices& choices = state_.choices;
+  choices.interrupted = {};
+  const auto& hand = choices.today.hand;
+  if (choices.patient.empty() || !hand || choices.device_uri.empty() || !state_.has_protocol())
+    return;
+  choices.interrupted.sought = clinic_.read(
+      this,
+      [code = choices.patient, hand = *hand, uri = choices.device_uri,
+       protocol = state_.chosen_protocol()](storage::SessionStore& store) -> std::optional<int> {
+        const auto patient = store.find_patient(code);
+        if (!patient || !*patient) return std::nullopt;
+        const auto session = session_to_come((*patient)->id, hand, uri, protocol.spec);
+        const auto work = session::read_earlier_work(store, session);
+        if (!work) return std::nullopt;  // nothing to resume
+        const session::ProtocolWalk walk(protocol, *work, session::order_seed(session, *work));
+        return walk.acts_done() > 0 ? std::optional(walk.acts_done()) : std::nullopt;
+      },
+      [this, lookup](std::optional<int> acts) {
+        if (lookup != lookups_) return;  // something else was chosen meanwhile
+        state_.choices.interrupted.sought = false;
+        state_.choices.interrupted.acts = acts;
+        flow_.update();
+      });
+}
+
+}  // namespace isograsp::gui

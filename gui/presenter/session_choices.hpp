@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the therapist chooses before a session: who works, with which hand and device, after which
+// answers, along which protocol. A choice that the flow does not allow is ignored. GUI thread.
+#pragma once
+
+#include <QObject>
+#include <string>
+
+#include "gui/presenter/act_context.hpp"
+
+namespace isograsp::gui {
+
+class SessionChoices final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SessionChoices(const ActContext& with);
+
+  void choose_patient(const std::string& code);
+  void choose_hand(Hand hand);
+  /// The chosen hand is not the affected one, and that is meant.
+  void confirm_hand();
+  void answer_screening(const Screening& answers);
+  void choose_device(const std::string& uri);
+  /// Place in the library; Choices::kByHand: none, tasks are chosen one by one.
+  void choose_protocol(int index);
+  /// An interrupted protocol may be taken up: go on with it, or begin anew.
+  void decide_earlier(bool go_on);
+  /// Who works at this station, from the next session on; empty: as the settings say.
+  void name_operator(const std::string& name);
+
+  /// Before every session: hand and screening.
+  void ask_anew();
+  /// Asks the database whether the chosen protocol was interrupted today.
+  void look_for_earlier();
+
+ private:
+  SessionState& state_;
+  SessionFlow& flow_;
+  Clinic& clinic_;
+  Seating& seating_;
+  int lookups_ = 0;  ///< for an interrupted session: the newest one counts
+};
+
+}  // namespace isograsp::gui

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/presenter/session_flow.hpp"
+
+#include <cmath>
+
+#include "gui/library/task_groups.hpp"
+#include "gui/presenter/next_words.hpp"
+#include "gui/words/texts.hpp"
+
+namespace isograsp::gui {
+
+namespace {
+
+ProtocolFacts protocol_facts(const ProtocolGuide& guide, bool by_itself, double session_time_s) {
+  using Act = session::ProtocolWalk::Act;
+  ProtocolFacts facts;
+  facts.active = true;
+  facts.goes_on = guide.goes_on();
+  facts.by_itself = by_itself;
+  const auto& act = guide.act();
+  if (!act) return facts;
+  switch (act->kind) {
+    case Act::Kind::instrument_zero: facts.act = ProtocolFacts::Act::zero; break;
+    case Act::Kind::pause: facts.act = ProtocolFacts::Act::pause; break;
+    case Act::Kind::trial: facts.act = ProtocolFacts::Act::trial; break;
+  }
+  facts.act_words = words_of(*act);
+  facts.wait_s = static_cast<int>(std::ceil(guide.wait_s(session_time_s)));
+  facts.start_in_s = static_cast<int>(std::ceil(guide.start_in_s(session_time_s)));
+  return facts;
+}
+
+}  // namespace
+
+SessionFlow::SessionFlow(const SessionState& state, const Clinic& clinic, const Clock& clock)
+    : state_(state), clinic_(clinic), clock_(clock) {
+  connect(&clinic_, &Clinic::opened, this, &SessionFlow::update);
+  connect(&clinic_, &Clinic::open_failed, this, [this](const QString& why) {
+    database_error_ = why.toStdString();
+    update();
+  });
+}
+
+bool SessionFlow::hand_to_confirm() const noexcept {
+  const auto& file = clinic_.file();
+  const auto& today = state_.choices.today;
+  if (!today.hand || today.hand_confirmed || state_.busy()) return false;
+  if (!file || clinic_.file_of() != state_.choices.patient) return false;
+  return file->profile.affected ==
+         (*today.hand == Hand::right ? storage::Side::left : storage::Side::right);
+}
+
+bool SessionFlow::under_way() const noexcept {
+  const auto& open = state_.open;
+  const bool asked = open && (open->preparation.zero_asked || open->starting());
+  return asked || view_.may_stop || view_.may_stand_by || state_.guide().goes_on();
+}
+
+void SessionFlow::decide() {
+  view_ = gui::decide(facts());
+}
+
+void SessionFlow::update() {
+  decide();
+  Q_EMIT changed();
+}
+
+void SessionFlow::refuse(const Error& error) {
+  Q_EMIT failed(shown(error));
+}
+
+FlowFacts SessionFlow::facts() const {
+  const Choices& choices = state_.choices;
+  FlowFacts facts;
+  facts.database_open = clinic_.is_open();
+  facts.database_error = database_error_;
+  facts.look_only = state_.config.look_only;
+  facts.patient_chosen = !choices.patient.empty();
+  facts.hand_to_confirm = hand_to_confirm();
+  facts.hand_chosen = choices.today.hand && !facts.hand_to_confirm;
+  facts.screened = choices.today.screening.complete();
+  facts.earlier_sought = choices.interrupted.sought;
+  facts.earlier_undecided = choices.interrupted.acts.has_value() && !choices.interrupted.go_on;
+  facts.device_chosen = !choices.device_uri.empty();
+  facts.connection = state_.connection.phase;
+  if (state_.connection.failure) facts.connection_error = state_.connection.failure->words;
+  facts.recorded = state_.recorded();
+  if (state_.open) add_session_facts(*state_.open, facts);
+  add_task_facts(facts);
+  return facts;
+}
+
+void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) const {
+  const session::Snapshot& now = open.snapshot;
+  const Preparation& preparation = open.preparation;
+  const bool follows = open.work.follows();
+  facts.anything_arrived = now.frames > 0;
+  const Timestamp time = clock_.now();
+  facts.frozen = now.stage != session::Stage::finished &&
+                 (facts.anything_arrived ? to_seconds(time - now.published) > kFrozenAfter_s
+                                         : to_seconds(time - open.opened) > kFirstFrameWithin_s);
+  facts.stage = now.stage;
+  facts.pause_cause = now.pause_cause;
+  facts.at_rest = open.trial && open.trial->rest_watch.at_rest();
+  facts.health = now.health;
+  facts.zeroed = now.zeroed;
+  facts.restarted = now.restarted;
+  facts.maximum_force_N = open.session->maximum_force_N();
+  facts.settling_s = static_cast<int>(std::ceil(open.session->settling_s()));
+  facts.zero_refusal = preparation.zero_refusal;
+  facts.zero_only_changed = preparation.zero_only_changed;
+  facts.zero_remark = preparation.zero_remark;
+  facts.zero_asked = preparation.zero_asked;
+  facts.strapped = preparation.strapped;
+  facts.straps_due = preparation.strapped && open.limits.straps_due(open.time_s());
+  facts.hand_out =
+      preparation.rest_done && !preparation.strapped && facts.zeroed && !facts.recorded;
+  facts.rest_words = preparation.rest_words;
+  facts.rest_done = preparation.rest_done || (follows && !open.work.guide.asks_rest());
+  facts.maximum_attempts = open.work.maximum_attempts;
+  facts.task_done = open.work.task_done;
+  // From the press of Start until the trial's outcome is stored, with the trial itself in between.
+  facts.starting = open.trial && (!open.trial->arrived || facts.stage == session::Stage::idle);
+  const auto& said = open.rating.stop_reason;
+  facts.stop_reason = said.empty() ? open.limits.reason_to_stop().value_or("") : said;
+  if (follows)
+    facts.protocol = protocol_facts(open.work.guide, state_.choices.by_itself, open.time_s());
+  if (open.ended) facts.last_rested = is_rest(*open.ended->task);
+}
+
+void SessionFlow::add_task_facts(FlowFacts& facts) const {
+  const auto& open = state_.open;
+  const auto* spec = open && open->trial ? open->trial->task.get() : state_.next_task();
+  facts.task_chosen = spec != nullptr;
+  if (spec == nullptr) return;
+  facts.task_rests = is_rest(*spec);
+  facts.task_name = spec->name;
+  if (open) facts.task_lacks = open->work.task_lacks;
+}
+
+}  // namespace isograsp::gui

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/presenter/session_state.hpp"
+
+namespace isograsp::gui {
+
+namespace {
+
+/// What is shown while no session is open.
+struct NoSession {
+  session::Snapshot snapshot;
+  session::Compensation compensation;
+  ProtocolGuide guide;
+  Rating rating;
+  std::string rest_words;
+  std::vector<Measure> score;
+};
+
+const NoSession& no_session() noexcept {
+  static const NoSession kNoSession;
+  return kNoSession;
+}
+
+}  // namespace
+
+Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec) const {
+  const auto chosen = levels.find(spec.file);
+  if (chosen == levels.end() || !spec.difficulty) return spec;
+  return tasks::at_level(spec, chosen->second);
+}
+
+bool SessionState::simulated() const noexcept {
+  if (open) return open->session->device().simulated;
+  return choices.device_uri.rfind("sim://", 0) == 0;
+}
+
+bool SessionState::recorded() const noexcept {
+  return open && open->session->device().recorded;
+}
+
+const DeviceInfo* SessionState::device() const noexcept {
+  return open ? &open->session->device() : nullptr;
+}
+
+std::string SessionState::realtime() const {
+  return open ? session::describe(open->session->realtime()) : "";
+}
+
+const session::Snapshot& SessionState::snapshot() const noexcept {
+  return open ? open->snapshot : no_session().snapshot;
+}
+
+const session::Compensation& SessionState::compensation() const noexcept {
+  return open ? open->compensation : no_session().compensation;
+}
+
+const ProtocolGuide& SessionState::guide() const noexcept {
+  return open ? open->work.guide : no_session().guide;
+}
+
+const Rating& SessionState::rating() const noexcept {
+  return open ? open->rating : no_session().rating;
+}
+
+const std::string& SessionState::rest_words() const noexcept {
+  return open ? open->preparation.rest_words : no_session().rest_words;
+}
+
+bool SessionState::helped() const noexcept {
+  if (!open) return false;
+  return open->trial ? open->trial->helped : open->ended && open->ended->helped;
+}
+
+const std::vector<Measure>& SessionState::live_score() const noexcept {
+  if (open && open->trial) return open->trial->score;
+  return traces().last_trial ? traces().last_trial->measures : no_session().score;
+}
+
+bool SessionState::has_protocol() const noexcept {
+  return choices.protocol != Choices::kByHand && choices.device_uri.rfind("replay://", 0) != 0;
+}
+
+const tasks::TaskSpec* SessionState::next_task() const noexcept {
+  if (follows()) return open->work.act_task ? &*open->work.act_task : nullptr;
+  if (!open && has_protocol()) return nullptr;  // the protocol will say
+  const int task = task_by_hand();
+  return task < 0 ? nullptr : &library.tasks[static_cast<std::size_t>(task)];
+}
+
+bool SessionState::zero_is_next() const noexcept {
+  const auto& act = guide().act();
+  return act && act->kind == session::ProtocolWalk::Act::Kind::instrument_zero;
+}
+
+}  // namespace isograsp::gui

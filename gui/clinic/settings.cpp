@@ -70,7 +70,7 @@ void SettingsFile::read() {
                      .arg(path_);
   Reader reader(file, problems_);
   const Settings usual;
-  now_.language = file.value(kLanguage, kDesktopLanguage).toString().toStdString();
+  now_.language = file.value(kLanguage, languages::kDesktopLanguage).toString().toStdString();
   now_.operator_name = file.value(kOperator).toString().toStdString();
   now_.patient_screen = file.value(kPatientScreen).toString().toStdString();
   now_.font_percent = static_cast<int>(

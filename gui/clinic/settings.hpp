@@ -13,7 +13,7 @@
 namespace isograsp::gui {
 
 struct Settings {
-  std::string language = kDesktopLanguage;
+  std::string language = languages::kDesktopLanguage;
   std::string operator_name;   ///< who works here, where nobody logs in; stored with sessions
   int font_percent = 100;      ///< of the usual letters of the therapist's window
   std::string patient_screen;  ///< name of the display; empty: the second one

@@ -84,8 +84,8 @@ QWidget* SettingsPage::make_window_card() {
   auto* form = form_in(*card);
   language_ = field<ChoiceBox>("settings_language", tr("Language"),
                                tr("Of both windows; takes effect at once (Alt+L)"));
-  language_->addItem(tr("As the desktop"), QString(kDesktopLanguage));
-  for (const auto& language : kLanguages)
+  language_->addItem(tr("As the desktop"), QString(languages::kDesktopLanguage));
+  for (const auto& language : languages::kLanguages)
     language_->addItem(QString(language.name), QString(language.code));
   add_row(*form, tr("&Language"), language_);
   operator_ = field<QLineEdit>(

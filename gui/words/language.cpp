@@ -8,6 +8,8 @@
 #include <QTranslator>
 #include <algorithm>
 
+#include "gui/words/texts.hpp"
+
 // Without a namespace, as Qt asks: the linker would leave out what nobody in the library names.
 static void take_in_translations() {
   Q_INIT_RESOURCE(translations);
@@ -16,13 +18,6 @@ static void take_in_translations() {
 namespace isograsp::gui {
 
 namespace {
-
-const Language* find(const QString& code) {
-  const auto* const found =
-      std::find_if(kLanguages.begin(), kLanguages.end(),
-                   [&](const Language& language) { return code == QLatin1String(language.code); });
-  return found == kLanguages.end() ? nullptr : found;
-}
 
 /// Where the desktop speaks it too, with the forms of its country.
 QLocale forms_of(const QString& code) {
@@ -46,18 +41,25 @@ void install(const QString& file, const QString& folder) {
 
 std::string now = "en";
 
-}  // namespace
+/// The words of the language that is spoken, with the numbers and days of the screen.
+class OnScreen : public Language {
+ public:
+  [[nodiscard]] std::string_view words(std::string_view english) const override {
+    return languages::language(now).words(english);
+  }
+  [[nodiscard]] std::string number(std::string_view digits) const override {
+    return shown_digits(digits).toStdString();
+  }
+  [[nodiscard]] std::string day(Date date) const override {
+    return shown_date(iso_text(date)).toStdString();
+  }
+};
 
-std::string desktop_language() {
-  for (const QString& tag : QLocale::system().uiLanguages())
-    if (const auto* language = find(QLocale(tag).name().section('_', 0, 0))) return language->code;
-  return "en";
-}
+}  // namespace
 
 void speak(const std::string& code) {
   take_in_translations();
-  const auto* const known = find(QString::fromStdString(code));
-  now = known == nullptr ? desktop_language() : known->code;
+  now = languages::is_language(code) ? code : languages::desktop_language();
   const auto language = QString::fromStdString(now);
   auto* application = QCoreApplication::instance();
   for (auto* before : application->findChildren<QTranslator*>(QStringLiteral("spoken"),
@@ -84,6 +86,11 @@ const std::vector<TextPattern>& patterns_below() {
     return patterns;
   }();
   return kPatterns;
+}
+
+const Language& spoken_language() {
+  static const OnScreen kScreen;
+  return kScreen;
 }
 
 std::string spoken() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/words/texts.hpp"
 
-#include <QCoreApplication>
 #include <QDate>
 #include <QLocale>
 #include <QRegularExpression>
@@ -22,10 +21,9 @@ QString qt(std::string_view text) {
 
 std::optional<QString> known(const QString& english) {
   if (english.isEmpty()) return QString();
-  const QByteArray source = english.toUtf8();
-  const QString translated = QCoreApplication::translate("Texts", source.constData());
-  if (translated == english) return std::nullopt;
-  return translated;
+  const QString words = qt(spoken_language().words(english.toStdString()));
+  if (words == english) return std::nullopt;
+  return words;
 }
 
 /// Whole, or with its numbers taken out and put in again.
@@ -116,6 +114,10 @@ QString shown(std::string_view english) {
   QStringList words;
   for (const auto& sentence : sentences) words += found(sentence).value_or(sentence);
   return words.join(QLatin1Char(' '));
+}
+
+QString translated(const Text& text) {
+  return QString::fromStdString(translated(text, spoken_language()));
 }
 
 QString shown(const Error& error) {

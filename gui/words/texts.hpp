@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/result.hpp"
+#include "core/text.hpp"
 
 namespace isograsp::gui {
 
@@ -16,6 +17,8 @@ namespace isograsp::gui {
 /// a path (gui/words/text_patterns.hpp). A text that is not known as a whole is looked up sentence
 /// by sentence, and those by their parts; what is not known at all stays as it is.
 [[nodiscard]] QString shown(std::string_view english);
+/// A text of the layers below in the language of the screen.
+[[nodiscard]] QString translated(const Text& text);
 /// As Error::message() has it; what is fixed in it is translated.
 [[nodiscard]] QString shown(const Error& error);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside presenter/ only: what the acts change, and what they work with. GUI thread.
+// Inside gui/presenter/ only: what the acts change, and what they work with. GUI thread.
 #pragma once
 
 #include "core/time.hpp"

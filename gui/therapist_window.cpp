@@ -31,10 +31,11 @@
 
 namespace isograsp::gui {
 
-TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
+TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresenter& presenter,
                                  SettingsFile& settings, Staff& staff, QWidget* parent)
     : QMainWindow(parent),
       clinic_(clinic),
+      file_(file),
       presenter_(presenter),
       settings_(settings),
       staff_(staff) {
@@ -63,6 +64,8 @@ TherapistWindow::TherapistWindow(Clinic& clinic, SessionPresenter& presenter,
   connect(&presenter_.flow(), &SessionFlow::changed, this, &TherapistWindow::refresh);
   connect(&presenter_.flow(), &SessionFlow::failed, this, &TherapistWindow::say);
   connect(&clinic_, &Clinic::failed, this, &TherapistWindow::say);
+  connect(&file_, &PersonFile::failed, this,
+          [this](const QString&, const QString& why) { say(why); });
   const auto close_at_last = [this] {
     if (closing_) close();
   };
@@ -216,7 +219,7 @@ void TherapistWindow::make_pages() {
 
 QWidget* TherapistWindow::make_patient() {
   course_ = new PatientPage(clinic_);
-  person_ = new ProfilePanel(clinic_);
+  person_ = new ProfilePanel(clinic_, file_);
   auto* tabs = new QTabWidget;
   tabs->setObjectName("patient_tabs");
   tabs->setDocumentMode(true);

@@ -32,8 +32,8 @@ class TherapistWindow final : public QMainWindow {
   Q_OBJECT
 
  public:
-  TherapistWindow(Clinic& clinic, SessionPresenter& presenter, SettingsFile& settings, Staff& staff,
-                  QWidget* parent = nullptr);
+  TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresenter& presenter,
+                  SettingsFile& settings, Staff& staff, QWidget* parent = nullptr);
 
   enum class Page : std::uint8_t { start, patient, session, device, reports, library, settings };
   void show_page(Page page);
@@ -71,6 +71,7 @@ class TherapistWindow final : public QMainWindow {
   void show_who_is_in();
 
   Clinic& clinic_;
+  PersonFile& file_;
   SessionPresenter& presenter_;
   SettingsFile& settings_;
   Staff& staff_;

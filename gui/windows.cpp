@@ -34,9 +34,10 @@ Windows::Windows(const GuiConfig& config)
       applied_(settings_.now()),
       staff_(config.database),
       clinic_(config.database),
+      person_file_(clinic_),
       backups_(config.database),
       look_only_(config.look_only),
-      presenter_(config, clinic_, settings_) {
+      presenter_(config, clinic_, person_file_, settings_) {
   speak(applied_.language);
   dress(*qApp, applied_.font_percent);
   make_therapist();
@@ -75,14 +76,14 @@ void Windows::watch_staff() {
 void Windows::follow_staff() {
   presenter_.choices().name_operator(staff_.user());
   const bool was_closed = std::exchange(closed_, staff_.closed());
-  if (closed_) return clinic_.forget_profile();
+  if (closed_) return person_file_.forget();
   // Whoever comes back has not seen what was said before.
   if (was_closed && !backups_.problem().isEmpty()) therapist_->say(backups_.problem());
   if (!reads_only_ || staff_.busy()) return;
   const bool reads_only = look_only_ || !staff_.allows(storage::Right::write_records);
   if (std::exchange(reads_only_, reads_only) != reads_only) clinic_.open(reads_only);
-  if (clinic_.is_open() && clinic_.file_of() != presenter_.state().choices.patient)
-    clinic_.load_profile(presenter_.state().choices.patient);
+  if (clinic_.is_open() && person_file_.code() != presenter_.state().choices.patient)
+    person_file_.load(presenter_.state().choices.patient);
 }
 
 /// What leaves the database stands in its audit log, like what happens in it.
@@ -105,7 +106,8 @@ void Windows::log_what_leaves() {
 }
 
 void Windows::make_therapist() {
-  therapist_ = std::make_unique<TherapistWindow>(clinic_, presenter_, settings_, staff_);
+  therapist_ =
+      std::make_unique<TherapistWindow>(clinic_, person_file_, presenter_, settings_, staff_);
   therapist_->show_patient_screen = [this] { show_patient_screen(); };
   therapist_->open_demonstration = [this] {
     if (open_demonstration) open_demonstration();

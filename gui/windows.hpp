@@ -9,6 +9,7 @@
 
 #include "gui/clinic/backup_work.hpp"
 #include "gui/clinic/clinic.hpp"
+#include "gui/clinic/person_file.hpp"
 #include "gui/clinic/settings.hpp"
 #include "gui/clinic/staff.hpp"
 #include "gui/patient_screen/patient_window.hpp"
@@ -30,6 +31,7 @@ class Windows {
   void show_patient_screen();
 
   [[nodiscard]] Clinic& clinic() noexcept { return clinic_; }
+  [[nodiscard]] PersonFile& person_file() noexcept { return person_file_; }
   [[nodiscard]] SessionPresenter& presenter() noexcept { return presenter_; }
   [[nodiscard]] SettingsFile& settings() noexcept { return settings_; }
   [[nodiscard]] Staff& staff() noexcept { return staff_; }
@@ -51,6 +53,7 @@ class Windows {
   bool closed_ = false;             ///< when it was looked last
   std::optional<bool> reads_only_;  ///< the database is open so; nothing: not open yet
   Clinic clinic_;
+  PersonFile person_file_;
   BackupWork backups_;
   bool look_only_;  ///< another program works with the file
   SessionPresenter presenter_;

@@ -22,15 +22,6 @@
 
 namespace isograsp::gui {
 
-/// What is known of a person beside the sessions.
-struct PersonRecords {
-  storage::PatientProfile profile;
-  std::vector<storage::TreatmentMark> marks;   ///< by date
-  std::vector<storage::ClinicalScore> scores;  ///< by date
-  std::vector<storage::PrimaryMeasure> primaries;
-  std::vector<storage::StablePeriod> stable;  ///< by date
-};
-
 class Clinic final : public QObject {
   Q_OBJECT
 
@@ -47,33 +38,13 @@ class Clinic final : public QObject {
   /// Until the answer comes, the history of another patient is empty and that of the same one is
   /// as it was -> history_changed(), twice for another patient.
   void load_history(const std::string& code);
-  // What is known of a person. The answer is profile_changed(), or profile_failed() and failed():
-  // then nothing of it is stored. `then` hears before the signals whether it is.
-  using Stored = std::function<void(bool)>;
-  /// Until the answer comes, the file of another patient is absent. No code: of nobody.
-  void load_profile(const std::string& code);
-  /// Nobody may read on what was decrypted for somebody else -> profile_changed().
-  void forget_profile();
-  void save_profile(const std::string& code, const storage::PatientProfile& profile,
-                    Stored then = {});
-  void add_treatment_mark(const std::string& code, const storage::TreatmentMark& mark,
-                          Stored then = {});
-  void remove_treatment_mark(const std::string& code, storage::RowId id, Stored then = {});
-  void add_clinical_score(const std::string& code, const storage::ClinicalScore& score,
-                          Stored then = {});
-  void remove_clinical_score(const std::string& code, storage::RowId id, Stored then = {});
-  void add_primary_measure(const std::string& code, const storage::PrimaryMeasure& primary,
-                           Stored then = {});
-  void remove_primary_measure(const std::string& code, storage::RowId id, Stored then = {});
-  void add_stable_period(const std::string& code, const storage::StablePeriod& period,
-                         Stored then = {});
-  void remove_stable_period(const std::string& code, storage::RowId id, Stored then = {});
   [[nodiscard]] ReportWork& report() noexcept { return report_; }
   [[nodiscard]] ExportWork& research_export() noexcept { return export_; }
   /// Files are being written that people wait for.
   [[nodiscard]] bool writing() const noexcept { return report_.running() || export_.running(); }
-  /// Any other reading: `read(SessionStore&)` on the worker, in order with all the rest, then
-  /// `done(result)` here, unless `reader` is gone by then. False: the database is not open.
+  /// Any other work on the database: `read(SessionStore&)` on the worker, in order with all the
+  /// rest, then `done(result)` here, unless `reader` is gone by then. False: the database is not
+  /// open.
   template <class Read, class Done>
   bool read(QObject* reader, Read read, Done done) {
     if (!open_) return false;
@@ -91,9 +62,6 @@ class Clinic final : public QObject {
   }
   /// Of the patient whose history was asked for last.
   [[nodiscard]] const std::vector<HistorySeries>& history() const noexcept { return history_; }
-  /// Of the patient whose profile was loaded last; nothing: not read yet.
-  [[nodiscard]] const std::optional<PersonRecords>& file() const noexcept { return file_; }
-  [[nodiscard]] const std::string& file_of() const noexcept { return file_of_; }
   [[nodiscard]] bool history_loading() const noexcept { return loads_under_way_ > 0; }
 
  Q_SIGNALS:
@@ -102,23 +70,15 @@ class Clinic final : public QObject {
   void patients_changed();
   void patient_added(const QString& code);
   void history_changed();
-  void profile_changed();
-  /// Of the patient of that code: not read or not stored.
-  void profile_failed(const QString& code, const QString& why);
   void failed(const QString& why);
 
  private:
-  template <class Change>
-  void change_file(const std::string& code, Change change, Stored then);
-
   std::string database_;
   bool open_ = false;
   std::vector<storage::PatientRecord> patients_;
   std::string history_of_;  ///< code
   std::vector<HistorySeries> history_;
   int loads_under_way_ = 0;
-  std::string file_of_;  ///< code
-  std::optional<PersonRecords> file_;
   std::mt19937_64 entropy_;
   std::shared_ptr<std::unique_ptr<storage::SessionStore>> store_;  ///< used by the worker only
   ReportWork report_;

@@ -5,6 +5,7 @@
 #include "core/time.hpp"
 #include "gui/clinic/background.hpp"
 #include "gui/clinic/clinic.hpp"
+#include "gui/clinic/person_file.hpp"
 #include "gui/clinic/settings.hpp"
 #include "gui/presenter/example_player.hpp"
 #include "gui/presenter/seating.hpp"
@@ -18,6 +19,7 @@ struct ActContext {
   SessionState& state;
   SessionFlow& flow;
   Clinic& clinic;
+  PersonFile& file;
   const SettingsFile& settings;
   Seating& seating;
   Background& worker;      ///< for what takes long

@@ -26,7 +26,11 @@ storage::SessionRecord session_to_come(storage::RowId patient, Hand hand,
 // Whoever goes on with the next session has read why the last one ended.
 
 SessionChoices::SessionChoices(const ActContext& with)
-    : state_(with.state), flow_(with.flow), clinic_(with.clinic), seating_(with.seating) {}
+    : state_(with.state),
+      flow_(with.flow),
+      clinic_(with.clinic),
+      file_(with.file),
+      seating_(with.seating) {}
 
 void SessionChoices::choose_patient(const std::string& code) {
   if (state_.busy() || code == state_.choices.patient) return;
@@ -35,7 +39,7 @@ void SessionChoices::choose_patient(const std::string& code) {
   state_.connection.failure.reset();
   state_.left = {};
   clinic_.load_history(code);
-  clinic_.load_profile(code);
+  file_.load(code);
   seating_.look(code, state_.choices.today.hand);
   flow_.update();
 }

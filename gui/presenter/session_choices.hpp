@@ -38,6 +38,7 @@ class SessionChoices final : public QObject {
   SessionState& state_;
   SessionFlow& flow_;
   Clinic& clinic_;
+  PersonFile& file_;
   Seating& seating_;
   int lookups_ = 0;  ///< for an interrupted session: the newest one counts
 };

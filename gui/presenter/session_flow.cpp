@@ -32,8 +32,9 @@ ProtocolFacts protocol_facts(const ProtocolGuide& guide, bool by_itself, double 
 
 }  // namespace
 
-SessionFlow::SessionFlow(const SessionState& state, const Clinic& clinic, const Clock& clock)
-    : state_(state), clinic_(clinic), clock_(clock) {
+SessionFlow::SessionFlow(const SessionState& state, const Clinic& clinic, const PersonFile& file,
+                         const Clock& clock)
+    : state_(state), clinic_(clinic), file_(file), clock_(clock) {
   connect(&clinic_, &Clinic::opened, this, &SessionFlow::update);
   connect(&clinic_, &Clinic::open_failed, this, [this](const QString& why) {
     database_error_ = why.toStdString();
@@ -42,11 +43,11 @@ SessionFlow::SessionFlow(const SessionState& state, const Clinic& clinic, const 
 }
 
 bool SessionFlow::hand_to_confirm() const noexcept {
-  const auto& file = clinic_.file();
+  const auto& records = file_.records();
   const auto& today = state_.choices.today;
   if (!today.hand || today.hand_confirmed || state_.busy()) return false;
-  if (!file || clinic_.file_of() != state_.choices.patient) return false;
-  return file->profile.affected ==
+  if (!records || file_.code() != state_.choices.patient) return false;
+  return records->profile.affected ==
          (*today.hand == Hand::right ? storage::Side::left : storage::Side::right);
 }
 

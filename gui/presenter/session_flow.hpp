@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/time.hpp"
-#include "gui/clinic/clinic.hpp"
+#include "gui/clinic/person_file.hpp"
 #include "gui/presenter/session_state.hpp"
 
 namespace isograsp::gui {
@@ -18,7 +18,8 @@ class SessionFlow final : public QObject {
 
  public:
   /// All must outlive it.
-  SessionFlow(const SessionState& state, const Clinic& clinic, const Clock& clock);
+  SessionFlow(const SessionState& state, const Clinic& clinic, const PersonFile& file,
+              const Clock& clock);
 
   [[nodiscard]] const FlowView& view() const noexcept { return view_; }
   /// The chosen hand is not on the affected side: a press must confirm it. Looked up whenever it is
@@ -49,6 +50,7 @@ class SessionFlow final : public QObject {
 
   const SessionState& state_;
   const Clinic& clinic_;
+  const PersonFile& file_;
   const Clock& clock_;
   std::string database_error_;
   FlowView view_;

@@ -20,14 +20,14 @@ SessionState state_at_start(const GuiConfig& config) {
 
 }  // namespace
 
-SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic,
+SessionPresenter::SessionPresenter(const GuiConfig& config, Clinic& clinic, PersonFile& file,
                                    const SettingsFile& settings, QObject* parent)
     : QObject(parent),
       state_(state_at_start(config)),
-      flow_(state_, clinic, clock_),
+      flow_(state_, clinic, file, clock_),
       seating_(clinic),
       example_(worker_, clock_),
-      context_{state_, flow_, clinic, settings, seating_, worker_, example_, clock_},
+      context_{state_, flow_, clinic, file, settings, seating_, worker_, example_, clock_},
       next_(state_, flow_),
       choices_(context_),
       library_(context_, choices_, next_),

@@ -24,9 +24,9 @@ class SessionPresenter final : public QObject {
   Q_OBJECT
 
  public:
-  /// Clinic and settings must outlive it.
-  SessionPresenter(const GuiConfig& config, Clinic& clinic, const SettingsFile& settings,
-                   QObject* parent = nullptr);
+  /// What it is given must outlive it.
+  SessionPresenter(const GuiConfig& config, Clinic& clinic, PersonFile& file,
+                   const SettingsFile& settings, QObject* parent = nullptr);
   ~SessionPresenter() override;
 
   // What windows show.

@@ -19,7 +19,8 @@ constexpr int kTwoColumns_px = 720;
 
 }  // namespace
 
-ProfilePanel::ProfilePanel(Clinic& clinic, QWidget* parent) : QWidget(parent), clinic_(clinic) {
+ProfilePanel::ProfilePanel(Clinic& clinic, PersonFile& file, QWidget* parent)
+    : QWidget(parent), clinic_(clinic), file_(file) {
   title_ = new QLabel;
   title_->setObjectName("profile_title");
   title_->setProperty("role", "title");
@@ -79,34 +80,36 @@ ProfilePanel::ProfilePanel(Clinic& clinic, QWidget* parent) : QWidget(parent), c
     show_state();
   });
   connect(person_, &PersonCard::left, this, &ProfilePanel::store);
-  connect_card(treatment_, &Clinic::add_treatment_mark, &Clinic::remove_treatment_mark);
-  connect_card(scores_, &Clinic::add_clinical_score, &Clinic::remove_clinical_score);
-  connect_card(primary_, &Clinic::add_primary_measure, &Clinic::remove_primary_measure);
-  connect_card(stable_, &Clinic::add_stable_period, &Clinic::remove_stable_period);
+  using storage::SessionStore;
+  connect_card<storage::TreatmentMark>(treatment_, &SessionStore::add_treatment_mark,
+                                       &SessionStore::remove_treatment_mark);
+  connect_card<storage::ClinicalScore>(scores_, &SessionStore::add_clinical_score,
+                                       &SessionStore::remove_clinical_score);
+  connect_card<storage::PrimaryMeasure>(primary_, &SessionStore::add_primary_measure,
+                                        &SessionStore::remove_primary_measure);
+  connect_card<storage::StablePeriod>(stable_, &SessionStore::add_stable_period,
+                                      &SessionStore::remove_stable_period);
   connect(again_, &QPushButton::clicked, this, &ProfilePanel::try_again);
   add_key(this, "Ctrl+Shift+R", [this] {
     if (!again_->isHidden()) try_again();
   });
   connect(&clinic_, &Clinic::opened, this, &ProfilePanel::load);
   connect(&clinic_, &Clinic::history_changed, this, &ProfilePanel::load_choices);
-  connect(&clinic_, &Clinic::profile_changed, this, &ProfilePanel::take_answer);
-  connect(&clinic_, &Clinic::profile_failed, this, &ProfilePanel::refuse);
+  connect(&file_, &PersonFile::changed, this, &ProfilePanel::take_answer);
+  connect(&file_, &PersonFile::failed, this, &ProfilePanel::refuse);
   show_state();
 }
 
-template <class Card, class Entry>
-void ProfilePanel::connect_card(Card* card,
-                                void (Clinic::*add)(const std::string&, const Entry&, Stored),
-                                void (Clinic::*remove)(const std::string&, storage::RowId,
-                                                       Stored)) {
+template <class Entry, class Card>
+void ProfilePanel::connect_card(Card* card, PersonFile::Add<Entry> add, PersonFile::Remove remove) {
   connect(card, &Card::added, this, [this, add](const Entry& entry) {
-    change([code = code_, entry, add](Clinic& to, Stored then) {
-      (to.*add)(code, entry, std::move(then));
+    change([code = code_, entry, add](PersonFile& file, Stored then) {
+      file.add(code, add, entry, std::move(then));
     });
   });
   connect(card, &Card::removed, this, [this, remove](storage::RowId id) {
-    change([code = code_, id, remove](Clinic& to, Stored then) {
-      (to.*remove)(code, id, std::move(then));
+    change([code = code_, id, remove](PersonFile& file, Stored then) {
+      file.remove(code, remove, id, std::move(then));
     });
   });
 }
@@ -141,7 +144,7 @@ void ProfilePanel::forget() {
 
 void ProfilePanel::load() {
   if (code_.empty()) return;  // what others loaded is not forgotten for it
-  clinic_.load_profile(code_);
+  file_.load(code_);
   load_choices();
 }
 
@@ -170,7 +173,7 @@ void ProfilePanel::store() {
     sent_ = now;
     changed_ = true;
     ++under_way_;
-    clinic_.save_profile(code_, now, [panel = QPointer(this), code = code_, now](bool stored) {
+    file_.save(code_, now, [panel = QPointer(this), code = code_, now](bool stored) {
       if (!panel) return;
       --panel->under_way_;
       if (panel->code_ != code) return;
@@ -184,7 +187,7 @@ void ProfilePanel::store() {
 void ProfilePanel::change(const Change& change) {
   changed_ = true;
   ++under_way_;
-  change(clinic_, [panel = QPointer(this), code = code_, change](bool stored) {
+  change(file_, [panel = QPointer(this), code = code_, change](bool stored) {
     if (!panel) return;
     --panel->under_way_;
     if (!stored && panel->code_ == code) panel->refused_.push_back(change);
@@ -202,18 +205,18 @@ void ProfilePanel::try_again() {
 }
 
 void ProfilePanel::take_answer() {
-  if (code_.empty() || clinic_.file_of() != code_ || !clinic_.file()) return;
-  const PersonRecords& file = *clinic_.file();
+  if (code_.empty() || file_.code() != code_ || !file_.records()) return;
+  const PersonRecords& records = *file_.records();
   // Only the first answer goes into the fields: a later one may be older than what is typed.
   if (!filled_) {
-    sent_ = stored_ = file.profile;
-    person_->show_profile(file.profile);
+    sent_ = stored_ = records.profile;
+    person_->show_profile(records.profile);
     filled_ = true;
   }
-  treatment_->show_marks(file.marks);
-  scores_->show_scores(file.scores);
-  primary_->show_primaries(file.primaries);
-  stable_->show_periods(file.stable);
+  treatment_->show_marks(records.marks);
+  scores_->show_scores(records.scores);
+  primary_->show_primaries(records.primaries);
+  stable_->show_periods(records.stable);
   if (refused_.empty() && sent_ == stored_ && person_->profile() == stored_) problem_.clear();
   show_state();
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gui/clinic/clinic.hpp"
+#include "gui/clinic/person_file.hpp"
 #include "gui/record_pages/change_cards.hpp"
 #include "gui/record_pages/profile_cards.hpp"
 
@@ -22,7 +23,7 @@ class ProfilePanel final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ProfilePanel(Clinic& clinic, QWidget* parent = nullptr);
+  ProfilePanel(Clinic& clinic, PersonFile& file, QWidget* parent = nullptr);
   ~ProfilePanel() override;  ///< store_now()
 
   /// What was typed about the one before is stored first. No code: nobody.
@@ -37,16 +38,15 @@ class ProfilePanel final : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  using Stored = Clinic::Stored;
-  using Change = std::function<void(Clinic& clinic, Stored then)>;
+  using Stored = PersonFile::Stored;
+  using Change = std::function<void(PersonFile& file, Stored then)>;
   void load();
   void store();
   /// Changes a list of this person; kept for try_again() where it is not stored.
   void change(const Change& change);
   /// Connects a card of entries that are added and removed.
-  template <class Card, class Entry>
-  void connect_card(Card* card, void (Clinic::*add)(const std::string&, const Entry&, Stored),
-                    void (Clinic::*remove)(const std::string&, storage::RowId, Stored));
+  template <class Entry, class Card>
+  void connect_card(Card* card, PersonFile::Add<Entry> add, PersonFile::Remove remove);
   /// Only for eyes: nothing waits behind it while the form is hidden.
   void load_choices();
   void try_again();
@@ -55,6 +55,7 @@ class ProfilePanel final : public QWidget {
   void show_state();
 
   Clinic& clinic_;
+  PersonFile& file_;
   std::string code_;
   bool filled_ = false;           ///< the fields show what is stored of code_
   bool changed_ = false;          ///< since the person is shown

@@ -24,8 +24,7 @@ const std::map<std::string, std::string>& larger_ones() {
       {"ForwardingStore", "the same table"},
       {"SqliteStore", "the same table"},
       {"GuardedStore", "the same table, as far as rights matter"},
-      {"Session", "to be divided: commands, and what is known of it"},
-      {"Clinic", "to be divided: four pairs of add and remove"}};
+      {"Session", "to be divided: commands, and what is known of it"}};
   return kLarger;
 }
 

@@ -24,7 +24,8 @@ class ChangeForm : public QtTest {
     EXPECT_TRUE((*store)->add_patient("P-2").ok());
     store->reset();
     clinic_ = std::make_unique<Clinic>(database_);
-    panel_ = std::make_unique<ProfilePanel>(*clinic_);
+    file_ = std::make_unique<PersonFile>(*clinic_);
+    panel_ = std::make_unique<ProfilePanel>(*clinic_, *file_);
     panel_->setMinimumSize(400, 400);
     panel_->resize(900, 860);
     panel_->show();
@@ -74,6 +75,7 @@ class ChangeForm : public QtTest {
   TemporaryFolder folder_;
   std::string database_ = folder_.path("clinic.db");
   std::unique_ptr<Clinic> clinic_;
+  std::unique_ptr<PersonFile> file_;
   std::unique_ptr<ProfilePanel> panel_;
 };
 

@@ -196,12 +196,12 @@ TEST_F(LoginTest, NothingThatWasDecryptedStaysForTheNextPerson) {
   const auto refused = [&] { return operator_->find<QLabel>("message").text(); };
   operator_->press("lock");  // with the text typed, not stored
   EXPECT_TRUE(goals.toPlainText().isEmpty());
-  EXPECT_FALSE(windows_->clinic().file().has_value());
+  EXPECT_FALSE(windows_->person_file().records().has_value());
   ASSERT_TRUE(wait_until([&] { return windows_->staff().access()->is_locked(); }));
   EXPECT_EQ(refused(), "");
   log_in("Rosa", kPassword);
-  ASSERT_TRUE(wait_until([&] { return windows_->clinic().file_of() == "P-0427"; }));
-  ASSERT_TRUE(wait_until([&] { return windows_->clinic().file().has_value(); }));
+  ASSERT_TRUE(wait_until([&] { return windows_->person_file().code() == "P-0427"; }));
+  ASSERT_TRUE(wait_until([&] { return windows_->person_file().records().has_value(); }));
   EXPECT_NE(goals.toPlainText(), secret) << "a researcher";
   operator_->press("lock");
   log_in_with_password("Ada");

@@ -39,7 +39,8 @@ class ProfileForm : public QtTest {
     for (const char* code : {kOne, kOther}) EXPECT_TRUE((*made)->add_patient(code).ok());
     made->reset();
     clinic_ = std::make_unique<Clinic>(database_);
-    panel_ = std::make_unique<ProfilePanel>(*clinic_);
+    file_ = std::make_unique<PersonFile>(*clinic_);
+    panel_ = std::make_unique<ProfilePanel>(*clinic_, *file_);
     panel_->setMinimumSize(400, 400);  // a window of its own, which no platform need be told of
     panel_->resize(800, 700);
     panel_->show();
@@ -123,6 +124,7 @@ class ProfileForm : public QtTest {
   TemporaryFolder folder_;
   std::string database_ = folder_.path("clinic.db");
   std::unique_ptr<Clinic> clinic_;
+  std::unique_ptr<PersonFile> file_;
   std::unique_ptr<ProfilePanel> panel_;
 };
 
@@ -158,7 +160,7 @@ TEST_F(ProfileForm, WhatIsToldIsStoredAndComesBackInAnotherForm) {
   EXPECT_EQ(stored(kOther), storage::PatientProfile{});
   EXPECT_EQ(words("onset_remark"), "10 days since the onset.");
 
-  ProfilePanel second(*clinic_);
+  ProfilePanel second(*clinic_, *file_);
   second.show_patient(kOne);
   ASSERT_TRUE(wait_until([&] { return second.findChild<QWidget*>("goals")->isEnabled(); }));
   EXPECT_TRUE(second.findChild<QPushButton*>("affected_left")->isChecked());
@@ -422,6 +424,7 @@ TEST_F(ProfileForm, UndoInATextFieldIsStoredToo) {
 TEST_F(ProfileForm, ClosingTheFormStoresWhatWasTypedLast) {
   QTest::keyClicks(&find<QPlainTextEdit>("notes"), "last words");
   panel_.reset();
+  file_.reset();
   clinic_.reset();
   EXPECT_EQ(stored().notes, "last words");
 }
@@ -433,7 +436,7 @@ TEST_F(ProfileForm, WhatCannotBeStoredIsSaidKeptAndStoredByTryingAgain) {
       sql << std::string("ALTER TABLE ") + table + from + " RENAME TO " + table + to;
   };
   rename("", "_gone");
-  QSignalSpy refused(clinic_.get(), &Clinic::profile_failed);
+  QSignalSpy refused(file_.get(), &PersonFile::failed);
   QTest::keyClicks(&find<QPlainTextEdit>("notes"), "kept");
   type("treatment_text", "kept too");
   press("treatment_add");

@@ -100,10 +100,10 @@ TEST_F(TherapistWindowTest, AHandThatIsNotTheAffectedOneMustBeConfirmed) {
   auto& presenter = windows_.presenter();
   storage::PatientProfile profile;
   profile.affected = storage::Side::left;
-  windows_.clinic().save_profile(presenter.state().choices.patient, profile);
+  windows_.person_file().save(presenter.state().choices.patient, profile);
   ASSERT_TRUE(wait_until([&] {
-    const auto& file = windows_.clinic().file();
-    return file && file->profile.affected == storage::Side::left;
+    const auto& records = windows_.person_file().records();
+    return records && records->profile.affected == storage::Side::left;
   }));
   operator_.press("hand_right");
   EXPECT_EQ(presenter.flow().view().next(), Step::hand);
@@ -114,7 +114,7 @@ TEST_F(TherapistWindowTest, AHandThatIsNotTheAffectedOneMustBeConfirmed) {
   operator_.press("hand_left");
   EXPECT_EQ(presenter.flow().view().next(), Step::screening) << "the affected one needs no word";
   profile.affected = storage::Side::right;
-  windows_.clinic().save_profile(presenter.state().choices.patient, profile);
+  windows_.person_file().save(presenter.state().choices.patient, profile);
   ASSERT_TRUE(wait_until([&] { return presenter.flow().hand_to_confirm(); }))
       << "also if it is told, or read, after the hand was chosen";
 }
@@ -129,8 +129,9 @@ TEST_F(TherapistWindowTest, WhatWasTypedIsStoredWhenTheWindowCloses) {
   goals.setPlainText("Hold a cup.");
   windows_.therapist().close();  // before the second after the last key is over
   ASSERT_TRUE(wait_until([&] {
-    const auto& file = windows_.clinic().file();
-    return file && windows_.clinic().file_of() == code && file->profile.goals == "Hold a cup.";
+    const auto& records = windows_.person_file().records();
+    return records && windows_.person_file().code() == code &&
+           records->profile.goals == "Hold a cup.";
   }));
 }
 

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "gui/rules/flow_start.hpp"
+#include "gui/rules/flow_parts.hpp"
 #include "gui/words/texts.hpp"
 
 namespace isograsp::gui {

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What may be pressed now, and what should be.
+#include "gui/rules/flow_parts.hpp"
+
+namespace isograsp::gui {
+
+namespace {
+
+/// Pressing Start in a protocol that waits makes it go on by itself, where that is wanted.
+bool may_arm(const FlowFacts& facts) {
+  const auto& protocol = facts.protocol;
+  if (!protocol.active || protocol.goes_on || !protocol.by_itself || !has_zero(facts)) return false;
+  if (protocol.act == ProtocolFacts::Act::pause) return true;
+  const bool settles = facts.task_rests && facts.strapped && facts.settling_s > 0;
+  return protocol.act == ProtocolFacts::Act::trial && facts.task_chosen &&
+         (!facts.task_rests || facts.strapped) && (protocol.wait_s > 0 || settles);
+}
+
+NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView& view) {
+  const auto if_possible = [](bool possible, NextPress press) {
+    return possible ? press : NextPress::none;
+  };
+  switch (situation) {
+    case Situation::session_failed:
+      if (facts.connection != Connection::none) return NextPress::none;
+      return press_for(before_session(facts), facts, view);
+    case Situation::choose_patient: return if_possible(view.may_change_patient, NextPress::patient);
+    case Situation::confirm_hand: return if_possible(view.may_change_hand, NextPress::confirm_hand);
+    case Situation::choose_hand: return if_possible(view.may_change_hand, NextPress::hand);
+    case Situation::screen: return if_possible(view.may_change_hand, NextPress::screening);
+    case Situation::ask_earlier: return if_possible(view.may_change_hand, NextPress::earlier);
+    case Situation::choose_device: return if_possible(view.may_change_device, NextPress::device);
+    case Situation::connect: return if_possible(view.may_connect, NextPress::connect);
+    case Situation::zero_refused:
+    case Situation::zero_outdated:
+    case Situation::zero_missing:
+    case Situation::protocol_zero: return if_possible(view.may_zero, NextPress::zero);
+    case Situation::straps_due:
+    case Situation::strap_in:
+    case Situation::strap_again: return if_possible(view.may_strap, NextPress::strap);
+    case Situation::paused:
+    case Situation::paused_by_fault:
+    case Situation::let_go: return if_possible(view.may_resume, NextPress::resume);
+    case Situation::protocol_over: return if_possible(view.offers_end, NextPress::report);
+    case Situation::settle:
+    case Situation::rest_ready:
+    case Situation::pause:
+    case Situation::next_after_rest:
+    case Situation::next_act:
+    case Situation::recording_ready:
+    case Situation::first_maximum:
+    case Situation::next_maximum:
+    case Situation::choose_task:
+      return if_possible(view.may_start && !facts.protocol.goes_on, NextPress::start);
+    default: return NextPress::none;
+  }
+}
+
+bool ends_here(Situation situation) {
+  switch (situation) {
+    case Situation::stop_work:
+    case Situation::protocol_over:
+    case Situation::trial_stored:
+    case Situation::recording_over:
+    case Situation::device_gone: return true;
+    default: return false;
+  }
+}
+
+void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
+  const bool open = facts.connection == Connection::open;
+  const bool quiet =
+      open && facts.stage == session::Stage::idle && !facts.starting && !facts.zero_asked;
+  const bool ready = quiet && sound;
+  const bool zero = has_zero(facts);
+  view.may_zero = ready && !facts.recorded;
+  view.may_accept_changed = view.may_zero && facts.zero_only_changed;
+  view.may_check = view.may_zero;
+  view.may_strap = view.may_zero && zero && (!facts.strapped || facts.straps_due);
+  view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
+  view.may_show_how =
+      view.may_choose_task && facts.task_chosen && !facts.recorded &&
+      facts.connection != Connection::opening && facts.connection != Connection::closing &&
+      facts.stage != session::Stage::zeroing && facts.stage != session::Stage::finished;
+  view.may_begin = ready && obstacle_of(facts) == Obstacle::none;
+  view.may_start = view.may_begin || (ready && may_arm(facts));
+  view.may_repeat =
+      ready && zero && facts.last_rested &&
+      (!*facts.last_rested || facts.recorded || (facts.strapped && facts.settling_s == 0));
+  view.may_skip = quiet && facts.protocol.active && facts.protocol.act != ProtocolFacts::Act::none;
+  view.may_stand_by = quiet && facts.protocol.active && facts.protocol.goes_on;
+}
+
+}  // namespace
+
+Obstacle obstacle_of(const FlowFacts& facts) {
+  if (facts.connection != Connection::open) return Obstacle::no_device;
+  if (facts.stage == session::Stage::finished) return Obstacle::recording_over;
+  if (!has_zero(facts)) return Obstacle::no_zero;
+  if (facts.stage == session::Stage::zeroing || facts.zero_asked) return Obstacle::zeroing;
+  if (in_trial(facts)) return Obstacle::trial_runs;
+  const auto& protocol = facts.protocol;
+  if (protocol.active && protocol.act == ProtocolFacts::Act::none) return Obstacle::protocol_over;
+  if (protocol.active && protocol.act == ProtocolFacts::Act::zero) return Obstacle::zero_again;
+  const bool rest = facts.task_chosen && facts.task_rests && !facts.recorded;
+  if (rest && !facts.strapped) return Obstacle::not_strapped;
+  if (rest && facts.settling_s > 0) return Obstacle::settles;
+  if (protocol.active && protocol.wait_s > 0) return Obstacle::rests;
+  if (protocol.active && protocol.act == ProtocolFacts::Act::pause) return Obstacle::pause_ends;
+  if (!facts.task_chosen) return Obstacle::no_task;
+  return facts.task_lacks.empty() ? Obstacle::none : Obstacle::task_lacks;
+}
+
+void decide_acts(const FlowFacts& facts, FlowView& view) {
+  const bool closed = facts.connection == Connection::none;
+  const bool open = facts.connection == Connection::open;
+  const bool sound = view.device_mood != Mood::fault && facts.anything_arrived;
+  view.may_change_patient = facts.database_open && closed;
+  view.may_change_hand = closed && !facts.look_only;
+  view.may_change_device = closed && !facts.look_only;
+  view.may_connect = facts.database_open && closed && before_session(facts) == Situation::connect;
+  view.may_cancel_connecting = facts.connection == Connection::opening;
+  view.may_disconnect =
+      open && !in_trial(facts) && facts.stage != session::Stage::zeroing && !facts.zero_asked;
+  decide_between_trials(facts, sound, view);
+  view.must_stand_by = view.device_mood == Mood::fault || facts.straps_due || !has_zero(facts) ||
+                       !facts.zero_refusal.empty();
+  view.may_pause = open && facts.stage == session::Stage::trial;
+  view.may_resume = open && facts.stage == session::Stage::paused && sound && may_go_on(facts);
+  view.may_stop = open && in_trial(facts);
+  view.offers_end = view.may_disconnect && ends_here(view.situation);
+  view.press = press_for(view.situation, facts, view);
+}
+
+}  // namespace isograsp::gui

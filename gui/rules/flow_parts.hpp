@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside gui/rules/ only: what a view of the flow is put together from.
+#pragma once
+
+#include "gui/rules/flow.hpp"
+#include "session/acquisition/zeroing.hpp"
+
+namespace isograsp::gui {
+
+// flow_device.cpp
+[[nodiscard]] bool in_trial(const FlowFacts& facts);
+[[nodiscard]] session::ZeroStanding zero_of(const FlowFacts& facts);
+/// It is good.
+[[nodiscard]] bool has_zero(const FlowFacts& facts);
+/// A trial that the therapist has paused goes on as it stands. After a fault, or the restart of a
+/// sensor during that pause: from rest only, and with a zero that has not moved.
+[[nodiscard]] bool may_go_on(const FlowFacts& facts);
+[[nodiscard]] DeviceCondition condition_of(const FlowFacts& facts);
+[[nodiscard]] Mood mood_of(DeviceCondition condition);
+
+// flow_situation.cpp
+/// As long as no session is open: what has to be chosen next.
+[[nodiscard]] Situation before_session(const FlowFacts& facts);
+[[nodiscard]] Situation situation_of(const FlowFacts& facts, DeviceCondition condition);
+[[nodiscard]] Mood mood_of(Situation situation);
+
+// flow_steps.cpp
+[[nodiscard]] std::array<StepState, kStepCount> steps_of(const FlowFacts& facts,
+                                                         Situation situation,
+                                                         DeviceCondition condition);
+
+// flow_acts.cpp
+/// Why no trial can begin at this moment.
+enum class Obstacle : std::uint8_t {
+  none,
+  no_device,
+  recording_over,
+  no_zero,
+  zeroing,
+  trial_runs,
+  protocol_over,
+  zero_again,
+  not_strapped,
+  settles,
+  rests,
+  pause_ends,
+  no_task,
+  task_lacks
+};
+[[nodiscard]] Obstacle obstacle_of(const FlowFacts& facts);
+/// All that `view` says may or must be done, and the one thing to press; from its situation and the
+/// mood of its device.
+void decide_acts(const FlowFacts& facts, FlowView& view);
+
+}  // namespace isograsp::gui

@@ -10,6 +10,7 @@
 
 #include "tests/storage/planted_blocks.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::app::hostile_test {
 namespace {
@@ -139,6 +140,7 @@ TEST_F(Hostile, ALineOfAHundredThousandColumnsIsRefused) {
 
 /// No control character but line ends and tabs; `lines` at most.
 void expect_harmless(const test::CommandResult& said) {
+  EXPECT_FALSE(said.out.empty() && said.err.empty()) << "nothing was printed";
   for (const std::string* text : {&said.out, &said.err}) {
     for (const char c : *text) {
       const auto byte = static_cast<unsigned char>(c);
@@ -239,7 +241,7 @@ TEST_F(Hostile, WhatTheProgramMakesIsForItsOwnerOnly) {
   must_do("db person c.db --patient T-01 --out person");
   must_do("record --device 'sim://healthy?seed=1' --duration 0.1 --out rec.csv");
   int files = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(all)) {
+  for (const auto& entry : test::every(fs::recursive_directory_iterator(all))) {
     const auto mode = static_cast<int>(entry.status().permissions());
     EXPECT_EQ(mode, entry.is_directory() ? 0700 : 0600) << entry.path();
     ++files;
@@ -276,10 +278,12 @@ TEST_F(Hostile, NoTableHoldsAFormulaAndNumbersStayNumbers) {
   for (const char* cell : {",=", ",@", ",+", "\n=", "\n@", "\n+", "\"=", "\"@"})
     EXPECT_EQ(table.find(cell), std::string::npos) << cell;
   ASSERT_EQ(isograsp("export --db " + db + " --format bids --out " + folder.path("b")).status, 0);
-  for (const auto& entry : fs::recursive_directory_iterator(folder.path("b")))
+  test::AtLeast tables(1);
+  for (const auto& entry : test::every(fs::recursive_directory_iterator(folder.path("b"))))
     if (entry.path().string().ends_with("events.tsv")) {
       const std::string events = test::read_file(entry.path());
       EXPECT_EQ(events.find("\t-2+3"), std::string::npos) << events;
+      ++tables;
     }
 }
 

@@ -12,6 +12,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/recorded_data.hpp"
 
 namespace isograsp::app::import_test {
@@ -121,10 +122,10 @@ TEST(Import, FilesBecomePatientsSessionsInTheirOrderAndTrialsInSIUnits) {
   EXPECT_EQ(patients[0].code, "TEST-02") << "by number, not by the letters of the file's name";
   EXPECT_EQ(patients[1].code, "TEST-10");
   double pounds = 0.0;
-  for (const Patient& patient : patients) {
+  for (const Patient& patient : test::every(patients)) {
     ASSERT_EQ(patient.sessions.size(), 2u);
     EXPECT_LT(patient.sessions[0].record.started_utc, patient.sessions[1].record.started_utc);
-    for (const Session& session : patient.sessions) {
+    for (const Session& session : test::every(patient.sessions)) {
       pounds += 1.0;
       EXPECT_TRUE(session.record.recorded);
       EXPECT_FALSE(session.record.simulated);
@@ -425,7 +426,8 @@ bool import_shipped(const TemporaryFolder& folder, const std::string& name,
 
 TEST(Import, EveryShippedRecordingFileIsSound) {
   int files = 0;
-  for (const auto& entry : fs::directory_iterator(ISOGRASP_SOURCE_DIR "/library/recordings")) {
+  for (const auto& entry :
+       test::every(fs::directory_iterator(ISOGRASP_SOURCE_DIR "/library/recordings"))) {
     const TemporaryFolder empty;
     const auto done = isograsp("import --recording " + entry.path().string() + " --from " +
                                empty.path() + " --db " + empty.path("c.db"));
@@ -445,8 +447,8 @@ TEST(ImportedPeople, GripInACorridorIsScoredWithTheTimeThatRowsHold) {
   std::size_t trials = 0;
   std::size_t differing = 0;
   std::set<std::string> tasks;
-  for (const Patient& patient : patients)
-    for (const Session& session : patient.sessions)
+  for (const Patient& patient : test::every(patients))
+    for (const Session& session : test::every(patient.sessions))
       for (std::size_t t = 0; t < session.trials.size(); ++t) {
         ++trials;
         tasks.insert(session.trials[t].task_name);

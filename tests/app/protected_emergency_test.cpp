@@ -6,6 +6,7 @@
 
 #include "tests/support/background_command.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::app::protected_emergency_test {
 namespace {
@@ -80,7 +81,8 @@ class ProtectedEmergency : public testing::Test {
   void expect_as_sealed_as_the_database() const {
     int looked_at = 0;
     bool task_text = false;
-    for (const auto& entry : fs::directory_iterator(folder_.path("state/isograsp/emergency"))) {
+    for (const auto& entry :
+         test::every(fs::directory_iterator(folder_.path("state/isograsp/emergency")))) {
       const std::string bytes = test::read_file(entry.path());
       ++looked_at;
       task_text = task_text || bytes.find("duration_s = 600") != std::string::npos;

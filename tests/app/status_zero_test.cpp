@@ -17,6 +17,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::app::status_zero_test {
 namespace {
@@ -128,7 +129,7 @@ void expect_kept(const std::string& path, const RecordingRun& run, const std::st
   EXPECT_FALSE((*store)->measures(trials[0].id).value().empty()) << name;
   EXPECT_EQ(trials[1].uuid, run.second.uuid) << name;
   EXPECT_GE(trials[1].samples, run.second.samples) << name;
-  for (const storage::TrialRecord& trial : trials) {
+  for (const storage::TrialRecord& trial : test::every(trials)) {
     const auto signals = (*store)->signals(trial);
     ASSERT_TRUE(signals.ok()) << name << ": " << signals.error().message();
     EXPECT_EQ(static_cast<std::int64_t>(signals->rows()), trial.samples) << name;
@@ -282,7 +283,7 @@ TEST(StatusZero, AFileThatMayNotGrowIsAnErrorWithASentenceAndWhatWasConfirmedSta
   EXPECT_EQ(run.said("out").find("[completed]"), std::string::npos);
   EXPECT_EQ(isograsp("db check " + run.db).status, 0);
   const auto store = storage::open_store(run.db, storage::OpenMode::read_only).value();
-  for (const storage::TrialRecord& trial : trials_in(*store))
+  for (const storage::TrialRecord& trial : test::every(trials_in(*store)))
     EXPECT_TRUE(store->signals(trial).ok());
 }
 

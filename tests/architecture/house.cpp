@@ -27,6 +27,26 @@ Names words_in(const std::string& text) {
   return words;
 }
 
+void read_below(const std::string& folder, std::vector<Source>& found) {
+  const fs::path root = ISOGRASP_SOURCE_DIR;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".hpp" && extension != ".cpp") continue;
+    Source source{folder, entry.path().lexically_relative(root), {}};
+    std::istringstream in(text_of_file(entry.path()));
+    for (std::string line; std::getline(in, line);) source.lines.push_back(line);
+    found.push_back(std::move(source));
+  }
+}
+
+/// By name. Throws std::runtime_error if these are too few to be all.
+std::vector<Source> sorted(std::vector<Source> found, std::size_t fewest) {
+  if (found.size() < fewest) throw std::runtime_error("the sources were not found");
+  std::sort(found.begin(), found.end(),
+            [](const Source& a, const Source& b) { return a.file < b.file; });
+  return found;
+}
+
 }  // namespace
 
 std::size_t Folder::room_of(const std::string& file) const {
@@ -84,26 +104,28 @@ const Folder& House::folder(const std::string& name) const {
   return *found;
 }
 
+std::string Source::text() const {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
 const std::vector<Source>& all_sources() {
   static const auto sources = [] {
-    const fs::path root = ISOGRASP_SOURCE_DIR;
     std::vector<Source> found;
-    for (const Folder& folder : House::ours().folders())
-      for (const auto& entry : fs::recursive_directory_iterator(root / folder.name)) {
-        const std::string extension = entry.path().extension();
-        if (extension != ".hpp" && extension != ".cpp") continue;
-        Source source{folder.name, entry.path().lexically_relative(root), {}};
-        std::istringstream in(text_of_file(entry.path()));
-        for (std::string line; std::getline(in, line);) source.lines.push_back(line);
-        found.push_back(std::move(source));
-      }
-    std::sort(found.begin(), found.end(),
-              [](const Source& a, const Source& b) { return a.file < b.file; });
-    constexpr std::size_t kFewest = 500;  // the house has more; fewer: it was not read
-    if (found.size() < kFewest) throw std::runtime_error("the sources were not found");
-    return found;
+    for (const Folder& folder : House::ours().folders()) read_below(folder.name, found);
+    return sorted(std::move(found), 500);
   }();
   return sources;
+}
+
+const std::vector<Source>& all_tests() {
+  static const auto tests = [] {
+    std::vector<Source> found;
+    read_below("tests", found);
+    return sorted(std::move(found), 250);
+  }();
+  return tests;
 }
 
 std::string code_of(const std::string& text) {

@@ -47,11 +47,15 @@ struct Source {
   std::string file;  ///< from the root of the project: "gui/words/texts.cpp"
   std::vector<std::string> lines;
 
+  [[nodiscard]] std::string text() const;
   [[nodiscard]] bool is_header() const { return file.ends_with(".hpp"); }
 };
 
 /// Every .hpp and .cpp file of all folders, by name.
 [[nodiscard]] const std::vector<Source>& all_sources();
+
+/// Every .hpp and .cpp file of the tests, by name; the folder is "tests".
+[[nodiscard]] const std::vector<Source>& all_tests();
 
 /// The text without comments, literals and lines of the preprocessor: braces that count are left.
 [[nodiscard]] std::string code_of(const std::string& text);

@@ -5,6 +5,7 @@
 #include "device/bus/bus.hpp"
 #include "tests/can_guest/bus_bench.hpp"
 #include "tests/device/counting_play.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp {
 namespace {
@@ -44,7 +45,7 @@ bool came_in_time(const std::vector<Taken>& samples, std::size_t finger) {
 }
 
 void expect_exact_rows(const std::vector<Taken>& samples, std::size_t finger) {
-  for (const auto& [sample, handed_over] : samples) {
+  for (const auto& [sample, handed_over] : test::every(samples)) {
     const Wrench expected = test::counting_wrench(test::row_of(sample.wrench_C, finger), finger);
     ASSERT_EQ(sample.wrench_C.force, expected.force);
     ASSERT_EQ(sample.wrench_C.torque, expected.torque);
@@ -156,7 +157,7 @@ TEST(RealBus, TheRawLogDecodesToWhatWasSent) {
   for (const char* name : {"thumb_fz_N", "index_fz_N", "middle_fz_N"}) {
     double before = -1.0;
     std::size_t present = 0;
-    for (const double value : forces->column(name)) {
+    for (const double value : test::every(forces->column(name))) {
       if (std::isnan(value)) continue;
       EXPECT_GT(value, before) << name;
       before = value;

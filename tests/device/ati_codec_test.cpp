@@ -11,6 +11,7 @@
 #include "device/bus/candump_log.hpp"
 #include "device/emulator/emulated_ati.hpp"
 #include "device/protocol/ati_decoder.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::ati_codec_test {
 namespace {
@@ -91,7 +92,7 @@ TEST(AtiCodec, CarriesEvenGagesInTheFirstFrameAndOddOnesInTheSecond) {
 
 TEST(AtiCodec, DecodesAndEncodesTheRowsOfTheExample) {
   AtiRowAssembly assembly;
-  for (const auto& row : example_rows()) {
+  for (const auto& row : test::every(example_rows())) {
     EXPECT_FALSE(assembly.push(frame(row.frames[0])).has_value());
     EXPECT_FALSE(assembly.push(frame(row.frames[1])).has_value());
     const auto back = assembly.push(frame(row.frames[2]));
@@ -109,7 +110,7 @@ TEST(AtiCodec, JoinsARowOnlyFromItsThreePartsInOrder) {
       {1, 2}, {0, 2}, {0, 2, 1}, {2, 1, 0}, {0, 1, 0}};
   for (const auto& order : wrong) {
     AtiRowAssembly assembly;
-    for (const auto part : order) EXPECT_FALSE(assembly.push(parts[part]).has_value());
+    for (const auto part : test::every(order)) EXPECT_FALSE(assembly.push(parts[part]).has_value());
   }
   AtiRowAssembly assembly;  // each part twice
   for (const std::size_t part : {0U, 0U, 1U, 1U})
@@ -402,7 +403,7 @@ std::size_t play(const std::vector<Event>& events, bool with_questions) {
   std::size_t samples = 0;
   std::uint64_t halves = 0;
   int newest = -1;
-  for (const auto& [f, stamp] : events) {
+  for (const auto& [f, stamp] : test::every(events)) {
     if (ati_word(f) == AtiWord::request) {
       if (with_questions) pairing.ask();
       continue;

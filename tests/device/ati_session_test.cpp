@@ -13,6 +13,7 @@
 #include "device/config/ati_sensor.hpp"
 #include "device/emulator/emulated_ati.hpp"
 #include "tests/device/conversation.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::test::ati_session_test {
@@ -164,7 +165,7 @@ TEST(AtiSession, AnAnswerThatComesLateIsDroppedAndNeverMakesLaterSamplesOld) {
   // One grid slot is one sample or one that is lost.
   EXPECT_EQ(bench.taken.size() + counters.lost, 20'000u);
   std::size_t k = 0;
-  for (const auto& [finger, m] : bench.taken) {
+  for (const auto& [finger, m] : every(bench.taken)) {
     while (k < bench.sent.size() && bench.reading_of(bench.sent[k]).gages != m.raw_counts) ++k;
     ASSERT_LT(k, bench.sent.size());
     ASSERT_LE(m.stamp - bench.sent[k].when, 5ms) << "older than an answer may be";
@@ -210,7 +211,7 @@ TEST(AtiSession, APowerDipIsNoticedAndTheSensorSetUpAgain) {
       EXPECT_EQ(bench.session->counters().restarts, restarts) << int{slot} << boot_time.count();
       EXPECT_TRUE(bench.session->streaming());
       EXPECT_GT(bench.taken.size(), before + 40);
-      for (const auto& taken : bench.taken) ASSERT_TRUE(taken.measurement.valid);
+      for (const auto& taken : every(bench.taken)) ASSERT_TRUE(taken.measurement.valid);
       const auto& last = bench.taken.back().measurement;
       ASSERT_EQ(last.raw_counts, bench.reading_of(bench.sent.back()).gages);
       const std::size_t slots = static_cast<std::size_t>((2s + 3ms + boot_time) / 10ms) + 1;
@@ -256,7 +257,7 @@ TEST(AtiSession, AnotherMasterThatSelectsAnotherCalibrationIsARestart) {
   EXPECT_EQ(bench.session->counters().foreign, 1u);
   bench.run_for(1s);
   EXPECT_TRUE(bench.session->streaming());
-  for (const auto& taken : bench.taken) ASSERT_TRUE(taken.measurement.valid);
+  for (const auto& taken : every(bench.taken)) ASSERT_TRUE(taken.measurement.valid);
 }
 
 TEST(AtiSession, RefusesAWrongSerialNumber) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
+
 namespace isograsp::device_check_test {
 namespace {
 
@@ -68,19 +70,20 @@ std::vector<CheckResult> walk(const Mistake& mistake, std::optional<double> weig
 TEST(DeviceCheck, ADeviceThatIsAsItShouldBePasses) {
   const auto results = walk([](auto forces) { return forces; }, kPush_N);
   ASSERT_EQ(results.size(), 12u);
-  for (const auto& r : results) EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
+  for (const auto& r : test::every(results))
+    EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
 }
 
 TEST(DeviceCheck, APlatformThatStandsForTheLeftHandPassesAndNotAsOneForTheRight) {
   const auto good = walk([](auto forces) { return forces; }, {}, Hand::left);
-  for (const auto& r : good) EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
+  for (const auto& r : test::every(good)) EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
   const auto turned = walk(
       [](auto forces) {
         for (auto& force : forces) force.y() = -force.y();
         return forces;
       },
       {}, Hand::left);
-  for (const auto& r : turned)
+  for (const auto& r : test::every(turned))
     EXPECT_EQ(r.verdict,
               r.step.press == Press::toward_wrist ? CheckVerdict::wrong_sign : CheckVerdict::good);
 }
@@ -90,7 +93,7 @@ TEST(DeviceCheck, FindsSwappedSensors) {
     std::swap(forces[0], forces[2]);
     return forces;
   });
-  for (const auto& r : results) {
+  for (const auto& r : test::every(results)) {
     EXPECT_EQ(r.verdict,
               r.step.finger == Finger::index ? CheckVerdict::good : CheckVerdict::other_finger);
   }
@@ -103,7 +106,7 @@ TEST(DeviceCheck, FindsAWrongSign) {
     forces[1] = -forces[1];
     return forces;
   });
-  for (const auto& r : results)
+  for (const auto& r : test::every(results))
     EXPECT_EQ(r.verdict,
               r.step.finger == Finger::index ? CheckVerdict::wrong_sign : CheckVerdict::good);
 }
@@ -113,7 +116,7 @@ TEST(DeviceCheck, FindsATurnedSensor) {
     forces[2] = Vec3(forces[2].y(), -forces[2].x(), forces[2].z());  // a quarter turn about z
     return forces;
   });
-  for (const auto& r : results) {
+  for (const auto& r : test::every(results)) {
     if (r.step.finger == Finger::middle && r.step.press != Press::into)
       EXPECT_EQ(r.verdict, CheckVerdict::wrong_axis);
     else
@@ -128,7 +131,7 @@ TEST(DeviceCheck, FindsAWrongScaleWithAReferenceWeight) {
         return forces;
       },
       kPush_N);
-  for (const auto& r : results)
+  for (const auto& r : test::every(results))
     EXPECT_EQ(r.verdict, r.step.finger == Finger::thumb && r.step.press == Press::weight
                              ? CheckVerdict::wrong_scale
                              : CheckVerdict::good);
@@ -139,7 +142,7 @@ TEST(DeviceCheck, SaysWhenNobodyPresses) {
     forces[1].setZero();  // its cable is out
     return forces;
   });
-  for (const auto& r : results)
+  for (const auto& r : test::every(results))
     EXPECT_EQ(r.verdict,
               r.step.finger == Finger::index ? CheckVerdict::nothing_felt : CheckVerdict::good);
 }

@@ -10,6 +10,7 @@
 #include "device/config/jr3_sensor.hpp"
 #include "device/config/net_ft_sensor.hpp"
 #include "device/config/rft_sensor.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::device_config_test {
@@ -66,7 +67,7 @@ TEST(DeviceConfig, RefusesWhatCannotWork) {
 TEST(DeviceConfig, EveryShippedFileIsGood) {
   int files = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(ISOGRASP_SOURCE_DIR "/library/devices")) {
+       test::every(std::filesystem::directory_iterator(ISOGRASP_SOURCE_DIR "/library/devices"))) {
     if (entry.path().extension() != ".toml") continue;
     const auto config = DeviceConfig::read(entry.path().string());
     EXPECT_TRUE(config.ok()) << config.error().message();

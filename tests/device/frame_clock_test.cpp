@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::frame_clock_test {
@@ -72,7 +73,7 @@ TEST(FrameClock, ReproducesARampSeenByThreeDriftingClocksToRounding) {
     FrameClock clock(0.010, period_s, false, kStart);
     const auto frames = run(clock, drifting(period_s, 60.0));
     ASSERT_GT(frames.size(), 5990u);
-    for (const auto& frame : frames) {
+    for (const auto& frame : test::every(frames)) {
       if (frame.t_s < period_s) continue;  // no sample before the first slots
       for (const Finger finger : kFingers) {
         ASSERT_FALSE(missing(frame, finger)) << period_s << ' ' << frame.slot;
@@ -108,13 +109,15 @@ TEST(FrameClock, BridgesOneLostSampleAndInventsNothingAcrossTwo) {
   FrameClock clock(0.010, 0.010, false, kStart);
   const auto frames = run(clock, in_order(samples));
   ASSERT_GE(frames.size(), 18u);
-  for (const auto& frame : frames) {
+  test::AtLeast in_the_gap(3);
+  for (const auto& frame : test::every(frames)) {
     // Slots between samples 9 and 12: 100, 110, 120 ms.
     const bool in_gap = frame.slot >= 10 && frame.slot <= 12;
     EXPECT_EQ(missing(frame, Finger::index), in_gap || frame.slot == 0) << frame.slot;
     EXPECT_EQ(missing(frame, Finger::thumb), frame.slot == 0) << frame.slot;
     if (missing(frame, Finger::index)) {
       EXPECT_EQ(frame.wrench_C[1].force, Vec3::Zero());
+      ++in_the_gap;
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include "device/bus/candump_log.hpp"
 #include "device/protocol/jr3_decoder.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::jr3_codec_test {
 namespace {
@@ -187,7 +188,7 @@ std::vector<Event> train() {
 std::size_t play(const std::vector<Event>& events) {
   Jr3Pairing pairing;
   std::vector<int> came;
-  for (const auto& [f, stamp] : events) {
+  for (const auto& [f, stamp] : test::every(events)) {
     const auto reading = pairing.push(f, stamp);
     if (!reading) continue;
     const int k = reading->reading.raw[0] / 100;

@@ -12,6 +12,7 @@
 #include "device/protocol/jr3_comedi_session.hpp"
 #include "device/sensors/sensor_device.hpp"
 #include "tests/device/fake_comedi_card.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::test::jr3_comedi_test {
@@ -189,7 +190,7 @@ TEST(Jr3ComediDevice, ReturnsByItselfWhenTheDriverTrustsTheSensorAgain) {
   (void)bench.read_for(1s - 1ms);
   bench.hardware.sensors[2].state = ComediCard::Reading::not_ready;
   const auto during = bench.read_for(12s);
-  for (const auto& sample : during) ASSERT_NE(sample.finger, Finger::middle);
+  for (const auto& sample : every(during)) ASSERT_NE(sample.finger, Finger::middle);
   auto health = bench.device->health();
   EXPECT_EQ(health.state, DeviceState::faulted);
   EXPECT_EQ(health.fault, DeviceFault::silence);
@@ -262,7 +263,7 @@ TEST(Jr3ComediDevice, AClippedSampleIsSaturatedAndInvalid) {
   (void)bench.read_for(5ms);
   for (const std::uint32_t end : {0U, 0x7FFFU}) {
     bench.hardware.sensors[1].samples[8 * kFilter + 2] = end;
-    for (const auto& sample : bench.read_for(50ms)) {
+    for (const auto& sample : every(bench.read_for(50ms))) {
       const bool clipped = sample.finger == Finger::index;
       EXPECT_EQ((sample.flags & bit(SampleFlag::saturated)) != 0, clipped);
       EXPECT_EQ(sample.valid, !clipped);

@@ -14,6 +14,7 @@
 #include "device/config/jr3_sensor.hpp"
 #include "device/emulator/emulated_jr3.hpp"
 #include "tests/device/conversation.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::test::jr3_session_test {
@@ -56,7 +57,7 @@ struct Jr3Bench : Conversation {
     go = false;
     begin();
     run_for(400ms);
-    for (auto& session : sessions) {
+    for (auto& session : every(sessions)) {
       ASSERT_TRUE(session->ready());
       session->reset_counters();
     }
@@ -101,7 +102,7 @@ TEST(Jr3Session, OneSynchronisationBringsOneSampleOfEachSensorInTheSameInstant) 
   bench.run_for(60s);
   EXPECT_EQ(bench.syncs(), 6000u) << "the conductor sends for all";
   std::array<int, kFingerCount> next{};
-  for (const auto& [finger, m] : bench.taken) {
+  for (const auto& [finger, m] : every(bench.taken)) {
     ASSERT_EQ(m.raw_counts[2], next[finger]++);
     ASSERT_EQ(m.raw_counts[3], static_cast<int>(finger));
     ASSERT_EQ(m.wrench_S.force.z(), m.raw_counts[2] * 300.0 / 16384.0);
@@ -153,7 +154,7 @@ TEST(Jr3Session, ADelayChangesNoValueAndNoOrder) {
   bench.run_for(60s);
   bench.run_for(100ms);
   std::array<int, kFingerCount> next{};
-  for (const auto& [finger, m] : bench.taken) ASSERT_EQ(m.raw_counts[2], next[finger]++);
+  for (const auto& [finger, m] : every(bench.taken)) ASSERT_EQ(m.raw_counts[2], next[finger]++);
   EXPECT_GE(next[0], 6000);
 }
 
@@ -265,7 +266,7 @@ TEST(Jr3Session, AClippedAxisIsSaturatedAndInvalid) {
   bench.set_up();
   bench.run_for(100ms);
   ASSERT_FALSE(bench.taken.empty());
-  for (const auto& [finger, m] : bench.taken) {
+  for (const auto& [finger, m] : every(bench.taken)) {
     EXPECT_EQ(m.saturated, finger == 1);
     EXPECT_EQ(m.valid, finger != 1);
   }
@@ -292,7 +293,7 @@ TEST(Jr3Emulator, ItsLowPassFollowsTheStepOfAFirstOrderFilter) {
   bench.set_up();
   bench.run_for(100ms);
   int k = 0;
-  for (const auto& [finger, m] : bench.taken) {
+  for (const auto& [finger, m] : every(bench.taken)) {
     if (finger != 0) continue;
     const double t_s = 0.01 * k++;
     const double expected = kStep_N * (1.0 - std::exp(-2.0 * std::numbers::pi * 31.25 * t_s));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/device/hex.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::net_ft_codec_test {
@@ -160,7 +161,7 @@ TEST(NetFtCodec, NamesEveryBitOfBothStatusWords) {
   for (const auto product : {NetFtProduct::net_box, NetFtProduct::axia}) {
     const std::string all = words(UINT32_MAX, product);
     EXPECT_EQ(std::count(all.begin(), all.end(), '+'), 32);  // saturated and 32 bits
-    for (const char c : all)
+    for (const char c : test::every(all))
       EXPECT_TRUE((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '+');
   }
 }

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
+
 namespace isograsp::net_ft_sequence_test {
 namespace {
 
@@ -145,7 +147,7 @@ TEST(NetFtSequence, CountsExactlyInLongRandomStreams) {
     NetFtSequence sequence;
     std::uint64_t used = 0;
     std::uint32_t newest = 0;
-    for (const auto& arrival : arrivals) {
+    for (const auto& arrival : test::every(arrivals)) {
       const Place place = push(sequence, arrival.record);
       const std::uint32_t k = arrival.record.rdt_sequence - first;
       if (place == Place::in_order) {

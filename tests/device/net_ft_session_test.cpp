@@ -11,6 +11,7 @@
 #include "device/emulator/emulated_net_ft.hpp"
 #include "tests/device/conversation.hpp"
 #include "tests/device/hex.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace isograsp::net_ft_session_test {
@@ -55,7 +56,7 @@ TEST(NetFtSession, StopsAsksOnceAndStarts) {
   EXPECT_EQ(to_thumb,
             (std::vector<test::Bytes>{test::hex("1234000000000000"), test::hex("1234000200000001"),
                                       test::hex("1234000200000000")}));
-  for (const auto& session : bench.sessions) EXPECT_TRUE(session->streaming());
+  for (const auto& session : test::every(bench.sessions)) EXPECT_TRUE(session->streaming());
   EXPECT_EQ(bench.sessions[0]->stop_frame(), encode_net_ft_request(0, {NetFtCommand::stop, 0}));
 }
 
@@ -136,7 +137,7 @@ TEST(NetFtSession, DropsDuplicatesAndLateRecordsAndCountsThem) {
   EXPECT_EQ(bench.sessions[1]->counters().lost, 1u);
   EXPECT_EQ(bench.sessions[1]->counters().late, 1u);
   std::int32_t last = INT32_MIN;
-  for (const auto& sample : bench.of(1)) {
+  for (const auto& sample : test::every(bench.of(1))) {
     EXPECT_GT(sample.raw_counts[0], last) << "never backwards";
     last = sample.raw_counts[0];
   }
@@ -236,7 +237,7 @@ TEST(NetFtSession, ABoxThatDoesNotAnswerIsToldAfterThreeTries) {
   bench.mute = true;
   bench.begin();
   bench.run_for(500ms);
-  for (const auto& session : bench.sessions) {
+  for (const auto& session : test::every(bench.sessions)) {
     EXPECT_EQ(session->failure(), SensorSession::Failure::no_answer);
     EXPECT_NE(session->error("thumb", "udp").message().find("192.168.1."), std::string::npos);
   }
@@ -248,7 +249,7 @@ TEST(NetFtSession, ABoxThatDoesNotAnswerIsToldAfterThreeTries) {
             3);
   bench.mute = false;
   bench.run_for(2s);
-  for (const auto& session : bench.sessions) EXPECT_TRUE(session->streaming());
+  for (const auto& session : test::every(bench.sessions)) EXPECT_TRUE(session->streaming());
 }
 
 TEST(NetFtSession, AValueThatTheBoxCallsWrongIsNotValid) {
@@ -300,7 +301,7 @@ TEST(NetFtSession, AnEmulatedBoxPressedBeyondItsRangeSaysSo) {
   };
   bench.begin();
   bench.run_for(1s);
-  for (const auto& one : bench.taken) {
+  for (const auto& one : test::every(bench.taken)) {
     EXPECT_EQ(one.measurement.valid, one.finger != 2);
     EXPECT_EQ(one.measurement.saturated, one.finger == 2);
     EXPECT_EQ(one.measurement.status, one.finger == 2 ? 0x80020000u : 0u);

@@ -18,6 +18,7 @@
 #include "device/bus/bus.hpp"
 #include "device/codec/rft_stream.hpp"
 #include "tests/device/hex.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -163,7 +164,7 @@ TEST_F(SerialBus, PacketsOfThreeSensorsAreFoundWithTheTimeOfTheirLastByte) {
     }
   }
   EXPECT_EQ(found, (std::array<int, kFingerCount>{200, 200, 200}));
-  for (const auto& stream : streams) EXPECT_EQ(stream.torn() + stream.foreign(), 0u);
+  for (const auto& stream : test::every(streams)) EXPECT_EQ(stream.torn() + stream.foreign(), 0u);
 }
 
 TEST_F(SerialBus, AnUnpluggedAdapterIsToldOnceAndReopenedByItsName) {

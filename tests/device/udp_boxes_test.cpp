@@ -9,6 +9,7 @@
 
 #include "device/config/net_ft_sensor.hpp"
 #include "tests/device/net_ft_boxes.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::udp_boxes_test {
 namespace {
@@ -65,7 +66,7 @@ TEST(UdpBusWithBoxes, EverySampleOfThreeBoxesArrivesWithItsValue) {
     ASSERT_FALSE(samples.empty());
     // The play numbers its rows; each box has its own phase and clock.
     std::int32_t last = -1;
-    for (const auto& one : samples) {
+    for (const auto& one : test::every(samples)) {
       const double pressed = one.wrench_C.force.z() * 50.0 - 1000.0 * static_cast<double>(f);
       const auto row = static_cast<std::int32_t>(std::lround(pressed));
       ASSERT_NEAR(pressed, row, 1e-3);
@@ -93,7 +94,7 @@ TEST(UdpBusWithBoxes, CountsExactlyWhatTheNetworkDid) {
   EXPECT_GT(boxes.counters(2).delayed, 0u);
   EXPECT_EQ(middle.lost, middle.late) << "what came late was missed first; nothing else was lost";
   EXPECT_EQ(middle.good + middle.late, boxes.counters(2).samples);
-  for (const auto& samples : run->samples)
+  for (const auto& samples : test::every(run->samples))
     EXPECT_TRUE(std::is_sorted(samples.begin(), samples.end(),
                                [](const auto& a, const auto& b) { return a.stamp < b.stamp; }));
 }

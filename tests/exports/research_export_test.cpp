@@ -24,6 +24,7 @@
 #include "tasks/facts/column_facts.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/reports/emitted_measures.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/files_below.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -135,7 +136,7 @@ TEST_F(ResearchExport, EveryFormatWritesExactlyTheFilesThatWereListed) {
     std::sort(listed.begin(), listed.end());
     const auto out = exported(format, "listed_" + std::string(name_of(format)));
     EXPECT_EQ(files_below(out), listed) << name_of(format);
-    for (const auto& file : listed)
+    for (const auto& file : test::every(listed))
       EXPECT_EQ(file.find("104"), std::string::npos) << "no code in the name of a file";
     const auto again = write_export(*store_, {}, format, out);
     EXPECT_FALSE(again.ok()) << "nothing is overwritten";
@@ -194,7 +195,7 @@ TEST_F(ResearchExport, NoFormatTellsWhoWhenOrWhere) {
   for (const ExportFormat format : kAll) {
     const auto out = exported(format, "private_" + std::string(name_of(format)));
     bool code_seen = false;
-    for (const auto& file : files_below(out)) {
+    for (const auto& file : test::every(files_below(out))) {
       const auto text = read_text(out + "/" + file).value();
       for (const char* word : {"secret", "2026-0", "09:30", "10:00:0"})
         EXPECT_EQ(text.find(word), std::string::npos) << file << " holds " << word;
@@ -223,12 +224,12 @@ TEST_F(ResearchExport, Hdf5HoldsEverySignalToTheLastBit) {
   std::size_t compared = 0;
   const auto patient = store_->find_patient("TK-104").value().value();
   int session_number = 0;
-  for (const auto& session : store_->sessions(patient.id).value()) {
+  for (const auto& session : test::every(store_->sessions(patient.id).value())) {
     ++session_number;
-    for (const auto& trial : store_->trials(session.id).value()) {
+    for (const auto& trial : test::every(store_->trials(session.id).value())) {
       const auto signals = store_->signals(trial).value();
       std::size_t next = 0;
-      for (const auto& group : trial.groups) {
+      for (const auto& group : test::every(trial.groups)) {
         char place[128];
         std::snprintf(place, sizeof place, "/patients/TK-104/session-%02d/trial-%02d/signals/",
                       session_number, trial.number);
@@ -255,7 +256,7 @@ TEST_F(ResearchExport, SameDatabaseSameBytes) {
   for (const ExportFormat format : {ExportFormat::csv, ExportFormat::hdf5, ExportFormat::bids}) {
     const auto first = exported(format, "first_" + std::string(name_of(format)));
     const auto second = exported(format, "second_" + std::string(name_of(format)));
-    for (const auto& file : files_below(first))
+    for (const auto& file : test::every(files_below(first)))
       EXPECT_EQ(read_text(first + "/" + file).value(), read_text(second + "/" + file).value())
           << file;
   }
@@ -307,7 +308,7 @@ TEST(ColumnFacts, EveryColumnOfATrialIsDescribedWithItsUnit) {
       names.insert(names.end(), group.columns.begin(), group.columns.end());
   for (const Finger finger : kFingers)
     for (const HandAxis axis : kHandAxes) names.push_back(anatomical_column(finger, axis));
-  for (const auto& name : names) {
+  for (const auto& name : test::every(names)) {
     const auto facts = tasks::describe_column(name);
     EXPECT_TRUE(facts.known) << name;
     EXPECT_TRUE(ucum_code(facts.unit)) << name;
@@ -322,7 +323,7 @@ TEST(ColumnFacts, EveryColumnOfATrialIsDescribedWithItsUnit) {
 
 TEST(TaskKinds, AreCalledAsInTaskFiles) {
   std::set<std::string_view> seen;
-  for (const auto& spec : test::library_tasks()) {
+  for (const auto& spec : test::every(test::library_tasks())) {
     const std::string line = "kind = \"" + std::string(spec.kind->name) + "\"";
     EXPECT_NE(spec.text.find(line), std::string::npos) << spec.file << " has no " << line;
     seen.insert(spec.kind->name);
@@ -332,8 +333,8 @@ TEST(TaskKinds, AreCalledAsInTaskFiles) {
 
 TEST(FhirCodes, EveryMeasureHasAUnitOfUcum) {
   std::size_t measures = 0;
-  for (const auto& [spec, list] : test::emitted())
-    for (const auto& measure : list) {
+  for (const auto& [spec, list] : test::every(test::emitted()))
+    for (const auto& measure : test::every(list)) {
       ++measures;
       EXPECT_TRUE(ucum_code(measure.unit)) << measure.name << ": " << measure.unit;
       EXPECT_EQ(fhir_code(measure).find(' '), std::string::npos) << measure.name;

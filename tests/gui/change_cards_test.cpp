@@ -10,6 +10,7 @@
 #include "qt_test.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::change_cards_test {
@@ -121,7 +122,7 @@ TEST_F(ChangeForm, AFifthMeasureCannotBeAddedUntilOneIsRemoved) {
   EXPECT_TRUE(find<QPushButton>("primary_add").isEnabled());
   press("primary_undo");
   ASSERT_TRUE(rows("primary_list", 4));
-  for (const auto& primary : stored_primaries())
+  for (const auto& primary : every(stored_primaries()))
     EXPECT_TRUE(std::any_of(before.begin(), before.end(), [&](const auto& one) {
       return one.measure == primary.measure && one.chosen_utc == primary.chosen_utc;
     })) << "it comes back with the time at which it was chosen";

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
+
 namespace isograsp::gui::cue_words_test {
 namespace {
 
@@ -41,8 +43,8 @@ Digits told_as(ForceChannel channel) {
 }
 
 TEST(CueWords, AreThereAndShortForEveryCueChannelAndHand) {
-  for (const Cue cue : every_cue())
-    for (const ForceChannel channel : every_channel())
+  for (const Cue cue : test::every(every_cue()))
+    for (const ForceChannel channel : test::every(every_channel()))
       for (const Hand hand : {Hand::right, Hand::left}) {
         const auto [headline, detail] = words_for(cue, channel, hand);
         const std::string where =
@@ -58,8 +60,8 @@ TEST(CueWords, AreThereAndShortForEveryCueChannelAndHand) {
 TEST(CueWords, SayEveryForceDifferently) {
   for (const Cue cue : {Cue::squeeze, Cue::press, Cue::follow})
     for (const Hand hand : {Hand::right, Hand::left})
-      for (const ForceChannel a : every_channel())
-        for (const ForceChannel b : every_channel()) {
+      for (const ForceChannel a : test::every(every_channel()))
+        for (const ForceChannel b : test::every(every_channel())) {
           const bool same = told_as(a) == told_as(b) && a.direction == b.direction;
           EXPECT_EQ(whole(cue, a, hand) == whole(cue, b, hand), same)
               << name_of(cue) << ": " << name_of(a) << " and " << name_of(b);
@@ -68,8 +70,8 @@ TEST(CueWords, SayEveryForceDifferently) {
 
 TEST(CueWords, SayEveryCueDifferentlyInTheLargeLineOfTheGrip) {
   for (const ForceChannel channel : {ForceChannel{}, channel_of(Finger::index)})
-    for (const Cue a : every_cue())
-      for (const Cue b : every_cue())
+    for (const Cue a : test::every(every_cue()))
+      for (const Cue b : test::every(every_cue()))
         EXPECT_EQ(words_for(a, channel, Hand::right).headline ==
                       words_for(b, channel, Hand::right).headline,
                   a == b)
@@ -77,7 +79,7 @@ TEST(CueWords, SayEveryCueDifferentlyInTheLargeLineOfTheGrip) {
 }
 
 TEST(CueWords, ComfortableForceNeverReadsLikeAMaximum) {
-  for (const ForceChannel channel : every_channel()) {
+  for (const ForceChannel channel : test::every(every_channel())) {
     const auto words = words_for(Cue::press, channel, Hand::right);
     EXPECT_NE(words.headline.find("comfortably"), std::string::npos);
     EXPECT_EQ(whole(Cue::press, channel).find('!'), std::string::npos);
@@ -86,7 +88,7 @@ TEST(CueWords, ComfortableForceNeverReadsLikeAMaximum) {
 }
 
 TEST(CueWords, OnlyDirectionsAlongTheForearmAreMirroredWithTheHand) {
-  for (const ForceChannel channel : every_channel()) {
+  for (const ForceChannel channel : test::every(every_channel())) {
     const bool along =
         channel.direction == Direction::plus_y || channel.direction == Direction::minus_y;
     EXPECT_EQ(act_of(channel, Hand::right) == act_of(channel, Hand::left), !along)

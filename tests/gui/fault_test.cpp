@@ -10,6 +10,7 @@
 #include "operator.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/device/net_ft_boxes.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::fault_test {
@@ -167,7 +168,7 @@ TEST_F(FaultDuringATrial, ARestartBetweenTrialsIsStoredAndNothingStartsBeforeANe
   ASSERT_TRUE(wait_until([&] { return !presenter_.state().busy(); }));
   const auto faults = stored_faults();
   bool index_told = false;
-  for (const auto& fault : faults) {
+  for (const auto& fault : every(faults)) {
     EXPECT_EQ(fault.trial_id, 0) << "between trials";
     EXPECT_GT(fault.session_time_s, 0.0);
     index_told = index_told || fault.text.find("index") != std::string::npos;

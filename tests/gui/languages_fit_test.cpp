@@ -22,6 +22,7 @@
 #include "spoken.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::languages_fit_test {
@@ -270,7 +271,7 @@ TEST_P(EveryPage, GivesEachMnemonicOnceAndNamesItInTheTooltip) {
       if (kAlt.match(key).hasMatch() && owner != nullptr && visible_or_ready(*owner))
         take(key, owner->objectName().toStdString());
     }
-    for (auto* widget : window.findChildren<QWidget*>()) {
+    for (auto* widget : every(window.findChildren<QWidget*>())) {
       const auto found = kAlt.match(widget->toolTip());
       if (!found.hasMatch() || !widget->isVisible()) continue;
       const auto key = found.captured();

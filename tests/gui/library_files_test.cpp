@@ -11,6 +11,7 @@
 #include "gui/library/library_use.hpp"
 #include "session/library.hpp"
 #include "storage/access/open_store.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::library_files_test {
@@ -58,7 +59,7 @@ TEST_F(OwnLibrary, EveryShippedFileIsListedSoundAndUnderANameOfItsOwn) {
   for (const auto kind : {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols}) {
     const auto entries = files_.list(kind);
     EXPECT_GE(entries.size(), 8U);
-    for (const auto& entry : entries) {
+    for (const auto& entry : every(entries)) {
       EXPECT_TRUE(entry.sound) << entry.path;
       EXPECT_FALSE(entry.own);
       const auto good = files_.check_name(kind, text_of(entry), entry.path);
@@ -107,7 +108,7 @@ TEST_F(OwnLibrary, ADuplicateDoesNotMeetTheDraftOfAFileThatIsGone) {
 
 TEST_F(OwnLibrary, EveryShippedFileCanBeDuplicatedAndUsed) {
   for (const auto kind : {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols})
-    for (const auto& entry : files_.list(kind)) {
+    for (const auto& entry : every(files_.list(kind))) {
       const auto copy = files_.duplicate(entry, text_of(entry));
       ASSERT_TRUE(copy.ok()) << copy.error().message();
       EXPECT_TRUE(copy->sound) << entry.path;

@@ -19,6 +19,7 @@
 #include "operator.hpp"
 #include "session/library.hpp"
 #include "short_library.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::library_page_test {
@@ -55,7 +56,7 @@ TEST(LibraryPreview, OfAForceTaskIsItsTargetInTheUnitOfItsScale) {
 TEST(LibraryPreview, OfEveryShippedFileSaysSomething) {
   const LibraryFiles files(kShipped, kShipped + "/no/own");
   for (const auto kind : {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols})
-    for (const auto& entry : files.list(kind)) {
+    for (const auto& entry : every(files.list(kind))) {
       const auto shown = preview_of(kind, files.read(entry).value(), entry.path, kShipped);
       EXPECT_EQ(shown.title.toStdString(), entry.name);
       EXPECT_FALSE(shown.facts.empty()) << entry.path;

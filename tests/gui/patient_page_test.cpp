@@ -13,6 +13,7 @@
 #include "qt_test.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::patient_page_test {
@@ -265,7 +266,7 @@ TEST_F(PatientPageTest, EveryFocusableWidgetHasANameAndAKeyOrArrowHint) {
   show("P-1");
   open(5, 6);
   int seen = 0;
-  for (auto* widget : page_->findChildren<QWidget*>()) {
+  for (auto* widget : every(page_->findChildren<QWidget*>())) {
     if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_")) continue;
     if (qobject_cast<QComboBox*>(widget->parentWidget()) != nullptr) continue;
     if (widget->inherits("QHeaderView") || widget->inherits("QTableCornerButton") ||

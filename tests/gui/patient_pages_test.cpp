@@ -10,6 +10,7 @@
 #include "gui/patient_screen/patient_canvas.hpp"
 #include "gui/patient_screen/patient_directions.hpp"
 #include "qt_test.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::gui::test::patient_pages_test {
 namespace {
@@ -134,7 +135,9 @@ const std::array kEveryKind{kOpening,     kNegative,       kBlind,  kSteadiness,
 TEST(PatientPages, ShowTheForceOfTheChannelAndNothingOfItWhileItIsOff) {
   for (const char* text : kEveryKind) {
     Play play(parse(text));
+    AtLeast frames(100);
     while (play.next()) {
+      ++frames;
       const auto picture = play.picture();
       ASSERT_EQ(picture.force_shown, play.view().force_shown) << text;
       ASSERT_EQ(picture.force_N, play.view().force_shown ? play.view().actual_force_N : 0.0)
@@ -173,7 +176,9 @@ TEST(PatientPages, TheAxisHoldsZeroAndAllTargetsAndStaysForTheTrial) {
     const ForceAxis first = (play.next(), play.picture().axis);
     EXPECT_LE(first.least_N, 0.0) << text;
     EXPECT_GE(first.most_N, 0.0) << text;
+    AtLeast frames(100);
     while (play.next()) {
+      ++frames;
       const auto picture = play.picture();
       ASSERT_EQ(picture.axis.least_N, first.least_N) << text;
       ASSERT_EQ(picture.axis.most_N, first.most_N) << text;
@@ -223,7 +228,7 @@ TEST(PatientPages, EveryAskedDigitHasAPadAndItsDiscFillsTheRingOnTarget) {
   play.next();
   const auto picture = play.picture();
   EXPECT_EQ(picture.page, PatientPicture::Page::directions);
-  for (const auto& digit : picture.digits) {
+  for (const auto& digit : every(picture.digits)) {
     EXPECT_TRUE(digit.asked);
     EXPECT_TRUE(digit.on_target);
     const auto ring = mark_on_pad(digit.target_C, picture.digits_N);

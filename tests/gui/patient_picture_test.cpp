@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::gui::patient_picture_test {
 namespace {
@@ -61,7 +62,7 @@ TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
   Pose& pose = facts.snapshot.object.X_WO;
   pose.p = Vec3(0.05, -0.03, 0.0);
   pose.q = Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
-  for (const auto& contact : facts.scene->contacts) {
+  for (const auto& contact : test::every(facts.scene->contacts)) {
     const auto finger = picture_for(facts).fingers[index_of(contact.finger)];
     EXPECT_NEAR((pose.q.conjugate() * (finger.tip_W - pose.p) - contact.p_OC).norm(), 0.0,
                 kRounding_m);

@@ -19,6 +19,7 @@
 
 #include "qt_test.hpp"
 #include "storage/access/open_store.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::profile_panel_test {
@@ -461,7 +462,7 @@ TEST_F(ProfileForm, NobodyIsShownWithoutACode) {
 
 TEST_F(ProfileForm, EveryFocusableWidgetHasItsOwnNameATooltipAndAKey) {
   std::set<QString> names;
-  for (auto* widget : panel_->findChildren<QWidget*>()) {
+  for (auto* widget : every(panel_->findChildren<QWidget*>())) {
     if (widget->focusPolicy() == Qt::NoFocus) continue;
     if (widget->objectName().startsWith("qt_")) continue;  // parts of Qt's own widgets
     if (qobject_cast<QComboBox*>(widget->parentWidget()) != nullptr) continue;
@@ -481,7 +482,7 @@ TEST_F(ProfileForm, EveryFocusableWidgetHasItsOwnNameATooltipAndAKey) {
 TEST_F(ProfileForm, NoTwoActsShareAKey) {
   // Each card has its own Add, Remove and Undo: their keys are those of the card with the focus.
   std::set<std::pair<QWidget*, QString>> keys;
-  for (auto* shortcut : panel_->findChildren<QShortcut*>())
+  for (auto* shortcut : every(panel_->findChildren<QShortcut*>()))
     EXPECT_TRUE(keys.emplace(shortcut->parentWidget(), shortcut->key().toString()).second)
         << shortcut->key().toString().toStdString();
   EXPECT_GE(keys.size(), 15U);
@@ -520,13 +521,13 @@ TEST_F(ProfileForm, FitsANarrowAndAWideWindow) {
     ASSERT_TRUE(wait_until([&] { return find<QWidget>("page").width() <= width; }, 5))
         << find<QWidget>("page").width() << " at " << width << ", window " << panel_->width();
     QTest::qWait(30);
-    for (auto* widget : panel_->findChildren<QWidget*>()) {
+    for (auto* widget : every(panel_->findChildren<QWidget*>())) {
       if (!widget->isVisible() || widget->objectName().isEmpty()) continue;
       if (widget->objectName().startsWith("qt_")) continue;
       const int right = widget->mapTo(panel_.get(), QPoint(widget->width(), 0)).x();
       EXPECT_LE(right, width) << widget->objectName().toStdString() << " at " << width;
     }
-    for (auto* button : panel_->findChildren<QPushButton*>()) {
+    for (auto* button : every(panel_->findChildren<QPushButton*>())) {
       if (!button->isVisible()) continue;
       EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()) + 10)
           << button->objectName().toStdString() << " at " << width;

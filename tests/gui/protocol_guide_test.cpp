@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
+
 namespace isograsp::gui::protocol_guide_test {
 namespace {
 
@@ -54,7 +56,8 @@ TEST(ProtocolGuide, LeadsThroughEveryActOfTheProtocolOnce) {
   EXPECT_GE(static_cast<int>(acts.size()), planned) << "maxima that do not agree come again";
   EXPECT_EQ(acts.front(), "Instrument zero");
   EXPECT_EQ(acts.back(), "Instrument zero");
-  for (const auto& row : guide.rows()) EXPECT_EQ(row.state, ProtocolGuide::RowState::done);
+  for (const auto& row : test::every(guide.rows()))
+    EXPECT_EQ(row.state, ProtocolGuide::RowState::done);
 }
 
 TEST(ProtocolGuide, HasExactlyOneCurrentRowUntilItIsOver) {

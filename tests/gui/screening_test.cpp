@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/every.hpp"
+
 namespace isograsp::gui::screening_test {
 namespace {
 
@@ -58,7 +60,7 @@ TEST(Screening, IsStoredWithEveryAnswer) {
   const auto answers = stored(screening);
   ASSERT_EQ(answers.size(), kCautionCount + 1);
   int yes = 0;
-  for (const auto& answer : answers) {
+  for (const auto& answer : test::every(answers)) {
     EXPECT_EQ(answer.topic, "screening");
     yes += answer.value == "yes" ? 1 : 0;
   }

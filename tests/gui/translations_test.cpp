@@ -23,6 +23,7 @@
 #include "languages/catalogue.hpp"
 #include "session/acquisition/zeroing.hpp"
 #include "spoken.hpp"
+#include "tests/support/every.hpp"
 #include "texts_below.hpp"
 
 namespace isograsp::gui::test::translations_test {
@@ -86,8 +87,8 @@ INSTANTIATE_TEST_SUITE_P(, EachLanguage, ::testing::Values("de", "fr"),
 TEST_P(EachLanguage, SaysEveryTextAndKeepsItsPlaceholdersMnemonicAndEdges) {
   const auto messages = messages_of(GetParam());
   ASSERT_GE(messages.size(), 1000U) << "the windows have more texts than that";
-  for (const auto& message : messages)
-    for (const auto& words : message.words) {
+  for (const auto& message : every(messages))
+    for (const auto& words : every(message.words)) {
       const auto where = message.context.toStdString() + ": " + message.source.toStdString();
       EXPECT_TRUE(message.finished && !words.isEmpty())
           << where << " (scripts/translations --missing)";
@@ -110,7 +111,7 @@ TEST_P(EachLanguage, KnowsEveryTextOfTheLayersBelow) {
     if (!entry.words.empty()) known.insert(entry.english);
   const auto below = texts_below(ISOGRASP_SOURCE_DIR "/library", ISOGRASP_SOURCE_DIR);
   ASSERT_GE(below.size(), 400U);
-  for (const auto& text : below)
+  for (const auto& text : every(below))
     EXPECT_TRUE(known.count(text) > 0) << text << " (add it to languages/*.po)";
 }
 
@@ -205,9 +206,10 @@ TEST_P(EachLanguage, SpeaksToThePatient) {
 }
 
 TEST_F(QtTest, EnglishHasItsPluralsAndNothingElse) {
-  for (const auto& message : messages_of("en")) {
+  for (const auto& message : every(messages_of("en"))) {
     EXPECT_EQ(message.words.size(), 2) << message.source.toStdString();
-    for (const auto& words : message.words) EXPECT_TRUE(message.finished && !words.isEmpty());
+    for (const auto& words : every(message.words))
+      EXPECT_TRUE(message.finished && !words.isEmpty());
   }
 }
 

@@ -5,6 +5,7 @@
 #include "gui/words/words.hpp"
 #include "qt_test.hpp"
 #include "spoken.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::gui::test::trend_tile_test {
 namespace {
@@ -30,7 +31,7 @@ TEST_P(TrendTiles, OfTwoFingersLookDifferent) {
     std::vector<QImage> seen;
     for (const char* channel : {"thumb", "index", "middle", "thumb_-z", "index_-z", "middle_-z"}) {
       const auto tile = tile_of(measure, channel);
-      for (const auto& other : seen) EXPECT_NE(tile, other) << measure << " " << channel;
+      for (const auto& other : every(seen)) EXPECT_NE(tile, other) << measure << " " << channel;
       seen.push_back(tile);
     }
   }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/trial_pages/trial_curves.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::gui::test::trial_replay_test {
 namespace {
@@ -132,7 +133,7 @@ TEST(TrialReplay, ChannelsThatWereNotRecordedHaveNoValue) {
   EXPECT_EQ(state.actual_N, 3.0);
   EXPECT_FALSE(state.target_N.has_value());
   EXPECT_FALSE(state.X_WO.has_value());
-  for (const auto& finger : state.fingers) EXPECT_EQ(finger.quality, SampleQuality::missing);
+  for (const auto& finger : every(state.fingers)) EXPECT_EQ(finger.quality, SampleQuality::missing);
 }
 
 TEST(TrialReplay, NothingIsReplayedWithoutIncreasingTimes) {
@@ -226,7 +227,7 @@ TEST(TrialCurves, ReadingsSayWhatIsHeldAndWhatIsMissing) {
 
 TEST(TrialCurves, EveryRecordedChannelCanBeChosen) {
   const auto replay = replay_of(moving_object(3));
-  for (const auto& name : replay.signals().names()) {
+  for (const auto& name : every(replay.signals().names())) {
     const auto curves = curves_of(replay, CurveSet::chosen, {name});
     ASSERT_EQ(curves.size(), 1U) << name;
     EXPECT_EQ(replay.signals().names()[static_cast<std::size_t>(curves[0].column)], name);

@@ -13,6 +13,7 @@
 #include "operator.hpp"
 #include "short_library.hpp"
 #include "storage/access/open_store.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::whole_session_test {
@@ -111,7 +112,7 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   EXPECT_EQ(trials[2].status, storage::TrialStatus::completed);
   EXPECT_GT(trials[2].maximum_force_N, 0.0);
   EXPECT_EQ(trials[3].status, storage::TrialStatus::aborted);
-  for (const auto& trial : trials) EXPECT_EQ(trial.dropped, 0);
+  for (const auto& trial : every(trials)) EXPECT_EQ(trial.dropped, 0);
 
   operator_.disconnect();
   EXPECT_FALSE(presenter.state().choices.today.hand.has_value())

@@ -20,6 +20,7 @@
 #include "operator.hpp"
 #include "short_library.hpp"
 #include "storage/access/open_store.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::widgets_test {
@@ -44,7 +45,7 @@ TEST_F(TherapistWindowTest, EveryFocusableWidgetHasANameATooltipAndAKey) {
   const QRegularExpression kKey(
       R"(Alt\+|Ctrl\+|\bF\d|Escape|Enter|[Aa]rrow|Tab|[Ss]pace|Home|Delete|keys)");
   int seen = 0;
-  for (auto* widget : windows_.therapist().findChildren<QWidget*>()) {
+  for (auto* widget : every(windows_.therapist().findChildren<QWidget*>())) {
     if (widget->focusPolicy() == Qt::NoFocus) continue;
     if (widget->objectName().startsWith("qt_")) continue;  // parts of Qt's own widgets
     if (qobject_cast<QComboBox*>(widget->parentWidget()) != nullptr) continue;
@@ -67,7 +68,7 @@ TEST_F(TherapistWindowTest, NoTwoWidgetsOfAPageShareAMnemonic) {
   std::size_t seen = 0;
   for (int i = 0; i < pages.count(); ++i) {
     std::map<QString, std::string> used;
-    for (auto* widget : pages.widget(i)->findChildren<QWidget*>()) {
+    for (auto* widget : every(pages.widget(i)->findChildren<QWidget*>())) {
       const auto text = widget->property("text").toString();
       const auto key = QKeySequence::mnemonic(text).toString();
       if (key.isEmpty()) continue;
@@ -275,21 +276,21 @@ TEST_F(TherapistWindowTest, NothingIsCutOffAtTheSmallestSize) {
   auto& window = windows_.therapist();
   window.resize(1280, 720);
   QTest::qWait(50);
-  for (auto* button : window.findChildren<QPushButton*>()) {
+  for (auto* button : every(window.findChildren<QPushButton*>())) {
     if (!button->isVisible()) continue;
     EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();
     EXPECT_GE(button->height(), button->minimumSizeHint().height()) << button->text().toStdString();
   }
-  for (auto* list : window.findChildren<QListWidget*>()) {
+  for (auto* list : every(window.findChildren<QListWidget*>())) {
     const auto below = list->mapTo(&window, QPoint(0, list->height())).y();
     for (auto* sibling :
-         list->parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+         every(list->parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)))
       if (sibling->isVisible() && sibling->mapTo(&window, {}).y() > list->mapTo(&window, {}).y()) {
         EXPECT_GE(sibling->mapTo(&window, {}).y(), below)
             << list->objectName().toStdString() << " covers what stands below it";
       }
   }
-  for (auto* label : window.findChildren<QLabel*>()) {
+  for (auto* label : every(window.findChildren<QLabel*>())) {
     if (!label->isVisible() || label->wordWrap() || label->text().isEmpty()) continue;
     EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
   }

@@ -14,6 +14,7 @@
 #include "gui/look/force_history.hpp"
 #include "gui/session_pages/device_list.hpp"
 #include "storage/records/patient_code.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::words_test {
@@ -44,7 +45,8 @@ TEST(DeviceList, FindsCanInterfacesAndNothingElse) {
   ASSERT_GE(choices.size(), 2U);
   EXPECT_EQ(choices[0].uri, "can://can0?protocol=rft");
   EXPECT_EQ(choices[1].uri, "can://can1?protocol=rft");
-  for (const auto& choice : choices) EXPECT_EQ(choice.uri.find("eth0"), std::string::npos);
+  for (const auto& choice : test::every(choices))
+    EXPECT_EQ(choice.uri.find("eth0"), std::string::npos);
 }
 
 TEST(DeviceList, ThePresetStandsFirstAndOnlyOnce) {
@@ -127,8 +129,8 @@ TEST(History, NeverMixesHandsTasksOrSimulatedTrials) {
        point(3, "Sine", "rmse", Hand::right, true), point(4, "Step", "rmse", Hand::right, false),
        point(5, "Sine", "rmse", Hand::right, false)});
   ASSERT_EQ(series.size(), 4U);
-  for (const auto& one : series)
-    for (const auto& entry : one.points) {
+  for (const auto& one : test::every(series))
+    for (const auto& entry : test::every(one.points)) {
       EXPECT_EQ(entry.hand, one.points[0].hand);
       EXPECT_EQ(entry.task_name, one.points[0].task_name);
       EXPECT_EQ(entry.simulated, one.points[0].simulated);

@@ -18,6 +18,7 @@
 #include "device/recording/log_samples.hpp"
 #include "device/sensors/open_sensors.hpp"
 #include "tests/device/sensor_bench.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/patch_changes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -32,7 +33,7 @@ TEST(NewFamily, IsNewFilesAndOneRow) {
   const auto lists = read_text(ISOGRASP_PATCHED_TREE "/device/CMakeLists.txt");
   ASSERT_TRUE(patch.ok() && lists.ok());
   int new_files = 0;
-  for (const auto& [file, change] : test::changes_of(*patch)) {
+  for (const auto& [file, change] : test::every(test::changes_of(*patch))) {
     EXPECT_EQ(change.removed, 0) << file;
     if (change.new_file) {
       ++new_files;
@@ -102,7 +103,7 @@ TEST(NewFamily, WhatItsEmulatedSensorsFeelArrives) {
   EXPECT_EQ(bench.device->info().description, "Triax on test");
   const auto samples = bench.read_for(1s);
   EXPECT_NEAR(static_cast<double>(samples.size()), 300.0, 3.0);
-  for (const auto& sample : samples) {
+  for (const auto& sample : test::every(samples)) {
     EXPECT_TRUE(sample.valid);
     EXPECT_LT((sample.wrench_C.force - wrenches[index_of(sample.finger)].force).norm(), kNoise_N);
   }

@@ -12,6 +12,7 @@
 #include "tasks/facts/measure_words.hpp"
 #include "tasks/kinds/force/pulses.hpp"
 #include "tasks/score.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/patch_changes.hpp"
 #include "tests/tasks/kinds/force_play.hpp"
 
@@ -25,7 +26,7 @@ TEST(NewKind, IsNewFilesAndOneRow) {
   const auto lists = read_text(ISOGRASP_PATCHED_TREE "/tasks/CMakeLists.txt");
   ASSERT_TRUE(patch.ok() && lists.ok());
   int new_files = 0;
-  for (const auto& [file, change] : test::changes_of(*patch)) {
+  for (const auto& [file, change] : test::every(test::changes_of(*patch))) {
     EXPECT_EQ(change.removed, 0) << file;
     if (change.new_file) {
       ++new_files;

@@ -16,6 +16,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/reports/painted_page.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::reports::layout_test {
@@ -87,7 +88,7 @@ const QRectF kInside(pdf::kSide - kSlack, 20.0, pdf::kWidth + 2.0 * kSlack,
 
 TEST_F(Layout, NoTextLiesOnAnother) {
   const ReportPages pages(rich());
-  for (int page = 0; page < pages.pages(); ++page) {
+  for (const int page : test::every(test::all_pages(pages))) {
     const auto pairs = overprinted(painted(pages, page));
     EXPECT_TRUE(pairs.empty()) << "page " << page + 1 << "\n" << joined(pairs);
   }
@@ -95,8 +96,8 @@ TEST_F(Layout, NoTextLiesOnAnother) {
 
 TEST_F(Layout, NoTextLeavesItsMargins) {
   const ReportPages pages(rich());
-  for (int page = 0; page < pages.pages(); ++page)
-    for (const auto& text : painted(pages, page).texts) {
+  for (const int page : test::every(test::all_pages(pages)))
+    for (const auto& text : test::every(painted(pages, page).texts)) {
       if (text.slanted) continue;
       EXPECT_TRUE(kInside.contains(text.box))
           << "page " << page + 1 << ": " << text.text.toStdString() << " at " << text.box.x()
@@ -108,7 +109,7 @@ TEST_F(Layout, LimitsOfMeasurementErrorKeepToTheirColumn) {
   const ReportPages pages(rich());
   double verdict_x = 0.0;
   double widest = 0.0;
-  for (int page = 0; page < pages.pages(); ++page)
+  for (const int page : test::every(test::all_pages(pages)))
     for (const auto& text : painted(pages, page).texts) {
       if (text.text == "Verdict") verdict_x = text.box.left();
       // "+2345678 N": the last line of a limit
@@ -124,7 +125,7 @@ TEST_F(Layout, ATableThatGoesOnRepeatsItsHead) {
   for (int copy = 0; copy < 4; ++copy) content.sections.push_back(content.sections.back());
   const ReportPages pages(content);
   int with_rows = 0;
-  for (int page = 0; page < pages.pages(); ++page) {
+  for (const int page : test::every(test::all_pages(pages))) {
     const auto all = painted(pages, page);
     const auto on_page = [&](const char* words) {
       return std::any_of(all.texts.begin(), all.texts.end(),
@@ -159,12 +160,12 @@ TEST_F(Layout, HealthyPeopleFarAwayLeaveTheCourseItsScale) {
 TEST_F(Layout, NoLineGoesThroughTheLetterOfATreatment) {
   const ReportPages pages(rich());
   int letters = 0;
-  for (int page = 0; page < pages.pages(); ++page) {
+  for (const int page : test::every(test::all_pages(pages))) {
     const auto all = painted(pages, page);
-    for (const auto& text : all.texts) {
+    for (const auto& text : test::every(all.texts)) {
       if (text.text.size() != 1 || !QString("BOTDX").contains(text.text)) continue;
       ++letters;
-      for (const QLineF& line : all.lines) {
+      for (const QLineF& line : test::every(all.lines)) {
         const QRectF core = text.box.adjusted(0.3, 0.3, -0.3, -0.3);
         // Straight lines and those of the values: cut by a side or inside.
         const QLineF sides[] = {{core.topLeft(), core.topRight()},
@@ -187,8 +188,8 @@ TEST_F(Layout, NoLineGoesThroughTheLetterOfATreatment) {
 
 /// Everything but the footer itself ends above the footer.
 void expect_above_footer(const ReportPages& pages) {
-  for (int page = 0; page < pages.pages(); ++page)
-    for (const auto& text : painted(pages, page).texts)
+  for (const int page : test::every(test::all_pages(pages)))
+    for (const auto& text : test::every(painted(pages, page).texts))
       if (!text.slanted && text.box.bottom() > pdf::kPageHeight - pdf::kBottom + kSlack) {
         EXPECT_GT(text.box.top(), pdf::kPageHeight - 46.0)
             << "page " << page + 1 << ": " << text.text.toStdString() << " at " << text.box.y();
@@ -229,7 +230,7 @@ TEST_F(Layout, WhatFitsOnNoPageGoesOnOnTheNext) {
                      std::to_string(i) + ". ";
   const ReportPages pages(content);
   expect_above_footer(pages);
-  for (int page = 0; page < pages.pages(); ++page) {
+  for (const int page : test::every(test::all_pages(pages))) {
     const auto pairs = overprinted(painted(pages, page));
     EXPECT_TRUE(pairs.empty()) << "page " << page + 1 << "\n" << joined(pairs);
   }
@@ -247,7 +248,7 @@ TEST_F(Layout, EveryCellOfATableOnTheWebSaysItsColumnWhereThereIsNoHead) {
        head.hasNext();)
     heads.push_back(head.next().captured(1));
   ASSERT_EQ(heads.size(), 6);
-  for (const QString& row : table.split("<tr").mid(2)) {
+  for (const QString& row : test::every(table.split("<tr").mid(2))) {
     QStringList labels;
     for (auto cell = QRegularExpression("<t[dh][^>]*data-head=\"([^\"]*)\"").globalMatch(row);
          cell.hasNext();)

@@ -11,6 +11,7 @@
 #include "core/files.hpp"
 #include "tasks/facts/measure_words.hpp"
 #include "tests/reports/emitted_measures.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::reports::measure_docs_test {
 namespace {
@@ -60,7 +61,7 @@ std::map<std::string, Documented> sections() {
     EXPECT_TRUE(parts[2] == "clinical" || parts[2] == "research") << line;
     section.clinical = parts[2] == "clinical";
     section.censored = line.ends_with("censored");
-    for (const std::string& name : split(parts[0], ", "))
+    for (const std::string& name : test::every(split(parts[0], ", ")))
       EXPECT_TRUE(found.emplace(name.substr(0, name.find(" [")), section).second)
           << name << " has two sections";
   }
@@ -84,7 +85,7 @@ std::vector<Measure> all_measures() {
 
 TEST(MeasureDocs, EveryMeasureHasASectionOfItsVersionAndClass) {
   const auto documented = sections();
-  for (const Measure& measure : all_measures()) {
+  for (const Measure& measure : test::every(all_measures())) {
     const auto section = documented.find(section_name(measure.name));
     if (section == documented.end()) {
       ADD_FAILURE() << measure.name << " has no section";
@@ -100,7 +101,7 @@ TEST(MeasureDocs, EveryMeasureHasASectionOfItsVersionAndClass) {
 TEST(MeasureDocs, EverySectionIsAboutAMeasureThatSomeTaskGives) {
   std::set<std::string> given;
   for (const Measure& measure : all_measures()) given.insert(measure.name);
-  for (const auto& [name, section] : sections()) {
+  for (const auto& [name, section] : test::every(sections())) {
     EXPECT_TRUE(given.contains(name)) << name;
     EXPECT_NE(tasks::words_for(name, "").title, own_name(name)) << name << " has no words";
   }
@@ -109,7 +110,7 @@ TEST(MeasureDocs, EverySectionIsAboutAMeasureThatSomeTaskGives) {
 TEST(MeasureDocs, TheTableNamesEveryMeasureOfATask) {
   const std::string text = text_of_docs();
   const std::set<std::string> below_the_table{"net_push", "net_push_time", "force_of_maximum"};
-  for (const Emitted& task : emitted()) {
+  for (const Emitted& task : test::every(emitted())) {
     const std::string kind(task.spec.kind->name);
     const auto begin = text.find("\n| " + kind + " |");
     ASSERT_NE(begin, std::string::npos) << kind;
@@ -118,7 +119,7 @@ TEST(MeasureDocs, TheTableNamesEveryMeasureOfATask) {
     std::set<std::string> named;
     for (std::string word; words >> word;)
       named.insert(word.substr(0, word.find_last_not_of(".,;:") + 1));
-    for (const Measure& measure : task.measures)
+    for (const Measure& measure : test::every(task.measures))
       EXPECT_TRUE(below_the_table.contains(measure.name) ||
                   named.contains(section_name(measure.name)))
           << measure.name << " of " << kind;

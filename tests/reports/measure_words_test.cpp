@@ -8,6 +8,7 @@
 
 #include "tasks/kinds/force/grip_release.hpp"
 #include "tests/reports/emitted_measures.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::reports::measure_words_test {
 namespace {
@@ -20,9 +21,9 @@ using test::spec_of;
 TEST(MeasureWords, EveryMeasureOfEveryKindOfTaskHasWords) {
   std::set<std::string_view> kinds;
   std::set<std::string> names;
-  for (const Emitted& task : emitted()) {
+  for (const Emitted& task : test::every(emitted())) {
     kinds.insert(task.spec.kind->name);
-    for (const Measure& measure : task.measures) {
+    for (const Measure& measure : test::every(task.measures)) {
       names.insert(measure.name);
       EXPECT_NE(tasks::words_for(measure.name, "").title, own_name(measure.name))
           << "kind " << task.spec.kind->name;
@@ -39,14 +40,14 @@ TEST(MeasureWords, EveryMeasureWithoutATaskHasWords) {
   const auto measures = tasks::score_pairs(
       Signals({"t_s", "target_force_N", "actual_force_N", "actual_x_m", "actual_y_m"}));
   ASSERT_FALSE(measures.empty());
-  for (const Measure& measure : measures)
+  for (const Measure& measure : test::every(measures))
     EXPECT_NE(tasks::words_for(measure.name, "").title, own_name(measure.name));
 }
 
 TEST(MeasureWords, NoTwoMeasuresOfATaskHaveTheSameTitle) {
-  for (const Emitted& task : emitted()) {
+  for (const Emitted& task : test::every(emitted())) {
     std::set<std::string> titles;
-    for (const Measure& measure : task.measures) {
+    for (const Measure& measure : test::every(task.measures)) {
       const std::string title = tasks::words_for(measure.name, measure.channel).title;
       EXPECT_TRUE(titles.insert(title).second)
           << title << ", kind " << task.spec.kind->name << ", channel " << measure.channel;
@@ -55,8 +56,8 @@ TEST(MeasureWords, NoTwoMeasuresOfATaskHaveTheSameTitle) {
 }
 
 TEST(MeasureWords, NoResearchMeasureHasAPlaceInTheReport) {
-  for (const Emitted& task : emitted())
-    for (const Measure& measure : task.measures) {
+  for (const Emitted& task : test::every(emitted()))
+    for (const Measure& measure : test::every(task.measures)) {
       const tasks::Place place = tasks::place_of(task.spec, measure.name, measure.channel);
       EXPECT_TRUE(place.prominence == tasks::Prominence::none ||
                   tasks::words_for(measure.name, measure.channel).clinical)
@@ -68,7 +69,7 @@ TEST(MeasureWords, NoResearchMeasureHasAPlaceInTheReport) {
 }
 
 TEST(MeasureWords, EveryForceTaskThatIsScoredShowsATrend) {
-  for (const Emitted& task : emitted()) {
+  for (const Emitted& task : test::every(emitted())) {
     if (task.measures.empty()) continue;
     bool shown = false;
     for (const Measure& measure : task.measures)

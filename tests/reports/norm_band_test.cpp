@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/findings/comparable.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::reports::norm_band_test {
 namespace {
@@ -38,7 +39,7 @@ TEST(NormBand, OfValuesNearTheLargestNumberIsMadeOfTheirMeans) {
     }
   const auto band = norm_band(healthy, like, profile, false);
   ASSERT_TRUE(band && band->low && band->high);
-  for (const double value : band->values) EXPECT_DOUBLE_EQ(value, 0.95 * kHuge);
+  for (const double value : test::every(band->values)) EXPECT_DOUBLE_EQ(value, 0.95 * kHuge);
   EXPECT_DOUBLE_EQ(*band->low, 0.95 * kHuge);
 }
 

@@ -17,6 +17,8 @@
 #include "reports/paper/report_writer.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/reports/painted_page.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/files_below.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -70,7 +72,7 @@ TEST_F(Pages, OfThePreviewAreAsManyAsThoseOfThePdf) {
 
 TEST_F(Pages, LookTheSameAtEveryScale) {
   const ReportPages pages(content());
-  for (int page = 0; page < pages.pages(); ++page) {
+  for (const int page : test::every(test::all_pages(pages))) {
     const auto small = picture(pages, page, 1.0);
     const auto large = picture(pages, page, 2.0);
     EXPECT_EQ(small.size() * 2, large.size());
@@ -122,7 +124,7 @@ TEST_F(Pages, OfSimulatedPatientsCarryTheirMarkInThePreviewToo) {
   marked.simulated = true;
   const ReportPages without(plain);
   const ReportPages with(marked);
-  for (int page = 0; page < with.pages(); ++page)
+  for (const int page : test::every(test::all_pages(with)))
     EXPECT_NE(picture(with, page, 1.0), picture(without, page, 1.0)) << page;
 }
 
@@ -134,9 +136,10 @@ TEST_F(Pages, OfAPeriodLeaveOutTheOtherSessionsAndSaySo) {
   EXPECT_EQ(some.sessions_stored, 6);
   EXPECT_EQ(some.sessions.front().number, 2) << "sessions keep their numbers";
   EXPECT_EQ(some.sessions.front().day, all.sessions[1].day) << "counted from the first of all";
-  for (const auto& section : some.sections)
-    for (const auto& series : section.series)
-      for (const auto& value : series.values) EXPECT_LT(value.session, some.sessions.size());
+  for (const auto& section : test::every(some.sections))
+    for (const auto& series : test::every(section.series))
+      for (const auto& value : test::every(series.values))
+        EXPECT_LT(value.session, some.sessions.size());
   const auto facts = header_facts(some);
   EXPECT_TRUE(std::any_of(facts.begin(), facts.end(),
                           [](const auto& fact) { return fact.value == "3 of 6"; }));
@@ -169,7 +172,7 @@ TEST_F(Pages, AnExportWritesExactlyTheFilesThatWereListed) {
     return file.find("session_2/") != std::string::npos ||
            file.find("session_3/") != std::string::npos;
   }));
-  for (const auto& file : listed)
+  for (const auto& file : test::every(listed))
     EXPECT_EQ(file.find("TK"), std::string::npos) << "no code in the name of a file";
   EXPECT_FALSE(exports::write_export(*store_, request, exports::ExportFormat::csv, out).ok())
       << "nothing is overwritten";

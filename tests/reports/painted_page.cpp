@@ -5,6 +5,7 @@
 #include <QPaintEngine>
 #include <QPainterPath>
 #include <cmath>
+#include <numeric>
 
 #include "reports/paper/pdf_page.hpp"
 #include "reports/paper/plotting.hpp"
@@ -118,6 +119,12 @@ std::vector<QString> overprinted(const PaintedPage& page) {
                         QString::number(common.x()) + ", " + QString::number(common.y()));
     }
   return pairs;
+}
+
+std::vector<int> all_pages(const reports::ReportPages& pages) {
+  std::vector<int> numbers(static_cast<std::size_t>(pages.pages()));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
 }
 
 }  // namespace isograsp::test

@@ -25,6 +25,9 @@ struct PaintedPage {
 /// `page` counts from 0.
 [[nodiscard]] PaintedPage painted(const reports::ReportPages& pages, int page);
 
+/// 0, 1, …: the pages of a report.
+[[nodiscard]] std::vector<int> all_pages(const reports::ReportPages& pages);
+
 /// Pairs of level or upright texts that lie on each other, in words; empty: none.
 [[nodiscard]] std::vector<QString> overprinted(const PaintedPage& page);
 

@@ -11,6 +11,7 @@
 
 #include "reports/paper/plot_tools.hpp"
 #include "reports/paper/qt_application.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::reports::plots_test {
 namespace {
@@ -123,7 +124,8 @@ TEST(TrendPlot, OfAPartHasItsSessionsOnItsAxisAndTreatmentsBetweenThem) {
   };
   PlotView plain = plot();
   const QCPRange range = plain.plot().axisRect(0)->axis(QCPAxis::atBottom)->range();
-  for (const auto& session : content.sessions) EXPECT_TRUE(range.contains(session.number));
+  for (const auto& session : test::every(content.sessions))
+    EXPECT_TRUE(range.contains(session.number));
   EXPECT_FALSE(range.contains(1.0));
   content.treatments = {{1, "2026-03-09", "drug", ""},      // before all that is shown
                         {2, "2026-03-12", "orthosis", ""},  // on the day of a session: before it

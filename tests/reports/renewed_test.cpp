@@ -18,6 +18,7 @@
 #include "tasks/measure_version.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/reports/emitted_measures.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::reports::renewed_test {
@@ -34,8 +35,8 @@ void must(const Result<void>& result) {
 
 TEST(MeasureVersion, OfEveryMeasureThatATaskGivesIsThatOfTheProgramAndOlderOnesAreTold) {
   std::size_t seen = 0;
-  for (const auto& task : test::emitted())
-    for (Measure measure : task.measures) {
+  for (const auto& task : test::every(test::emitted()))
+    for (Measure measure : test::every(task.measures)) {
       ++seen;
       EXPECT_FALSE(tasks::is_older(measure)) << measure.name << " of " << measure.channel;
       --measure.version;
@@ -108,7 +109,7 @@ class Renewed : public testing::Test {
              a.version == b.version && a.samples == b.samples && a.excluded == b.excluded &&
              a.reason == b.reason;
     };
-    for (const Measure& one : as_stored)
+    for (const Measure& one : test::every(as_stored))
       EXPECT_TRUE(std::any_of(all.begin(), all.end(),
                               [&](const Measure& other) { return same(one, other); }))
           << one.name << " of " << one.channel;
@@ -160,7 +161,7 @@ TEST_F(Renewed, OnlyWhatIsOlderIsComputedAgain) {
   make_older("name = 'relative_rmse' AND value IS NOT NULL");
   const auto points = must(renewed_progress(*store_, must(store_->find_patient("TK-1"))->id));
   int maxima = 0, errors = 0;
-  for (const auto& point : points) {
+  for (const auto& point : test::every(points)) {
     if (point.measure.name == "maximum_force") {
       EXPECT_EQ(point.measure.value, 77.0);
       ++maxima;

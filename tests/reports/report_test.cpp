@@ -19,6 +19,7 @@
 #include "storage/access/open_store.hpp"
 #include "tasks/facts/measure_words.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::reports::report_test {
@@ -93,8 +94,8 @@ TEST_F(Report, ShowsTheStoredMeasuresAndNothingElse) {
   const auto points = store_->progress((*patient)->id);
   ASSERT_TRUE(points.ok());
   int series_seen = 0;
-  for (const auto& section : content.sections)
-    for (const auto& series : section.series) {
+  for (const auto& section : test::every(content.sections))
+    for (const auto& series : test::every(section.series)) {
       ++series_seen;
       std::vector<double> stored;
       for (const auto& point : *points)
@@ -111,8 +112,8 @@ TEST_F(Report, ShowsTheStoredMeasuresAndNothingElse) {
 
 TEST_F(Report, BaselineIsTheMeanOfTheFirstTwoDays) {
   test::add_course(*store_, "TK-104", false);
-  for (const auto& section : gather("TK-104").sections)
-    for (const auto& series : section.series) {
+  for (const auto& section : test::every(gather("TK-104").sections))
+    for (const auto& series : test::every(section.series)) {
       ASSERT_EQ(series.values.size(), 6u);
       ASSERT_TRUE(series.baseline && series.last && series.change) << series.name;
       EXPECT_DOUBLE_EQ(*series.baseline, (*series.values[0].mean + *series.values[1].mean) / 2.0);
@@ -125,8 +126,9 @@ TEST_F(Report, BaselineIsTheMeanOfTheFirstTwoDays) {
 
 TEST_F(Report, WithoutPrimaryMeasuresNothingGetsAVerdict) {
   test::add_course(*store_, "TK-104", false);
-  for (const auto& section : gather("TK-104").sections)
-    for (const auto& series : section.series) EXPECT_FALSE(series.verdict) << series.name;
+  for (const auto& section : test::every(gather("TK-104").sections))
+    for (const auto& series : test::every(section.series))
+      EXPECT_FALSE(series.verdict) << series.name;
 }
 
 TEST_F(Report, KeepsHandsApart) {
@@ -137,9 +139,9 @@ TEST_F(Report, KeepsHandsApart) {
   test::add_session(*store_, "TK-2", demo);
   const auto content = gather("TK-2");
   EXPECT_EQ(content.sections.size(), 8u);
-  for (const auto& section : content.sections)
-    for (const auto& series : section.series)
-      for (const auto& value : series.values)
+  for (const auto& section : test::every(content.sections))
+    for (const auto& series : test::every(section.series))
+      for (const auto& value : test::every(series.values))
         EXPECT_EQ(content.sessions[value.session].hand, section.hand);
 }
 
@@ -152,8 +154,8 @@ TEST_F(Report, ComparesOnlyEqualTaskVersionsAndSources) {
   demo.date = "2026-03-16";
   demo.simulated = true;
   test::add_session(*store_, "TK-3", demo);
-  for (const auto& section : gather("TK-3").sections) {
-    for (const auto& series : section.series) {
+  for (const auto& section : test::every(gather("TK-3").sections)) {
+    for (const auto& series : test::every(section.series)) {
       if (section.task == "Two targets") continue;
       ASSERT_EQ(series.values.size(), 1u) << section.task << " " << series.name;
       EXPECT_EQ(series.values[0].session, 2u);
@@ -223,14 +225,14 @@ TEST_F(Report, PdfAndHtmlHoldTheSameNumbers) {
   const auto pdf = pdf_text();
   const auto rows = glance_rows(content);
   EXPECT_EQ(rows.size(), 4u);
-  for (const auto& row : rows)
+  for (const auto& row : test::every(rows))
     for (const auto& number : {row.baseline, row.last, row.change}) {
       EXPECT_NE(html.find(plain(number)), std::string::npos) << row.measure << " " << number;
       if (have_pdftotext()) {
         EXPECT_NE(pdf.find(plain(number)), std::string::npos) << row.measure << " " << number;
       }
     }
-  for (const auto& line : content.quality) {
+  for (const auto& line : test::every(content.quality)) {
     EXPECT_NE(html.find(plain(line.label)), std::string::npos);
     if (have_pdftotext()) {
       EXPECT_NE(pdf.find(plain(line.label)), std::string::npos);

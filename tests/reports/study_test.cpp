@@ -15,6 +15,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
 #include "storage/records/session_store.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::reports::study_test {
@@ -315,10 +316,10 @@ TEST_F(StudyOfClinic, HtmlAndPdfSayTheSameAndNameNobody) {
   EXPECT_EQ(text.find("TK-10"), std::string::npos);
   // Every cell of every table that is one word stands in both.
   int cells = 0;
-  for (const auto& block : report.blocks)
+  for (const auto& block : test::every(report.blocks))
     if (const auto* table = std::get_if<StudyTable>(&block))
-      for (const auto& row : table->rows)
-        for (const auto& cell : row) {
+      for (const auto& row : test::every(table->rows))
+        for (const auto& cell : test::every(row)) {
           if (cell.empty() || cell.find(' ') != std::string::npos ||
               cell.find_first_of("<>") != std::string::npos)
             continue;
@@ -357,7 +358,7 @@ TEST_F(StudyOfClinic, ValuesNearTheLargestNumberHaveMeansAndWhatHasNoFigureSaysW
                .cells[static_cast<std::size_t>(person)][static_cast<std::size_t>(session)]
                .value,
           0.98 * maximum_N(person, session));
-  for (const auto& condition : analyses[0].conditions) {
+  for (const auto& condition : test::every(analyses[0].conditions)) {
     ASSERT_TRUE(condition.mean.value);
     EXPECT_TRUE(std::isfinite(*condition.mean.value));
     ASSERT_TRUE(condition.sd.value) << condition.sd.reason;

@@ -19,6 +19,7 @@
 #include "reports/paper/qt_application.hpp"
 #include "storage/access/open_store.hpp"
 #include "tasks/facts/measure_words.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/made_up.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -155,8 +156,8 @@ class VerdictReport : public testing::Test {
   ChangeVerdict verdict() {
     const auto all = must(gather_verdicts(*store_, "TK-1"));
     const auto content = gather();
-    for (const auto& section : content.sections)
-      for (const auto& series : section.series)
+    for (const auto& section : test::every(content.sections))
+      for (const auto& series : test::every(section.series))
         if (series.verdict) {
           EXPECT_EQ(verdict_words(*series.verdict), verdict_words(*all.at(0).verdict));
           EXPECT_EQ(verdict_basis(*series.verdict), verdict_basis(*all.at(0).verdict));
@@ -482,14 +483,16 @@ TEST_F(VerdictReport, PdfAndHtmlSayTheSame) {
     for (const auto& text : {row.baseline, row.last, row.change, row.mdc, row.verdict})
       said.push_back(text);
   const std::string page = plain(test::read_file(html));
-  for (const auto& text : said) EXPECT_NE(page.find(plain(text)), std::string::npos) << text;
-  for (const auto& note : verdict_notes(content))
+  for (const auto& text : test::every(said))
+    EXPECT_NE(page.find(plain(text)), std::string::npos) << text;
+  for (const auto& note : test::every(verdict_notes(content)))
     EXPECT_NE(page.find(plain(note)), std::string::npos) << note;
   const std::string command =
       "pdftotext -layout '" + pdf + "' '" + folder_.path("text.txt") + "' 2>&1";
   if (std::system(command.c_str()) != 0) GTEST_SKIP() << "pdftotext is not installed";
   const std::string paper = plain(test::read_file(folder_.path("text.txt")));
-  for (const auto& text : said) EXPECT_NE(paper.find(plain(text)), std::string::npos) << text;
+  for (const auto& text : test::every(said))
+    EXPECT_NE(paper.find(plain(text)), std::string::npos) << text;
   EXPECT_NE(paper.find(plain("two assessments in a row")), std::string::npos);
   EXPECT_NE(paper.find(plain("change does not show what caused it")), std::string::npos);
 }

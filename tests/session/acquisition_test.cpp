@@ -195,8 +195,9 @@ TEST(TrialRow, EveryColumnStandsOnceAndHasAValue) {
   constexpr std::size_t kObjectTask = 12 + 11 + 28 + 18 + 31 + 2;
   for (const bool has_object : {false, true}) {
     std::set<std::string> names;
-    for (const auto& group : signal_groups(has_object))
-      for (const auto& name : group.columns) EXPECT_TRUE(names.insert(name).second) << name;
+    for (const auto& group : test::every(signal_groups(has_object)))
+      for (const auto& name : test::every(group.columns))
+        EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_EQ(names.size(), has_object ? kObjectTask : kForceTask);
     ASSERT_LE(names.size(), TrialRow::kMostColumns);
     TrialRow row;

@@ -196,7 +196,7 @@ TEST(MeasureLaws, ATrialThatBeginsLaterHasTheSameMeasures) {
   for (const double shift_s : {0.1, 0.7, 1234.5}) {
     Law law;
     law.tolerance = 1e-6;  // of the clock: a later second has fewer digits after the point
-    for (const PlayedTrial& trial : trials())
+    for (const PlayedTrial& trial : test::every(trials()))
       expect_law(trial,
                  with_each(trial.signals,
                            [&](const std::string& name, double value) {
@@ -224,7 +224,7 @@ TEST(MeasureLaws, AStrongerHandOnCoarserSensorsHasTheSameMeasuresInItsOwnUnit) {
   for (const double times : {2.0, 0.25}) {
     Law law;
     law.factor = [&](const Measure& measure) { return std::pow(times, power_of_force(measure)); };
-    for (const PlayedTrial& trial : trials()) {
+    for (const PlayedTrial& trial : test::every(trials())) {
       const auto scaled = with_each(trial.signals, [&](const std::string& name, double value) {
         return is_force(name) ? times * value : value;
       });
@@ -289,7 +289,7 @@ TEST(MeasureLaws, TheMirroredHandHasTheSameMeasures) {
       return measure.channel == "rx" ? 1.0 : -1.0;
     return 1.0;
   };
-  for (const PlayedTrial& trial : trials())
+  for (const PlayedTrial& trial : test::every(trials()))
     expect_law(
         trial,
         with_each(trial.signals,
@@ -306,7 +306,7 @@ TEST(MeasureLaws, TheMirroredHandHasTheSameMeasures) {
 TEST(MeasureLaws, TheOrderOfColumnsChangesNoBit) {
   Law law;
   law.tolerance = 0.0;
-  for (const PlayedTrial& trial : trials()) {
+  for (const PlayedTrial& trial : test::every(trials())) {
     Signals reversed;
     const auto& names = trial.signals.names();
     for (auto name = names.rbegin(); name != names.rend(); ++name) {
@@ -368,7 +368,7 @@ bool is_bookkeeping(const std::string& name) {
 std::vector<PlayedTrial> one_of_each_kind() {
   std::map<std::vector<std::string>, bool> known;
   std::vector<PlayedTrial> each;
-  for (const PlayedTrial& trial : trials()) {
+  for (const PlayedTrial& trial : test::every(trials())) {
     std::vector<std::string> names{std::string(trial.spec.kind->name)};
     for (const Measure& measure : tasks::score(trial.spec, trial.signals))
       names.push_back(measure.name);

@@ -13,6 +13,7 @@
 #include "storage/person/consent.hpp"
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::audit_log_test {
 namespace {
@@ -98,7 +99,7 @@ TEST_F(Audit, TellsWhoDidWhatToWhatWithWhichResult) {
                                           "login Ada done by Ada"};
   EXPECT_EQ(acts, expected);
   EXPECT_TRUE(problems().empty());
-  for (const auto& entry : must(read_audit(*access)))
+  for (const auto& entry : test::every(must(read_audit(*access))))
     for (const std::string& text : {entry.object, entry.detail})
       for (const char* told : {"Vera", "Novak", "typed", "password"})
         EXPECT_TRUE(text.find(told) == std::string::npos || text == "wrong password") << text;
@@ -215,7 +216,7 @@ TEST_F(Audit, ARestoredFileGoesOnFromItsBackupAndKeepsTheEvidence) {
                                 "; as it was: clinic.db.before-restore" + number);
   }
   EXPECT_EQ(bytes_of(backup), before) << "asked for the login";
-  for (const std::string& name : folder.listing())
+  for (const std::string& name : test::every(folder.listing()))
     EXPECT_EQ(name.find(".restored"), std::string::npos) << "nothing half made: " << name;
 }
 

@@ -11,6 +11,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/file/file_stats.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::backups_test {
 namespace {
@@ -169,7 +170,7 @@ TEST_F(Backup, IsNotRestoredIfItIsDamagedOrTheFileIsInUse) {
   EXPECT_FALSE(restore_backup(made.backup.path, path).ok());
   EXPECT_FALSE(restore_backup(path, path).ok());
   EXPECT_EQ(must(opened(path)->patients()).size(), 2u);
-  for (const auto& name : folder.listing())
+  for (const auto& name : test::every(folder.listing()))
     EXPECT_EQ(name.find(".restored"), std::string::npos) << "nothing half made: " << name;
 }
 

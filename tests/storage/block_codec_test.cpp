@@ -2,6 +2,7 @@
 #include "storage/sqlite/block_codec.hpp"
 
 #include "tests/storage/examples.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::block_codec_test {
 namespace {
@@ -55,7 +56,7 @@ TEST(BlockCodec, WrongSizeOrTornBytesAreNoBlock) {
   EXPECT_FALSE(decode_block("", 3, columns));
   for (const auto huge : {std::numeric_limits<std::size_t>::max(), std::size_t{1} << 61U})
     EXPECT_FALSE(decode_block(bytes, huge, columns)) << "asks for no memory";
-  for (const auto& column : columns) EXPECT_TRUE(column.empty());
+  for (const auto& column : test::every(columns)) EXPECT_TRUE(column.empty());
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "storage/person/consent.hpp"
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::erasure_test {
 namespace {
@@ -115,7 +116,7 @@ TEST_F(Erasure, NamesEveryTableThatHangsOnAPerson) {
   std::map<std::string, int> before;
   for (const auto& table : personal) before[table] = rows(table);
   const std::set<std::string> filled_elsewhere{"identities", "restrictions", "consents"};
-  for (const auto& [table, count] : before) {
+  for (const auto& [table, count] : test::every(before)) {
     EXPECT_TRUE(count >= 2 || filled_elsewhere.contains(table))
         << table
         << " is not filled by this test: fill it, and see that storage/person/erasure.cpp erases "
@@ -123,7 +124,7 @@ TEST_F(Erasure, NamesEveryTableThatHangsOnAPerson) {
   }
   must(set_policy(*access, {600, 0}));
   must(erase_patient(*access, "P-1", "asked for it"));
-  for (const auto& [table, count] : before)
+  for (const auto& [table, count] : test::every(before))
     EXPECT_EQ(rows(table), table == "consents" ? 0 : count / 2) << table;
 }
 
@@ -313,7 +314,7 @@ TEST_F(ProtectedClinic, ErasureTakesTheIdentityToo) {
   }
   must(set_policy(*access, {600, 0}));
   must(erase_patient(*access, "P-1", "asked for it"));
-  for (const auto& name : folder.listing())
+  for (const auto& name : test::every(folder.listing()))
     EXPECT_EQ(bytes_of(folder.file(name)).find(sealed.substr(20, 40)), std::string::npos) << name;
   EXPECT_TRUE(must(check_audit(*access)).empty());
 }

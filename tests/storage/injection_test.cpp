@@ -8,6 +8,7 @@
 #include "storage/person/consent.hpp"
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::injection_test {
 namespace {
@@ -110,7 +111,7 @@ TEST_F(ProtectedClinic, WhatIsNoCodeIsRefusedBeforeItReachesTheDatabase) {
                          std::string("P-1\0x", 5), "/tmp/1", "-", "", "P_1", "P 1", "Ä-1",
                          std::string(33, '1'), std::string(10'000'000, 'P')});
   const auto before = must(audit_head(*access)).count;
-  for (const std::string& code : bad) {
+  for (const std::string& code : test::every(bad)) {
     const auto refused = store->add_patient(code);
     ASSERT_FALSE(refused.ok()) << code.substr(0, 40);
     EXPECT_EQ(refused.error().field, "patient code");

@@ -6,6 +6,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
 #include "tests/storage/writer_process.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::kill_test {
 namespace {
@@ -65,7 +66,7 @@ TEST(Kill, WhileTrialsAreClosedAndPackedLosesNone) {
       EXPECT_EQ(must(store->signals(trial)).rows(), 100u * kSeconds);
       EXPECT_EQ(trial.signals_hash.size(), 64u);
     }
-    for (const auto& trial : trials) EXPECT_TRUE(store->signals(trial).ok());
+    for (const auto& trial : test::every(trials)) EXPECT_TRUE(store->signals(trial).ok());
   }
   EXPECT_EQ(must(opened(path)->check()), std::vector<std::string>{});
 }

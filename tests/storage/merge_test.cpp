@@ -13,6 +13,7 @@
 #include "storage/person/consent.hpp"
 #include "storage/person/erasure.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::merge_test {
 namespace {
@@ -76,7 +77,7 @@ std::multiset<std::string> content_of(const std::string& path) {
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
   for (const auto& stone : must(tombstones(*must(Access::open(path)))))
     all.insert(stone.code + " erased " + stone.erased_utc + stone.erased_by);
-  for (const auto& patient : must(store.patients())) {
+  for (const auto& patient : test::every(must(store.patients()))) {
     std::set<std::string> uuids{patient.uuid};
     std::string uuid;
     soci::statement select =
@@ -112,7 +113,7 @@ std::multiset<std::string> content_of(const std::string& path) {
         all.insert(of + one.kind + one.text + uuid_of_trial.at(one.trial_id));
       for (const auto& one : must(store.ratings(session.id)))
         all.insert(of + std::to_string(one.pain) + uuid_of_trial.at(one.trial_id));
-      for (const auto& trial : trials) {
+      for (const auto& trial : test::every(trials)) {
         EXPECT_EQ(trial.zero_id, must(store.zeros(session.id)).front().id);
         all.insert(of + trial.uuid + std::to_string(trial.number) + trial.signals_hash);
         EXPECT_EQ(must(store.signals(trial)).rows(), 50u);

@@ -13,6 +13,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/file/database.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::migration_test {
 namespace {
@@ -68,7 +69,7 @@ void expect_same(const Contents& a, const Contents& b) {
     for (std::size_t m = 0; m < a.measures[i].size(); ++m)
       EXPECT_EQ(a.measures[i][m].value, b.measures[i][m].value);
     ASSERT_EQ(a.signals[i].names(), b.signals[i].names());
-    for (const auto& name : a.signals[i].names()) {
+    for (const auto& name : test::every(a.signals[i].names())) {
       const auto x = a.signals[i].column(name);
       const auto y = b.signals[i].column(name);
       ASSERT_EQ(x.size(), y.size());

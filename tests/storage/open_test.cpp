@@ -9,6 +9,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/file/database.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::open_test {
 namespace {
@@ -21,7 +22,7 @@ void expect_refused(const TemporaryFolder& folder, const std::string& path,
   };
   const std::string before = file_bytes();
   const auto listing = folder.listing();
-  for (const OpenMode how : ways) {
+  for (const OpenMode how : test::every(ways)) {
     const auto store = open_store(path, how);
     ASSERT_FALSE(store.ok()) << static_cast<int>(how);
     const std::string message = store.error().message();

@@ -4,6 +4,7 @@
 #include <soci/sqlite3/soci-sqlite3.h>
 
 #include "tests/storage/one_patient.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::profile_test {
 namespace {
@@ -100,7 +101,7 @@ TEST_F(Profile, ScoresAreTakenUpToTheLimitsOfTheirScaleAndNotBeyond) {
         Case{"BBT", {0, 150}, {-1}}, Case{"NHPT", {0.1, 300}, {0, -3}},
         Case{"MAL", {0, 2.5, 5}, {-0.1, 5.1}}, Case{"MAS", {0, 1.5, 4}, {-1, 5}},
         Case{"sensation", {-2, 0, 6.65}, {}}}) {
-    for (const double value : good)
+    for (const double value : test::every(good))
       EXPECT_TRUE(store->add_clinical_score(patient, {0, "2026-03-05", scale, value, ""}).ok())
           << scale << value;
     for (const double value : bad) {

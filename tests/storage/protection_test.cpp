@@ -11,6 +11,7 @@
 #include "storage/person/consent.hpp"
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::protection_test {
 namespace {
@@ -67,7 +68,7 @@ TEST_F(PlainClinic, ProtectedLaterHoldsNoByteOfItsPlainTextAndLosesNone) {
   EXPECT_TRUE(is_protected_database(path));
   const auto store = opened(path);
   EXPECT_EQ(must(store->check()), std::vector<std::string>{});
-  for (const PatientRecord& patient : must(store->patients())) {
+  for (const PatientRecord& patient : test::every(must(store->patients()))) {
     const PatientProfile profile = must(store->profile(patient.id));
     EXPECT_EQ(profile.notes + profile.goals, "SECRETNOTESECRETGOAL");
     ASSERT_EQ(must(store->treatment_marks(patient.id)).size(), 1u);

@@ -4,6 +4,7 @@
 
 #include "storage/access/open_store.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::storage::records_test {
 namespace {
@@ -275,6 +276,7 @@ TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
 
   const auto stored = must(store->measures(written.id));
   ASSERT_EQ(stored.size(), measures.size());
+  ASSERT_FALSE(stored.empty());
   for (std::size_t i = 0; i < stored.size(); ++i) {
     EXPECT_EQ(stored[i].name, measures[i].name);
     EXPECT_EQ(stored[i].channel, measures[i].channel);
@@ -311,7 +313,7 @@ TEST_F(Records, SignalsComeBackToTheBitInTheOrderOfTheGroups) {
   EXPECT_EQ(signals.names(),
             (std::vector<std::string>{"t_s", "thumb_fz_N", "index_fz_N", "thumb_fz_counts"}));
   std::size_t row = 0;
-  for (const auto& rows : seconds)
+  for (const auto& rows : test::every(seconds))
     for (std::size_t r = 0; r < rows[1].size(); ++r, ++row) {
       for (std::size_t c = 0; c < 3; ++c)
         EXPECT_TRUE(same_bits(signals.column(c)[row], rows[0][3 * r + c])) << row << " " << c;
@@ -514,7 +516,7 @@ TEST_F(Records, AClockThatIsSetBackLosesNothingAndSessionsAreReadByTheirTime) {
   const auto points = must(store->progress(patient_id));
   ASSERT_EQ(points.size(), 2u);
   EXPECT_EQ(points[0].session_id, made[1]) << "the same order as that of the sessions";
-  for (const auto& session : sessions) {
+  for (const auto& session : test::every(sessions)) {
     const auto trials = must(store->trials(session.id));
     ASSERT_EQ(trials.size(), 1u);
     EXPECT_EQ(must(store->signals(trials[0])).rows(), 100u);

@@ -17,6 +17,7 @@
 #include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/measures/fitts.hpp"
 #include "tasks/protocol.hpp"
+#include "tests/support/every.hpp"
 
 namespace isograsp::tasks::library_test {
 namespace {
@@ -77,7 +78,7 @@ std::vector<Place> places(const TaskSpec& spec) {
 
 TEST(Library, EverySceneCompilesForBothHands) {
   ASSERT_GE(files_in("scenes").size(), 9u);
-  for (const auto& path : files_in("scenes"))
+  for (const auto& path : test::every(files_in("scenes")))
     for (const Hand hand : {Hand::right, Hand::left}) {
       const auto plan = Plan::compile(for_hand(scene(path), hand), 0.01);
       EXPECT_TRUE(plan) << plan.error().message();
@@ -86,18 +87,22 @@ TEST(Library, EverySceneCompilesForBothHands) {
 
 TEST(Library, EveryTargetCanBeReachedWithTheForceOfAWeakHand) {
   constexpr double kWeak_N = 3.0;
+  test::AtLeast places_seen(10);
+  test::AtLeast limits_seen(10);
   constexpr double kArm_m = 0.065;  // from thumb to fingers: a couple of forces there turns
-  for (const auto& path : files_in("tasks")) {
+  for (const auto& path : test::every(files_in("tasks"))) {
     const TaskSpec spec = task(path.filename());
     if (spec.scene().empty()) continue;
     const Scene object = scene(kLibrary / "scenes" / (spec.scene() + ".toml"));
     for (const Place& to : places(spec)) {
+      ++places_seen;
       double squares = 0.0;
       for (std::size_t dof = 0; dof < 6; ++dof) {
         const auto i = static_cast<Eigen::Index>(dof);
         EXPECT_TRUE(object.free[dof] || to[dof] == 0.0) << path << " moves what is locked";
         for (const auto& limit : object.limits) {
           if (static_cast<std::size_t>(limit.dof) != dof) continue;
+          ++limits_seen;
           EXPECT_GE(to[dof], limit.least) << path;
           EXPECT_LE(to[dof], limit.most) << path;
         }
@@ -116,12 +121,14 @@ TEST(Library, EveryTargetCanBeReachedWithTheForceOfAWeakHand) {
 }
 
 TEST(Library, WhereThereIsNoSpringTheObjectStaysOnlyIfRestingFingersDoNotMoveIt) {
-  for (const auto& path : files_in("scenes")) {
+  test::AtLeast without_spring(1);
+  for (const auto& path : test::every(files_in("scenes"))) {
     const Scene object = scene(path);
     for (std::size_t dof = 0; dof < 6; ++dof)
       if (object.free[dof] && object.stiffness[static_cast<Eigen::Index>(dof)] == 0.0) {
         EXPECT_NE(object.grasp_rule, GraspRule::any) << path;
         EXPECT_GT(object.damping[static_cast<Eigen::Index>(dof)], 0.0) << path;
+        ++without_spring;
       }
   }
 }
@@ -143,7 +150,7 @@ TEST(Library, TheSeriesHasTheDifficultyThatItsCommentStates) {
 
 TEST(Library, EveryTaskParsesAndItsSceneIsShipped) {
   ASSERT_GE(files_in("tasks").size(), 18u);
-  for (const auto& path : files_in("tasks")) {
+  for (const auto& path : test::every(files_in("tasks"))) {
     const TaskSpec spec = task(path.filename());
     EXPECT_FALSE(spec.name.empty());
     EXPECT_FALSE(spec.instruction.empty());
@@ -157,14 +164,16 @@ TEST(Library, EveryTaskParsesAndItsSceneIsShipped) {
 
 TEST(Library, EveryProtocolNamesShippedTasksAndMeasuresTheMaximumBeforeItIsNeeded) {
   ASSERT_GE(files_in("protocols").size(), 2u);
-  for (const auto& path : files_in("protocols")) {
+  test::AtLeast tasks_named(10);
+  for (const auto& path : test::every(files_in("protocols"))) {
     const auto text = read_text(path);
     ASSERT_TRUE(text);
     const auto protocol = parse_protocol(*text, path);
     ASSERT_TRUE(protocol) << protocol.error().message();
     bool has_maximum = false;
-    for (const auto& step : protocol->steps) {
+    for (const auto& step : test::every(protocol->steps)) {
       for (const std::string& name : step.tasks) {
+        ++tasks_named;
         const TaskSpec spec = task(name);
         EXPECT_TRUE(has_maximum || !spec.needs_maximum()) << path;
         has_maximum = has_maximum || spec.kind.is<MaximumSpec>();
@@ -174,9 +183,9 @@ TEST(Library, EveryProtocolNamesShippedTasksAndMeasuresTheMaximumBeforeItIsNeede
 }
 
 TEST(Library, InEverySceneTheAxesOfTheHandAreUpAndTowardsTheScreenForBothHands) {
-  for (const auto& path : files_in("scenes"))
+  for (const auto& path : test::every(files_in("scenes")))
     for (const Hand hand : {Hand::right, Hand::left})
-      for (const Contact& contact : for_hand(scene(path), hand).contacts) {
+      for (const Contact& contact : test::every(for_hand(scene(path), hand).contacts)) {
         const auto of = [&](const Vec3& force_W) {
           return anatomical(contact.R_OC.transpose() * force_W, contact.finger, hand);
         };

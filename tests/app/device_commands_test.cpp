@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::app::device_commands_test {
 namespace {
@@ -113,7 +114,7 @@ TEST(DecodeCommand, ReadsTheMatrixOfAnAtiSensorFromTheLog) {
   const double fx = (1250.5 * gages[0] - 310.25 * gages[1] + 95.75 * gages[2] - 16820.0 * gages[3] -
                      140.5 * gages[4] + 16455.25 * gages[5]) /
                     1e6;
-  EXPECT_NEAR(values[0], fx, 1e-12 * std::abs(fx));
+  EXPECT_WITHIN(values[0], fx, 1e-12 * std::abs(fx));
   std::getline(lines, line);
   EXPECT_NE(line.find(",0,saturated+status_bad_active_calibration+status_any_error"),
             std::string::npos)

@@ -14,6 +14,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/recorded_data.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::app::import_test {
 namespace {
@@ -137,9 +138,10 @@ TEST(Import, FilesBecomePatientsSessionsInTheirOrderAndTrialsInSIUnits) {
         const auto signals = store->signals(trial).value();
         ASSERT_EQ(signals.rows(), 3u);
         EXPECT_EQ(signals.column("t_s")[1], 0.4);
-        EXPECT_NEAR(signals.column("actual_force_N")[0], pounds * 4.4482216152605, 1e-12 * pounds);
-        EXPECT_NEAR(value_of(session.measures[t], "maximum_window_mean"), pounds * 4.4482216152605,
-                    1e-12 * pounds);
+        EXPECT_WITHIN(signals.column("actual_force_N")[0], pounds * 4.4482216152605,
+                      1e-12 * pounds);
+        EXPECT_WITHIN(value_of(session.measures[t], "maximum_window_mean"),
+                      pounds * 4.4482216152605, 1e-12 * pounds);
       }
     }
   }
@@ -159,9 +161,9 @@ TEST(Import, TheUnitChangesTheNumbersAndNothingElse) {
   const auto in_newtons = all_of(*opened(newtons.path("c.db")));
   for (std::size_t p = 0; p < 2; ++p)
     for (std::size_t s = 0; s < 2; ++s)
-      EXPECT_NEAR(value_of(in_pounds[p].sessions[s].measures[0], "maximum_window_mean") /
-                      value_of(in_newtons[p].sessions[s].measures[0], "maximum_window_mean"),
-                  4.4482216152605, 1e-12);
+      EXPECT_WITHIN(value_of(in_pounds[p].sessions[s].measures[0], "maximum_window_mean") /
+                        value_of(in_newtons[p].sessions[s].measures[0], "maximum_window_mean"),
+                    4.4482216152605, 1e-12);
 }
 
 TEST(Import, TheProvenanceSaysEverythingThatTheFilesDoNot) {
@@ -506,8 +508,8 @@ TEST(ImportedPeople, MaximumPushesBeforeAndAfterAreThePublishedOnes) {
   for (std::size_t p = 0; p < 5; ++p) {
     ASSERT_EQ(patients[p].sessions.size(), 2u);
     const auto& [before, after] = std::tie(patients[p].sessions[0], patients[p].sessions[1]);
-    EXPECT_NEAR(value_of(before.measures.at(0), "maximum_window_mean"), kBefore_N[p], kPrinted_N);
-    EXPECT_NEAR(value_of(after.measures.at(0), "maximum_window_mean"), kAfter_N[p], kPrinted_N);
+    EXPECT_WITHIN(value_of(before.measures.at(0), "maximum_window_mean"), kBefore_N[p], kPrinted_N);
+    EXPECT_WITHIN(value_of(after.measures.at(0), "maximum_window_mean"), kAfter_N[p], kPrinted_N);
   }
   const auto report = isograsp("report --db " + folder.path("c.db") +
                                " --patient TESSARI-01 --out " + folder.path("r.html"));
@@ -525,7 +527,7 @@ TEST(ImportedPeople, FourFingersKeepTheMetronomesRhythmAndShareTheForce) {
   ASSERT_EQ(patients.size(), 1u);
   const auto& measures = patients[0].sessions.at(0).measures.at(0);
   constexpr double kLine_Hz = 1.0 / 30.0;  // of a spectrum of the whole recording
-  EXPECT_NEAR(value_of(measures, "rhythm"), 1.0 / 1.5, 0.5 * kLine_Hz);
+  EXPECT_WITHIN(value_of(measures, "rhythm"), 1.0 / 1.5, 0.5 * kLine_Hz);
   double shares = 0.0;
   double before = 100.0;
   for (const char* finger : {"index", "middle", "ring", "little"}) {
@@ -533,7 +535,7 @@ TEST(ImportedPeople, FourFingersKeepTheMetronomesRhythmAndShareTheForce) {
     EXPECT_LT(share, before) << finger << ": from index to little they press less";
     shares += before = share;
   }
-  EXPECT_NEAR(shares, 100.0, 1e-10);
+  EXPECT_WITHIN(shares, 100.0, 1e-10);
   const double index = value_of(measures, "synergy_index");
   EXPECT_GT(index, -4.0);
   EXPECT_LT(index, 4.0 / 3.0);

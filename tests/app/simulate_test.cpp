@@ -19,6 +19,7 @@
 #include "core/csv.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::app::simulate_test {
 namespace {
@@ -133,24 +134,24 @@ TEST(Simulate, WritesTheColumnsAndOneRowMoreThanTheForces) {
   EXPECT_EQ(t.at(0, "x_m"), 0.0);
   EXPECT_EQ(t.at(0, "fx_N"), 1.0);
   EXPECT_EQ(t.at(0, "thumb_contact"), 1.0);
-  EXPECT_NEAR(t.at(1, "vx_mps"), 0.01, 1e-17);
-  EXPECT_NEAR(t.at(1, "x_m"), 0.5e-4, 1e-19);
-  EXPECT_NEAR(t.at(2, "vx_mps"), 0.03, 1e-17);
+  EXPECT_WITHIN(t.at(1, "vx_mps"), 0.01, 1e-17);
+  EXPECT_WITHIN(t.at(1, "x_m"), 0.5e-4, 1e-19);
+  EXPECT_WITHIN(t.at(2, "vx_mps"), 0.03, 1e-17);
   EXPECT_EQ(t.at(2, "thumb_contact"), 0.0);
   EXPECT_EQ(t.at(2, "fx_N"), 0.0);
   // The last row holds as long as the one before; the extra row repeats its wrench.
-  EXPECT_NEAR(t.at(3, "t_s"), 0.03, 1e-17);
-  EXPECT_NEAR(t.at(3, "vx_mps"), 0.03, 1e-17);
+  EXPECT_WITHIN(t.at(3, "t_s"), 0.03, 1e-17);
+  EXPECT_WITHIN(t.at(3, "vx_mps"), 0.03, 1e-17);
   EXPECT_EQ(t.at(3, "fx_N"), 0.0);
 }
 
 TEST(Simulate, AnIrregularGridHoldsEachRowForItsOwnTime) {
   const auto t = simulate(scene(), kHeader + "0,0,0,1\n0.01,0,0,1\n0.05,0,0,1\n");
   ASSERT_EQ(t.answer.status, 0) << t.answer.err;
-  EXPECT_NEAR(t.at(1, "vx_mps"), 0.01, 1e-17);
-  EXPECT_NEAR(t.at(2, "vx_mps"), 0.05, 1e-16);
-  EXPECT_NEAR(t.at(3, "vx_mps"), 0.09, 1e-16);
-  EXPECT_NEAR(t.at(3, "t_s"), 0.09, 1e-16);
+  EXPECT_WITHIN(t.at(1, "vx_mps"), 0.01, 1e-17);
+  EXPECT_WITHIN(t.at(2, "vx_mps"), 0.05, 1e-16);
+  EXPECT_WITHIN(t.at(3, "vx_mps"), 0.09, 1e-16);
+  EXPECT_WITHIN(t.at(3, "t_s"), 0.09, 1e-16);
 }
 
 TEST(Simulate, EveryRowOfALongRecordingComesOutOnceAndInOrder) {
@@ -226,12 +227,12 @@ TEST(Simulate, MissingSamplesAreBridgedFor50MsThenTheStateStandsStill) {
   ASSERT_EQ(t.answer.status, 0) << t.answer.err;
   ASSERT_EQ(t.rows.size(), 12u);
   // One valid and five bridged holds accelerate; rows 6 to 9 show the same state.
-  EXPECT_NEAR(t.at(6, "vx_mps"), 0.06, 1e-15);
+  EXPECT_WITHIN(t.at(6, "vx_mps"), 0.06, 1e-15);
   for (const auto& column : test::every(t.columns)) {
     if (column == "t_s") continue;
     EXPECT_EQ(t.at(9, column), t.at(6, column)) << column;
   }
-  EXPECT_NEAR(t.at(11, "vx_mps"), 0.08, 1e-15);
+  EXPECT_WITHIN(t.at(11, "vx_mps"), 0.08, 1e-15);
   EXPECT_NE(t.answer.err.find("stood still in 3 of 11 holds"), std::string::npos) << t.answer.err;
 }
 
@@ -325,9 +326,9 @@ TEST(GraspCommand, PrintsOneDocumentWithTheAgreedFields) {
   EXPECT_EQ(all["fingers"], (std::vector<std::string>{"thumb", "index", "middle"}));
   EXPECT_EQ(all["rank"], 3);
   // golden/grasp_results.csv: device_block_3, PCWF, FxFyTz
-  EXPECT_NEAR(all["singular_values"][0].get<double>(), 2.1450108564519962613, 1e-14);
-  EXPECT_NEAR(all["G_det"].get<double>(), 5.5938954822794706247, 1e-13);
-  EXPECT_NEAR(all["G_rat"].get<double>(), 7.019314979915723726e-1, 1e-14);
+  EXPECT_WITHIN(all["singular_values"][0].get<double>(), 2.1450108564519962613, 1e-14);
+  EXPECT_WITHIN(all["G_det"].get<double>(), 5.5938954822794706247, 1e-13);
+  EXPECT_WITHIN(all["G_rat"].get<double>(), 7.019314979915723726e-1, 1e-14);
   EXPECT_EQ(all["G_min"], all["singular_values"][2]);
   EXPECT_EQ(all["force_closure"], true);
   EXPECT_EQ(all["opposition"], true);

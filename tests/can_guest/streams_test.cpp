@@ -14,6 +14,7 @@
 #include "tests/can_guest/bus_bench.hpp"
 #include "tests/can_guest/bus_load.hpp"
 #include "tests/device/counting_play.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp {
 namespace {
@@ -215,10 +216,10 @@ TEST_P(EverySample, ArrivesOnceInOrderAndExactly) {
       } else {
         constexpr double kRounding_N = 0.08;  // six gages, half a count each
         constexpr double kRounding_Nm = 0.004;
-        ASSERT_NEAR((sample.wrench_C.force - expected.force).cwiseAbs().maxCoeff(), 0.0,
-                    kRounding_N);
-        ASSERT_NEAR((sample.wrench_C.torque - expected.torque).cwiseAbs().maxCoeff(), 0.0,
-                    kRounding_Nm);
+        ASSERT_WITHIN((sample.wrench_C.force - expected.force).cwiseAbs().maxCoeff(), 0.0,
+                      kRounding_N);
+        ASSERT_WITHIN((sample.wrench_C.torque - expected.torque).cwiseAbs().maxCoeff(), 0.0,
+                      kRounding_Nm);
       }
     }
     EXPECT_LE(plays, counters.restarts);

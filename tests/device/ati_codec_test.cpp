@@ -12,6 +12,7 @@
 #include "device/emulator/emulated_ati.hpp"
 #include "device/protocol/ati_decoder.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::ati_codec_test {
 namespace {
@@ -159,9 +160,9 @@ TEST(AtiCodec, RefusesThePlausibleLookingValuesOfASaturatedSensor) {
   EXPECT_FALSE(reading.valid());
   const Wrench wrench = wrench_of(reading.gages, example_bias(), synthetic_ati_calibration());
   constexpr double kTwoDecimals = 0.05;
-  EXPECT_NEAR(wrench.force.x(), 50.97, kTwoDecimals);
-  EXPECT_NEAR(wrench.force.y(), -671.7, kTwoDecimals);
-  EXPECT_NEAR(wrench.force.z(), 650.0, kTwoDecimals);
+  EXPECT_WITHIN(wrench.force.x(), 50.97, kTwoDecimals);
+  EXPECT_WITHIN(wrench.force.y(), -671.7, kTwoDecimals);
+  EXPECT_WITHIN(wrench.force.z(), 650.0, kTwoDecimals);
   EXPECT_EQ(ati_flags(reading), "saturated+status_bad_active_calibration+status_any_error");
 }
 

@@ -12,6 +12,7 @@
 #include "device/config/rft_sensor.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::device_config_test {
 namespace {
@@ -199,8 +200,8 @@ TEST(Mounting, ConservesPowerAndComesBack) {
     const Vec3 w_S = vector();
     const Vec3 v_C = mounting.sign * (mounting.q_CS * (v_S + w_S.cross(mounting.p_SC_S)));
     const Vec3 w_C = mounting.sign * (mounting.q_CS * w_S);
-    EXPECT_NEAR(wrench_C.force.dot(v_C) + wrench_C.torque.dot(w_C),
-                wrench_S.force.dot(v_S) + wrench_S.torque.dot(w_S), kRounding);
+    EXPECT_WITHIN(wrench_C.force.dot(v_C) + wrench_C.torque.dot(w_C),
+                  wrench_S.force.dot(v_S) + wrench_S.torque.dot(w_S), kRounding);
   }
 }
 

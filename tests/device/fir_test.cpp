@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::fir_test {
 namespace {
@@ -26,11 +27,11 @@ TEST(Fir, IsTheFilterOfThePaperAtBothRates) {
     ASSERT_TRUE(fir.ok());
     EXPECT_DOUBLE_EQ(fir_delay_s(fir->size(), rate_Hz), 0.032);
     constexpr double kRounding_dB = 1e-9;  // the design is solved to the last bit
-    EXPECT_NEAR(decibel(fir_gain(*fir, rate_Hz, 31.25)), decibel(std::sqrt(0.5)), kRounding_dB);
+    EXPECT_WITHIN(decibel(fir_gain(*fir, rate_Hz, 31.25)), decibel(std::sqrt(0.5)), kRounding_dB);
     // The attenuations of docs/devices.md, printed with two to three digits.
     constexpr double kPrinted_dB = 0.6;
-    EXPECT_NEAR(decibel(fir_gain(*fir, rate_Hz, 50.0)), -17.6, kPrinted_dB);
-    EXPECT_NEAR(decibel(fir_gain(*fir, rate_Hz, 60.0)), -37.0, kPrinted_dB);
+    EXPECT_WITHIN(decibel(fir_gain(*fir, rate_Hz, 50.0)), -17.6, kPrinted_dB);
+    EXPECT_WITHIN(decibel(fir_gain(*fir, rate_Hz, 60.0)), -37.0, kPrinted_dB);
     EXPECT_LT(decibel(fir_gain(*fir, rate_Hz, 70.0)), -58.0);
   }
 }
@@ -68,7 +69,7 @@ TEST(Fir, ForgetsWhatWasBeforeAGap) {
   filter.restart();
   for (int n = 0; n < 8; ++n) EXPECT_FALSE(filter.push(value = Vec6::Constant(1.0)));
   ASSERT_TRUE(filter.push(value = Vec6::Constant(1.0)));
-  EXPECT_NEAR(value.maxCoeff(), 1.0, 1e-15);
+  EXPECT_WITHIN(value.maxCoeff(), 1.0, 1e-15);
 }
 
 TEST(Fir, WithoutTapsTheInputComesOut) {

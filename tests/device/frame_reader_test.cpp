@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
+
 namespace isograsp::frame_reader_test {
 namespace {
 
@@ -60,7 +62,7 @@ TEST(FrameReader, APauseOfThisComputerMakesFramesLateNotEmpty) {
     for (std::size_t f = 0; f < kFingerCount; ++f) {
       EXPECT_EQ(frame.flags[f], 0) << n;
       constexpr double kRounding_N = 1e-12;
-      EXPECT_NEAR(frame.wrench_C[f].force.z(), frame.t_s, kRounding_N) << "the line between";
+      EXPECT_WITHIN(frame.wrench_C[f].force.z(), frame.t_s, kRounding_N) << "the line between";
     }
   }
   EXPECT_GT(largest_lateness_s, 0.6);

@@ -10,6 +10,7 @@
 #include "device/bus/candump_log.hpp"
 #include "device/protocol/jr3_decoder.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::jr3_codec_test {
 namespace {
@@ -329,8 +330,8 @@ TEST(Jr3Decoder, LearnsTheFullScalesFromTheLogEvenAfterTheSamples) {
   const auto second = decode(log, first.learned);
   ASSERT_EQ(second.samples.size(), 1u);
   EXPECT_TRUE(second.samples[0].valid);
-  EXPECT_NEAR(second.samples[0].wrench_S.force.x(), 12.34131, 10 * kPrinted);
-  EXPECT_NEAR(second.samples[0].wrench_S.torque.z(), 0.040527, kPrinted);
+  EXPECT_WITHIN(second.samples[0].wrench_S.force.x(), 12.34131, 10 * kPrinted);
+  EXPECT_WITHIN(second.samples[0].wrench_S.torque.z(), 0.040527, kPrinted);
 }
 
 TEST(Jr3Decoder, TellsFullScalesOfForceAndMomentByTheRequest) {

@@ -14,6 +14,7 @@
 #include "tests/device/fake_comedi_card.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::test::jr3_comedi_test {
 namespace {
@@ -72,17 +73,17 @@ TEST(Jr3Comedi, FilterThreeIsChannels24To29) {
 }
 
 TEST(Jr3Comedi, DecodesTheWorkedExamples) {
-  EXPECT_NEAR(jr3_comedi_full_scale(0.150), 150.0, 1e-12) << "kN";
-  EXPECT_NEAR(jr3_comedi_full_scale(0.008), 8.0, 1e-12) << "kN m";
+  EXPECT_WITHIN(jr3_comedi_full_scale(0.150), 150.0, 1e-12) << "kN";
+  EXPECT_WITHIN(jr3_comedi_full_scale(0.008), 8.0, 1e-12) << "kN m";
   const auto wrench = wrench_of({17732, 15783, 13762, 16637, 14848, 16467}, kPaper);
-  EXPECT_NEAR(wrench.force.x(), 12.341309, kPrinted);
-  EXPECT_NEAR(wrench.force.y(), -5.502319, kPrinted);
-  EXPECT_NEAR(wrench.force.z(), -48.010254, kPrinted);
-  EXPECT_NEAR(wrench.torque.x(), 0.123535, kPrinted);
-  EXPECT_NEAR(wrench.torque.y(), -0.75, kPrinted);
-  EXPECT_NEAR(wrench.torque.z(), 0.040527, kPrinted);
+  EXPECT_WITHIN(wrench.force.x(), 12.341309, kPrinted);
+  EXPECT_WITHIN(wrench.force.y(), -5.502319, kPrinted);
+  EXPECT_WITHIN(wrench.force.z(), -48.010254, kPrinted);
+  EXPECT_WITHIN(wrench.torque.x(), 0.123535, kPrinted);
+  EXPECT_WITHIN(wrench.torque.y(), -0.75, kPrinted);
+  EXPECT_WITHIN(wrench.torque.z(), 0.040527, kPrinted);
   const auto limits = wrench_of({32767, 16384, 0, 16384, 16384, 16384}, kPaper);
-  EXPECT_NEAR(limits.force.x(), 149.990845, kPrinted);
+  EXPECT_WITHIN(limits.force.x(), 149.990845, kPrinted);
   EXPECT_EQ(limits.force.y(), 0.0);
   EXPECT_EQ(limits.force.z(), -300.0);
 }
@@ -208,7 +209,7 @@ TEST(Jr3ComediDevice, ReturnsByItselfWhenTheDriverTrustsTheSensorAgain) {
   for (const auto& sample : samples) {
     if (sample.finger != Finger::middle) continue;
     seen = true;
-    EXPECT_NEAR(std::abs(sample.wrench_C.force.x()), sample.raw_counts[0] * 75.0 / 16384.0, 1e-9);
+    EXPECT_WITHIN(std::abs(sample.wrench_C.force.x()), sample.raw_counts[0] * 75.0 / 16384.0, 1e-9);
   }
   EXPECT_TRUE(seen);
 }

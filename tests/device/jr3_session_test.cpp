@@ -16,6 +16,7 @@
 #include "tests/device/conversation.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::test::jr3_session_test {
 namespace {
@@ -297,7 +298,7 @@ TEST(Jr3Emulator, ItsLowPassFollowsTheStepOfAFirstOrderFilter) {
     if (finger != 0) continue;
     const double t_s = 0.01 * k++;
     const double expected = kStep_N * (1.0 - std::exp(-2.0 * std::numbers::pi * 31.25 * t_s));
-    EXPECT_NEAR(m.wrench_S.force.z(), expected, 0.51 * 300.0 / 16384.0) << "half a count";
+    EXPECT_WITHIN(m.wrench_S.force.z(), expected, 0.51 * 300.0 / 16384.0) << "half a count";
   }
   EXPECT_EQ(k, 10);
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
+
 namespace isograsp::platform_test {
 namespace {
 
@@ -54,7 +56,7 @@ TEST(NetWrench, DoesTheWorkOfAllFingers) {
                wrench_C[f].torque.dot(s.R_PC.transpose() * w);
     }
     const Wrench net = net_wrench(platform, wrench_C);
-    EXPECT_NEAR(net.force.dot(v) + net.torque.dot(w), power, 100 * kRounding);
+    EXPECT_WITHIN(net.force.dot(v) + net.torque.dot(w), power, 100 * kRounding);
   }
 }
 
@@ -63,8 +65,8 @@ TEST(CentreOfPressure, IsWhereASingleForceActs) {
   const Vec3 force(0.4, -0.3, 6.0);
   const auto found = centre_of_pressure({force, place.cross(force)});
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->x(), place.x(), 1e-16);
-  EXPECT_NEAR(found->y(), place.y(), 1e-16);
+  EXPECT_WITHIN(found->x(), place.x(), 1e-16);
+  EXPECT_WITHIN(found->y(), place.y(), 1e-16);
 }
 
 TEST(CentreOfPressure, IsNotToldForLightOrPullingFingers) {

@@ -6,6 +6,7 @@
 #include "device/sensors/frame_clock.hpp"
 #include "hand/finger_forces.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::replay_device_test {
 namespace {
@@ -123,7 +124,7 @@ TEST(ReplayDevice, AnIrregularFileIsInterpolatedOnAHundredHertzGrid) {
     while (frames.pop((*device)->now(clock), frame)) {
       ++compared;
       constexpr double kRounding = 1e-9;  // stamps are whole nanoseconds; 10 N/s
-      EXPECT_NEAR(frame.wrench_C[0].force.z(), 10.0 * frame.t_s, 10.0 * kRounding);
+      EXPECT_WITHIN(frame.wrench_C[0].force.z(), 10.0 * frame.t_s, 10.0 * kRounding);
       EXPECT_EQ(frame.flags[0], 0);
       EXPECT_EQ(frame.flags[1], bit(SampleFlag::missing));  // the file has no index finger
     }
@@ -138,7 +139,7 @@ TEST(ReplayDevice, ARegularGridOutsideTheFrameRatesIsResampled) {
     ASSERT_TRUE(device);
     EXPECT_FALSE((*device)->info().on_grid);
     EXPECT_EQ((*device)->info().frame_period_s, 0.01);
-    EXPECT_NEAR((*device)->info().sample_period_s, 1.0 / rate_Hz, 1e-12);
+    EXPECT_WITHIN((*device)->info().sample_period_s, 1.0 / rate_Hz, 1e-12);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "tests/device/sensor_bench.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::sensor_device_test {
 namespace {
@@ -396,7 +397,7 @@ TEST(SensorDevice, OverSampledForcesComeSmoothAndLateByTheDelayThatItTells) {
   for (auto& wrench : step.wrench_C[1]) wrench.force.z() = 10.0;
   test::SensorBench bench(options, config, step);
   ASSERT_TRUE(bench.device->start(bench.clock).ok());
-  EXPECT_NEAR(bench.device->info().delay_s, 0.032, 1e-12);
+  EXPECT_WITHIN(bench.device->info().delay_s, 0.032, 1e-12);
   const auto samples = bench.read_for(250ms);
   std::optional<Timestamp> raw_step;
   std::optional<Timestamp> half;
@@ -407,7 +408,7 @@ TEST(SensorDevice, OverSampledForcesComeSmoothAndLateByTheDelayThatItTells) {
   }
   ASSERT_TRUE(raw_step && half);
   EXPECT_NEAR(to_seconds(*half - *raw_step), bench.device->info().delay_s, 1.0 / config.rate_Hz);
-  EXPECT_NEAR(samples.back().wrench_C.force.z(), 10.0, 1e-9);
+  EXPECT_WITHIN(samples.back().wrench_C.force.z(), 10.0, 1e-9);
 }
 
 TEST(SensorDevice, AFrozenSensorIsKnownWithinAFifthOfASecond) {
@@ -451,8 +452,8 @@ TEST(SensorDevice, AClinicsCalibrationActsInTheSensorFrame) {
   for (const auto& sample : test::every(bench.read_for(100ms))) {
     if (sample.finger != Finger::thumb) continue;
     // S: (0, 0, -20) becomes (-1, 0, -22); C turns y and z.
-    EXPECT_NEAR(sample.wrench_C.force.x(), -1.0, 1e-12);
-    EXPECT_NEAR(sample.wrench_C.force.z(), 22.0, 1e-12);
+    EXPECT_WITHIN(sample.wrench_C.force.x(), -1.0, 1e-12);
+    EXPECT_WITHIN(sample.wrench_C.force.z(), 22.0, 1e-12);
     EXPECT_EQ(sample.raw_counts[2], -1000);
   }
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::sensor_model_test {
 namespace {
@@ -35,7 +36,7 @@ TEST(SensorModel, IsTheReferenceFilterFollowedByThePureDelay) {
     if (n < 25) continue;
     const auto k = static_cast<std::size_t>(n);
     constexpr double kRounding = 1e-14;  // a few ulp of values near 3
-    EXPECT_NEAR(sensor.delayed()[2], 0.2 * filtered[k - 24] + 0.8 * filtered[k - 25], kRounding);
+    EXPECT_WITHIN(sensor.delayed()[2], 0.2 * filtered[k - 24] + 0.8 * filtered[k - 25], kRounding);
   }
 }
 
@@ -52,9 +53,9 @@ TEST(SensorModel, AStepIsHalfWayAfter32Milliseconds) {
     before = now;
   }
   constexpr double kMillisecond = 0.001;  // one step of the model
-  EXPECT_NEAR(half_way_s, kSensorDelay_s, kMillisecond);
+  EXPECT_WITHIN(half_way_s, kSensorDelay_s, kMillisecond);
   constexpr double kTenthOfAMillisecond = 0.0001;
-  EXPECT_NEAR(missing_area_s, kSensorDelay_s, kTenthOfAMillisecond);
+  EXPECT_WITHIN(missing_area_s, kSensorDelay_s, kTenthOfAMillisecond);
 }
 
 /// Gain of the model at a frequency, from the largest output of a long unit sine.
@@ -72,8 +73,9 @@ double gain_at(double frequency_Hz) {
 
 TEST(SensorModel, LosesThreeDecibelsAtTheCutOff) {
   constexpr double kTolerance_dB = 0.05;  // 0.027 dB is the linear interpolation of the delay
-  EXPECT_NEAR(20.0 * std::log10(gain_at(31.25)), 20.0 * std::log10(std::sqrt(0.5)), kTolerance_dB);
-  EXPECT_NEAR(20.0 * std::log10(gain_at(3.125)), 0.0, kTolerance_dB);
+  EXPECT_WITHIN(20.0 * std::log10(gain_at(31.25)), 20.0 * std::log10(std::sqrt(0.5)),
+                kTolerance_dB);
+  EXPECT_WITHIN(20.0 * std::log10(gain_at(3.125)), 0.0, kTolerance_dB);
   EXPECT_LT(gain_at(312.5), 0.01);
 }
 

@@ -6,6 +6,7 @@
 #include "device/sensors/frame_clock.hpp"
 #include "device/simulated/sensor_model.hpp"
 #include "tests/device/scripted_source.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::sim_device_test {
 namespace {
@@ -135,7 +136,7 @@ TEST(SimDevice, AFinerResolutionMakesStepsAndNoiseFinerAlike) {
   const double usual_N = spread_N("sim://healthy");
   EXPECT_GT(usual_N, 0.02);
   // The same random numbers: the same counts.
-  EXPECT_NEAR(spread_N("sim://healthy?resolution=0.008"), 0.1 * usual_N, 1e-12);
+  EXPECT_WITHIN(spread_N("sim://healthy?resolution=0.008"), 0.1 * usual_N, 1e-12);
 }
 
 TEST(SimDevice, SaturationIsFlaggedAndCounted) {

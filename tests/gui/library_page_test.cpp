@@ -21,6 +21,7 @@
 #include "short_library.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::gui::test::library_page_test {
 namespace {
@@ -43,9 +44,9 @@ TEST(LibraryPreview, OfAForceTaskIsItsTargetInTheUnitOfItsScale) {
     most = std::max(most, value);
   }
   constexpr double kSampled = 0.05;  // % : the curve's samples need not hit the very top
-  EXPECT_NEAR(least, 10.0, kSampled);
-  EXPECT_NEAR(most, 30.0, kSampled);
-  EXPECT_NEAR(sine.curve->period_s * static_cast<double>(sine.curve->values.size()), 32.0, 0.1);
+  EXPECT_WITHIN(least, 10.0, kSampled);
+  EXPECT_WITHIN(most, 30.0, kSampled);
+  EXPECT_WITHIN(sine.curve->period_s * static_cast<double>(sine.curve->values.size()), 32.0, 0.1);
   const auto sense = preview(LibraryKind::tasks, "force_sense.toml");
   ASSERT_TRUE(sense.curve.has_value());
   EXPECT_TRUE(std::any_of(sense.curve->hidden.begin(), sense.curve->hidden.end(), [](bool hidden) {
@@ -74,8 +75,8 @@ TEST(LibraryPreview, OfAProtocolHasStepsWhoseDurationsAddUpToThatOfTheWhole) {
     sum.worst_s += step.duration.worst_s;
   }
   constexpr double kRounding_s = 1e-6;
-  EXPECT_NEAR(sum.nominal_s, whole.nominal_s, kRounding_s);
-  EXPECT_NEAR(sum.worst_s, whole.worst_s, kRounding_s);
+  EXPECT_WITHIN(sum.nominal_s, whole.nominal_s, kRounding_s);
+  EXPECT_WITHIN(sum.worst_s, whole.worst_s, kRounding_s);
 }
 
 class LibraryPageTest : public QtTest {

@@ -11,6 +11,7 @@
 #include "gui/patient_screen/patient_directions.hpp"
 #include "qt_test.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::gui::test::patient_pages_test {
 namespace {
@@ -240,8 +241,8 @@ TEST(PatientPages, EveryAskedDigitHasAPadAndItsDiscFillsTheRingOnTarget) {
 
 TEST(PatientPages, AMarkStaysOnItsPadAndSaysPressingBySizeAndPullingByShape) {
   const auto rest = mark_on_pad(Vec3::Zero(), 5.0);
-  EXPECT_NEAR(rest.x, 0.0, 1e-12);
-  EXPECT_NEAR(rest.y, 0.0, 1e-12);
+  EXPECT_WITHIN(rest.x, 0.0, 1e-12);
+  EXPECT_WITHIN(rest.y, 0.0, 1e-12);
   EXPECT_GT(mark_on_pad({0, 0, 1}, 5.0).radius, rest.radius);
   EXPECT_FALSE(mark_on_pad({0, 0, -0.1}, 5.0).pulls) << "noise of a sensor";
   EXPECT_TRUE(mark_on_pad({0, 0, -1}, 5.0).pulls);

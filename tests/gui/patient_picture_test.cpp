@@ -6,6 +6,7 @@
 
 #include "core/csv.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::gui::patient_picture_test {
 namespace {
@@ -53,7 +54,7 @@ TEST(PatientPicture, AFingerComesNearerWithForceAndTouchesOnContact) {
   facts.snapshot.grasp.contact[0] = true;
   const auto finger = picture_for(facts).fingers[0];
   EXPECT_TRUE(finger.touching);
-  EXPECT_NEAR((finger.tip_W - thumb.p_OC).norm(), 0.0, kRounding_m);
+  EXPECT_WITHIN((finger.tip_W - thumb.p_OC).norm(), 0.0, kRounding_m);
 }
 
 TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
@@ -64,9 +65,9 @@ TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
   pose.q = Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
   for (const auto& contact : test::every(facts.scene->contacts)) {
     const auto finger = picture_for(facts).fingers[index_of(contact.finger)];
-    EXPECT_NEAR((pose.q.conjugate() * (finger.tip_W - pose.p) - contact.p_OC).norm(), 0.0,
+    EXPECT_WITHIN((pose.q.conjugate() * (finger.tip_W - pose.p) - contact.p_OC).norm(), 0.0,
                 kRounding_m);
-    EXPECT_NEAR((pose.q.conjugate() * finger.axis_W - contact.R_OC.col(2)).norm(), 0.0,
+    EXPECT_WITHIN((pose.q.conjugate() * finger.axis_W - contact.R_OC.col(2)).norm(), 0.0,
                 kRounding_m);
   }
 }
@@ -79,13 +80,13 @@ TEST(PatientPicture, WhatMovesIsShownWhereItIsNow) {
   facts.snapshot.task.task_time_s = 3.0;
   facts.ahead_s = 0.015;
   const auto picture = picture_for(facts);
-  EXPECT_NEAR((picture.X_WO.p - Vec3(0.003, 0.0, -0.0015)).norm(), 0.0, kRounding_m);
+  EXPECT_WITHIN((picture.X_WO.p - Vec3(0.003, 0.0, -0.0015)).norm(), 0.0, kRounding_m);
   const Quat turned(Eigen::AngleAxisd(0.03, Vec3::UnitZ()));
-  EXPECT_NEAR(picture.X_WO.q.angularDistance(turned), 0.0, 1e-7);  // acos near 1
+  EXPECT_WITHIN(picture.X_WO.q.angularDistance(turned), 0.0, 1e-7);  // acos near 1
   EXPECT_EQ(picture.task_time_s, 3.015);
   const Contact& thumb = *facts.scene->contact_of(Finger::thumb);
   facts.snapshot.grasp.contact[0] = true;
-  EXPECT_NEAR(
+  EXPECT_WITHIN(
       (picture_for(facts).fingers[0].tip_W - (picture.X_WO.p + picture.X_WO.q * thumb.p_OC)).norm(),
       0.0, kRounding_m)
       << "fingers go with it";
@@ -208,7 +209,7 @@ TEST(TargetPreview, IsExactlyWhatTheTaskWillShow) {
     ASSERT_EQ(preview.target_N[k], view.target_force_N);
     const auto shown = preview.at(view.task_time_s, view.task_time_s);
     ASSERT_TRUE(shown.has_value()) << view.task_time_s;
-    ASSERT_NEAR(*shown, view.target_force_N, 1e-9)
+    ASSERT_WITHIN(*shown, view.target_force_N, 1e-9)
         << "time over period may round to a neighbour: slope 12 N/s times 1e-12 s";
   }
   EXPECT_DOUBLE_EQ(preview.period_s * static_cast<double>(preview.target_N.size()),
@@ -243,7 +244,7 @@ TEST(ForceAxis, HoldsEveryForceAndMoreForceIsAlwaysHigher) {
       last = share;
     }
     const double middle = axis.share(0.5 * (axis.least_N + axis.most_N));
-    EXPECT_NEAR(middle, 0.5 * (axis.share(axis.least_N) + axis.share(axis.most_N)), 1e-12)
+    EXPECT_WITHIN(middle, 0.5 * (axis.share(axis.least_N) + axis.share(axis.most_N)), 1e-12)
         << "linear between the targets";
   }
 }
@@ -255,7 +256,7 @@ TEST(ForceAxis, DoesNotBendSharplyWhereTheTargetsEnd) {
   for (const double end_N : {axis.least_N, axis.most_N}) {
     const double before = axis.share(end_N) - axis.share(end_N - kStep_N);
     const double after = axis.share(end_N + kStep_N) - axis.share(end_N);
-    EXPECT_NEAR(after / before, 1.0, kCurvature);
+    EXPECT_WITHIN(after / before, 1.0, kCurvature);
   }
 }
 

@@ -42,7 +42,7 @@ TEST(Presentation, AnAxisHasTheGainThatTheTaskAsksFor) {
     const double most = gain_of(fit, viewing);
     for (const double share : {0.1, 0.5, 0.9}) {
       const auto axis = with_gain(fit, share * most, viewing);
-      EXPECT_NEAR(gain_of(axis, viewing), share * most, kRounding);
+      EXPECT_WITHIN(gain_of(axis, viewing), share * most, kRounding);
       EXPECT_LE(axis.least_N, fit.least_N);
       EXPECT_GE(axis.most_N, fit.most_N) << "every target stays on the screen";
     }
@@ -53,8 +53,8 @@ TEST(Presentation, AnAxisHasTheGainThatTheTaskAsksFor) {
 
 TEST(Presentation, AnAngleIsHalfAsLargeFromTwiceAsFar) {
   const ForceAxis axis{0.0, 4.0};
-  EXPECT_NEAR(gain_of(axis, {0.3, 0.6}), 2.0 * gain_of(axis, {0.3, 1.2}), kRounding);
-  EXPECT_NEAR(Viewing({0.3, 1.0}).angle_deg(0.01745329251994329577), 1.0, kRounding);
+  EXPECT_WITHIN(gain_of(axis, {0.3, 0.6}), 2.0 * gain_of(axis, {0.3, 1.2}), kRounding);
+  EXPECT_WITHIN(Viewing({0.3, 1.0}).angle_deg(0.01745329251994329577), 1.0, kRounding);
   EXPECT_FALSE(Viewing({0.0, 0.6}).known()) << "a display that does not tell its size";
 }
 

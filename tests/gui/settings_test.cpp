@@ -15,6 +15,7 @@
 #include "short_library.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::gui::test::settings_test {
 namespace {
@@ -112,8 +113,8 @@ TEST_F(SettingsTest, ANumberCanBeTypedDigitByDigit) {
   type("settings_delay", "12.5");
   EXPECT_DOUBLE_EQ(windows.settings().now().viewing_distance_m, 1.35);
   constexpr double kWritten = 1e-12;  // m, s: of a number with one decimal
-  EXPECT_NEAR(windows.settings().now().screen_height_m.value_or(0.0), 0.336, kWritten);
-  EXPECT_NEAR(windows.settings().now().display_delay_s.value_or(0.0), 0.0125, kWritten);
+  EXPECT_WITHIN(windows.settings().now().screen_height_m.value_or(0.0), 0.336, kWritten);
+  EXPECT_WITHIN(windows.settings().now().display_delay_s.value_or(0.0), 0.0125, kWritten);
 }
 
 TEST_F(SettingsTest, AVisualGainThatTheScreenCannotShowIsSaidOnceATrial) {

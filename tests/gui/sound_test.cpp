@@ -44,7 +44,7 @@ TEST(ForceTone, IsHigherAboveTheTargetAndLowerBelowIt) {
     tone.play({true, false, difference}, kSecond, samples);
     const double octaves = std::clamp(difference, -1.0, 1.0);
     constexpr double kGlided = 1e-6;  // after 33 times the time of the glide
-    EXPECT_NEAR(tone.pitch_Hz() / (ForceTone::kOnTarget_Hz * std::exp2(octaves)), 1.0, kGlided);
+    EXPECT_WITHIN(tone.pitch_Hz() / (ForceTone::kOnTarget_Hz * std::exp2(octaves)), 1.0, kGlided);
     const auto crossings = std::count_if(samples.begin() + 1, samples.end(), [&](const float& s) {
       return s >= 0.0F && *(&s - 1) < 0.0F;
     });
@@ -57,11 +57,11 @@ TEST(ForceTone, IsQuietOnTheTargetAndSilentWhenNothingIsHeard) {
   ForceTone tone;
   std::vector<float> samples;
   tone.play({true, false, 0.5}, kSecond, samples);
-  EXPECT_NEAR(tone.loudness(), ForceTone::kLoud, 1e-6);
+  EXPECT_WITHIN(tone.loudness(), ForceTone::kLoud, 1e-6);
   tone.play({true, true, 0.0}, kSecond, samples);
-  EXPECT_NEAR(tone.loudness(), ForceTone::kQuiet, 1e-6);
+  EXPECT_WITHIN(tone.loudness(), ForceTone::kQuiet, 1e-6);
   tone.play({}, kSecond, samples);
-  EXPECT_NEAR(tone.loudness(), 0.0, 1e-6);
+  EXPECT_WITHIN(tone.loudness(), 0.0, 1e-6);
   EXPECT_LT(steepest(samples), kSteepest) << "changes glide";
 }
 

@@ -9,6 +9,7 @@
 
 #include "gui/trial_pages/trial_curves.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::gui::test::trial_replay_test {
 namespace {
@@ -45,10 +46,10 @@ TEST(TrialReplay, ForcesAreLinearBetweenMeasuredSamples) {
   const auto replay = replay_of(ramp({0, 0, 0, 0}));
   for (const double t_s : {0.0, 0.0025, 0.01, 0.013, 0.0299}) {
     const auto state = replay.at(t_s);
-    EXPECT_NEAR(thumb(state).force_C.z(), 100.0 * t_s, 1e-12);
-    EXPECT_NEAR(thumb(state).force_C.x(), 10.0 * t_s, 1e-12);
-    EXPECT_NEAR(thumb(state).force_C.y(), -10.0 * t_s, 1e-12);
-    EXPECT_NEAR(state.actual_N.value(), 100.0 * t_s, 1e-12);
+    EXPECT_WITHIN(thumb(state).force_C.z(), 100.0 * t_s, 1e-12);
+    EXPECT_WITHIN(thumb(state).force_C.x(), 10.0 * t_s, 1e-12);
+    EXPECT_WITHIN(thumb(state).force_C.y(), -10.0 * t_s, 1e-12);
+    EXPECT_WITHIN(state.actual_N.value(), 100.0 * t_s, 1e-12);
     EXPECT_EQ(thumb(state).quality, SampleQuality::measured);
   }
 }
@@ -98,7 +99,7 @@ TEST(TrialReplay, RowsThatWereNotRecordedAreAGap) {
   for (const double t_s : {0.0, 0.01, 0.02, 0.5, 0.51})
     signals.append_row(std::array{t_s, 100.0 * t_s, 0.0});
   const auto replay = replay_of(std::move(signals));
-  EXPECT_NEAR(replay.period_s(), 0.01, 1e-12);
+  EXPECT_WITHIN(replay.period_s(), 0.01, 1e-12);
   EXPECT_TRUE(replay.gap_after(2));
   EXPECT_FALSE(replay.gap_after(1));
   EXPECT_EQ(thumb(replay.at(0.025)).force_C.z(), 2.0) << "a row holds for one period";
@@ -113,7 +114,7 @@ TEST(TrialReplay, UnevenTimesOfARecordingAreNoGap) {
     signals.append_row(std::array{t_s, t_s});
   const auto replay = replay_of(std::move(signals));
   for (std::size_t row = 0; row < replay.rows(); ++row) EXPECT_FALSE(replay.gap_after(row));
-  EXPECT_NEAR(thumb(replay.at(0.015)).force_C.z(), 0.015, 1e-12);
+  EXPECT_WITHIN(thumb(replay.at(0.015)).force_C.z(), 0.015, 1e-12);
 }
 
 TEST(TrialReplay, ASaturatedSampleIsMeasuredAndSaysSo) {
@@ -176,18 +177,18 @@ TEST(TrialReplay, TheObjectGoesAndTurnsEvenlyBetweenSamples) {
   for (const double t_s : {0.0, 0.123, 0.4567, 0.99}) {
     const auto X_WO = replay.at(t_s).X_WO;
     ASSERT_TRUE(X_WO.has_value());
-    EXPECT_NEAR(X_WO->p.x(), 0.1 * t_s, 1e-12);
+    EXPECT_WITHIN(X_WO->p.x(), 0.1 * t_s, 1e-12);
     EXPECT_EQ(X_WO->p.z(), 0.01);
     const Quat expected(Eigen::AngleAxisd(t_s, Vec3::UnitZ()));
-    EXPECT_NEAR(X_WO->q.angularDistance(expected), 0.0, 1e-7);
+    EXPECT_WITHIN(X_WO->q.angularDistance(expected), 0.0, 1e-7);
   }
   EXPECT_FALSE(replay.at(0.5).X_WT.has_value()) << "y of the target is not known";
 }
 
 TEST(TrialReplay, AnObjectThatAppearsAnewDoesNotFlyThere) {
   const auto replay = replay_of(moving_object(100, 50));
-  EXPECT_NEAR(replay.at(0.499).X_WO->p.x(), 0.049, 1e-12);
-  EXPECT_NEAR(replay.at(0.5).X_WO->p.x(), 0.25, 1e-12);
+  EXPECT_WITHIN(replay.at(0.499).X_WO->p.x(), 0.049, 1e-12);
+  EXPECT_WITHIN(replay.at(0.5).X_WO->p.x(), 0.25, 1e-12);
   EXPECT_EQ(replay.at(0.499).targets_reached, 0);
   EXPECT_EQ(replay.at(0.5).targets_reached, 1);
   int ends = 0;
@@ -211,7 +212,7 @@ TEST(TrialReplay, AngleStandsInForAnAttitudeThatWasNotRecorded) {
     signals.append_row(std::array{t_s, 0.0, 0.0, std::numbers::pi / 2});
   const auto X_WO = replay_of(std::move(signals)).at(0.0).X_WO;
   ASSERT_TRUE(X_WO.has_value());
-  EXPECT_NEAR((X_WO->q * Vec3::UnitX() - Vec3::UnitY()).norm(), 0.0, 1e-12);
+  EXPECT_WITHIN((X_WO->q * Vec3::UnitX() - Vec3::UnitY()).norm(), 0.0, 1e-12);
 }
 
 TEST(TrialCurves, ReadingsSayWhatIsHeldAndWhatIsMissing) {

@@ -14,6 +14,7 @@
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/patch_changes.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/kinds/force_play.hpp"
 
 namespace isograsp::tasks::new_kind_test {
@@ -56,7 +57,7 @@ TEST(NewKind, HasItsOwnKeys) {
   EXPECT_EQ(&*spec->kind, &PulsesSpec::kFacts);
   EXPECT_EQ(spec->kind.as<PulsesSpec>().press_s, 0.5);
   EXPECT_EQ(spec->repetitions(), 3);
-  EXPECT_NEAR(spec->duration().worst_s, 4.5, 1e-9);
+  EXPECT_WITHIN(spec->duration().worst_s, 4.5, 1e-9);
   EXPECT_TRUE(spec->needs_maximum());
   EXPECT_FALSE(pulses("press_s = 0\n"));
   EXPECT_FALSE(pulses("hold_s = 2\n")) << "a key of another kind";
@@ -87,7 +88,7 @@ TEST(NewKind, RunsAndIsScored) {
   const auto measures = score(*spec, signals);
   ASSERT_EQ(measures.size(), 2U);
   EXPECT_EQ(measures[0].name, "rmse");
-  EXPECT_NEAR(measures[0].value.value(), kTooMuch_N, 1e-9);
+  EXPECT_WITHIN(measures[0].value.value(), kTooMuch_N, 1e-9);
   const Place place = place_of(*spec, "rmse", "grip");
   EXPECT_EQ(place.prominence, Prominence::key);
 }

@@ -9,6 +9,7 @@
 #include "core/random.hpp"
 #include "statistics/robust_variance.hpp"
 #include "tests/support/normal.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::reports::change_test {
 namespace {
@@ -69,7 +70,7 @@ TEST(Pool, HalfTheSquareOfADifferenceIsTheVarianceOfADay) {
   for (auto& one : stable) one.days[1].trials = {0.6};
   const auto error = *pool_of(stable).error;
   EXPECT_EQ(error.scale, ErrorScale::linear);
-  EXPECT_NEAR(error.day_sd, kDaySd * 0.6 / std::sqrt(2.0), kRounding);
+  EXPECT_WITHIN(error.day_sd, kDaySd * 0.6 / std::sqrt(2.0), kRounding);
   EXPECT_EQ(error.trial_sd, 0.0);
 }
 
@@ -80,7 +81,7 @@ TEST(Pool, APersonWithManyPairsWeighsAsMuchAsOneWithASingle) {
   stable.push_back(many);
   const auto pool = pool_of(stable);
   EXPECT_EQ(pool.pairs, 9 + 5);
-  EXPECT_NEAR(pool.error->day_sd, std::sqrt(2.0 / 10.0), kRounding);  // 2^2 / 2 of one in ten
+  EXPECT_WITHIN(pool.error->day_sd, std::sqrt(2.0 / 10.0), kRounding);  // 2^2 / 2 of one in ten
 }
 
 TEST(Pool, WhatTheTrialsExplainIsNoVariationOfDays) {
@@ -88,10 +89,10 @@ TEST(Pool, WhatTheTrialsExplainIsNoVariationOfDays) {
   for (int person = 0; person < 10; ++person)
     stable.push_back({person, {day(0, {-1.0, 1.0}), day(2, {2.0, 4.0})}});
   const auto error = *pool_of(stable).error;
-  EXPECT_NEAR(error.trial_sd, kTrialSd * std::sqrt(2.0), kRounding);
-  EXPECT_NEAR(error.day_sd,
-              std::sqrt(kDaySd * kDaySd * 3.0 * 3.0 / 2.0 - kTrialSd * kTrialSd * 2.0 / 2.0),
-              kRounding);
+  EXPECT_WITHIN(error.trial_sd, kTrialSd * std::sqrt(2.0), kRounding);
+  EXPECT_WITHIN(error.day_sd,
+                std::sqrt(kDaySd * kDaySd * 3.0 * 3.0 / 2.0 - kTrialSd * kTrialSd * 2.0 / 2.0),
+                kRounding);
 }
 
 TEST(Pool, IsLogarithmicWhereTheErrorClearlyGrowsWithTheMean) {
@@ -128,8 +129,8 @@ TEST(Pool, TheDegreesOfFreedomAreThoseOfAPersonOutsideThePool) {
   // v = (31 / 50000) / (7 / 300)^2 - 1, df = 2 / (v + (v + 2 (1 + v) / 0.7) / n)
   const double v = 31.0 / 50000.0 / (7.0 / 300.0 * 7.0 / 300.0) - 1.0;
   for (const int n : {10, 25, 400})
-    EXPECT_NEAR(pool_of(alike(n, 10.0, 1.0)).error->df, 2.0 / (v + (v + 2.0 * (1.0 + v) / 0.7) / n),
-                1e-9);
+    EXPECT_WITHIN(pool_of(alike(n, 10.0, 1.0)).error->df,
+                  2.0 / (v + (v + 2.0 * (1.0 + v) / 0.7) / n), 1e-9);
   EXPECT_LT(pool_of(alike(4000, 10.0, 1.0)).error->df, 2.0 / v);
   // As docs/change.md says them, to their last digit.
   EXPECT_NEAR(pool_of(alike(10, 10.0, 1.0)).error->df, 4.2, 0.05);
@@ -178,7 +179,7 @@ TEST(Pool, WhereHalfOfThePairsDoNotDifferNothingTellsWhichIsOutlying) {
   for (std::size_t i = 0; i < 3; ++i) stable[i].days[1].trials = {6.0};
   const auto pool = pool_of(stable);
   EXPECT_EQ(pool.left_out, 0);
-  EXPECT_NEAR(pool.error->day_sd, std::sqrt(3.0 / 2.0 / 10.0), kRounding);
+  EXPECT_WITHIN(pool.error->day_sd, std::sqrt(3.0 / 2.0 / 10.0), kRounding);
 }
 
 TEST(Pool, KnowsNoUnit) {
@@ -190,9 +191,10 @@ TEST(Pool, KnowsNoUnit) {
         for (auto& value : day.trials) value *= unit;
     const auto scaled = pool_of(stable);
     ASSERT_TRUE(scaled.error) << unit;
-    EXPECT_NEAR(scaled.error->day_sd / unit / error.day_sd, 1.0, 1e-9) << unit;
-    EXPECT_NEAR(mdc95(*scaled.error, {2, 2.0}, {1, 1.0}) / unit / mdc95(error, {2, 2.0}, {1, 1.0}),
-                1.0, 1e-9);
+    EXPECT_WITHIN(scaled.error->day_sd / unit / error.day_sd, 1.0, 1e-9) << unit;
+    EXPECT_WITHIN(
+        mdc95(*scaled.error, {2, 2.0}, {1, 1.0}) / unit / mdc95(error, {2, 2.0}, {1, 1.0}), 1.0,
+        1e-9);
   }
 }
 
@@ -213,8 +215,8 @@ TEST(RobustSd, HasTheConsistencyOfItsDistribution) {
       kept += share_below(statistics::kKeptSds / sd) / kSteps;
       squares += sd * sd * squares_below(statistics::kKeptSds / sd) / kSteps;
     }
-    EXPECT_NEAR(median, 0.5, 1e-7);
-    EXPECT_NEAR(squares / kept, is.kept, 1e-7);
+    EXPECT_WITHIN(median, 0.5, 1e-7);
+    EXPECT_WITHIN(squares / kept, is.kept, 1e-7);
   };
   check(1.0, 1.0, statistics::kOneVariance);
   check(1.0, 2.0, statistics::kUnequalVariances);
@@ -263,7 +265,7 @@ TEST(RobustSd, IsRightOnAverageForFewPairs) {
 TEST(Mdc95, IsTheFormula) {
   MeasurementError error{ErrorScale::linear, 3.0, 4.0, 10.0, 2.0};
   // 2 sqrt(9 (1/2 + 1/1) + 16 (1/4 + 1/2))
-  EXPECT_NEAR(mdc95(error, {2, 4.0}, {1, 2.0}), 2.0 * std::sqrt(13.5 + 12.0), kRounding);
+  EXPECT_WITHIN(mdc95(error, {2, 4.0}, {1, 2.0}), 2.0 * std::sqrt(13.5 + 12.0), kRounding);
   const auto pool = pool_of(alike(10, -10.0, 1.0));
   EXPECT_GT(pool.error->t975, 2.571) << "t table, at 5 degrees of freedom";
   EXPECT_LT(pool.error->t975, 2.776) << "at 4";
@@ -339,8 +341,8 @@ TEST(Judge, SaysWhereTheWholeWayToZeroIsWithinTheError) {
 TEST(Judge, OnLogarithmsTheErrorIsAShareOfTheBaseline) {
   const auto one = judged({10, 10, 26}, tasks::Better::higher, unit_pool(ErrorScale::logarithmic));
   EXPECT_EQ(one.verdict, Verdict::within_error);  // log 2.6 < 1
-  EXPECT_NEAR(*one.mdc_up, 10.0 * (std::exp(1.0) - 1.0), 1e-9);
-  EXPECT_NEAR(*one.mdc_down, 10.0 * (std::exp(-1.0) - 1.0), 1e-9);
+  EXPECT_WITHIN(*one.mdc_up, 10.0 * (std::exp(1.0) - 1.0), 1e-9);
+  EXPECT_WITHIN(*one.mdc_down, 10.0 * (std::exp(-1.0) - 1.0), 1e-9);
   EXPECT_EQ(judged({10, 10, 28}, tasks::Better::higher, unit_pool(ErrorScale::logarithmic)).verdict,
             Verdict::improved);
 }
@@ -408,9 +410,9 @@ TEST(Judge, MoreTrialsMakeSmallerErrorsAndUnequalDaysDoNotPretendToHaveMore) {
   const double single = mdc({day(0, {1}), day(1, {1}), day(2, {1})});
   const double twice = mdc({day(0, {1, 1}), day(1, {1, 1}), day(2, {1, 1})});
   const double uneven = mdc({day(0, {1}), day(1, {1, 1, 1}), day(2, {1, 1})});
-  EXPECT_NEAR(single, std::sqrt(1.5), kRounding);
-  EXPECT_NEAR(twice, std::sqrt(0.75), kRounding);
-  EXPECT_NEAR(uneven, std::sqrt((1.0 + 1.0 / 3.0) / 4.0 + 0.5), kRounding);
+  EXPECT_WITHIN(single, std::sqrt(1.5), kRounding);
+  EXPECT_WITHIN(twice, std::sqrt(0.75), kRounding);
+  EXPECT_WITHIN(uneven, std::sqrt((1.0 + 1.0 / 3.0) / 4.0 + 0.5), kRounding);
 }
 
 }  // namespace

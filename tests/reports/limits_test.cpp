@@ -16,6 +16,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/support/made_up.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::reports::limits_test {
 namespace {
@@ -48,22 +49,22 @@ std::vector<ComponentDay> days(std::initializer_list<double> values) {
 
 TEST(ShareOf, IsTheRatioWithAnIntervalOnLogarithms) {
   const auto one = share_of(days({4.0}), days({10.0}), Comparison::larger);
-  EXPECT_NEAR(one.share, 0.4, kRounding);
+  EXPECT_WITHIN(one.share, 0.4, kRounding);
   const double half = kNormal975 * kLeastDaySd * std::sqrt(2.0);
-  EXPECT_NEAR(one.low, 0.4 * std::exp(-half), kRounding);
-  EXPECT_NEAR(one.high, 0.4 * std::exp(half), kRounding);
-  EXPECT_NEAR(share_of(days({4, 4, 4}), days({10}), Comparison::larger).high,
-              0.4 * std::exp(kNormal975 * kLeastDaySd * std::sqrt(1.0 / 3.0 + 1.0)), kRounding)
+  EXPECT_WITHIN(one.low, 0.4 * std::exp(-half), kRounding);
+  EXPECT_WITHIN(one.high, 0.4 * std::exp(half), kRounding);
+  EXPECT_WITHIN(share_of(days({4, 4, 4}), days({10}), Comparison::larger).high,
+                0.4 * std::exp(kNormal975 * kLeastDaySd * std::sqrt(1.0 / 3.0 + 1.0)), kRounding)
       << "more days, a narrower interval";
 }
 
 TEST(ShareOf, TurnsTimesAndErrorsOver) {
   const auto time = share_of(days({4.0, 5.0}), days({1.0}), Comparison::smaller);
   const auto speed = share_of(days({1 / 4.0, 1 / 5.0}), days({1.0}), Comparison::larger);
-  EXPECT_NEAR(time.share, speed.share, kRounding);
-  EXPECT_NEAR(time.high, speed.high, kRounding);
-  EXPECT_NEAR(share_of(days({1.0}), days({2.0}), Comparison::logarithm).share, std::exp(-1.0),
-              kRounding);
+  EXPECT_WITHIN(time.share, speed.share, kRounding);
+  EXPECT_WITHIN(time.high, speed.high, kRounding);
+  EXPECT_WITHIN(share_of(days({1.0}), days({2.0}), Comparison::logarithm).share, std::exp(-1.0),
+                kRounding);
 }
 
 TEST(ShareOf, DaysThatDifferMoreWidenIt) {
@@ -187,7 +188,7 @@ TEST_F(Limits, TheComponentFarthestBelowTheOtherHandLimitsMost) {
   EXPECT_TRUE(all.other_hand);
   ASSERT_NE(main_limit(all), nullptr);
   EXPECT_EQ(main_limit(all)->component, Component::opening);
-  EXPECT_NEAR(main_limit(all)->share->share, 0.2, kRounding);
+  EXPECT_WITHIN(main_limit(all)->share->share, 0.2, kRounding);
   EXPECT_EQ(main_limit(all)->reference_basis, "right hand, 1 day");
   EXPECT_EQ(of(all, Component::strength).standing, Standing::not_clear);
   EXPECT_EQ(of(all, Component::release).standing, Standing::cannot_be_said);
@@ -200,10 +201,10 @@ TEST_F(Limits, AHandWithoutForceIsBelowAndNothingIsDividedByNothing) {
   maxima("2026-03-04", Hand::left, 0.4, 0.0);
   const auto all = limits();
   const auto& strength = of(all, Component::strength);
-  EXPECT_NEAR(*strength.value, 0.1, kRounding) << "mean of -0.2 and 0.4";
+  EXPECT_WITHIN(*strength.value, 0.1, kRounding) << "mean of -0.2 and 0.4";
   EXPECT_EQ(strength.standing, Standing::below);
-  EXPECT_NEAR(strength.share->share, std::sqrt(0.1 * 0.4) / 30.0, kRounding);
-  EXPECT_NEAR(of(all, Component::opening).share->share, 1.0, kRounding);
+  EXPECT_WITHIN(strength.share->share, std::sqrt(0.1 * 0.4) / 30.0, kRounding);
+  EXPECT_WITHIN(of(all, Component::opening).share->share, 1.0, kRounding);
 }
 
 TEST_F(Limits, TheValueThatIsPrintedIsTheMeanOfTheTrialsAndOnlyTheShareHasAFloor) {
@@ -215,8 +216,8 @@ TEST_F(Limits, TheValueThatIsPrintedIsTheMeanOfTheTrialsAndOnlyTheShareHasAFloor
   session("2026-03-03", Hand::left, {trial(-3.96), trial(2.58)});
   const auto all = limits();
   const auto& strength = of(all, Component::strength);
-  EXPECT_NEAR(*strength.value, -0.69, kRounding);
-  EXPECT_NEAR(strength.share->share, 0.1 / 30.0, kRounding) << "less cannot be told from none";
+  EXPECT_WITHIN(*strength.value, -0.69, kRounding);
+  EXPECT_WITHIN(strength.share->share, 0.1 / 30.0, kRounding) << "less cannot be told from none";
 }
 
 TEST_F(Limits, BeforeAndAfterATreatmentStandMeansAsTheyAre) {
@@ -251,7 +252,7 @@ TEST_F(Limits, AMeanOverOtherDigitsOrAnotherVersionIsNotComparedWith) {
   openings("2026-03-02", Hand::left, {index});
   EXPECT_FALSE(of(limits(), Component::opening).share);
   openings("2026-03-03", Hand::right, {index});
-  EXPECT_NEAR(of(limits(), Component::opening).share->share, 1.0, kRounding);
+  EXPECT_WITHIN(of(limits(), Component::opening).share->share, 1.0, kRounding);
   Measure newer = index;
   newer.version = test::kMadeUpVersion + 1;
   openings("2026-03-04", Hand::left, {newer});
@@ -273,8 +274,8 @@ TEST_F(Limits, WithoutTheOtherHandItIsTheOwnBestAndWithFewDaysNothing) {
     maxima(date, Hand::left, grip_N, 3.0);
   const auto all = limits();
   const auto& strength = of(all, Component::strength);
-  EXPECT_NEAR(*strength.reference, 20.0, kRounding);
-  EXPECT_NEAR(strength.share->share, 0.3, kRounding);
+  EXPECT_WITHIN(*strength.reference, 20.0, kRounding);
+  EXPECT_WITHIN(strength.share->share, 0.3, kRounding);
   EXPECT_EQ(strength.reference_basis, "own best day, 2\u00a0Jan\u00a02026");
   // A day that was as good but for the last bit is not the best one for it.
   maxima("2026-01-07", Hand::left, std::nextafter(20.0, 99.0), 3.0);

@@ -18,6 +18,7 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::reports::panels_test {
 namespace {
@@ -133,7 +134,7 @@ TEST_F(Panels, EveryTableHasAWidthForEveryColumnAndFillsThePage) {
       ++tables;
       double sum = 0.0;
       for (const double share : panel.table->shares) sum += share;
-      EXPECT_NEAR(sum, 1.0, 1e-9) << panel.heading;
+      EXPECT_WITHIN(sum, 1.0, 1e-9) << panel.heading;
       EXPECT_EQ(panel.table->shares.size(), panel.table->heads.size());
       for (const auto& row : test::every(panel.table->rows))
         EXPECT_EQ(row.size(), panel.table->heads.size()) << panel.heading;

@@ -22,6 +22,7 @@
 #include "tests/support/every.hpp"
 #include "tests/support/made_up.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::reports::verdict_report_test {
 namespace {
@@ -195,8 +196,8 @@ TEST_F(VerdictReport, TheErrorIsThatOfTheFormula) {
   const double s_day = std::sqrt((up * up + down * down) / 4.0 / (0.94449647 * few));
   constexpr double kT975 = 2.728961;  // 4.1839 degrees of freedom
   const double mdc = kT975 * s_day * std::sqrt(1.5);
-  EXPECT_NEAR(*verdict().change.mdc_up, 10.0 * std::expm1(mdc), 1e-4);
-  EXPECT_NEAR(*verdict().change.mdc_down, 10.0 * std::expm1(-mdc), 1e-4);
+  EXPECT_WITHIN(*verdict().change.mdc_up, 10.0 * std::expm1(mdc), 1e-4);
+  EXPECT_WITHIN(*verdict().change.mdc_down, 10.0 * std::expm1(-mdc), 1e-4);
 }
 
 TEST_F(VerdictReport, NinePeopleAreTooFew) {
@@ -256,8 +257,8 @@ TEST_F(VerdictReport, HealthyPeopleMakeABandFromTwentyOfTheSameKindOn) {
   ASSERT_TRUE(norm()->low);
   EXPECT_EQ(norm()->people, "women of 60 to 69, dominant hand");
   // Means 2, 3 ... 21; positions 0.05 and 0.95 of the way from the first to the last.
-  EXPECT_NEAR(*norm()->low, 2.0 + 0.05 * 19.0, 1e-12);
-  EXPECT_NEAR(*norm()->high, 21.0 - 0.05 * 19.0, 1e-12);
+  EXPECT_WITHIN(*norm()->low, 2.0 + 0.05 * 19.0, 1e-12);
+  EXPECT_WITHIN(*norm()->high, 21.0 - 0.05 * 19.0, 1e-12);
   EXPECT_EQ(glance_rows(gather()).at(0).beside,
             "healthy 2.95 to 20.1\u00a0N (n\u00a0"
             "20)");

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
+
 namespace isograsp::session::compensation_test {
 namespace {
 
@@ -40,11 +42,11 @@ TEST_F(Watched, AFingerThatSlidIsSaidToHaveMovedAsFar) {
   press({0.0, 0.0}, 1.0);
   press({0.0, 0.007}, 10.0);
   constexpr double kSettled_m = 1e-10;  // after twenty time constants
-  EXPECT_NEAR(*watch_.pad_shift_m(Finger::index), 0.007, kSettled_m);
+  EXPECT_WITHIN(*watch_.pad_shift_m(Finger::index), 0.007, kSettled_m);
   watch_.strapped();
   EXPECT_FALSE(watch_.pad_shift_m(Finger::index)) << "seated anew";
   press({0.0, 0.007}, 1.0);
-  EXPECT_NEAR(*watch_.pad_shift_m(Finger::index), 0.0, kSettled_m);
+  EXPECT_WITHIN(*watch_.pad_shift_m(Finger::index), 0.0, kSettled_m);
 }
 
 TEST_F(Watched, WithoutPressingNothingMoves) {
@@ -60,10 +62,10 @@ TEST_F(Watched, WithoutPressingNothingMoves) {
 TEST_F(Watched, ThePushIsAveragedAndEndsWithTheGrip) {
   snapshot_.push.share_of_grip_percent = 30.0;
   press({0.0, 0.0}, 5.0);
-  EXPECT_NEAR(*watch_.push_percent(), 30.0, 1e-9);
+  EXPECT_WITHIN(*watch_.push_percent(), 30.0, 1e-9);
   snapshot_.push.share_of_grip_percent = 0.0;
   press({0.0, 0.0}, 1.0);
-  EXPECT_NEAR(*watch_.push_percent(), 30.0 * std::exp(-1.0), 1e-9);
+  EXPECT_WITHIN(*watch_.push_percent(), 30.0 * std::exp(-1.0), 1e-9);
   snapshot_.push.share_of_grip_percent.reset();
   press({0.0, 0.0}, kPeriod_s);
   EXPECT_FALSE(watch_.push_percent());

@@ -20,6 +20,7 @@
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::session::measure_laws_test {
 namespace {
@@ -174,7 +175,7 @@ void expect_law(const PlayedTrial& trial, const Signals& transformed, const Law&
     EXPECT_EQ(same->value.has_value(), before.value.has_value()) << where << same->reason;
     if (!same->value || !before.value) continue;
     const double wanted = *before.value * law.factor(before);
-    EXPECT_NEAR(*same->value, wanted, law.tolerance * std::max(1.0, std::abs(wanted))) << where;
+    EXPECT_WITHIN(*same->value, wanted, law.tolerance * std::max(1.0, std::abs(wanted))) << where;
     ++with_value;
   }
 }
@@ -266,8 +267,8 @@ TEST(MeasureLaws, ForcesThatNumbersCannotHoldGiveNoNumberThatIsWrong) {
         const double power = power_of_force(found[i]);
         const double wanted = *expected[i].value * std::pow(times, power);
         EXPECT_FALSE(std::signbit(*found[i].value) && *found[i].value == 0.0) << where;
-        EXPECT_NEAR(*found[i].value / (wanted == 0.0 ? 1.0 : wanted), wanted == 0.0 ? 0.0 : 1.0,
-                    1e-6)
+        EXPECT_WITHIN(*found[i].value / (wanted == 0.0 ? 1.0 : wanted), wanted == 0.0 ? 0.0 : 1.0,
+                      1e-6)
             << where;
         ++numbers;
       }

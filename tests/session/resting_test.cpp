@@ -9,6 +9,7 @@
 #include "session/acquisition/trial_row.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::session::resting_test {
 namespace {
@@ -40,18 +41,18 @@ TEST(RestingForce, MeanIsTheStoredMeasureAndSdIsThatOfTheSamples) {
   ASSERT_TRUE(rest);
   EXPECT_EQ(rest->samples, 100);
   constexpr double kRounding = 1e-12;  // both are sums of a hundred numbers, in another order
-  EXPECT_NEAR(rest->sd[1][2], 0.1 * std::sqrt(100.0 / 99.0), kRounding);
-  EXPECT_NEAR(rest->sd[2][3], 0.01 * std::sqrt(100.0 * 101.0 / 12.0), kRounding);
+  EXPECT_WITHIN(rest->sd[1][2], 0.1 * std::sqrt(100.0 / 99.0), kRounding);
+  EXPECT_WITHIN(rest->sd[2][3], 0.01 * std::sqrt(100.0 * 101.0 / 12.0), kRounding);
   const auto spec = tasks::parse_task(
       "format = \"isograsp-task-1\"\nname = \"R\"\ninstruction = \"R\"\nkind = \"rest\"\n", "r");
   test::AtLeast compared(2);
   for (const auto& measure : test::every(tasks::score(*spec, trial))) {
     if (measure.channel == "index_fz") {
-      EXPECT_NEAR(*measure.value, rest->mean[1][2], kRounding);
+      EXPECT_WITHIN(*measure.value, rest->mean[1][2], kRounding);
       ++compared;
     }
     if (measure.channel == "middle_tx") {
-      EXPECT_NEAR(*measure.value, rest->mean[2][3], kRounding);
+      EXPECT_WITHIN(*measure.value, rest->mean[2][3], kRounding);
       ++compared;
     }
   }

@@ -14,6 +14,7 @@
 #include "tasks/waveform.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::session::session_test {
 namespace {
@@ -277,13 +278,13 @@ TEST(Session, TheStoredSeedOfATrialTellsItsParallelFormAndGivesItsTargetAgain) {
                              ? tracking->least
                              : tracking->most;
     constexpr double kRounding_N = 1e-12;
-    EXPECT_NEAR(target_N.front(), start * maximum_N, kRounding_N);
+    EXPECT_WITHIN(target_N.front(), start * maximum_N, kRounding_N);
     const auto wave =
         tasks::samples_of(tracking->waveform, tracking->duration_s, 0.01, outcome.trial.seed);
     const auto lead_in = static_cast<std::size_t>(std::lround(tracking->lead_in_s / 0.01));
     for (std::size_t k = 0; k < wave.size(); ++k)
-      ASSERT_NEAR(target_N[lead_in + k],
-                  std::lerp(tracking->least, tracking->most, wave[k]) * maximum_N, kRounding_N);
+      ASSERT_WITHIN(target_N[lead_in + k],
+                    std::lerp(tracking->least, tracking->most, wave[k]) * maximum_N, kRounding_N);
     ++sines;
   }
   EXPECT_GT(sines, 0);

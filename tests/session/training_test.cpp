@@ -10,6 +10,7 @@
 #include "tasks/task.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::session::training_test {
 namespace {
@@ -135,7 +136,7 @@ TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
     for (auto& measure : test::every(measures)) {
       if (measure.name != "maximum_force") continue;
       --measure.version;
-      EXPECT_NEAR(measure.value.value(), kForce_N, 1e-9);
+      EXPECT_WITHIN(measure.value.value(), kForce_N, 1e-9);
       measure.value = 99.0;
     }
     EXPECT_TRUE(clinic.store->end_trial(trial, measures).ok());
@@ -143,7 +144,7 @@ TEST(Training, AMaximumOfAnOlderDefinitionFollowsAgainFromItsSignals) {
   add("2026-01-05T09:00:00Z");
   const auto now = clinic.session("2026-01-12T09:00:00Z", Hand::right, true);
   const auto training = Training::read(*clinic.store, now).value();
-  EXPECT_NEAR(training.baseline_N().at({}), kForce_N, 1e-9);
+  EXPECT_WITHIN(training.baseline_N().at({}), kForce_N, 1e-9);
 }
 
 TEST(Training, ALevelChangesTheTaskAndStaysInItsText) {

@@ -17,6 +17,7 @@
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::session::zero_and_rest_test {
 namespace {
@@ -351,10 +352,10 @@ TEST(ZeroDrift, BeyondTheLimitMarksTheTrialsBetweenTwoZerosAndNoOthers) {
   const auto trials = bench.trials();
   ASSERT_EQ(trials.size(), 4u);
   constexpr double kRounding = 1e-12;
-  EXPECT_NEAR(trials[0].zero_drift_N.value(), 0.3, kRounding);
+  EXPECT_WITHIN(trials[0].zero_drift_N.value(), 0.3, kRounding);
   EXPECT_FALSE(trials[0].zero_drifted);
   for (const int between : {1, 2}) {
-    EXPECT_NEAR(trials[static_cast<std::size_t>(between)].zero_drift_N.value(), 0.6, kRounding);
+    EXPECT_WITHIN(trials[static_cast<std::size_t>(between)].zero_drift_N.value(), 0.6, kRounding);
     EXPECT_TRUE(trials[static_cast<std::size_t>(between)].zero_drifted);
   }
   EXPECT_FALSE(trials[3].zero_drift_N.has_value()) << "no zero followed";
@@ -380,11 +381,11 @@ TEST(NetPush, OfASqueezeIsNothingAndOfAnArmIsItsForce) {
   constexpr double kRounding = 1e-12;
   auto push = net_push(Platform(), frame, 6.0);
   ASSERT_TRUE(push.known);
-  EXPECT_NEAR(push.share_of_grip_percent.value(), 0.0, kRounding);
+  EXPECT_WITHIN(push.share_of_grip_percent.value(), 0.0, kRounding);
   frame.wrench_C[0].force.z() += 3.0;  // the arm pushes the thumb's support along +x
   push = net_push(Platform(), frame, 6.0);
-  EXPECT_NEAR(push.wrench_P.force.x(), 3.0, kRounding);
-  EXPECT_NEAR(push.share_of_grip_percent.value(), 50.0, kRounding);
+  EXPECT_WITHIN(push.wrench_P.force.x(), 3.0, kRounding);
+  EXPECT_WITHIN(push.share_of_grip_percent.value(), 50.0, kRounding);
   EXPECT_FALSE(net_push(Platform(), frame, 0.1).share_of_grip_percent.has_value());
   frame.flags[1] = bit(SampleFlag::missing);
   EXPECT_FALSE(net_push(Platform(), frame, 6.0).known) << "nothing is invented";

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::session::zeroing_test {
 namespace {
@@ -30,9 +31,9 @@ TEST(Zeroing, MeanSdAndSlopeOfAStraightLineAreExact) {
   const auto s = second_of([](double t) { return 1000.0 + 0.1 * t; }).statistics();
   // The sums are relative to the first value, so an offset of 1000 N costs no digits of the rest.
   constexpr double kRounding = 1e-9;
-  EXPECT_NEAR(s.mean[0][2], 1000.0 + 0.1 * 0.495, kRounding);
-  EXPECT_NEAR(s.slope[0][2], 0.1, kRounding);
-  EXPECT_NEAR(s.sd[0][2], 0.1 * kPeriod_s * std::sqrt(100.0 * 101.0 / 12.0), kRounding);
+  EXPECT_WITHIN(s.mean[0][2], 1000.0 + 0.1 * 0.495, kRounding);
+  EXPECT_WITHIN(s.slope[0][2], 0.1, kRounding);
+  EXPECT_WITHIN(s.sd[0][2], 0.1 * kPeriod_s * std::sqrt(100.0 * 101.0 / 12.0), kRounding);
 }
 
 TEST(Zeroing, StatisticsOfKnownNoiseLieWithinTheirConfidenceBounds) {

@@ -18,6 +18,7 @@
 #include "tasks/measures/fitts.hpp"
 #include "tasks/protocol.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::tasks::library_test {
 namespace {
@@ -141,7 +142,7 @@ TEST(Library, TheSeriesHasTheDifficultyThatItsCommentStates) {
     const double distance_m = (series.targets[i].p_WT - series.targets[i - 1].p_WT).norm();
     const auto difficulty = index_of_difficulty(distance_m, series.position_tolerance_m);
     constexpr double kStated_bit = 2.32;
-    EXPECT_NEAR(*difficulty.value, kStated_bit, 0.005);
+    EXPECT_WITHIN(*difficulty.value, kStated_bit, 0.005);
     if (series.targets[i].hold_s > 0.0) ++held;
   }
   EXPECT_EQ(held, 12);

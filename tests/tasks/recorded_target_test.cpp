@@ -7,6 +7,7 @@
 #include "tasks/kinds/force/force_tracking.hpp"
 #include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/waveform.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
 
 namespace isograsp::tasks::recorded_target_test {
@@ -54,7 +55,7 @@ TEST(TargetByDoing, OfWhoFollowedATargetIsThatTarget) {
   ASSERT_EQ(made.axes.size(), 2u);
   EXPECT_EQ(made.axes[0].axis, 0);
   EXPECT_EQ(made.axes[1].axis, 5);
-  EXPECT_NEAR(made.duration_s, given.duration_s, 0.5) << "but for the stillness at both ends";
+  EXPECT_WITHIN(made.duration_s, given.duration_s, 0.5) << "but for the stillness at both ends";
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto before = asked(given, axis);
     const auto after = asked(made, axis);
@@ -79,7 +80,7 @@ TEST(TargetByDoing, TwiceAsSlowLastsTwiceAsLong) {
     const auto text = target_by_doing(spec, signals, {"again", false, slower});
     return parse_task(text.value(), "again").value().kind.as<PoseTrackingSpec>().duration_s;
   };
-  EXPECT_NEAR(duration_s(2.0), 2.0 * duration_s(1.0), 0.002) << "written with five digits";
+  EXPECT_WITHIN(duration_s(2.0), 2.0 * duration_s(1.0), 0.002) << "written with five digits";
 }
 
 TEST(TargetByDoing, TremorIsNoTarget) {
@@ -97,7 +98,7 @@ TEST(TargetByDoing, TremorIsNoTarget) {
     const auto text = target_by_doing(spec, signals, {"again"});
     return parse_task(text.value(), "again").value().kind.as<PoseTrackingSpec>().axes[0];
   };
-  EXPECT_NEAR(made(shaken).most, made(still).most, 0.0005) << "8 Hz is damped 256 times";
+  EXPECT_WITHIN(made(shaken).most, made(still).most, 0.0005) << "8 Hz is damped 256 times";
 }
 
 TEST(TargetByDoing, TakesTheForceInNewtonsOfTheTasksChannel) {
@@ -124,8 +125,8 @@ TEST(TargetByDoing, TakesTheForceInNewtonsOfTheTasksChannel) {
   const auto& made = again.kind.as<ForceTrackingSpec>();
   EXPECT_EQ(name_of(made.aim.channel), "index");
   EXPECT_EQ(made.aim.scale, Scale::newton);
-  EXPECT_NEAR(made.least, 2.0, 0.01);
-  EXPECT_NEAR(made.most, 6.0, 0.01);
+  EXPECT_WITHIN(made.least, 2.0, 0.01);
+  EXPECT_WITHIN(made.most, 6.0, 0.01);
 }
 
 TEST(TargetByDoing, RefusesWhatHardlyMovedAndWhatTurnedAboutTwoAxes) {

@@ -10,6 +10,7 @@
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::score_pairs_test {
@@ -61,7 +62,7 @@ TEST(ScorePairs, ALaterStartOfTheClockChangesNothing) {
   constexpr double kRelative = 1e-6;
   for (std::size_t i = 0; i < early.size(); ++i) {
     ASSERT_TRUE(early[i].value && late[i].value);
-    EXPECT_NEAR(*late[i].value, *early[i].value, kRelative * std::abs(*early[i].value))
+    EXPECT_WITHIN(*late[i].value, *early[i].value, kRelative * std::abs(*early[i].value))
         << early[i].name;
   }
 }
@@ -75,7 +76,7 @@ TEST(ScorePairs, TheSameMovementAtFiveTimesTheRateHasTheSameMeasures) {
   for (const char* name :
        {"rmse", "mae", "constant_error", "time_in_range", "cv", "lag", "sparc", "ldlj"}) {
     const double a = value_of(slow, name);
-    EXPECT_NEAR(value_of(fast, name), a, kStep * std::abs(a)) << name;
+    EXPECT_WITHIN(value_of(fast, name), a, kStep * std::abs(a)) << name;
   }
 }
 
@@ -131,7 +132,7 @@ TEST(ScorePairs, IrregularTimesAreWeightedByHoldAndResampled) {
   constexpr double kLinearInterpolation = 0.01;
   for (const char* name : {"rmse", "mae", "constant_error", "cv", "lag", "sparc"}) {
     const double a = value_of(regular, name);
-    EXPECT_NEAR(value_of(jittered, name), a, kLinearInterpolation * std::abs(a)) << name;
+    EXPECT_WITHIN(value_of(jittered, name), a, kLinearInterpolation * std::abs(a)) << name;
   }
 }
 

@@ -14,6 +14,7 @@
 #include "tasks/kinds/object/pose_targets.hpp"
 #include "tasks/task.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::score_test {
@@ -67,8 +68,8 @@ TEST(Score, RestIsTheMeanOfEveryAxisAndOfTheGrip) {
   const auto measures = score(spec_of(RestSpec{1.0}), signals);
   ASSERT_EQ(measures.size(), 19u);
   EXPECT_DOUBLE_EQ(value_of(measures, "resting_force", "grip"), 0.25);
-  EXPECT_NEAR(value_of(measures, "resting_force", "thumb_fz"), 2.0, kRounding);
-  EXPECT_NEAR(value_of(measures, "resting_force", "middle_tz"), 17.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "resting_force", "thumb_fz"), 2.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "resting_force", "middle_tz"), 17.0, kRounding);
   EXPECT_EQ(find(measures, "resting_force", "middle_tz")->unit, "Nm");
 }
 
@@ -82,8 +83,8 @@ TEST(Score, MaximumIsTheBestHalfSecondAboveRestAndIgnoresASpike) {
     return active > 100 && active <= 200 ? 30.0 : 10.0;  // one second of effort
   });
   const auto measures = score(spec, signals);
-  EXPECT_NEAR(value_of(measures, "maximum_force"), 29.5, kRounding);
-  EXPECT_NEAR(value_of(measures, "maximum_force_total"), 30.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "maximum_force"), 29.5, kRounding);
+  EXPECT_WITHIN(value_of(measures, "maximum_force_total"), 30.0, kRounding);
   EXPECT_EQ(value_of(measures, "peak_force"), 50.0);
   EXPECT_EQ(find(measures, "maximum_force")->samples, 300);
 }
@@ -98,7 +99,7 @@ TEST(Score, MaximumWithoutARestingForceHasNoValueAboveIt) {
   const auto measures = score(spec, signals);
   EXPECT_FALSE(find(measures, "maximum_force")->value);
   EXPECT_EQ(find(measures, "maximum_force")->reason, "the resting force was not measured");
-  EXPECT_NEAR(value_of(measures, "maximum_force_total"), 20.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "maximum_force_total"), 20.0, kRounding);
 }
 
 constexpr double kGain = 0.8343;
@@ -119,11 +120,11 @@ TEST(Score, ForceTrackingFindsGainLagAndErrorOfTheActivePhaseOnly) {
                         std::sqrt(1.0 + kGain * kGain -
                                   2.0 * kGain * std::cos(2.0 * std::numbers::pi * 0.2 * kLag_s));
   constexpr double kParabola_s = 1e-3;
-  EXPECT_NEAR(value_of(measures, "rmse"), closed, kRounding);
-  EXPECT_NEAR(value_of(measures, "relative_rmse"), 100.0 * closed / 12.0, 1e-10);
-  EXPECT_NEAR(value_of(measures, "constant_error"), 0.0, kRounding);
-  EXPECT_NEAR(value_of(measures, "gain"), kGain, kRounding);
-  EXPECT_NEAR(value_of(measures, "lag"), kLag_s, kParabola_s);
+  EXPECT_WITHIN(value_of(measures, "rmse"), closed, kRounding);
+  EXPECT_WITHIN(value_of(measures, "relative_rmse"), 100.0 * closed / 12.0, 1e-10);
+  EXPECT_WITHIN(value_of(measures, "constant_error"), 0.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "gain"), kGain, kRounding);
+  EXPECT_WITHIN(value_of(measures, "lag"), kLag_s, kParabola_s);
   EXPECT_EQ(find(measures, "rmse")->samples, 3000);
 }
 
@@ -153,7 +154,7 @@ TEST(Score, APauseIsCutOutOfTaskTimeAndChangesNoTrackingMeasure) {
     ASSERT_EQ(before[i].value.has_value(), after[i].value.has_value()) << before[i].name;
     EXPECT_EQ(before[i].reason, after[i].reason);
     if (!before[i].value) continue;
-    EXPECT_NEAR(*after[i].value, *before[i].value, kRounding) << before[i].name;
+    EXPECT_WITHIN(*after[i].value, *before[i].value, kRounding) << before[i].name;
     EXPECT_EQ(after[i].excluded, 700);
   }
 }
@@ -168,11 +169,11 @@ TEST(Score, FlaggedSamplesAreExcludedAndCounted) {
     row[4] = 300.0;
   });
   const auto measures = score(spec, spoiled);
-  EXPECT_NEAR(value_of(measures, "rmse"), 1.0, kRounding);
-  EXPECT_NEAR(value_of(measures, "constant_error"), 1.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse"), 1.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "constant_error"), 1.0, kRounding);
   EXPECT_EQ(find(measures, "rmse")->excluded, 300);
   EXPECT_EQ(find(measures, "rmse")->samples, 2700);
-  EXPECT_NEAR(value_of(measures, "lag"), 0.0, 1e-9);
+  EXPECT_WITHIN(value_of(measures, "lag"), 0.0, 1e-9);
 }
 
 TEST(Score, TheRangeWidensToTheStoredNoise) {
@@ -224,10 +225,10 @@ TEST(Score, ObserveMeasuresGripPathAndContact) {
     signals.append_row(row);
   }
   const auto measures = score(spec_of(ObserveSpec{}), signals);
-  EXPECT_NEAR(value_of(measures, "mean_grip"), 3.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "mean_grip"), 3.0, kRounding);
   EXPECT_EQ(value_of(measures, "peak_force"), 4.0);
-  EXPECT_NEAR(value_of(measures, "path_length"), 0.099, kRounding);
-  EXPECT_NEAR(value_of(measures, "contact_time"), 0.4, kRounding);
+  EXPECT_WITHIN(value_of(measures, "path_length"), 0.099, kRounding);
+  EXPECT_WITHIN(value_of(measures, "contact_time"), 0.4, kRounding);
 }
 
 }  // namespace

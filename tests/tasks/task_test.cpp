@@ -12,6 +12,7 @@
 #include "tasks/kinds/object/observe.hpp"
 #include "tasks/kinds/object/pose_targets.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::tasks::task_test {
 namespace {
@@ -102,7 +103,7 @@ TEST(ForceTracking, TheTargetIsTheSineOfItsSpecificationWithoutAJump) {
     const double s = std::max(0.0, frame * kPeriod_s - 2.0);
     const double closed = 10.0 - 5.0 * std::cos(2.0 * std::numbers::pi * 0.2 * s);
     constexpr double kRounding_N = 1e-12;
-    ASSERT_NEAR(view.target_force_N, closed, kRounding_N);
+    ASSERT_WITHIN(view.target_force_N, closed, kRounding_N);
     const double fastest_N = 5.0 * 2.0 * std::numbers::pi * 0.2 * kPeriod_s;
     ASSERT_LE(std::abs(view.target_force_N - previous_N), fastest_N);
     ASSERT_EQ(view.phase, frame < 200 ? Phase::lead_in : Phase::active);
@@ -241,8 +242,8 @@ TEST(Task, TheFrameRateChangesNeitherTargetNorDuration) {
     const TaskView slow_view = coarse->step({});
     const TaskView fast_view = fine->step({});
     for (int skipped = 0; skipped < 4; ++skipped) static_cast<void>(fine->step({}));
-    ASSERT_NEAR(slow_view.target_force_N, fast_view.target_force_N, kRounding);
-    ASSERT_NEAR(slow_view.task_time_s, fast_view.task_time_s, kRounding);
+    ASSERT_WITHIN(slow_view.target_force_N, fast_view.target_force_N, kRounding);
+    ASSERT_WITHIN(slow_view.task_time_s, fast_view.task_time_s, kRounding);
   }
   EXPECT_EQ(coarse->step({}).phase, Phase::done);
   EXPECT_EQ(fine->step({}).phase, Phase::done);

@@ -24,6 +24,7 @@
 #include "tasks/waveform.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::tasks::timeline_test {
 namespace {
@@ -95,7 +96,7 @@ TEST(Timeline, TargetsScaleWithTheReferenceOfTheirChannel) {
       ASSERT_EQ(a.segments[i].target_N.size(), b.segments[i].target_N.size());
       constexpr double kRounding_N = 1e-12;
       for (std::size_t k = 0; k < a.segments[i].target_N.size(); ++k)
-        EXPECT_NEAR(2.0 * a.segments[i].target_N[k], b.segments[i].target_N[k], kRounding_N);
+        EXPECT_WITHIN(2.0 * a.segments[i].target_N[k], b.segments[i].target_N[k], kRounding_N);
     }
   }
 }
@@ -180,8 +181,9 @@ TEST(Timeline, ATargetFromAFileThatWasNotLoadedIsRefused) {
   spec.waveform.values = {0.0, 1.0};
   const auto timeline = timeline_of(spec_of(spec), context_of()).value();
   constexpr double kRounding_N = 1e-12;
-  EXPECT_NEAR(timeline.segments[1].target_N.at(500), 8.0, kRounding_N) << "half way from 4 to 12 N";
-  EXPECT_NEAR(timeline.segments[1].target_N.back(), 12.0, kRounding_N);
+  EXPECT_WITHIN(timeline.segments[1].target_N.at(500), 8.0, kRounding_N)
+      << "half way from 4 to 12 N";
+  EXPECT_WITHIN(timeline.segments[1].target_N.back(), 12.0, kRounding_N);
 }
 
 TEST(Timeline, AFixedLoadIsThatOfTheBaselineAndAtMostHalfOfToday) {
@@ -225,7 +227,7 @@ TEST(Waveform, TheFrameRateDoesNotChangeTheTarget) {
     constexpr double kRounding = 1e-9;  // a rectangle may switch one fast frame apart
     for (std::size_t k = 0; k < slow.size(); ++k)
       if (wave.shape != Waveform::Shape::rectangle) {
-        ASSERT_NEAR(slow[k], fast[5 * k], kRounding) << name_of(wave.shape);
+        ASSERT_WITHIN(slow[k], fast[5 * k], kRounding) << name_of(wave.shape);
       }
   }
 }
@@ -274,17 +276,17 @@ TEST(Waveform, ParallelFormsTakeTheSameValuesAtTheSameSpeedsInAnotherOrder) {
       for (const auto& [form, x] : test::every(forms)) {
         const auto [its_mean, its_speed] = mean_and_speed(x);
         constexpr double kRounding = 1e-12;
-        EXPECT_NEAR(its_mean, mean, kRounding) << name_of(shape) << ' ' << form;
+        EXPECT_WITHIN(its_mean, mean, kRounding) << name_of(shape) << ' ' << form;
         // A corner of the triangle may lie between two samples: 12 corners, one change of 4e-3
         // each.
         constexpr double kCorners = 1e-5;
-        EXPECT_NEAR(its_speed, speed, kCorners) << name_of(shape) << ' ' << form;
+        EXPECT_WITHIN(its_speed, speed, kCorners) << name_of(shape) << ' ' << form;
         const double start = static_cast<double>(form) / count;
-        EXPECT_NEAR(x.front(),
-                    shape == Waveform::Shape::sine
-                        ? 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * start))
-                        : 1.0 - std::abs(2.0 * start - 1.0),
-                    kRounding);
+        EXPECT_WITHIN(x.front(),
+                      shape == Waveform::Shape::sine
+                          ? 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * start))
+                          : 1.0 - std::abs(2.0 * start - 1.0),
+                      kRounding);
         EXPECT_EQ(x == forms.at(0), form == 0);
       }
     }
@@ -295,9 +297,9 @@ TEST(Waveform, TwoFormsMirrorEachOtherAndBothBeginAtRest) {
   wave.forms = 2;
   const auto forms = every_form(wave, 30.0);
   for (std::size_t k = 0; k < forms.at(0).size(); ++k)
-    ASSERT_NEAR(forms.at(1)[k], 1.0 - forms.at(0)[k], 1e-12);
+    ASSERT_WITHIN(forms.at(1)[k], 1.0 - forms.at(0)[k], 1e-12);
   constexpr double kAtRest = 1e-4;  // of a change of up to 6e-3 a sample: the curve's top is flat
-  EXPECT_NEAR(forms.at(1)[1], forms.at(1)[0], kAtRest);
+  EXPECT_WITHIN(forms.at(1)[1], forms.at(1)[0], kAtRest);
 }
 
 TEST(Waveform, FormZeroAndASingleFormAreTheCurveThatBeginsAtTheLeastBitForBit) {
@@ -321,7 +323,7 @@ TEST(Waveform, EveryFormIsAsLikely) {
   std::array<int, 4> count{};
   for (std::uint64_t seed = 0; seed < 4000; ++seed)
     ++count.at(static_cast<std::size_t>(form_of(wave, seed)));
-  for (const int each : count) EXPECT_NEAR(each, 1000, 110) << "four standard deviations";
+  for (const int each : count) EXPECT_WITHIN(each, 1000, 110) << "four standard deviations";
 }
 
 TEST(Timeline, TheLeadInHoldsTheFirstValueOfEveryForm) {

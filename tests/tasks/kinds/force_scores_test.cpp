@@ -18,6 +18,7 @@
 #include "tasks/kinds/force/step_response.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/kinds/force_play.hpp"
 #include "tests/tasks/samples.hpp"
 
@@ -60,7 +61,7 @@ TEST(ForceScores, AMaximumOfOneDigitIsItsBestHalfSecondAboveRestInItsChannel) {
       score(spec_of(spec), played(spec_of(spec), [](const TaskView& view, double) {
               return view.cue == Cue::squeeze ? pressing(3, 25, 4) : pressing(0, 0, 0);
             }));
-  EXPECT_NEAR(value_of(measures, "maximum_force", "index"), 25.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "maximum_force", "index"), 25.0, kRounding);
   EXPECT_EQ(find(measures, "maximum_force", "grip"), nullptr);
   EXPECT_EQ(find(measures, "net_push"), nullptr) << "one digit always pushes the platform";
 }
@@ -74,8 +75,8 @@ TEST(ForceScores, OpeningIsPositiveAndThePressOfOtherDigitsBesideItIsCoflexion) 
               const bool opens = view.cue == Cue::squeeze;
               return opens ? pressing(-10, -12, tone_N + 1.1) : pressing(0, 0, tone_N);
             }));
-  EXPECT_NEAR(value_of(measures, "maximum_force", "opening"), 8.9, kRounding);
-  EXPECT_NEAR(value_of(measures, "coflexion", "opening"), 100.0 * 1.1 / 22.0, kRounding)
+  EXPECT_WITHIN(value_of(measures, "maximum_force", "opening"), 8.9, kRounding);
+  EXPECT_WITHIN(value_of(measures, "coflexion", "opening"), 100.0 * 1.1 / 22.0, kRounding)
       << "the tone of the middle finger is none";
   EXPECT_EQ(find(measures, "coflexion")->version, 3);
 }
@@ -90,11 +91,11 @@ TEST(ForceScores, ReactionsOfStepsAreTheDelayAndAnticipationsAreCountedApart) {
               return grip_of(late(view.target_force_N));
             }));
   constexpr double kOneFrame_s = kPeriod_s + kRounding;
-  EXPECT_NEAR(value_of(measures, "reaction_time"), 0.25, kOneFrame_s);
-  EXPECT_NEAR(value_of(measures, "reaction_time_corrected"),
-              value_of(measures, "reaction_time") - 0.03, kRounding);
-  EXPECT_NEAR(value_of(measures, "settling_time"), 0.25, kOneFrame_s);
-  EXPECT_NEAR(value_of(measures, "overshoot"), 0.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "reaction_time"), 0.25, kOneFrame_s);
+  EXPECT_WITHIN(value_of(measures, "reaction_time_corrected"),
+                value_of(measures, "reaction_time") - 0.03, kRounding);
+  EXPECT_WITHIN(value_of(measures, "settling_time"), 0.25, kOneFrame_s);
+  EXPECT_WITHIN(value_of(measures, "overshoot"), 0.0, kRounding);
   EXPECT_EQ(value_of(measures, "reaction_time_share"), 100.0);
   EXPECT_EQ(value_of(measures, "anticipations"), 0.0);
   Late early(0.05);
@@ -112,8 +113,8 @@ TEST(ForceScores, AHandThatNeverLetsGoHasNoReleaseTimeButAShareOfZero) {
       spec_of(spec), played(spec_of(spec), [](const TaskView&, double) { return grip_of(10.0); }));
   EXPECT_FALSE(find(stuck, "release_time")->value);
   EXPECT_EQ(value_of(stuck, "release_time_share"), 0.0);
-  EXPECT_NEAR(value_of(stuck, "release_time_restricted"), spec.after_s, kRounding);
-  EXPECT_NEAR(value_of(stuck, "residual_force"), 10.0, kRounding);
+  EXPECT_WITHIN(value_of(stuck, "release_time_restricted"), spec.after_s, kRounding);
+  EXPECT_WITHIN(value_of(stuck, "residual_force"), 10.0, kRounding);
 }
 
 TEST(ForceScores, AnExponentialReleaseReachesTenPercentAfterItsTimeConstantTimesLnTen) {
@@ -129,9 +130,9 @@ TEST(ForceScores, AnExponentialReleaseReachesTenPercentAfterItsTimeConstantTimes
               return grip_of(10.0 * std::exp(-fading_s / kTime_s));
             }));
   constexpr double kFrames_s = 2.0 * kPeriod_s;
-  EXPECT_NEAR(value_of(measures, "release_time"), kReaction_s + kTime_s * std::numbers::ln10,
-              kFrames_s);
-  EXPECT_NEAR(value_of(measures, "release_initiation"), kReaction_s, kFrames_s);
+  EXPECT_WITHIN(value_of(measures, "release_time"), kReaction_s + kTime_s * std::numbers::ln10,
+                kFrames_s);
+  EXPECT_WITHIN(value_of(measures, "release_initiation"), kReaction_s, kFrames_s);
 }
 
 TEST(ForceScores, ARepetitionWithoutAGripIsNeitherAReleaseNorAFailedOne) {
@@ -155,8 +156,8 @@ TEST(ForceScores, ARepetitionWithoutAGripIsNeitherAReleaseNorAFailedOne) {
     EXPECT_EQ(value_of(measures, "grips_missed"), 3.0) << noise_N;
     EXPECT_EQ(value_of(measures, "release_time_share"), 100.0) << "of the five that were made";
     EXPECT_EQ(value_of(measures, "release_initiation_share"), 100.0);
-    EXPECT_NEAR(value_of(measures, "release_initiation"), 0.3, 1e-9);
-    EXPECT_NEAR(value_of(measures, "residual_force"), 0.2, 1e-6);
+    EXPECT_WITHIN(value_of(measures, "release_initiation"), 0.3, 1e-9);
+    EXPECT_WITHIN(value_of(measures, "residual_force"), 0.2, 1e-6);
   }
 }
 
@@ -166,9 +167,9 @@ TEST(ForceScores, AForceMadeAgainTooWeakHasThatConstantError) {
             played(spec_of(ForceSenseSpec{}), [](const TaskView& view, double) {
               return grip_of(view.cue == Cue::reproduce ? 6.5 : view.target_force_N);
             }));
-  EXPECT_NEAR(value_of(measures, "constant_error"), -1.5, kRounding);  // 20 % of 40 N is 8 N
-  EXPECT_NEAR(value_of(measures, "absolute_error"), 1.5, kRounding);
-  EXPECT_NEAR(value_of(measures, "variable_error"), 0.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "constant_error"), -1.5, kRounding);  // 20 % of 40 N is 8 N
+  EXPECT_WITHIN(value_of(measures, "absolute_error"), 1.5, kRounding);
+  EXPECT_WITHIN(value_of(measures, "variable_error"), 0.0, kRounding);
 }
 
 TEST(ForceScores, DigitsThatDragTheirNeighbourAlongHaveThatEnslaving) {
@@ -183,10 +184,10 @@ TEST(ForceScores, DigitsThatDragTheirNeighbourAlongHaveThatEnslaving) {
               if (j == 1) force_N[2] += kShare * view.target_force_N;
               return pressing(force_N[0], force_N[1], force_N[2]);
             }));
-  EXPECT_NEAR(value_of(measures, "enslaving", "index_to_middle"), kShare, kRounding);
-  EXPECT_NEAR(value_of(measures, "enslaving", "middle_to_index"), 0.0, kRounding);
-  EXPECT_NEAR(value_of(measures, "enslaving_of_maximum", "index_to_middle"), kShare * 0.2,
-              kRounding);
+  EXPECT_WITHIN(value_of(measures, "enslaving", "index_to_middle"), kShare, kRounding);
+  EXPECT_WITHIN(value_of(measures, "enslaving", "middle_to_index"), 0.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "enslaving_of_maximum", "index_to_middle"), kShare * 0.2,
+                kRounding);
 }
 
 TEST(ForceScores, AForceTurnedFromItsTargetHasThatDirectionError) {
@@ -203,8 +204,8 @@ TEST(ForceScores, AForceTurnedFromItsTargetHasThatDirectionError) {
                                   Vec3(view.digit_targets.force_C[0]);
               return wrench_C;
             }));
-  EXPECT_NEAR(value_of(measures, "direction_error", "thumb"), kAngle_rad, kRounding);
-  EXPECT_NEAR(value_of(measures, "projection_ratio", "thumb"), std::cos(kAngle_rad), kRounding);
+  EXPECT_WITHIN(value_of(measures, "direction_error", "thumb"), kAngle_rad, kRounding);
+  EXPECT_WITHIN(value_of(measures, "projection_ratio", "thumb"), std::cos(kAngle_rad), kRounding);
   EXPECT_EQ(find(measures, "direction_error", "index"), nullptr);
 }
 
@@ -219,8 +220,8 @@ TEST(ForceScores, ASteadyHandHasTheSpreadThatItWasGiven) {
             }));
   constexpr double kShortRecord =
       0.01;  // of a whole number of cycles the SD is exact but for n - 1
-  EXPECT_NEAR(value_of(measures, "force_sd", "force_25_percent"), kAmplitude_N / std::sqrt(2.0),
-              kShortRecord * kAmplitude_N);
+  EXPECT_WITHIN(value_of(measures, "force_sd", "force_25_percent"), kAmplitude_N / std::sqrt(2.0),
+                kShortRecord * kAmplitude_N);
   EXPECT_GT(value_of(measures, "power_2_8_Hz", "force_25_percent"), 99.0);
 }
 
@@ -248,10 +249,10 @@ TEST(ForceScores, TheDigitsShareTheGripAsTheyPress) {
                                                  : view.has_force_target  ? view.target_force_N
                                                                           : 0.0);
                                 }));
-    EXPECT_NEAR(value_of(measures, "sharing", "thumb"), 50.0, kRounding);
-    EXPECT_NEAR(value_of(measures, "sharing", "index"), 30.0, kRounding);
-    EXPECT_NEAR(value_of(measures, "sharing", "middle"), 20.0, kRounding);
-    EXPECT_NEAR(value_of(measures, "thumb_opposition"), 1.0, kRounding);
+    EXPECT_WITHIN(value_of(measures, "sharing", "thumb"), 50.0, kRounding);
+    EXPECT_WITHIN(value_of(measures, "sharing", "index"), 30.0, kRounding);
+    EXPECT_WITHIN(value_of(measures, "sharing", "middle"), 20.0, kRounding);
+    EXPECT_WITHIN(value_of(measures, "thumb_opposition"), 1.0, kRounding);
   }
   ForceTrackingSpec one;
   one.aim.channel = channel_of(Finger::index);
@@ -269,11 +270,11 @@ TEST(ForceScores, RisingAndFallingHalvesOfASineAreScoredApart) {
                                 const bool rises = phase < 0.5 * kCycle_s - 0.5 * kPeriod_s;
                                 return grip_of(view.target_force_N + (rises ? 0.0 : 1.5));
                               }));
-  EXPECT_NEAR(value_of(measures, "rmse", "force_rise"), 0.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "force_rise"), 0.0, kRounding);
   EXPECT_EQ(value_of(measures, "time_in_range", "force_rise"), 100.0);
-  EXPECT_NEAR(value_of(measures, "rmse", "force_fall"), 1.5, kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "force_fall"), 1.5, kRounding);
   EXPECT_EQ(value_of(measures, "time_in_range", "force_fall"), 0.0);
-  EXPECT_NEAR(value_of(measures, "rmse", "force"), 1.5 / std::sqrt(2.0), 1e-3);
+  EXPECT_WITHIN(value_of(measures, "rmse", "force"), 1.5 / std::sqrt(2.0), 1e-3);
   EXPECT_NEAR(static_cast<double>(find(measures, "rmse", "force_rise")->samples), 1500.0, 6.0)
       << "half of the rows, but for the turns";
 }
@@ -286,10 +287,10 @@ TEST(ForceScores, EachPartOfATrapezoidHasItsOwnErrorAndTimeInRange) {
         const double since_s = t_s - 2.0;
         return grip_of(view.target_force_N + (since_s < 5.0 ? 1.0 : since_s < 20.0 ? 0.0 : -2.0));
       }));
-  EXPECT_NEAR(value_of(measures, "rmse", "force_rise"), 1.0, 1e-2);
-  EXPECT_NEAR(value_of(measures, "rmse", "force_hold"), 0.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "force_rise"), 1.0, 1e-2);
+  EXPECT_WITHIN(value_of(measures, "rmse", "force_hold"), 0.0, kRounding);
   EXPECT_EQ(value_of(measures, "time_in_range", "force_hold"), 100.0);
-  EXPECT_NEAR(value_of(measures, "rmse", "force_fall"), 2.0, 1e-2);
+  EXPECT_WITHIN(value_of(measures, "rmse", "force_fall"), 2.0, 1e-2);
 }
 
 TEST(ForceScores, AForceBeyondTheMaximumOfTheSessionShowsThatItWasNone) {
@@ -299,7 +300,7 @@ TEST(ForceScores, AForceBeyondTheMaximumOfTheSessionShowsThatItWasNone) {
               const bool burst = t_s > 10.0 && t_s < 10.6;
               return grip_of(burst ? 48.0 : view.target_force_N);
             }));
-  EXPECT_NEAR(value_of(measures, "force_of_maximum"), 120.0, kRounding) << "of 40 N, above rest";
+  EXPECT_WITHIN(value_of(measures, "force_of_maximum"), 120.0, kRounding) << "of 40 N, above rest";
 }
 
 TEST(ForceScores, LetGoTimesWithoutTheDeviceAreEarlierByItsDelay) {
@@ -311,7 +312,8 @@ TEST(ForceScores, LetGoTimesWithoutTheDeviceAreEarlierByItsDelay) {
               return grip_of(late(view.cue == Cue::let_go ? 0.0 : 10.0));
             }));
   for (const std::string name : {"release_initiation", "release_time"})
-    EXPECT_NEAR(value_of(measures, name + "_corrected"), value_of(measures, name) - 0.03, kRounding)
+    EXPECT_WITHIN(value_of(measures, name + "_corrected"), value_of(measures, name) - 0.03,
+                  kRounding)
         << name;
 }
 
@@ -329,8 +331,8 @@ TEST(ForceScores, DigitsThatCorrectEachOtherOverTheCyclesAreASynergy) {
                  }));
   };
   constexpr double kAtTheSeams = 0.05;  // between two cycles forces are interpolated
-  EXPECT_NEAR(value_of(with(1.0, 0.0), "synergy_index"), 1.5, kAtTheSeams);
-  EXPECT_NEAR(value_of(with(0.0, 1.0), "synergy_index"), -3.0, kAtTheSeams);
+  EXPECT_WITHIN(value_of(with(1.0, 0.0), "synergy_index"), 1.5, kAtTheSeams);
+  EXPECT_WITHIN(value_of(with(0.0, 1.0), "synergy_index"), -3.0, kAtTheSeams);
   spec.duration_s = 18.0;
   EXPECT_EQ(find(with(1.0, 0.0), "synergy_index"), nullptr) << "fifteen cycles, one left out";
   spec.duration_s = 20.0;

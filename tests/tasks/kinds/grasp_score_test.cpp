@@ -10,6 +10,7 @@
 #include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::grasp_score_test {
@@ -64,10 +65,10 @@ TEST(ScoreGrasp, AGripThatFollowsTheLoadHasItsLagAndSlopeAtAnyRate) {
   constexpr double kParabola = 3e-4;
   for (const double rate_Hz : {100.0, 500.0}) {
     const auto late = score(tracking(), carried(0.08, rate_Hz));
-    EXPECT_NEAR(value_of(late, "grip_load_correlation"), 1.0, kParabola);
-    EXPECT_NEAR(value_of(late, "grip_load_lag"), 0.08, kParabola);
-    EXPECT_NEAR(value_of(score(tracking(), carried(0.0, rate_Hz)), "grip_load_slope"), kGain,
-                kRounding)
+    EXPECT_WITHIN(value_of(late, "grip_load_correlation"), 1.0, kParabola);
+    EXPECT_WITHIN(value_of(late, "grip_load_lag"), 0.08, kParabola);
+    EXPECT_WITHIN(value_of(score(tracking(), carried(0.0, rate_Hz)), "grip_load_slope"), kGain,
+                  kRounding)
         << "what was not touched does not count";
   }
 }
@@ -82,7 +83,7 @@ TEST(ScoreGrasp, TheMarginIsWhatTheGripHasBeyondLoadOverFriction) {
     margin += 100.0 * (1.0 - used) / 1800.0;
     most = std::max(most, used);
   }
-  EXPECT_NEAR(value_of(measures, "safety_margin"), margin, kRounding);
+  EXPECT_WITHIN(value_of(measures, "safety_margin"), margin, kRounding);
   EXPECT_LE(value_of(measures, "friction_utilisation"), 100.0 * most);
   EXPECT_GT(value_of(measures, "friction_utilisation"), 90.0 * most);
 }
@@ -90,7 +91,7 @@ TEST(ScoreGrasp, TheMarginIsWhatTheGripHasBeyondLoadOverFriction) {
 TEST(ScoreGrasp, SidewaysForcesThatShareALoadCorrelateWhollyAndTheGripHasItsImpulse) {
   const Signals signals = carried(0.0);
   const auto measures = score(tracking(), signals);
-  EXPECT_NEAR(value_of(measures, "lateral_correlation"), 1.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "lateral_correlation"), 1.0, kRounding);
   double impulse_Ns = 0.0;
   double squares = 0.0;
   double touched_s = 0.0;
@@ -101,9 +102,9 @@ TEST(ScoreGrasp, SidewaysForcesThatShareALoadCorrelateWhollyAndTheGripHasItsImpu
     touched_s += 0.01;
   }
   const double mean_N = impulse_Ns / touched_s;
-  EXPECT_NEAR(value_of(measures, "impulse"), impulse_Ns, 1e-6);
-  EXPECT_NEAR(value_of(measures, "grip_variation"),
-              100.0 * std::sqrt(squares / touched_s - mean_N * mean_N) / mean_N, 1e-6);
+  EXPECT_WITHIN(value_of(measures, "impulse"), impulse_Ns, 1e-6);
+  EXPECT_WITHIN(value_of(measures, "grip_variation"),
+                100.0 * std::sqrt(squares / touched_s - mean_N * mean_N) / mean_N, 1e-6);
 }
 
 TEST(ScoreGrasp, NothingDependsOnTheUnitOfForce) {
@@ -112,7 +113,7 @@ TEST(ScoreGrasp, NothingDependsOnTheUnitOfForce) {
   for (const char* name :
        {"grip_load_correlation", "grip_load_lag", "grip_load_slope", "safety_margin",
         "friction_utilisation", "grip_variation", "lateral_correlation"})
-    EXPECT_NEAR(value_of(newton, name), value_of(other, name), kRounding) << name;
+    EXPECT_WITHIN(value_of(newton, name), value_of(other, name), kRounding) << name;
 }
 
 TEST(ScoreGrasp, WithoutOppositionFrictionOrColumnsThereIsAReason) {

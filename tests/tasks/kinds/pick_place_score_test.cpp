@@ -5,6 +5,7 @@
 #include "tasks/kinds/object/pick_place.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
 #include "tests/tasks/samples.hpp"
 
@@ -51,16 +52,16 @@ TEST(ScorePickPlace, AStraightTrialHasTheMeasuresOfItsGeometry) {
   EXPECT_EQ(value_of(measures, "targets_reached"), 2.0);
   EXPECT_EQ(find(measures, "targets_reached")->unit, "of 2");
   EXPECT_EQ(value_of(measures, "drops"), 0.0);
-  EXPECT_NEAR(value_of(measures, "path_efficiency"), 100.0, 1e-9);
+  EXPECT_WITHIN(value_of(measures, "path_efficiency"), 100.0, 1e-9);
   // 81 frames to 20 mm from the target, half a second held, on its way during that.
-  EXPECT_NEAR(value_of(measures, "completion_time", "target_1"), 1.33, 0.02);
-  EXPECT_NEAR(value_of(measures, "median_completion_time"),
-              value_of(measures, "completion_time", "target_1"), 0.02);
+  EXPECT_WITHIN(value_of(measures, "completion_time", "target_1"), 1.33, 0.02);
+  EXPECT_WITHIN(value_of(measures, "median_completion_time"),
+                value_of(measures, "completion_time", "target_1"), 0.02);
   EXPECT_LE(value_of(measures, "restricted_mean_time"), 1.36);
   EXPECT_GT(value_of(measures, "hold_error_position"), 0.006);
   EXPECT_LT(value_of(measures, "hold_error_position"), 0.010);
-  EXPECT_NEAR(value_of(measures, "hold_error_angle"), 0.0, 1e-12);
-  EXPECT_NEAR(value_of(measures, "mean_grip"), 3.0, 1e-12);
+  EXPECT_WITHIN(value_of(measures, "hold_error_angle"), 0.0, 1e-12);
+  EXPECT_WITHIN(value_of(measures, "mean_grip"), 3.0, 1e-12);
 }
 
 TEST(ScorePickPlace, ADropIsCountedAndOnlyTheLastWayIsMeasured) {
@@ -71,9 +72,10 @@ TEST(ScorePickPlace, ADropIsCountedAndOnlyTheLastWayIsMeasured) {
   const auto clean = score(spec, play_object(spec, Hand{}));
   EXPECT_EQ(value_of(measures, "drops"), 1.0);
   EXPECT_EQ(value_of(measures, "targets_reached"), 1.0);
-  EXPECT_NEAR(value_of(measures, "path_efficiency"), 100.0, 1e-9) << "the jump back is no movement";
-  EXPECT_NEAR(value_of(measures, "completion_time", "target_1"),
-              value_of(clean, "completion_time", "target_1") + 0.5, 0.03);
+  EXPECT_WITHIN(value_of(measures, "path_efficiency"), 100.0, 1e-9)
+      << "the jump back is no movement";
+  EXPECT_WITHIN(value_of(measures, "completion_time", "target_1"),
+                value_of(clean, "completion_time", "target_1") + 0.5, 0.03);
 }
 
 TEST(ScorePickPlace, WhatWasNotPlacedInTimeIsCensored) {
@@ -85,7 +87,7 @@ TEST(ScorePickPlace, WhatWasNotPlacedInTimeIsCensored) {
   EXPECT_EQ(find(measures, "completion_time", "target_2")->reason, "not reached within 5 s");
   EXPECT_EQ(find(measures, "median_completion_time")->reason, "longer than the limit");
   const double first_s = value_of(measures, "completion_time", "target_1");
-  EXPECT_NEAR(value_of(measures, "restricted_mean_time"), (first_s + 2.0 * 5.0) / 3.0, 1e-9);
+  EXPECT_WITHIN(value_of(measures, "restricted_mean_time"), (first_s + 2.0 * 5.0) / 3.0, 1e-9);
 }
 
 TEST(ScorePickPlace, WhenNothingWasPlacedEveryMeasureOfPlacingSaysSo) {
@@ -96,7 +98,7 @@ TEST(ScorePickPlace, WhenNothingWasPlacedEveryMeasureOfPlacingSaysSo) {
   EXPECT_EQ(value_of(measures, "targets_reached"), 0.0);
   for (const char* name : {"path_efficiency", "hold_error_position", "hold_error_angle"})
     EXPECT_EQ(find(measures, name)->reason, "nothing was placed") << name;
-  EXPECT_NEAR(value_of(measures, "restricted_mean_time"), 5.0, 1e-9);
+  EXPECT_WITHIN(value_of(measures, "restricted_mean_time"), 5.0, 1e-9);
 }
 
 TEST(ScorePickPlace, AnAbortedTrialIsNotATimeOut) {
@@ -136,9 +138,9 @@ TEST(ScorePickPlace, AnObjectThatLeansHasThatErrorOfItsAxisAndOneThatTurnsOnTheS
                 now.X_WO.q = Quat(Eigen::AngleAxisd(kLean_rad, about));
                 return now;
               }));
-    EXPECT_NEAR(value_of(measures, "hold_error_angle"), kLean_rad, 1e-9);
+    EXPECT_WITHIN(value_of(measures, "hold_error_angle"), kLean_rad, 1e-9);
     if (about.x() > 0.0)
-      EXPECT_NEAR(value_of(measures, "hold_error_axis"), kLean_rad, 1e-9);
+      EXPECT_WITHIN(value_of(measures, "hold_error_axis"), kLean_rad, 1e-9);
     else
       EXPECT_EQ(find(measures, "hold_error_axis"), nullptr);
   }

@@ -6,6 +6,7 @@
 
 #include "tasks/task.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::tasks::pick_place_test {
 namespace {
@@ -98,7 +99,7 @@ TEST(PickPlace, HeldForItsTimeAndThenLetGoCountsAsPlaced) {
   TaskView view = play.at(kGoal_m, true, 100);  // 101 samples span a second
   EXPECT_EQ(view.phase, Phase::hold);
   EXPECT_EQ(view.cue, Cue::move);
-  EXPECT_NEAR(view.hold_fraction, 0.99, 1e-12);
+  EXPECT_WITHIN(view.hold_fraction, 0.99, 1e-12);
   view = play.at(kGoal_m, true);
   EXPECT_EQ(view.cue, Cue::let_go);
   EXPECT_EQ(view.hold_fraction, 1.0);
@@ -242,7 +243,8 @@ TEST(PickPlace, PlacingIsTheSameAtEveryFrameRate) {
       const TaskView view = (*made)->step(input);
       if (view.cue == Cue::let_go) let_go_s = view.task_time_s;
     }
-    EXPECT_NEAR(let_go_s, 1.0 + 1.0 / rate_Hz, 1e-12) << "one frame to appear, one second to hold";
+    EXPECT_WITHIN(let_go_s, 1.0 + 1.0 / rate_Hz, 1e-12)
+        << "one frame to appear, one second to hold";
   }
 }
 

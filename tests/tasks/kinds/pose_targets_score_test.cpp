@@ -12,6 +12,7 @@
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::pose_targets_score_test {
@@ -112,13 +113,13 @@ TEST(ScorePoseTargets, AStraightSteadyTrialHasTheMeasuresOfItsGeometry) {
   double entry_s = 0.0;
   while (min_jerk(entry_s, 2.0) < 0.8) entry_s += kPeriod_s;
   constexpr double kOneFrame_s = kPeriod_s + kRounding;
-  EXPECT_NEAR(value_of(measures, "completion_time", "target_1"), entry_s, kOneFrame_s);
-  EXPECT_NEAR(value_of(measures, "path_length"), 0.1, kRounding);
-  EXPECT_NEAR(value_of(measures, "path_efficiency"), 100.0, 1e-9);
-  EXPECT_NEAR(value_of(measures, "tilt_in_transport"), 0.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "completion_time", "target_1"), entry_s, kOneFrame_s);
+  EXPECT_WITHIN(value_of(measures, "path_length"), 0.1, kRounding);
+  EXPECT_WITHIN(value_of(measures, "path_efficiency"), 100.0, 1e-9);
+  EXPECT_WITHIN(value_of(measures, "tilt_in_transport"), 0.0, kRounding);
   EXPECT_EQ(value_of(measures, "drops"), 0.0);
   EXPECT_EQ(value_of(measures, "slip"), 0.0);
-  EXPECT_NEAR(value_of(measures, "mean_grip"), 3.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "mean_grip"), 3.0, kRounding);
   EXPECT_EQ(find(measures, "hold_error_position")->samples, 100) << "two holds of exactly 0.5 s";
 }
 
@@ -145,9 +146,9 @@ TEST(ScorePoseTargets, HoldErrorsAreTheConstantOffsetsOfTheHold) {
                                 return m;
                               }));
   EXPECT_EQ(value_of(measures, "targets_reached"), 2.0);
-  EXPECT_NEAR(value_of(measures, "hold_error_position"), 0.01, kRounding);
-  EXPECT_NEAR(value_of(measures, "hold_error_angle"), 0.1, kRounding);
-  EXPECT_NEAR(value_of(measures, "tilt_in_transport"), 0.1, kRounding);
+  EXPECT_WITHIN(value_of(measures, "hold_error_position"), 0.01, kRounding);
+  EXPECT_WITHIN(value_of(measures, "hold_error_angle"), 0.1, kRounding);
+  EXPECT_WITHIN(value_of(measures, "tilt_in_transport"), 0.1, kRounding);
 }
 
 TEST(ScorePoseTargets, AnUnreachedTargetIsCensoredNotTimed) {
@@ -192,8 +193,8 @@ TEST(ScorePoseTargets, ADeviceFaultCostsThePatientNoTimeAndNoDrop) {
             }));
   constexpr double kOneFrame_s = kPeriod_s + kRounding;
   EXPECT_EQ(value_of(faulted, "targets_reached"), 2.0);
-  EXPECT_NEAR(value_of(faulted, "completion_time", "target_1"),
-              value_of(smooth, "completion_time", "target_1"), kOneFrame_s);
+  EXPECT_WITHIN(value_of(faulted, "completion_time", "target_1"),
+                value_of(smooth, "completion_time", "target_1"), kOneFrame_s);
   EXPECT_EQ(value_of(faulted, "drops"), 0.0);
   EXPECT_EQ(find(faulted, "path_length")->excluded, 2000);
 }
@@ -223,8 +224,9 @@ TEST(ScorePoseTargets, ADetourCostsEfficiencyAndATiltIsSeen) {
   // The transport ends 20 mm above the target, where the tolerance begins.
   const double straight_m = std::hypot(0.1, 0.02);
   constexpr double kLastStep_percent = 1.0;  // up to one frame of 1.5 mm inside the tolerance
-  EXPECT_NEAR(value_of(measures, "path_efficiency"), 100.0 * straight_m / 0.28, kLastStep_percent);
-  EXPECT_NEAR(value_of(measures, "tilt_in_transport"), 0.2, kRounding);
+  EXPECT_WITHIN(value_of(measures, "path_efficiency"), 100.0 * straight_m / 0.28,
+                kLastStep_percent);
+  EXPECT_WITHIN(value_of(measures, "tilt_in_transport"), 0.2, kRounding);
 }
 
 TEST(ScorePoseTargets, AnglesAreComparedRoundTheCircle) {
@@ -235,7 +237,7 @@ TEST(ScorePoseTargets, AnglesAreComparedRoundTheCircle) {
                                 return m;
                               }));
   EXPECT_EQ(value_of(measures, "targets_reached"), 2.0);
-  EXPECT_NEAR(value_of(measures, "tilt_in_transport"), 0.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "tilt_in_transport"), 0.0, kRounding);
 }
 
 TEST(ScorePoseTargets, AQuaternionServesWhereThreeRotationsAreFree) {
@@ -267,7 +269,7 @@ TEST(ScorePoseTargets, AQuaternionServesWhereThreeRotationsAreFree) {
   const auto a = score(spec_of(spec), one_angle);
   const auto b = score(spec_of(spec), attitude);
   for (const char* name : {"tilt_in_transport", "hold_error_angle"})
-    EXPECT_NEAR(value_of(a, name), value_of(b, name), kRounding) << name;
+    EXPECT_WITHIN(value_of(a, name), value_of(b, name), kRounding) << name;
 }
 
 /// To and fro between two places 0.1 m apart, jumping there and held for 0.5 s. The ends err by
@@ -300,17 +302,17 @@ TEST(ScorePoseTargets, ASeriesHasTheDifficultyAndThroughputOfFitts) {
   const PoseTargetsSpec spec = series(error_m.size());
   const auto measures = score(spec_of(spec), to_and_fro(spec, error_m));
   ASSERT_EQ(value_of(measures, "targets_reached"), 12.0);
-  EXPECT_NEAR(value_of(measures, "completion_time", "target_5"), 0.5, kRounding);
+  EXPECT_WITHIN(value_of(measures, "completion_time", "target_5"), 0.5, kRounding);
   // Ends 0.11 and 0.01 m by turns: after the first every way begins 10 mm nearer or further off.
   double difficulty_bit = std::log2(0.1 / 0.04 + 1.0);
   for (std::size_t i = 1; i < error_m.size(); ++i)
     difficulty_bit += std::log2((0.1 + error_m[i - 1]) / 0.04 + 1.0);
-  EXPECT_NEAR(value_of(measures, "index_of_difficulty"), difficulty_bit / 12.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "index_of_difficulty"), difficulty_bit / 12.0, kRounding);
   // Six ends 10 mm too far and six 10 mm too short; all ways but the first are 0.1 m long.
   const double sd_m = 0.01 * std::sqrt(12.0 / 11.0);
   const double mean_m = (0.11 + 11.0 * 0.10) / 12.0;
-  EXPECT_NEAR(value_of(measures, "throughput"), std::log2(mean_m / (4.133 * sd_m) + 1.0) / 0.5,
-              1e-9);
+  EXPECT_WITHIN(value_of(measures, "throughput"), std::log2(mean_m / (4.133 * sd_m) + 1.0) / 0.5,
+                1e-9);
 }
 
 TEST(ScorePoseTargets, ThroughputNeedsTenHeldTargetsAtOneDistance) {
@@ -379,14 +381,14 @@ TEST(ScorePoseTargets, TimeOutsEnterTheMedianAndTheRestrictedMeanAsLongerThanThe
   const auto both = score(spec_of(spec), play_poses(spec, skilled));
   const double first_s = value_of(both, "completion_time", "target_1");
   const double second_s = value_of(both, "completion_time", "target_2");
-  EXPECT_NEAR(value_of(both, "median_completion_time"), std::min(first_s, second_s), kRounding);
-  EXPECT_NEAR(value_of(both, "restricted_mean_time"), 0.5 * (first_s + second_s), kRounding);
+  EXPECT_WITHIN(value_of(both, "median_completion_time"), std::min(first_s, second_s), kRounding);
+  EXPECT_WITHIN(value_of(both, "restricted_mean_time"), 0.5 * (first_s + second_s), kRounding);
   const auto one = score(spec_of(spec), play_poses(spec, [](double t_s) {
                            Motion m = skilled(t_s);
                            m.angle_rad = 0.0;  // never turns
                            return m;
                          }));
-  EXPECT_NEAR(value_of(one, "restricted_mean_time"), 0.5 * (first_s + 5.0), kRounding)
+  EXPECT_WITHIN(value_of(one, "restricted_mean_time"), 0.5 * (first_s + 5.0), kRounding)
       << "never the mean of the successes";
 }
 

@@ -7,6 +7,7 @@
 #include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
 #include "tests/tasks/samples.hpp"
 
@@ -57,24 +58,24 @@ TEST(ScorePoseTracking, ALateAndSmallSineHasTheErrorsGainAndLagOfItsClosedForm) 
   const auto measures = score(kPlanar, play_object(kPlanar, late));
   constexpr double kRounding = 1e-12;
   constexpr double kParabola_s = 1e-3;
-  EXPECT_NEAR(value_of(measures, "rmse", "x"), closed_rmse(0.05), kRounding);
-  EXPECT_NEAR(value_of(measures, "rmse", "rz"), closed_rmse(1.0), kRounding);
-  EXPECT_NEAR(value_of(measures, "rmse", "position"), closed_rmse(0.05), kRounding);
-  EXPECT_NEAR(value_of(measures, "rmse", "attitude"), closed_rmse(1.0), kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "x"), closed_rmse(0.05), kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "rz"), closed_rmse(1.0), kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "position"), closed_rmse(0.05), kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "attitude"), closed_rmse(1.0), kRounding);
   for (const char* channel : {"x", "rz"}) {
-    EXPECT_NEAR(value_of(measures, "constant_error", channel), 0.0, kRounding);
-    EXPECT_NEAR(value_of(measures, "gain", channel), kGain, kRounding);
-    EXPECT_NEAR(value_of(measures, "lag", channel), kLag_s, kParabola_s);
-    EXPECT_NEAR(value_of(measures, "phase_lag", channel), kLag_s, kRounding);
-    EXPECT_NEAR(value_of(measures, "phase", channel), -kTurn_rad * kFrequency_Hz * kLag_s,
-                kRounding);
+    EXPECT_WITHIN(value_of(measures, "constant_error", channel), 0.0, kRounding);
+    EXPECT_WITHIN(value_of(measures, "gain", channel), kGain, kRounding);
+    EXPECT_WITHIN(value_of(measures, "lag", channel), kLag_s, kParabola_s);
+    EXPECT_WITHIN(value_of(measures, "phase_lag", channel), kLag_s, kRounding);
+    EXPECT_WITHIN(value_of(measures, "phase", channel), -kTurn_rad * kFrequency_Hz * kLag_s,
+                  kRounding);
     EXPECT_LT(value_of(measures, "mae", channel), value_of(measures, "rmse", channel));
   }
   EXPECT_EQ(find(measures, "rmse", "x")->unit, "m");
   EXPECT_EQ(find(measures, "rmse", "rz")->unit, "rad");
   EXPECT_EQ(find(measures, "rmse", "y"), nullptr) << "the target does not move in y";
   EXPECT_EQ(find(measures, "rmse", "x")->samples, 2000) << "the lead-in is not scored";
-  EXPECT_NEAR(value_of(measures, "mean_grip"), 3.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "mean_grip"), 3.0, kRounding);
 }
 
 TEST(ScorePoseTracking, TheSameMovementAtFiveHundredHertzHasTheSameMeasures) {
@@ -92,8 +93,8 @@ TEST(ScorePoseTracking, TheSameMovementAtFiveHundredHertzHasTheSameMeasures) {
   const auto fast = at(500.0);
   for (const char* name : {"rmse", "mae", "gain"})
     for (const char* channel : {"x", "rz"})
-      EXPECT_NEAR(value_of(slow, name, channel), value_of(fast, name, channel), 1e-4) << name;
-  EXPECT_NEAR(value_of(slow, "path_length"), value_of(fast, "path_length"), 1e-4);
+      EXPECT_WITHIN(value_of(slow, name, channel), value_of(fast, name, channel), 1e-4) << name;
+  EXPECT_WITHIN(value_of(slow, "path_length"), value_of(fast, "path_length"), 1e-4);
 }
 
 TEST(ScorePoseTracking, AConstantOffsetIsAllErrorOfItsAxisAndOfThePosition) {
@@ -105,9 +106,9 @@ TEST(ScorePoseTracking, AConstantOffsetIsAllErrorOfItsAxisAndOfThePosition) {
                                 return now;
                               }));
   constexpr double kRounding = 1e-12;
-  EXPECT_NEAR(value_of(measures, "constant_error", "x"), 0.003, kRounding);
-  EXPECT_NEAR(value_of(measures, "rmse", "x"), 0.003, kRounding);
-  EXPECT_NEAR(value_of(measures, "rmse", "position"), 0.013, kRounding);
+  EXPECT_WITHIN(value_of(measures, "constant_error", "x"), 0.003, kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "x"), 0.003, kRounding);
+  EXPECT_WITHIN(value_of(measures, "rmse", "position"), 0.013, kRounding);
 }
 
 TEST(ScorePoseTracking, FullTurnsOfTheObjectDoNotCountAndSignsOfQuaternionsDoNotMatter) {
@@ -119,7 +120,7 @@ TEST(ScorePoseTracking, FullTurnsOfTheObjectDoNotCountAndSignsOfQuaternionsDoNot
               return now;
             }));
   for (const char* name : {"rmse", "mae", "constant_error", "gain"})
-    EXPECT_NEAR(value_of(turned, name, "rz"), value_of(plain, name, "rz"), 1e-12) << name;
+    EXPECT_WITHIN(value_of(turned, name, "rz"), value_of(plain, name, "rz"), 1e-12) << name;
 }
 
 TEST(ScorePoseTracking, TargetsBeyondHalfATurnAreFollowedRound) {
@@ -131,9 +132,9 @@ TEST(ScorePoseTracking, TargetsBeyondHalfATurnAreFollowedRound) {
                                     Quat(Eigen::AngleAxisd(5.0 * wave(t_s) + 0.1, Vec3::UnitZ()));
                                 return now;
                               }));
-  EXPECT_NEAR(value_of(measures, "constant_error", "rz"), 0.1, 1e-10);
-  EXPECT_NEAR(value_of(measures, "rmse", "attitude"), 0.1, 1e-10);
-  EXPECT_NEAR(value_of(measures, "gain", "rz"), 1.0, 1e-10);
+  EXPECT_WITHIN(value_of(measures, "constant_error", "rz"), 0.1, 1e-10);
+  EXPECT_WITHIN(value_of(measures, "rmse", "attitude"), 0.1, 1e-10);
+  EXPECT_WITHIN(value_of(measures, "gain", "rz"), 1.0, 1e-10);
 }
 
 TEST(ScorePoseTracking, ATargetThatJumpsHasNoGainAndAStillObjectNoLag) {
@@ -145,7 +146,7 @@ TEST(ScorePoseTracking, ATargetThatJumpsHasNoGainAndAStillObjectNoLag) {
   EXPECT_EQ(find(measures, "gain", "x"), nullptr);
   EXPECT_FALSE(find(measures, "lag", "x")->value);
   EXPECT_FALSE(find(measures, "lag", "x")->reason.empty());
-  EXPECT_NEAR(value_of(measures, "rmse", "x"), 0.05, 1e-12);
+  EXPECT_WITHIN(value_of(measures, "rmse", "x"), 0.05, 1e-12);
   EXPECT_EQ(value_of(measures, "path_length"), 0.0);
   EXPECT_FALSE(find(measures, "sparc", "position")->value);
   EXPECT_FALSE(find(measures, "sparc", "force_rate")->value) << "the grip did not change";
@@ -165,8 +166,8 @@ TEST(ScorePoseTracking, TheLagWithoutTheDeviceIsSmallerByItsDelay) {
   }
   const auto measures = score(kPlanar, delayed);
   for (const char* channel : {"x", "rz"})
-    EXPECT_NEAR(value_of(measures, "lag_corrected", channel),
-                value_of(measures, "lag", channel) - 0.032, 1e-12);
+    EXPECT_WITHIN(value_of(measures, "lag_corrected", channel),
+                  value_of(measures, "lag", channel) - 0.032, 1e-12);
 }
 
 TEST(ScorePoseTracking, WithoutItsColumnsAMeasureSaysWhichIsMissing) {

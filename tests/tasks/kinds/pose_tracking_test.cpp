@@ -9,6 +9,7 @@
 #include "tasks/task.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::tasks::pose_tracking_test {
 namespace {
@@ -76,9 +77,9 @@ TEST(PoseTracking, TheTargetIsItsWaveformInEveryDegreeOfFreedomAtEveryRate) {
     for (std::size_t k = 0; k < views.size(); ++k) {
       const double t_s = std::max(0.0, static_cast<double>(k) / rate_Hz - spec.lead_in_s);
       for (int axis = 0; axis < 3; ++axis)
-        ASSERT_NEAR(views[k].X_WT.p[axis], value(spec.axes[static_cast<std::size_t>(axis)], t_s),
+        ASSERT_WITHIN(views[k].X_WT.p[axis], value(spec.axes[static_cast<std::size_t>(axis)], t_s),
                     kRounding);
-      ASSERT_NEAR(angle_about(views[k].X_WT.q, 2), value(spec.axes[3], t_s), kRounding);
+      ASSERT_WITHIN(angle_about(views[k].X_WT.q, 2), value(spec.axes[3], t_s), kRounding);
       ASSERT_TRUE(views[k].pose_target_shown);
       ASSERT_EQ(views[k].cue, Cue::move);
     }
@@ -98,7 +99,7 @@ TEST(PoseTracking, EveryShapeHasTheSameValuesAtTheSameTimesAtEveryRate) {
     const auto fast = played(spec, 500.0);
     constexpr double kRounding_m = 1e-14;
     for (std::size_t k = 0; k < slow.size(); ++k)
-      ASSERT_NEAR(slow[k].X_WT.p.x(), fast[5 * k].X_WT.p.x(), kRounding_m)
+      ASSERT_WITHIN(slow[k].X_WT.p.x(), fast[5 * k].X_WT.p.x(), kRounding_m)
           << name_of(waveform.shape) << ' ' << k;
   }
 }
@@ -113,7 +114,7 @@ TEST(PoseTracking, ASequenceHasTheSameMovementAtEveryRateUpToItsSampledExtremes)
     // Between samples of the slow grid a sum of sines up to 0.5 Hz rises by less than this.
     constexpr double kExtremes = 1e-3;
     for (std::size_t k = 0; k < slow.size(); ++k)
-      ASSERT_NEAR(slow[k].X_WT.p.x(), fast[5 * k].X_WT.p.x(), kExtremes);
+      ASSERT_WITHIN(slow[k].X_WT.p.x(), fast[5 * k].X_WT.p.x(), kExtremes);
   }
 }
 
@@ -137,7 +138,7 @@ TEST(PoseTracking, DegreesOfFreedomThatAreNotAskedForStayAtTheOrigin) {
     ASSERT_EQ(view.X_WT.p, Vec3::Zero());
     ASSERT_EQ(view.X_WT.q.x(), 0.0);
     ASSERT_EQ(view.X_WT.q.z(), 0.0);
-    ASSERT_NEAR(view.X_WT.q.norm(), 1.0, 1e-15);
+    ASSERT_WITHIN(view.X_WT.q.norm(), 1.0, 1e-15);
   }
 }
 

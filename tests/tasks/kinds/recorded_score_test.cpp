@@ -8,6 +8,7 @@
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::recorded_score_test {
@@ -77,9 +78,9 @@ Signals corridor_rows(const std::vector<double>& t_s) {
 
 TEST(Recorded, TheCorridorCountsOnlyWhatIsOutside) {
   const auto measures = score(task(kCorridor), corridor_rows(test::times(400)));
-  EXPECT_NEAR(value_of(measures, "corridor_rms"), std::sqrt(10.0 / 4.0), kRounding);
-  EXPECT_NEAR(value_of(measures, "corridor_distance"), 1.0, kRounding);
-  EXPECT_NEAR(value_of(measures, "time_in_corridor"), 50.0, 1e-10);
+  EXPECT_WITHIN(value_of(measures, "corridor_rms"), std::sqrt(10.0 / 4.0), kRounding);
+  EXPECT_WITHIN(value_of(measures, "corridor_distance"), 1.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "time_in_corridor"), 50.0, 1e-10);
 }
 
 TEST(Recorded, TheCorridorWeighsRowsWithTheTimeTheyHold) {
@@ -87,8 +88,8 @@ TEST(Recorded, TheCorridorWeighsRowsWithTheTimeTheyHold) {
   const double holds_s[] = {0.01, 0.03, 0.01, 0.01};  // the row 3 N above lasts three times as long
   for (int k = 0; k < 399; ++k) t_s.push_back(t_s.back() + holds_s[k % 4]);
   const auto measures = score(task(kCorridor), corridor_rows(t_s));
-  EXPECT_NEAR(value_of(measures, "corridor_rms"), std::sqrt((3.0 * 9.0 + 1.0) / 6.0), 1e-10);
-  EXPECT_NEAR(value_of(measures, "time_in_corridor"), 100.0 / 3.0, 1e-10);
+  EXPECT_WITHIN(value_of(measures, "corridor_rms"), std::sqrt((3.0 * 9.0 + 1.0) / 6.0), 1e-10);
+  EXPECT_WITHIN(value_of(measures, "time_in_corridor"), 100.0 / 3.0, 1e-10);
 }
 
 TEST(Recorded, WhatIsMissingIsSaidAndNeverZero) {
@@ -116,7 +117,7 @@ TEST(Recorded, TheMaximumIsTheMeanSizeOfTheForceInTheStatedRows) {
         std::vector{static_cast<double>(k) * 0.02, k >= 100 && k < 250 ? inside_N : 1000.0});
   }
   const auto measures = score(spec, signals);
-  EXPECT_NEAR(value_of(measures, "maximum_window_mean"), 60.0, kRounding * 60.0);
+  EXPECT_WITHIN(value_of(measures, "maximum_window_mean"), 60.0, kRounding * 60.0);
   EXPECT_EQ(find(measures, "maximum_window_mean")->samples, 150);
   const auto few = score(spec, edited(signals, [](std::size_t k, std::vector<double>& row) {
                            if (k >= 199) row.clear();
@@ -128,9 +129,9 @@ TEST(Recorded, TrackingComparesTheForceWithItsTarget) {
   Signals signals({"t_s", "target_force_N", "actual_force_N"});
   for (const double t : test::times(100)) signals.append_row(std::vector{t, 20.0, 22.0});
   const auto measures = score(task("measures = \"tracking\"\n"), signals);
-  EXPECT_NEAR(value_of(measures, "rmse"), 2.0, kRounding);
-  EXPECT_NEAR(value_of(measures, "constant_error"), 2.0, kRounding);
-  EXPECT_NEAR(value_of(measures, "relative_rmse"), 10.0, 1e-10);
+  EXPECT_WITHIN(value_of(measures, "rmse"), 2.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "constant_error"), 2.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "relative_rmse"), 10.0, 1e-10);
   EXPECT_EQ(value_of(measures, "time_in_range"), 0.0);
 }
 
@@ -162,8 +163,8 @@ Signals finger_rows(double between_N, double together_N, double rate_Hz = kRate_
 TEST(Recorded, TheRhythmIsThatOfTheSumAtAnyRate) {
   constexpr double kNear_Hz = 0.005;  // a parabola through the lines of a Hann window
   for (const double rate_Hz : {100.0, 200.0, 400.0})
-    EXPECT_NEAR(value_of(score(task(kFingers), finger_rows(0.0, 0.0, rate_Hz)), "rhythm"),
-                kCycle_Hz, kNear_Hz)
+    EXPECT_WITHIN(value_of(score(task(kFingers), finger_rows(0.0, 0.0, rate_Hz)), "rhythm"),
+                  kCycle_Hz, kNear_Hz)
         << rate_Hz;
 }
 
@@ -171,24 +172,24 @@ TEST(Recorded, TheFingersShareAllOfTheForce) {
   const auto measures = score(task(kFingers), finger_rows(0.0, 0.0));
   std::size_t finger = 0;
   for (const char* name : {"index", "middle", "ring", "little"})
-    EXPECT_NEAR(value_of(measures, "sharing", name), 100.0 * kShares[finger++], 1e-10) << name;
+    EXPECT_WITHIN(value_of(measures, "sharing", name), 100.0 * kShares[finger++], 1e-10) << name;
 }
 
 TEST(Recorded, FingersThatCorrectEachOtherAreASynergyAndThoseThatMoveTogetherAreNot) {
   // All variance within the manifold of equal sums: n / (n - 1). All across it: -n.
   constexpr double kHalfRow = 1e-6;  // the forces repeat but for the rounding of their phase
   const auto correcting = score(task(kFingers), finger_rows(1.0, 0.0));
-  EXPECT_NEAR(value_of(correcting, "synergy_index"), 4.0 / 3.0, kHalfRow);
+  EXPECT_WITHIN(value_of(correcting, "synergy_index"), 4.0 / 3.0, kHalfRow);
   const auto together = score(task(kFingers), finger_rows(0.0, 1.0));
-  EXPECT_NEAR(value_of(together, "synergy_index"), -4.0, kHalfRow);
-  EXPECT_NEAR(value_of(together, "variance_within"), 0.0, kHalfRow);
+  EXPECT_WITHIN(value_of(together, "synergy_index"), -4.0, kHalfRow);
+  EXPECT_WITHIN(value_of(together, "variance_within"), 0.0, kHalfRow);
   EXPECT_GT(value_of(together, "variance_across"), 1.0);
 }
 
 TEST(Recorded, TheSynergyDoesNotDependOnTheBeginningOfTime) {
   const auto early = score(task(kFingers), finger_rows(1.0, 0.5));
   const auto late = score(task(kFingers), finger_rows(1.0, 0.5, kRate_Hz, 1000.0));
-  EXPECT_NEAR(value_of(early, "synergy_index"), value_of(late, "synergy_index"), 1e-9);
+  EXPECT_WITHIN(value_of(early, "synergy_index"), value_of(late, "synergy_index"), 1e-9);
   EXPECT_GT(value_of(early, "synergy_index"), -4.0);
   EXPECT_LT(value_of(early, "synergy_index"), 4.0 / 3.0);
 }

@@ -12,6 +12,7 @@
 #include "tasks/record.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/kinds/force_play.hpp"
 #include "tests/tasks/samples.hpp"
 
@@ -72,7 +73,7 @@ TEST(ScoredRows, AMaximumIsThatOfItsThreeHundredRows) {
       spec_of(MaximumSpec{}), play_force(spec_of(MaximumSpec{}), [](const TaskView& view, double) {
         return grip_of(view.phase == Phase::done ? 90.0 : view.cue == Cue::squeeze ? 10.0 : 0.0);
       }));
-  EXPECT_NEAR(value_of(measures, "maximum_force"), 10.0, kRounding);
+  EXPECT_WITHIN(value_of(measures, "maximum_force"), 10.0, kRounding);
   EXPECT_EQ(value_of(measures, "peak_force"), 10.0);
   EXPECT_EQ(find(measures, "maximum_force")->samples, 300);
 }
@@ -92,7 +93,7 @@ TEST(ScoredRows, TheEndOfAReproductionIsAsManyRowsAsItsWindowHolds) {
         },
         start_s);
     constexpr double kClock = 1e-6;  // of a start long ago the grid is as coarse
-    EXPECT_NEAR(value_of(score(spec_of(spec), signals), "constant_error"), 2.0 / 200.0, kClock)
+    EXPECT_WITHIN(value_of(score(spec_of(spec), signals), "constant_error"), 2.0 / 200.0, kClock)
         << start_s;
   }
 }
@@ -111,7 +112,7 @@ TEST(ScoredRows, TheFirstFiveSecondsOfAHoldAreFiveHundredRows) {
         start_s);
     // Below 80 % from row 500 on: only if no later row is in the mean.
     const auto measures = score(spec_of(spec), signals);
-    EXPECT_NEAR(value_of(measures, "endurance"), 5.0, 1e-6) << start_s;
+    EXPECT_WITHIN(value_of(measures, "endurance"), 5.0, 1e-6) << start_s;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::coupling_test {
@@ -29,10 +30,10 @@ TEST(Coupling, AGripThatFollowsLoadHasItsLagInBothDirectionsAtAnyRate) {
   for (const double lag_s : {0.0, 0.06, -0.113, 0.3})
     for (const double rate_Hz : {100.0, 500.0}) {
       const Coupling found = coupling_of(lag_s, 1.7, rate_Hz);
-      EXPECT_NEAR(found.correlation.value.value(), 1.0, kParabola);
-      EXPECT_NEAR(found.lag_s.value.value(), lag_s, kParabola) << rate_Hz;
+      EXPECT_WITHIN(found.correlation.value.value(), 1.0, kParabola);
+      EXPECT_WITHIN(found.lag_s.value.value(), lag_s, kParabola) << rate_Hz;
     }
-  EXPECT_NEAR(coupling_of(0.0, 1.7, 100.0).slope.value.value(), 1.7, kRounding);
+  EXPECT_WITHIN(coupling_of(0.0, 1.7, 100.0).slope.value.value(), 1.7, kRounding);
 }
 
 TEST(Coupling, CorrelationIsPearsonsOfTheOverlapAtTheBestLag) {
@@ -55,7 +56,7 @@ TEST(Coupling, CorrelationIsPearsonsOfTheOverlapAtTheBestLag) {
     }
     best = std::max(best, (n * xy - x * y) / std::sqrt((n * xx - x * x) * (n * yy - y * y)));
   }
-  EXPECT_NEAR(grip_load_coupling(grip, load).correlation.value.value(), best, kRounding);
+  EXPECT_WITHIN(grip_load_coupling(grip, load).correlation.value.value(), best, kRounding);
 }
 
 TEST(Coupling, WithoutVariationOrTimeThereIsAReason) {
@@ -82,10 +83,10 @@ TEST(Coupling, GripIsTheMeanOfBothSides) {
 TEST(Coupling, SafetyMarginIsZeroWhereTheGripIsTheOneThatIsNeeded) {
   const std::vector<double> weight{1.0, 3.0};
   const std::vector<double> grip{10.0, 20.0};
-  EXPECT_NEAR(safety_margin(grip, grip, weight).value.value(), 0.0, kRounding);
+  EXPECT_WITHIN(safety_margin(grip, grip, weight).value.value(), 0.0, kRounding);
   // Margins 1 - 5 / 10 and 1 - 0.
-  EXPECT_NEAR(safety_margin(grip, std::vector<double>{5.0, 0.0}, weight).value.value(),
-              100.0 * (0.5 + 3.0) / 4.0, kRounding);
+  EXPECT_WITHIN(safety_margin(grip, std::vector<double>{5.0, 0.0}, weight).value.value(),
+                100.0 * (0.5 + 3.0) / 4.0, kRounding);
   EXPECT_LT(safety_margin(grip, std::vector<double>{22.0, 22.0}, weight).value.value(), 0.0);
   EXPECT_EQ(
       safety_margin(std::vector<double>{0.0}, std::vector<double>{1.0}, std::vector<double>{1.0})

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::delay_test {
@@ -32,7 +33,7 @@ TEST(Delay, LagOfAPureDelayIsTheDelayInBothDirectionsAndAtAnyRate) {
     for (const double rate_Hz : {100.0, 500.0}) {
       const statistics::Computed found = lag_of_delay(delay_s, rate_Hz);
       ASSERT_TRUE(found.value) << found.reason;
-      EXPECT_NEAR(*found.value, delay_s, kParabola_s) << rate_Hz;
+      EXPECT_WITHIN(*found.value, delay_s, kParabola_s) << rate_Hz;
     }
 }
 
@@ -43,7 +44,7 @@ TEST(Delay, LagIsFoundOnARampWithKneesWhereSumsOverAShrinkingOverlapFindZero) {
       lag({0.01, sampled(t, ramp)}, {0.01, sampled(t, [&](double s) { return ramp(s - 0.25); })});
   constexpr double kOneSample_s = 0.01;
   ASSERT_TRUE(found.value) << found.reason;
-  EXPECT_NEAR(*found.value, 0.25, kOneSample_s);
+  EXPECT_WITHIN(*found.value, 0.25, kOneSample_s);
 }
 
 /// The definition word by word: every shift, every overlap, two passes.
@@ -97,7 +98,7 @@ TEST(Delay, LagIsThatOfTheDefinitionOnNoisyShortAndLopsidedRecords) {
           const auto expected = lag_by_definition(target, actual);
           ASSERT_EQ(found.value.has_value(), expected.has_value()) << found.reason;
           if (expected) {
-            EXPECT_NEAR(*found.value, *expected, kIdentical_s);
+            EXPECT_WITHIN(*found.value, *expected, kIdentical_s);
           }
         }
 }
@@ -117,7 +118,7 @@ TEST(Delay, LagIsThatOfTheDefinitionOnRecordsShorterThanTheShifts) {
       if (!expected) continue;
       ++with_value;
       constexpr double kIdentical_s = 1e-9;
-      EXPECT_NEAR(*found.value, *expected, kIdentical_s) << count;
+      EXPECT_WITHIN(*found.value, *expected, kIdentical_s) << count;
     }
   EXPECT_GT(with_value, 50);
 }
@@ -129,7 +130,7 @@ TEST(Delay, AStepAtTheVeryEndIsFoundThoughMostOverlapsAreConstant) {
   for (std::size_t k = 994; k < 1000; ++k) actual.values[k] = 3.0;
   const statistics::Computed found = lag(target, actual);
   ASSERT_TRUE(found.value) << found.reason;
-  EXPECT_NEAR(*found.value, 0.04, 0.005);
+  EXPECT_WITHIN(*found.value, 0.04, 0.005);
 }
 
 TEST(Delay, LagHasNoValueWithoutVariationCorrelationOrPeak) {

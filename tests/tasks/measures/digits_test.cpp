@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::tasks::digits_test {
 namespace {
@@ -38,16 +39,16 @@ TEST(Digits, TheEnslavingOfAHandIsFoundWithItsSignsWhateverItsToneAndEffort) {
   for (const Finger i : kFingers)
     for (const Finger j : kFingers) {
       const double entry = e(static_cast<int>(index_of(i)), static_cast<int>(index_of(j)));
-      EXPECT_NEAR(enslaving(holds, i, j).value.value(), entry, kRounding);
-      EXPECT_NEAR(enslaving_of_maximum(holds, i, j, 20.0).value.value(), entry * 6.0 / 20.0,
-                  kRounding);
+      EXPECT_WITHIN(enslaving(holds, i, j).value.value(), entry, kRounding);
+      EXPECT_WITHIN(enslaving_of_maximum(holds, i, j, 20.0).value.value(), entry * 6.0 / 20.0,
+                    kRounding);
     }
 }
 
 TEST(Digits, AHoldWithoutAPressOfTheInstructedDigitDoesNotCount) {
   std::vector<DigitHold> holds{hold_of(hand(), Finger::index, 4.0, 0.0),
                                hold_of(hand(), Finger::index, 0.0, 1.0)};
-  EXPECT_NEAR(enslaving(holds, Finger::middle, Finger::index).value.value(), 0.25, kRounding);
+  EXPECT_WITHIN(enslaving(holds, Finger::middle, Finger::index).value.value(), 0.25, kRounding);
   EXPECT_FALSE(enslaving(holds, Finger::middle, Finger::index, 4.5).value);
   EXPECT_FALSE(enslaving(holds, Finger::middle, Finger::thumb).value);
   EXPECT_FALSE(enslaving_of_maximum(holds, Finger::middle, Finger::index, 0.0).value);
@@ -60,8 +61,8 @@ TEST(Digits, DeviationIsTheRootMeanSquareOfTheOtherDigitsAboveTheirStart) {
   const std::vector<double> weight{1.0, 3.0};
   const DigitForces forces{{thumb, index, middle}, weight};
   // Thumb off by 0 for 1 s and 1 for 3 s, middle off by 2 for 4 s: (3 + 16) / 8.
-  EXPECT_NEAR(uninstructed_deviation(forces, Finger::index, {1.0, 0.0, -1.5}).value.value(),
-              std::sqrt(19.0 / 8.0), kRounding);
+  EXPECT_WITHIN(uninstructed_deviation(forces, Finger::index, {1.0, 0.0, -1.5}).value.value(),
+                std::sqrt(19.0 / 8.0), kRounding);
   EXPECT_FALSE(uninstructed_deviation({}, Finger::index, {}).value);
 }
 
@@ -70,12 +71,12 @@ TEST(Digits, IndividuationIsTheSlopeOfMostHoldsAndDoesNotSeeAFewOutliers) {
   std::vector<Individuation> holds;
   for (const double force_N : {4.0, 8.0, 12.0, 16.0, 4.0, 8.0, 12.0, 16.0})
     holds.push_back({force_N, kSlope * force_N});
-  EXPECT_NEAR(individuation_slope(holds).value.value(), kSlope, kRounding);
-  EXPECT_NEAR(individuation_index(holds).value.value(), 2.4418, 0.5e-4);
+  EXPECT_WITHIN(individuation_slope(holds).value.value(), kSlope, kRounding);
+  EXPECT_WITHIN(individuation_index(holds).value.value(), 2.4418, 0.5e-4);
   holds[0].deviation_N = 30.0;
   holds[3].deviation_N = 30.0;
   holds[6].deviation_N = 0.0;
-  EXPECT_NEAR(individuation_slope(holds).value.value(), kSlope, kRounding);
+  EXPECT_WITHIN(individuation_slope(holds).value.value(), kSlope, kRounding);
 }
 
 TEST(Digits, IndividuationMinimisesTheSumOfAbsoluteDeviations) {
@@ -117,12 +118,12 @@ TEST(Digits, CoflexionIsTheBestWindowOfAnyDigitsPressInShareOfThatOfTheOpening) 
   const auto share = [&](const auto& a, const auto& b, const auto& c, const auto& valid) {
     return coflexion({{a, b, c}, weight}, valid, kWindow_s);
   };
-  EXPECT_NEAR(share(thumb, index, middle, all).value.value(), 100.0 * 2.0 / 7.5, kRounding);
-  EXPECT_NEAR(share(thumb, index, still, all).value.value(), 0.0, kRounding);
+  EXPECT_WITHIN(share(thumb, index, middle, all).value.value(), 100.0 * 2.0 / 7.5, kRounding);
+  EXPECT_WITHIN(share(thumb, index, still, all).value.value(), 0.0, kRounding);
   EXPECT_EQ(share(still, still, middle, all).reason, "there was no opening force");
   // No window reaches over a sample that does not count.
-  EXPECT_NEAR(share(thumb, index, middle, std::vector{true, true, false, true}).value.value(),
-              100.0 * 0.5 / 5.5, kRounding);
+  EXPECT_WITHIN(share(thumb, index, middle, std::vector{true, true, false, true}).value.value(),
+                100.0 * 0.5 / 5.5, kRounding);
   EXPECT_FALSE(share(thumb, index, middle, std::vector{true, false, true, false}).value);
 }
 
@@ -148,7 +149,7 @@ TEST(Digits, SharesAddUpToAllAndABalancedThumbHasHalf) {
   const PerDigit mean_N{8.0, 5.0, 3.0};
   double sum = 0.0;
   for (const Finger finger : kFingers) sum += sharing(mean_N, finger).value.value();
-  EXPECT_NEAR(sum, 100.0, kRounding);
+  EXPECT_WITHIN(sum, 100.0, kRounding);
   EXPECT_DOUBLE_EQ(sharing(mean_N, Finger::thumb).value.value(), 50.0);
   EXPECT_DOUBLE_EQ(thumb_opposition(mean_N).value.value(), 1.0);
   EXPECT_FALSE(sharing({0.0, 0.0, 0.0}, Finger::thumb).value);

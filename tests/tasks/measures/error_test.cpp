@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::error_test {
@@ -35,9 +36,9 @@ TEST(MeasuresError, RmseOfASineWithGainAndLagIsTheClosedForm) {
     const double closed =
         10.0 / std::sqrt(2.0) *
         std::sqrt(1.0 + c.gain * c.gain - 2.0 * c.gain * std::cos(omega * c.lag_s));
-    EXPECT_NEAR(rmse(target, actual, weight).value.value(), closed, kRounding);
-    EXPECT_NEAR(rmse(target, actual, weight).value.value(), c.rmse, kPrintedDigits);
-    EXPECT_NEAR(relative_rmse(target, actual, weight).value.value(), 100.0 * closed / 30.0, 1e-9);
+    EXPECT_WITHIN(rmse(target, actual, weight).value.value(), closed, kRounding);
+    EXPECT_WITHIN(rmse(target, actual, weight).value.value(), c.rmse, kPrintedDigits);
+    EXPECT_WITHIN(relative_rmse(target, actual, weight).value.value(), 100.0 * closed / 30.0, 1e-9);
   }
 }
 
@@ -47,9 +48,9 @@ TEST(MeasuresError, AConstantOffsetIsFoundByEveryErrorMeasureWithItsSign) {
   auto actual = target;
   for (double& value : actual) value -= 0.75;
   const auto weight = statistics::hold_lengths(t);
-  EXPECT_NEAR(constant_error(target, actual, weight).value.value(), -0.75, kRounding);
-  EXPECT_NEAR(mae(target, actual, weight).value.value(), 0.75, kRounding);
-  EXPECT_NEAR(rmse(target, actual, weight).value.value(), 0.75, kRounding);
+  EXPECT_WITHIN(constant_error(target, actual, weight).value.value(), -0.75, kRounding);
+  EXPECT_WITHIN(mae(target, actual, weight).value.value(), 0.75, kRounding);
+  EXPECT_WITHIN(rmse(target, actual, weight).value.value(), 0.75, kRounding);
 }
 
 TEST(MeasuresError, RowsWeighAsLongAsTheyHold) {
@@ -99,24 +100,24 @@ TEST(MeasuresError, ACorridorWithoutWidthHasTheErrorsOfItsTarget) {
   const auto actual = sampled(t, [](double s) { return std::sin(s - 0.2); });
   const auto weight = statistics::hold_lengths(t);
   const Corridor found = corridor(target, target, actual, weight);
-  EXPECT_NEAR(found.mean_outside.value.value(), mae(target, actual, weight).value.value(),
-              kRounding);
-  EXPECT_NEAR(found.rms_outside.value.value(), rmse(target, actual, weight).value.value(),
-              kRounding);
+  EXPECT_WITHIN(found.mean_outside.value.value(), mae(target, actual, weight).value.value(),
+                kRounding);
+  EXPECT_WITHIN(found.rms_outside.value.value(), rmse(target, actual, weight).value.value(),
+                kRounding);
   EXPECT_FALSE(corridor({}, {}, {}, {}).mean_outside.value);
 }
 
 TEST(MeasuresError, CvIsBlindToALineAndKnowsTheSineRoundIt) {
   const auto t = times(1000);
   const auto ramp = sampled(t, [](double s) { return 3.0 + 0.4 * s; });
-  EXPECT_NEAR(cv(t, ramp).value.value(), 0.0, 1e-10);
+  EXPECT_WITHIN(cv(t, ramp).value.value(), 0.0, 1e-10);
   // Whole cycles round a constant mean: SD(n - 1) = A sqrt(n / (2 (n - 1))); the line through a
   // sine of 50 cycles takes away less than the tolerance.
   const auto wave =
       sampled(t, [](double s) { return 4.0 + 0.2 * std::sin(2.0 * std::numbers::pi * 5.0 * s); });
   const double closed = 100.0 * 0.2 * std::sqrt(1000.0 / (2.0 * 999.0)) / 4.0;
   constexpr double kLineThroughASine = 1e-3;
-  EXPECT_NEAR(cv(t, wave).value.value(), closed, kLineThroughASine);
+  EXPECT_WITHIN(cv(t, wave).value.value(), closed, kLineThroughASine);
 }
 
 TEST(MeasuresError, CvWithoutAMeanHasAReasonAndNoValue) {
@@ -131,7 +132,7 @@ TEST(MeasuresError, TheBestMovingMeanIsTheBestWholeWindow) {
   const std::vector<double> weight(6, 0.1);
   std::vector<bool> valid(6, true);
   EXPECT_DOUBLE_EQ(best_moving_mean(x, weight, valid, 0.2).value.value(), 6.0);
-  EXPECT_NEAR(best_moving_mean(x, weight, valid, 0.3).value.value(), 17.0 / 3.0, kRounding);
+  EXPECT_WITHIN(best_moving_mean(x, weight, valid, 0.3).value.value(), 17.0 / 3.0, kRounding);
   valid[3] = false;  // no window may bridge a sample that does not count
   EXPECT_DOUBLE_EQ(best_moving_mean(x, weight, valid, 0.2).value.value(), 5.0);
   EXPECT_FALSE(best_moving_mean(x, weight, valid, 0.4).value);
@@ -140,8 +141,8 @@ TEST(MeasuresError, TheBestMovingMeanIsTheBestWholeWindow) {
 TEST(MeasuresError, AWindowThatEndsWithinARowTakesItsShare) {
   const std::vector<double> x{4.0, 8.0};
   const std::vector<double> weight{0.2, 0.2};
-  EXPECT_NEAR(best_moving_mean(x, weight, {true, true}, 0.3).value.value(),
-              (4.0 * 0.2 + 8.0 * 0.1) / 0.3, kRounding);
+  EXPECT_WITHIN(best_moving_mean(x, weight, {true, true}, 0.3).value.value(),
+                (4.0 * 0.2 + 8.0 * 0.1) / 0.3, kRounding);
 }
 
 TEST(MeasuresError, HoldLengthsFollowTheRuleOfTheFileFormat) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::fatigue_test {
@@ -23,7 +24,7 @@ TEST(Fatigue, SlopeOfALineIsItsShareOfTheFirstFiveSecondsAtAnyRateUnitAndDirecti
       const auto t = times(static_cast<std::size_t>(30.0 * rate_Hz), rate_Hz, 7.0);
       const auto x = sampled(t, [&](double s) { return force_N * (1.0 - 0.01 * (s - 7.0)); });
       const double fresh = 1.0 - 0.01 * (2.5 - 0.5 / rate_Hz);  // mean of the samples before 5 s
-      EXPECT_NEAR(fatigue_slope(t, x).value.value(), -1.0 / fresh, 1e-10);
+      EXPECT_WITHIN(fatigue_slope(t, x).value.value(), -1.0 / fresh, 1e-10);
     }
 }
 
@@ -44,7 +45,7 @@ TEST(Fatigue, WhoHoldsOutIsCensoredAtTheEnd) {
   const auto t = times(3001);
   const statistics::EventTime found = time_to_fatigue(t, fading(t, 40.0, 0.001));
   EXPECT_FALSE(found.time_s.value);
-  EXPECT_NEAR(found.longer_than_s.value(), 30.0, 1e-12);
+  EXPECT_WITHIN(found.longer_than_s.value(), 30.0, 1e-12);
 }
 
 TEST(Fatigue, WithoutFiveSecondsOfForceThereIsAReason) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
+
 namespace isograsp::tasks::force_sense_test {
 namespace {
 
@@ -27,7 +29,7 @@ TEST(ForceSense, MeanSquareIsBiasSquaredPlusScatterSquared) {
   double mean_square = 0.0;
   for (std::size_t k = 0; k < 4; ++k) mean_square += std::pow(reproduced[k] - target[k], 2.0) / 4.0;
   const double variance = std::pow(*found.variable_error.value, 2.0) * 3.0 / 4.0;
-  EXPECT_NEAR(mean_square, std::pow(*found.constant_error.value, 2.0) + variance, 1e-14);
+  EXPECT_WITHIN(mean_square, std::pow(*found.constant_error.value, 2.0) + variance, 1e-14);
 }
 
 TEST(ForceSense, OneRepetitionHasNoScatterAndNoneNothing) {

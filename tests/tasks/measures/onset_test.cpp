@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::onset_test {
@@ -98,7 +99,7 @@ TEST(Onset, ATwitchThatIsOverBeforeTheCueDoesNotCount) {
   for (std::size_t k = 150; k < 170; ++k) x[k] += 3.0;
   const auto rest = resting_level(std::span(x).first(100));
   const Reaction found = reaction(t, x, 2.0, rest.value(), kLsb_N, Change::rise);
-  EXPECT_NEAR(found.time.time_s.value.value(), 0.31, 1e-9);
+  EXPECT_WITHIN(found.time.time_s.value.value(), 0.31, 1e-9);
   EXPECT_FALSE(found.anticipated_s);
 }
 
@@ -108,7 +109,7 @@ TEST(Onset, WithoutAReactionTheTimeIsCensoredAtTheEndOfTheRecord) {
   const Reaction none = reaction(t, x, 2.0, {1.0, 0.0}, kLsb_N, Change::rise);
   EXPECT_FALSE(none.time.time_s.value);
   EXPECT_FALSE(none.anticipated_s);
-  EXPECT_NEAR(none.time.longer_than_s.value(), 3.0, 1e-12);
+  EXPECT_WITHIN(none.time.longer_than_s.value(), 3.0, 1e-12);
   const Reaction too_short = reaction(t, x, 9.0, {1.0, 0.0}, kLsb_N, Change::rise);
   EXPECT_FALSE(too_short.time.longer_than_s) << "nobody waited";
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::rate_test {
@@ -24,7 +25,7 @@ TEST(Rate, OfARampIsItsSlopeAtAnySampleAndRate) {
     const auto slopes = rate_of_change(ramp);
     ASSERT_TRUE(slopes);
     for (const double slope : test::every(slopes->values))
-      EXPECT_NEAR(slope, -7.0, 7.0 * kForgottenStart);
+      EXPECT_WITHIN(slope, -7.0, 7.0 * kForgottenStart);
   }
 }
 
@@ -39,8 +40,8 @@ TEST(Rate, OfASineIsThatOfTheFilteredSine) {
     const double expected =
         4.0 * rate_Hz * std::sin(omega / rate_Hz) / (1.0 + std::pow(warped, 4.0));
     constexpr double kSampledTop = 1e-2;  // the steepest point may lie between two samples
-    EXPECT_NEAR(peak_rate(t, x).value.value() / expected, 1.0, kSampledTop);
-    EXPECT_NEAR(peak_relaxation(t, x).value.value() / expected, 1.0, kSampledTop);
+    EXPECT_WITHIN(peak_rate(t, x).value.value() / expected, 1.0, kSampledTop);
+    EXPECT_WITHIN(peak_relaxation(t, x).value.value() / expected, 1.0, kSampledTop);
   }
 }
 
@@ -62,11 +63,11 @@ TEST(Rate, EarlyRateIsTheMeanRateOfTheFirst200Milliseconds) {
     const auto x = sampled(t, [](double s) { return 1.0 + 30.0 * std::max(0.0, s - 4.0); });
     const auto start = static_cast<std::size_t>(rate_Hz);
     constexpr double kRounding = 1e-9;
-    EXPECT_NEAR(early_rate(t, x, start).value.value(), 30.0, kRounding) << rate_Hz;
+    EXPECT_WITHIN(early_rate(t, x, start).value.value(), 30.0, kRounding) << rate_Hz;
   }
   const auto t = times(100);
   EXPECT_FALSE(early_rate(t, t, 85).value) << "150 ms are left";
-  EXPECT_NEAR(early_rate(t, t, 79).value.value(), 1.0, 1e-9) << "200 ms are left";
+  EXPECT_WITHIN(early_rate(t, t, 79).value.value(), 1.0, 1e-9) << "200 ms are left";
 }
 
 /// A ramp of `slope` with pauses from 1 to 1.6 s and from 3 to 3.4 s, and a stop of 60 ms at 4 s.
@@ -85,7 +86,7 @@ TEST(Rate, PausesAreCountedAndMeasuredInAnyUnitAndDirection) {
       const auto t = times(static_cast<std::size_t>(5.0 * rate_Hz), rate_Hz);
       const Pauses found = pauses(t, ramp_with_pauses(t, slope), slope);
       EXPECT_EQ(found.count.value, 2.0);
-      EXPECT_NEAR(found.mean_length_s.value.value(), 0.5, kSmoothing_s);
+      EXPECT_WITHIN(found.mean_length_s.value.value(), 0.5, kSmoothing_s);
     }
 }
 

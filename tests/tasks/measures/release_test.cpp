@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::release_test {
@@ -34,10 +35,10 @@ TEST(Release, AStraightFallHasItsClosedFormAtAnyRateOriginAndUnit) {
         const Release found = release(t, x, shift_s + kCue_s,
                                       {unit * kAsked_N, unit * 1.0, unit * 0.01, unit * kLsb_N});
         constexpr double kRounding_s = 1e-9;
-        EXPECT_NEAR(found.release.time_s.value.value(), 0.3 + 18.0 / 10.0, kRounding_s);
+        EXPECT_WITHIN(found.release.time_s.value.value(), 0.3 + 18.0 / 10.0, kRounding_s);
         EXPECT_GE(found.initiation.time.time_s.value.value(), 0.308 - kRounding_s);  // 2 LSB
         EXPECT_LE(found.initiation.time.time_s.value.value(), 0.308 + 1.0 / rate_Hz + kRounding_s);
-        EXPECT_NEAR(found.residual_N.value.value() / unit, 0.0, kRounding_s);
+        EXPECT_WITHIN(found.residual_N.value.value() / unit, 0.0, kRounding_s);
         const double fastest = found.fastest_N_per_s.value.value() / unit;
         constexpr double kOvershoot = 1.1;  // of the low-pass where the slope begins and ends
         EXPECT_GE(fastest, 10.0);
@@ -50,8 +51,8 @@ TEST(Release, ForceThatStaysIsResidualAndTheReleaseIsCensored) {
   const Release found = release(t, let_go(t, kCue_s + 0.3, 10.0, 4.0), kCue_s, kGrip);
   EXPECT_FALSE(found.release.time_s.value);
   EXPECT_EQ(found.release.time_s.reason, "not released");
-  EXPECT_NEAR(found.release.longer_than_s.value(), 7.0, 1e-12);
-  EXPECT_NEAR(found.residual_N.value.value(), 4.0, 1e-9);
+  EXPECT_WITHIN(found.release.longer_than_s.value(), 7.0, 1e-12);
+  EXPECT_WITHIN(found.residual_N.value.value(), 4.0, 1e-9);
   EXPECT_TRUE(found.initiation.time.time_s.value);
 }
 
@@ -59,7 +60,7 @@ TEST(Release, ResidualForceIsTheMeanOf200MillisecondsAroundTheFifthSecond) {
   const auto t = times(1000);
   auto x = let_go(t, kCue_s + 0.3, 100.0);
   for (std::size_t k = 790; k < 800; ++k) x[k] += 3.0;  // 7.9 to 8.0 s
-  EXPECT_NEAR(release(t, x, kCue_s, kGrip).residual_N.value.value(), 1.5, 1e-9);
+  EXPECT_WITHIN(release(t, x, kCue_s, kGrip).residual_N.value.value(), 1.5, 1e-9);
   const auto short_t = times(780);
   const auto short_x = let_go(short_t, kCue_s + 0.3, 100.0);
   const Release cut = release(short_t, short_x, kCue_s, kGrip);
@@ -74,7 +75,7 @@ TEST(Release, ARecordThatEndsInTheMiddleOfThatWindowHasItsMeanWhereverItsTimeBeg
       const auto x = let_go(t, t[cue_row] + 0.3, 10.0, 4.0);
       const Release found = release(t, x, t[cue_row], kGrip);
       ASSERT_TRUE(found.residual_N.value) << shift_s << " s, row " << cue_row;
-      EXPECT_NEAR(*found.residual_N.value, 4.0, 1e-9);
+      EXPECT_WITHIN(*found.residual_N.value, 4.0, 1e-9);
     }
 }
 
@@ -123,7 +124,7 @@ TEST(Release, AGripWasMadeFromHalfOfWhatWasAskedOnWhateverTheNoise) {
 TEST(Release, ToneAsHighAsWhatIsAskedIsNoGripUnlessMoreCanBeToldFromIt) {
   const auto t = times(1000);
   const AskedGrip weak{1.0, 1.5, 0.1, 0.02};
-  EXPECT_NEAR(weak.least_N(), 0.3, 1e-12);
+  EXPECT_WITHIN(weak.least_N(), 0.3, 1e-12);
   const auto held = [&](double held_N) { return std::vector<double>(t.size(), held_N); };
   EXPECT_FALSE(release(t, held(1.7), kCue_s, weak).grip_made.value());
   EXPECT_TRUE(release(t, held(1.9), kCue_s, weak).grip_made.value());

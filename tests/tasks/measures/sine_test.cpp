@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::sine_test {
@@ -23,7 +24,7 @@ TEST(Sine, GainIsTheRatioOfAmplitudesWhateverTheLagAndOffset) {
     const auto target = sampled(t, [&](double s) { return 20.0 - 10.0 * std::cos(omega * s); });
     const auto actual =
         sampled(t, [&](double s) { return 18.0 - 8.343 * std::cos(omega * (s - 0.2)); });
-    EXPECT_NEAR(gain(t, target, actual, 0.2).value.value(), 0.8343, kRounding);
+    EXPECT_WITHIN(gain(t, target, actual, 0.2).value.value(), 0.8343, kRounding);
   }
   const auto t = times(400);
   EXPECT_FALSE(gain(t, t, t, 0.2).value) << "less than one cycle";
@@ -45,10 +46,10 @@ TEST(Sines, EachSineIsFoundExactlyThoughNoneHasWholeCyclesAtAnyRate) {
     const auto t = times(static_cast<std::size_t>(23.4 * rate_Hz), rate_Hz, 3.0);
     const SinesFit fit = fit_sines(t, sampled(t, multisine), kFrequencies_Hz);
     ASSERT_EQ(fit.sines.size(), kFrequencies_Hz.size()) << fit.reason;
-    EXPECT_NEAR(fit.offset, 12.0, kRounding);
+    EXPECT_WITHIN(fit.offset, 12.0, kRounding);
     for (std::size_t i = 0; i < fit.sines.size(); ++i) {
-      EXPECT_NEAR(fit.sines[i].amplitude, 1.0 + static_cast<double>(i), kRounding);
-      EXPECT_NEAR(fit.sines[i].phase_rad, static_cast<double>(i), kRounding);
+      EXPECT_WITHIN(fit.sines[i].amplitude, 1.0 + static_cast<double>(i), kRounding);
+      EXPECT_WITHIN(fit.sines[i].phase_rad, static_cast<double>(i), kRounding);
     }
   }
 }
@@ -60,8 +61,8 @@ TEST(Sines, AtIrregularTimesTheFitIsTheSame) {
   const SinesFit fit = fit_sines(t, sampled(t, multisine), kFrequencies_Hz);
   constexpr double kRounding = 1e-11;
   ASSERT_EQ(fit.sines.size(), kFrequencies_Hz.size()) << fit.reason;
-  EXPECT_NEAR(fit.sines[2].amplitude, 3.0, kRounding);
-  EXPECT_NEAR(fit.sines[2].phase_rad, 2.0, kRounding);
+  EXPECT_WITHIN(fit.sines[2].amplitude, 3.0, kRounding);
+  EXPECT_WITHIN(fit.sines[2].phase_rad, 2.0, kRounding);
 }
 
 TEST(Sines, OneSineIsTheSingleFit) {
@@ -72,9 +73,9 @@ TEST(Sines, OneSineIsTheSingleFit) {
   ASSERT_TRUE(single);
   ASSERT_EQ(joint.sines.size(), 1u);
   constexpr double kRounding = 1e-12;
-  EXPECT_NEAR(joint.offset, single->offset, kRounding);
-  EXPECT_NEAR(joint.sines[0].amplitude, single->amplitude, kRounding);
-  EXPECT_NEAR(joint.sines[0].phase_rad, single->phase_rad, kRounding);
+  EXPECT_WITHIN(joint.offset, single->offset, kRounding);
+  EXPECT_WITHIN(joint.sines[0].amplitude, single->amplitude, kRounding);
+  EXPECT_WITHIN(joint.sines[0].phase_rad, single->phase_rad, kRounding);
 }
 
 TEST(Sines, ADelayIsTheSameLagAtEveryFrequencyAndAnyOriginOfTime) {
@@ -85,10 +86,10 @@ TEST(Sines, ADelayIsTheSameLagAtEveryFrequencyAndAnyOriginOfTime) {
       const auto actual = sampled(t, [&](double s) { return 0.8 * multisine(s - delay_s); });
       for (const SineAnswer& answer :
            test::every(sine_answers(t, sampled(t, multisine), actual, kFrequencies_Hz))) {
-        EXPECT_NEAR(answer.gain.value.value(), 0.8, kRounding);
-        EXPECT_NEAR(answer.lag_s.value.value(), delay_s, kRounding);
-        EXPECT_NEAR(answer.phase_rad.value.value(),
-                    -2.0 * std::numbers::pi * answer.frequency_Hz * delay_s, kRounding);
+        EXPECT_WITHIN(answer.gain.value.value(), 0.8, kRounding);
+        EXPECT_WITHIN(answer.lag_s.value.value(), delay_s, kRounding);
+        EXPECT_WITHIN(answer.phase_rad.value.value(),
+                      -2.0 * std::numbers::pi * answer.frequency_Hz * delay_s, kRounding);
       }
     }
 }
@@ -97,8 +98,8 @@ TEST(Sines, ALagIsKnownUpToWholeCycles) {
   const auto t = times(3000);
   const auto sine = [](double s) { return std::sin(2.0 * std::numbers::pi * 0.5 * s); };
   const auto late = sampled(t, [&](double s) { return sine(s - 1.7); });  // a cycle is 2 s
-  EXPECT_NEAR(sine_answers(t, sampled(t, sine), late, std::array{0.5})[0].lag_s.value.value(), -0.3,
-              1e-10);
+  EXPECT_WITHIN(sine_answers(t, sampled(t, sine), late, std::array{0.5})[0].lag_s.value.value(),
+                -0.3, 1e-10);
 }
 
 TEST(Sines, FrequenciesNeedAWholeCycleOfTheirDifference) {
@@ -120,7 +121,7 @@ TEST(Sines, WhatTheTargetDoesNotAskHasNoGainAndWhatIsNotAnsweredNoPhase) {
   const auto target =
       sampled(t, [](double s) { return std::sin(2.0 * std::numbers::pi * 0.2 * s); });
   const auto answers = sine_answers(t, target, target, std::array{0.2, 0.3});
-  EXPECT_NEAR(answers[0].gain.value.value(), 1.0, 1e-12);
+  EXPECT_WITHIN(answers[0].gain.value.value(), 1.0, 1e-12);
   EXPECT_FALSE(answers[1].gain.value);
   const std::vector<double> still(3000, 0.0);
   const auto unanswered = sine_answers(t, target, still, std::array{0.2});

@@ -11,6 +11,7 @@
 #include "core/fourier.hpp"
 #include "core/random.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::smoothness_test {
@@ -29,11 +30,11 @@ statistics::UniformSamples minimum_jerk() {
 }
 
 TEST(MeasuresSmoothness, SparcAndLdljReproduceThePublishedValues) {
-  EXPECT_NEAR(sparc(gaussian_bump()).value.value(), -1.41403, kPrintedDigits);
-  EXPECT_NEAR(ldlj(gaussian_bump()).value.value(), -5.81636, kPrintedDigits);
-  EXPECT_NEAR(-std::exp(-ldlj(gaussian_bump()).value.value()), -335.74684, kPrintedDigits);
-  EXPECT_NEAR(sparc(minimum_jerk()).value.value(), -1.40583, kPrintedDigits);
-  EXPECT_NEAR(ldlj(minimum_jerk()).value.value(), -5.30163, kPrintedDigits);
+  EXPECT_WITHIN(sparc(gaussian_bump()).value.value(), -1.41403, kPrintedDigits);
+  EXPECT_WITHIN(ldlj(gaussian_bump()).value.value(), -5.81636, kPrintedDigits);
+  EXPECT_WITHIN(-std::exp(-ldlj(gaussian_bump()).value.value()), -335.74684, kPrintedDigits);
+  EXPECT_WITHIN(sparc(minimum_jerk()).value.value(), -1.40583, kPrintedDigits);
+  EXPECT_WITHIN(ldlj(minimum_jerk()).value.value(), -5.30163, kPrintedDigits);
 }
 
 /// By its definition, from all lines of the padded spectrum.
@@ -68,7 +69,7 @@ TEST(MeasuresSmoothness, SparcIsItsDefinitionAtAnyLengthAndRate) {
         drift = 0.97 * drift + random.gaussian();
         speed.values.push_back(std::abs(drift) + 0.3 * random.uniform());
       }
-      EXPECT_NEAR(sparc(speed).value.value(), slow_sparc(speed), kRounding)
+      EXPECT_WITHIN(sparc(speed).value.value(), slow_sparc(speed), kRounding)
           << count << " at " << rate_Hz;
     }
 }
@@ -99,10 +100,10 @@ TEST(MeasuresSmoothness, AForceHasTheSmoothnessOfAMovementOfItsShapeUpOrDown) {
   statistics::UniformSamples down = up;
   for (double& value : down.values) value = 1.0 - value;
   constexpr double kDifferences = 1e-2;  // central differences instead of the speed itself
-  EXPECT_NEAR(sparc(rate_of(up)).value.value(), -1.40583, kDifferences);
+  EXPECT_WITHIN(sparc(rate_of(up)).value.value(), -1.40583, kDifferences);
   constexpr double kRounding = 1e-10;
-  EXPECT_NEAR(sparc(rate_of(up)).value.value(), sparc(rate_of(down)).value.value(), kRounding);
-  EXPECT_NEAR(ldlj(rate_of(up)).value.value(), ldlj(rate_of(down)).value.value(), 1e-6);
+  EXPECT_WITHIN(sparc(rate_of(up)).value.value(), sparc(rate_of(down)).value.value(), kRounding);
+  EXPECT_WITHIN(ldlj(rate_of(up)).value.value(), ldlj(rate_of(down)).value.value(), 1e-6);
 }
 
 TEST(MeasuresSmoothness, WithoutMovementThereIsAReasonAndNoValue) {
@@ -116,10 +117,10 @@ TEST(MeasuresSmoothness, IrregularTimesAreResampledAtTheMedianStepAndALineStaysA
   const auto x = sampled(t, [](double s) { return 2.0 + 3.0 * s; });
   const statistics::UniformSamples even = statistics::on_uniform_grid(t, x);
   constexpr double kRounding = 1e-12;
-  EXPECT_NEAR(even.step_s, 0.1, kRounding);
+  EXPECT_WITHIN(even.step_s, 0.1, kRounding);
   ASSERT_EQ(even.values.size(), 8u);
   for (std::size_t i = 0; i < even.values.size(); ++i)
-    EXPECT_NEAR(even.values[i], 2.0 + 3.0 * 0.1 * static_cast<double>(i), kRounding);
+    EXPECT_WITHIN(even.values[i], 2.0 + 3.0 * 0.1 * static_cast<double>(i), kRounding);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::spectrum_test {
@@ -33,9 +34,9 @@ TEST(Spectrum, PowerOfASineIsHalfItsSquaredAmplitudeAtEitherRate) {
   for (const double rate_Hz : {100.0, 500.0}) {
     const PowerSpectrum spectrum = welch(signal(rate_Hz, 60.0, wave));
     constexpr double kLeakage = 1e-4;  // of the window, and of the line through the sine
-    EXPECT_NEAR(band_power(spectrum, {4.0, 6.0}).value.value(), 0.5 * 0.64, kLeakage);
-    EXPECT_NEAR(band_share(spectrum, kTremorBand).value.value(), 100.0, 100.0 * kLeakage);
-    EXPECT_NEAR(band_share(spectrum, kFastTremorBand).value.value(), 0.0, 100.0 * kLeakage);
+    EXPECT_WITHIN(band_power(spectrum, {4.0, 6.0}).value.value(), 0.5 * 0.64, kLeakage);
+    EXPECT_WITHIN(band_share(spectrum, kTremorBand).value.value(), 100.0, 100.0 * kLeakage);
+    EXPECT_WITHIN(band_share(spectrum, kFastTremorBand).value.value(), 0.0, 100.0 * kLeakage);
   }
 }
 
@@ -55,7 +56,7 @@ TEST(Spectrum, AllFrequenciesTogetherAreThePowerOfTheWindowedSignal) {
     squares += w * w;
   }
   constexpr double kRounding = 1e-10;
-  EXPECT_NEAR(band_power(welch(one), {0.0, 50.0}).value.value(), power / squares, kRounding);
+  EXPECT_WITHIN(band_power(welch(one), {0.0, 50.0}).value.value(), power / squares, kRounding);
 }
 
 TEST(Spectrum, WhiteNoiseHasItsVarianceSpreadEvenly) {
@@ -71,19 +72,19 @@ TEST(Spectrum, SizeAndStartDoNotMatterForSharesAndAddingBandsAddsPower) {
   const PowerSpectrum spectrum = welch(noise);
   for (double& value : noise.values) value = 4.0 * value + 100.0;
   constexpr double kRounding = 1e-9;
-  EXPECT_NEAR(band_share(welch(noise), kSlowBand).value.value(),
-              band_share(spectrum, kSlowBand).value.value(), kRounding);
-  EXPECT_NEAR(band_power(spectrum, {2.0, 8.0}).value.value() +
-                  band_power(spectrum, {8.0, 12.0}).value.value(),
-              band_power(spectrum, {2.0, 12.0}).value.value(), kRounding);
+  EXPECT_WITHIN(band_share(welch(noise), kSlowBand).value.value(),
+                band_share(spectrum, kSlowBand).value.value(), kRounding);
+  EXPECT_WITHIN(band_power(spectrum, {2.0, 8.0}).value.value() +
+                    band_power(spectrum, {8.0, 12.0}).value.value(),
+                band_power(spectrum, {2.0, 12.0}).value.value(), kRounding);
 }
 
 TEST(Spectrum, PeakIsFoundBetweenTheLines) {
   const PowerSpectrum spectrum =
       welch(signal(100.0, 30.0, [](double t) { return sine(6.13, t) + 2.0 * sine(9.4, t); }));
   constexpr double kParabola_Hz = 0.005;
-  EXPECT_NEAR(peak_frequency(spectrum, kTremorBand).value.value(), 6.13, kParabola_Hz);
-  EXPECT_NEAR(peak_frequency(spectrum, kFastTremorBand).value.value(), 9.4, kParabola_Hz);
+  EXPECT_WITHIN(peak_frequency(spectrum, kTremorBand).value.value(), 6.13, kParabola_Hz);
+  EXPECT_WITHIN(peak_frequency(spectrum, kFastTremorBand).value.value(), 9.4, kParabola_Hz);
   EXPECT_EQ(peak_frequency(spectrum, {9.6, 9.9}).reason, "the spectrum has no peak in the band");
 }
 

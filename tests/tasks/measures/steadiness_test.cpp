@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::steadiness_test {
@@ -27,10 +28,10 @@ TEST(Steadiness, IsThatOfTheRippleWhateverTheDriftTheRateAndTheOriginOfTime) {
     for (const double origin_s : {0.0, 777.0}) {
       const auto t = times(static_cast<std::size_t>(10.0 * rate_Hz), rate_Hz, origin_s);
       const Steadiness found = steadiness(t, plateau(t), 0.001);
-      EXPECT_NEAR(found.sd.value.value(), 0.2 / std::numbers::sqrt2, kRippleInLine);
-      EXPECT_NEAR(found.cv_percent.value.value(), 2.0 / std::numbers::sqrt2, 10 * kRippleInLine);
-      EXPECT_NEAR(found.noise_floor_percent.value.value(), 0.01, 1e-4);
-      EXPECT_NEAR(found.fall_percent.value.value(), 20.0, 0.5);
+      EXPECT_WITHIN(found.sd.value.value(), 0.2 / std::numbers::sqrt2, kRippleInLine);
+      EXPECT_WITHIN(found.cv_percent.value.value(), 2.0 / std::numbers::sqrt2, 10 * kRippleInLine);
+      EXPECT_WITHIN(found.noise_floor_percent.value.value(), 0.01, 1e-4);
+      EXPECT_WITHIN(found.fall_percent.value.value(), 20.0, 0.5);
     }
 }
 

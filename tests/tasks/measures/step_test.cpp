@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/csv.hpp"
+#include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
 
 namespace isograsp::tasks::step_test {
@@ -52,12 +53,12 @@ TEST(StepResponse, StepResponsesMatchTheIndependentOracle) {
     const auto t = times(static_cast<std::size_t>(fields[0]));
     const auto y = sampled(t, c.y);
     const StepResponse response = step_response(t, y, 1.0);
-    EXPECT_NEAR(response.t10_s.value(), fields[1], kOracleTolerance) << c.name;
-    EXPECT_NEAR(response.t63_s.value(), fields[2], kOracleTolerance) << c.name;
-    EXPECT_NEAR(response.t90_s.value(), fields[3], kOracleTolerance) << c.name;
-    EXPECT_NEAR(response.rise10_90_s.value(), fields[4], kOracleTolerance) << c.name;
-    EXPECT_NEAR(response.overshoot, fields[5], kOracleTolerance) << c.name;
-    EXPECT_NEAR(response.settle2pct_s.value(), fields[8], kOracleTolerance) << c.name;
+    EXPECT_WITHIN(response.t10_s.value(), fields[1], kOracleTolerance) << c.name;
+    EXPECT_WITHIN(response.t63_s.value(), fields[2], kOracleTolerance) << c.name;
+    EXPECT_WITHIN(response.t90_s.value(), fields[3], kOracleTolerance) << c.name;
+    EXPECT_WITHIN(response.rise10_90_s.value(), fields[4], kOracleTolerance) << c.name;
+    EXPECT_WITHIN(response.overshoot, fields[5], kOracleTolerance) << c.name;
+    EXPECT_WITHIN(response.settle2pct_s.value(), fields[8], kOracleTolerance) << c.name;
   }
 }
 
@@ -69,10 +70,10 @@ TEST(StepResponse, AStepInEitherDirectionAndSizeHasTheSameResponse) {
   const StepResponse a = step_response(t, up, 1.0);
   const StepResponse b = step_response(t, down, -3.0);
   constexpr double kRounding = 1e-12;
-  EXPECT_NEAR(a.rise10_90_s.value(), b.rise10_90_s.value(), kRounding);
+  EXPECT_WITHIN(a.rise10_90_s.value(), b.rise10_90_s.value(), kRounding);
   EXPECT_EQ(a.settle2pct_s, b.settle2pct_s);
   constexpr double kLinearCrossing_s = 1e-3;  // straight lines through a curve sampled at 100 Hz
-  EXPECT_NEAR(a.rise10_90_s.value(), 0.4394, kLinearCrossing_s);
+  EXPECT_WITHIN(a.rise10_90_s.value(), 0.4394, kLinearCrossing_s);
 }
 
 TEST(StepResponse, ALevelThatIsNeverReachedHasNoTime) {
@@ -101,8 +102,8 @@ TEST(StepResponse, AFirstOrderAnswerSettlesAtTheReferenceTime) {
   const auto t = times(10000, 5000.0);
   const StepResponse response = step_response(t, sampled(t, first_order), 1.0);
   constexpr double kOneSample_s = 0.0002;
-  EXPECT_NEAR(response.rise10_90_s.value(), 0.4394, 0.5e-4);
-  EXPECT_NEAR(response.settle2pct_s.value(), 0.7824, kOneSample_s);
+  EXPECT_WITHIN(response.rise10_90_s.value(), 0.4394, 0.5e-4);
+  EXPECT_WITHIN(response.settle2pct_s.value(), 0.7824, kOneSample_s);
 }
 
 struct Levels {
@@ -121,10 +122,10 @@ TEST(CuedStep, AFirstOrderAnswerHasItsClosedFormUpAndDownAtAnyRateLevelAndCue) {
         const auto found = cued_step_response(t, x, {cue_s, level.from, level.to}, kLsb_N);
         // A straight line through one sample's curve is off by at most dt^2 / (8 tau).
         const double chord_s = 1.0 / (rate_Hz * rate_Hz) / (8.0 * 0.2) + 1e-9;
-        EXPECT_NEAR(found.t10.time_s.value.value(), 0.2 * std::log(1.0 / 0.9), chord_s);
-        EXPECT_NEAR(found.t63.time_s.value.value(), 0.2, chord_s);
-        EXPECT_NEAR(found.rise10_90_s.value.value(), 0.2 * std::log(9.0), chord_s);
-        EXPECT_NEAR(found.settling.time_s.value.value(), 0.2 * std::log(20.0), 1.0 / rate_Hz);
+        EXPECT_WITHIN(found.t10.time_s.value.value(), 0.2 * std::log(1.0 / 0.9), chord_s);
+        EXPECT_WITHIN(found.t63.time_s.value.value(), 0.2, chord_s);
+        EXPECT_WITHIN(found.rise10_90_s.value.value(), 0.2 * std::log(9.0), chord_s);
+        EXPECT_WITHIN(found.settling.time_s.value.value(), 0.2 * std::log(20.0), 1.0 / rate_Hz);
         EXPECT_EQ(found.overshoot_percent.value, 0.0);
         EXPECT_FALSE(found.peak_s.value);
       }
@@ -137,8 +138,8 @@ TEST(CuedStep, ASecondOrderAnswerHasTheReferenceOvershootAndPeakTime) {
     const auto found = cued_step_response(t, x, {2.0, 30.0, 30.0 + size}, kLsb_N);
     constexpr double kPrintedPercent = 0.005 + 1e-3;  // and the sampled top
     constexpr double kOneSample_s = 0.001;
-    EXPECT_NEAR(found.overshoot_percent.value.value(), 52.66, kPrintedPercent);
-    EXPECT_NEAR(found.peak_s.value.value(), 0.3206, kOneSample_s);
+    EXPECT_WITHIN(found.overshoot_percent.value.value(), 52.66, kPrintedPercent);
+    EXPECT_WITHIN(found.peak_s.value.value(), 0.3206, kOneSample_s);
   }
 }
 
@@ -147,7 +148,7 @@ TEST(CuedStep, ReactionIsThatOfThePatientsOwnLevelNotOfTheTarget) {
   const auto x = sampled(t, [](double s) { return 11.0 + 10.0 * first_order(s - 2.3); });
   const auto found = cued_step_response(t, x, {2.0, 10.0, 20.0}, kLsb_N);
   constexpr double kOneSample_s = 0.01;
-  EXPECT_NEAR(found.reaction.time.time_s.value.value(), 0.3, kOneSample_s + 0.002);
+  EXPECT_WITHIN(found.reaction.time.time_s.value.value(), 0.3, kOneSample_s + 0.002);
   EXPECT_EQ(found.t10.time_s.reason, "already there at the cue");
   EXPECT_FALSE(found.rise10_90_s.value);
 }
@@ -158,9 +159,9 @@ TEST(CuedStep, PassingThroughTheBandIsNotSettling) {
     return s < 0.5 ? 0.0 : s < 2.5 ? 10.0 - std::abs(10.0 * (s - 1.5)) : 5.0;
   });
   const auto found = cued_step_response(t, x, {0.5, 0.0, 5.0}, kLsb_N);
-  EXPECT_NEAR(found.settling.time_s.value.value(), 2.0, 1e-9);
-  EXPECT_NEAR(found.overshoot_percent.value.value(), 100.0, 1e-9);
-  EXPECT_NEAR(found.peak_s.value.value(), 1.0, 1e-9);
+  EXPECT_WITHIN(found.settling.time_s.value.value(), 2.0, 1e-9);
+  EXPECT_WITHIN(found.overshoot_percent.value.value(), 100.0, 1e-9);
+  EXPECT_WITHIN(found.peak_s.value.value(), 1.0, 1e-9);
 }
 
 TEST(CuedStep, WhatIsNotReachedIsCensoredAndWhatWasNotAskedIsNot) {
@@ -168,8 +169,8 @@ TEST(CuedStep, WhatIsNotReachedIsCensoredAndWhatWasNotAskedIsNot) {
   const auto x = sampled(t, [](double s) { return s < 2.0 ? 0.0 : 5.0; });
   const auto found = cued_step_response(t, x, {1.0, 0.0, 10.0}, kLsb_N);
   EXPECT_TRUE(found.t10.time_s.value);
-  EXPECT_NEAR(found.t63.longer_than_s.value(), 4.0, 1e-12);
-  EXPECT_NEAR(found.settling.longer_than_s.value(), 4.0, 1e-12);
+  EXPECT_WITHIN(found.t63.longer_than_s.value(), 4.0, 1e-12);
+  EXPECT_WITHIN(found.settling.longer_than_s.value(), 4.0, 1e-12);
   EXPECT_FALSE(found.rise10_90_s.value);
   const auto later = cued_step_response(t, x, {9.0, 0.0, 10.0}, kLsb_N);
   EXPECT_FALSE(later.t10.longer_than_s);

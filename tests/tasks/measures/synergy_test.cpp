@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::tasks::synergy_test {
 namespace {
@@ -37,8 +38,8 @@ Synergy of(const Eigen::MatrixXd& trials, const Eigen::VectorXd& jacobian) {
 TEST(Synergy, ThreeDigitsReachFromMinusThreeToOneAndAHalf) {
   for (const Eigen::Vector3d& jacobian :
        {Eigen::Vector3d(1.0, 1.0, 1.0), Eigen::Vector3d(0.03, -0.02, 0.05)}) {
-    EXPECT_NEAR(of(trials_of(1.0, 0.0, jacobian), jacobian).delta_v, -3.0, kRounding);
-    EXPECT_NEAR(of(trials_of(0.0, 1.0, jacobian), jacobian).delta_v, 1.5, kRounding);
+    EXPECT_WITHIN(of(trials_of(1.0, 0.0, jacobian), jacobian).delta_v, -3.0, kRounding);
+    EXPECT_WITHIN(of(trials_of(0.0, 1.0, jacobian), jacobian).delta_v, 1.5, kRounding);
   }
 }
 
@@ -46,8 +47,8 @@ TEST(Synergy, TheTransformIsThatOfTheRange) {
   const Eigen::Vector3d sum = Eigen::Vector3d::Ones();
   for (const double within : {0.2, 1.0, 3.0}) {
     const Synergy found = of(trials_of(1.0, within, sum), sum);
-    EXPECT_NEAR(found.delta_v_z, 0.5 * std::log((3.0 + found.delta_v) / (1.5 - found.delta_v)),
-                kRounding);
+    EXPECT_WITHIN(found.delta_v_z, 0.5 * std::log((3.0 + found.delta_v) / (1.5 - found.delta_v)),
+                  kRounding);
   }
 }
 
@@ -55,10 +56,10 @@ TEST(Synergy, VariancesAddUpAndOfTheResultIsThatOfTheSum) {
   const Eigen::Vector3d sum = Eigen::Vector3d::Ones();
   const Eigen::MatrixXd trials = trials_of(1.0, 2.0, sum);
   const Synergy found = of(trials, sum);
-  EXPECT_NEAR(2.0 * found.v_ucm + found.v_ort, 3.0 * found.v_tot, kRounding);
+  EXPECT_WITHIN(2.0 * found.v_ucm + found.v_ort, 3.0 * found.v_tot, kRounding);
   const Eigen::VectorXd total = trials.rowwise().sum();
   const double variance = (total.array() - total.mean()).square().sum() / 19.0;
-  EXPECT_NEAR(found.v_ort, variance / 3.0, kRounding);
+  EXPECT_WITHIN(found.v_ort, variance / 3.0, kRounding);
 }
 
 TEST(Synergy, FourFingersByHand) {
@@ -72,16 +73,16 @@ TEST(Synergy, FourFingersByHand) {
   }
   // Along (1, 1, 1, 1) / 2: +-1 in half of the trials, 8; all squares are 32; the rest is 24.
   const Synergy found = of(trials, Eigen::Vector4d::Ones());
-  EXPECT_NEAR(found.v_ort, 8.0 / 15.0, kRounding);
-  EXPECT_NEAR(found.v_ucm, 24.0 / 15.0 / 3.0, kRounding);
-  EXPECT_NEAR(found.delta_v, 0.0, kRounding);
+  EXPECT_WITHIN(found.v_ort, 8.0 / 15.0, kRounding);
+  EXPECT_WITHIN(found.v_ucm, 24.0 / 15.0 / 3.0, kRounding);
+  EXPECT_WITHIN(found.delta_v, 0.0, kRounding);
 }
 
 TEST(Synergy, NeitherTheMeanNorTheUnitNorTheScaleOfTheJacobianMatters) {
   const Eigen::Vector3d jacobian(1.0, 0.5, 2.0);
   const Eigen::MatrixXd trials = trials_of(1.0, 2.0, jacobian);
   const Eigen::MatrixXd moved = (1000.0 * trials).rowwise() + Eigen::RowVector3d(40.0, 0.0, -7.0);
-  EXPECT_NEAR(of(moved, -5.0 * jacobian).delta_v, of(trials, jacobian).delta_v, 1e-9);
+  EXPECT_WITHIN(of(moved, -5.0 * jacobian).delta_v, of(trials, jacobian).delta_v, 1e-9);
 }
 
 TEST(Synergy, FewTrialsOrConstantForcesHaveAReason) {

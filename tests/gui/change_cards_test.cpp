@@ -69,7 +69,7 @@ class ChangeForm : public QtTest {
     const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
     if (folder.isEmpty()) return;
     QDir().mkpath(folder);
-    QTest::qWait(30);
+    EXPECT_TRUE(laid_out(*panel_));
     EXPECT_TRUE(panel_->grab().save(QStringLiteral("%1/change_%2.png").arg(folder, state)));
   }
 

@@ -65,19 +65,18 @@ class FilledWindow : public QtTest {
       for (auto* tabs : pages.widget(i)->findChildren<QTabWidget*>())
         for (int tab = 0; tab < tabs->count(); ++tab) {
           tabs->setCurrentIndex(tab);
-          settle();
+          EXPECT_TRUE(laid_out(window));
           look(window, name + ", tab " + std::to_string(tab + 1));
         }
       for (auto* section : pages.widget(i)->findChildren<StepSection*>()) {
         section->open(true);
-        settle();
+        EXPECT_TRUE(laid_out(window));
         look(window,
              name + ", " + section->findChild<QAbstractButton*>()->objectName().toStdString());
         section->open(false);
       }
     }
   }
-  static void settle() { QTest::qWait(20); }
 
   TemporaryFolder folder_;
   std::string path_ = folder_.path("clinic.db");
@@ -148,7 +147,7 @@ TEST_P(EveryPage, CutsNoTextOff) {
   int seen = 0;
   on_every_page([&](QWidget& window, const std::string& page) {
     show_hidden_controls(*window.findChild<QStackedWidget*>("pages")->currentWidget());
-    settle();
+    EXPECT_TRUE(laid_out(window));
     EXPECT_LE(window.width(), 1280) << page;
     cut.merge(cut_texts(window, page, seen));
   });

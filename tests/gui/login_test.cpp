@@ -86,7 +86,7 @@ class LoginTest : public QtTest {
   void keep(const char* name) {
     const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
     if (folder.isEmpty()) return;
-    QTest::qWait(300);
+    EXPECT_TRUE(laid_out(windows_->therapist()));
     windows_->therapist().grab().save(QStringLiteral("%1/%2.png").arg(folder, QLatin1String(name)));
   }
 

@@ -66,9 +66,9 @@ TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
   for (const auto& contact : test::every(facts.scene->contacts)) {
     const auto finger = picture_for(facts).fingers[index_of(contact.finger)];
     EXPECT_WITHIN((pose.q.conjugate() * (finger.tip_W - pose.p) - contact.p_OC).norm(), 0.0,
-                kRounding_m);
+                  kRounding_m);
     EXPECT_WITHIN((pose.q.conjugate() * finger.axis_W - contact.R_OC.col(2)).norm(), 0.0,
-                kRounding_m);
+                  kRounding_m);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/rules/posture.hpp"
+#include "tests/support/within.hpp"
 
 namespace isograsp::gui::presentation_test {
 namespace {

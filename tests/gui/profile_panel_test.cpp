@@ -100,7 +100,7 @@ class ProfileForm : public QtTest {
     if (folder.isEmpty()) return;
     QDir().mkpath(folder);
     panel_->resize(width, height);
-    QTest::qWait(30);
+    EXPECT_TRUE(laid_out(*panel_));
     EXPECT_TRUE(
         panel_->grab().save(QStringLiteral("%1/profile_%2_%3.png").arg(folder, state).arg(width)));
   }
@@ -520,7 +520,7 @@ TEST_F(ProfileForm, FitsANarrowAndAWideWindow) {
     panel_->resize(width, 720);
     ASSERT_TRUE(wait_until([&] { return find<QWidget>("page").width() <= width; }, 5))
         << find<QWidget>("page").width() << " at " << width << ", window " << panel_->width();
-    QTest::qWait(30);
+    ASSERT_TRUE(laid_out(*panel_));
     for (auto* widget : every(panel_->findChildren<QWidget*>())) {
       if (!widget->isVisible() || widget->objectName().isEmpty()) continue;
       if (widget->objectName().startsWith("qt_")) continue;

@@ -64,4 +64,19 @@ inline bool wait_until(const std::function<bool()>& reached, int limit_s = 60) {
   return true;
 }
 
+/// Until the layouts are made: a round of events moves no widget of the window any more.
+inline bool laid_out(const QWidget& window) {
+  const auto places = [&] {
+    QList<QRect> all{window.geometry()};
+    for (const auto* widget : window.findChildren<QWidget*>()) all << widget->geometry();
+    return all;
+  };
+  return wait_until([&] {
+    const auto before = places();
+    QCoreApplication::sendPostedEvents();
+    QCoreApplication::processEvents();
+    return places() == before;
+  });
+}
+
 }  // namespace isograsp::gui::test

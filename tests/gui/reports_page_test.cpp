@@ -63,7 +63,7 @@ class ReportsPageTest : public QtTest {
     if (folder.isEmpty()) return;
     for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
       windows_->therapist().resize(size);
-      QTest::qWait(1500);
+      EXPECT_TRUE(laid_out(windows_->therapist()));
       windows_->therapist().grab().save(
           QStringLiteral("%1/%2_%3.png").arg(folder, QLatin1String(name)).arg(size.height()));
     }

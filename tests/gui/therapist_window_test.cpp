@@ -107,7 +107,7 @@ TEST_F(SessionWindow, TheQuestionOfAnInterruptedProtocolIsReadableOnASmallDispla
   operator_.press("screening_clear");
   ASSERT_TRUE(wait_until([&] { return presenter_.state().choices.interrupted.acts.has_value(); }));
   EXPECT_EQ(presenter_.flow().view().next(), Step::work) << "its step is open";
-  QTest::qWait(50);
+  ASSERT_TRUE(laid_out(window));
   for (const char* name : {"earlier_question", "earlier_go_on", "earlier_anew"}) {
     auto& part = operator_.find<QWidget>(name);
     EXPECT_TRUE(part.isVisible()) << name;

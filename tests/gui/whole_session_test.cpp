@@ -73,14 +73,14 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   operator_.run_task();
   EXPECT_EQ(presenter.flow().view().next(), Step::work);
   operator_.start_task();
-  QTest::qWait(2000);
-  EXPECT_FALSE(presenter.state().live_score().empty()) << "the score is live";
+  ASSERT_TRUE(wait_until([&] { return !presenter.state().live_score().empty(); }))
+      << "the score is live";
   keep_picture("tracking");
   operator_.press("pause");
   ASSERT_TRUE(
       wait_until([&] { return presenter.state().snapshot().stage == session::Stage::paused; }));
-  EXPECT_EQ(presenter.patient_view().picture().notice, PatientPicture::Notice::pause);
-  QTest::qWait(100);
+  EXPECT_TRUE(wait_until(
+      [&] { return presenter.patient_view().picture().notice == PatientPicture::Notice::pause; }));
   keep_picture("paused");
   operator_.press("pause");  // now Resume
   operator_.finish_task();
@@ -91,8 +91,8 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   operator_.choose_task("pose_targets");
   operator_.start_task();
   ASSERT_TRUE(wait_until([&] { return presenter.state().snapshot().grasp.contact[0]; }));
-  QTest::qWait(200);
-  EXPECT_EQ(presenter.patient_view().picture().page, PatientPicture::Page::object);
+  EXPECT_TRUE(wait_until(
+      [&] { return presenter.patient_view().picture().page == PatientPicture::Page::object; }));
   keep_picture("object");
   operator_.press("stop");
   operator_.finish_task();
@@ -277,9 +277,10 @@ TEST_F(WholeSession, ASilentSensorPausesTheTrialOnBothScreens) {
   operator_.start_task();
   ASSERT_TRUE(
       wait_until([&] { return presenter.state().snapshot().stage == session::Stage::paused; }));
-  QTest::qWait(100);
-  EXPECT_EQ(presenter.patient_view().picture().notice, PatientPicture::Notice::fault);
-  EXPECT_EQ(presenter.flow().view().mood, Mood::fault) << presenter.flow().view().sentence;
+  EXPECT_TRUE(wait_until(
+      [&] { return presenter.patient_view().picture().notice == PatientPicture::Notice::fault; }));
+  EXPECT_TRUE(wait_until([&] { return presenter.flow().view().mood == Mood::fault; }))
+      << presenter.flow().view().sentence;
   EXPECT_FALSE(operator_.find<QLabel>("sentence").text().isEmpty());
   keep_picture("fault");
 }

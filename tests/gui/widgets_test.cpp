@@ -275,7 +275,7 @@ TEST_F(TherapistWindowTest, AnAbsentDeviceIsRefusedInWords) {
 TEST_F(TherapistWindowTest, NothingIsCutOffAtTheSmallestSize) {
   auto& window = windows_.therapist();
   window.resize(1280, 720);
-  QTest::qWait(50);
+  ASSERT_TRUE(laid_out(window));
   for (auto* button : every(window.findChildren<QPushButton*>())) {
     if (!button->isVisible()) continue;
     EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();

@@ -78,7 +78,7 @@ TEST(PoseTracking, TheTargetIsItsWaveformInEveryDegreeOfFreedomAtEveryRate) {
       const double t_s = std::max(0.0, static_cast<double>(k) / rate_Hz - spec.lead_in_s);
       for (int axis = 0; axis < 3; ++axis)
         ASSERT_WITHIN(views[k].X_WT.p[axis], value(spec.axes[static_cast<std::size_t>(axis)], t_s),
-                    kRounding);
+                      kRounding);
       ASSERT_WITHIN(angle_about(views[k].X_WT.q, 2), value(spec.axes[3], t_s), kRounding);
       ASSERT_TRUE(views[k].pose_target_shown);
       ASSERT_EQ(views[k].cue, Cue::move);

@@ -7,27 +7,23 @@
 #include <benchmark/benchmark.h>
 
 #include "core/csv.hpp"
-#include "session/protocol/protocol_run.hpp"
 #include "storage/access/open_store.hpp"
 #include "tasks/measures/delay.hpp"
 #include "tasks/measures/regularity.hpp"
 #include "tasks/measures/smoothness.hpp"
 #include "tasks/measures/spectrum.hpp"
 #include "tasks/score.hpp"
+#include "tests/session/whole_session.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp {
 
 namespace {
 
+using test::must;
+
 constexpr std::size_t kRows = 30'000;
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
-
-template <class T>
-T value_or_throw(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message());
-  return std::move(*result);
-}
 
 /// A task file of at least five minutes.
 std::string task_text(const std::string& kind) {
@@ -89,21 +85,12 @@ Trial recorded(const std::string& kind) {
       "[[step]]\nkind = \"instrument_zero\"\n";
   for (const char* task : {"resting_force.toml", "maximum_grip.toml", "long.toml"})
     steps += "[[step]]\nkind = \"task\"\ntask = \"" + std::string(task) + "\"\n";
-  const auto protocol =
-      value_or_throw(session::read_protocol(folder.write("p.toml", steps), kLibrary));
-  session::SessionConfig config;
-  config.database = folder.path("bench.db");
-  config.create_database = true;
-  config.patient_code = "BENCH-1";
-  config.device_uri = "sim://healthy?seed=7";
-  config.library = kLibrary;
-  config.virtual_time = true;
-  const auto session = value_or_throw(session::Session::open(config));
-  const auto result = value_or_throw(session::run_protocol(*session, protocol, [](const auto&) {}));
-  session->close();
-  const auto store = value_or_throw(storage::open_store_to_read(config.database));
-  return {protocol.tasks.back().front(),
-          first_rows(value_or_throw(store->signals(result.trials.back().trial)))};
+  const test::WholeSession whole{folder.path("bench.db"), "BENCH-1", "sim://healthy?seed=7",
+                                 folder.write("p.toml", steps)};
+  const auto result = run_whole(whole);
+  const auto store = must(storage::open_store_to_read(whole.database));
+  return {must(tasks::parse_task(task_text(kind), "long.toml")),
+          first_rows(must(store->signals(result.trials.back().trial)))};
 }
 
 const Trial& trial_of(const std::string& kind) {
@@ -158,7 +145,7 @@ void read_all_pairs(benchmark::State& bench) {
   const test::TemporaryFolder folder;
   const std::string path = folder.path("pairs.csv");
   if (!write_signals(pairs(), path)) throw std::runtime_error("cannot write " + path);
-  for (auto _ : bench) benchmark::DoNotOptimize(value_or_throw(read_signals(path)));
+  for (auto _ : bench) benchmark::DoNotOptimize(must(read_signals(path)));
 }
 BENCHMARK(read_all_pairs)->Unit(benchmark::kMillisecond);
 

@@ -8,19 +8,16 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 #include "tests/fuzz/support.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace isograsp;
 
 namespace {
 
-constexpr std::size_t kRows = 20;
+using test::must;
 
-template <class T>
-T must(Result<T> result) {
-  fuzz::require(result.ok(), "the sound file can be made");
-  return *std::move(result);
-}
+constexpr std::size_t kRows = 20;
 
 double value_at(std::size_t column, std::size_t row) {
   return 0.01 * static_cast<double>(row) - static_cast<double>(column);

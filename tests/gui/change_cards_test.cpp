@@ -2,7 +2,6 @@
 // Primary measures and stable times in the form about a patient.
 #include "gui/record_pages/change_cards.hpp"
 
-#include <QDir>
 #include <QSignalSpy>
 #include <QTableWidget>
 
@@ -37,12 +36,7 @@ class ChangeForm : public QtTest {
 
   template <class Widget>
   Widget& find(const char* name) const {
-    auto* widget = panel_->findChild<Widget*>(name);
-    if (widget == nullptr) {
-      ADD_FAILURE() << "no widget is called " << name;
-      std::abort();
-    }
-    return *widget;
+    return widget_called<Widget>(name, *panel_);
   }
   void type(const char* name, const QString& text) const {
     auto& line = find<QLineEdit>(name);
@@ -66,11 +60,7 @@ class ChangeForm : public QtTest {
     return reader->stable_periods(reader->find_patient("P-1").value()->id).value();
   }
   void take_picture(const char* state) const {
-    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    QDir().mkpath(folder);
-    EXPECT_TRUE(laid_out(*panel_));
-    EXPECT_TRUE(panel_->grab().save(QStringLiteral("%1/change_%2.png").arg(folder, state)));
+    keep_picture(*panel_, QStringLiteral("change_%1").arg(state));
   }
 
   TemporaryFolder folder_;

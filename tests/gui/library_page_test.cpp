@@ -133,18 +133,7 @@ class LibraryPageTest : public QtTest {
     operator_->press("library_save");
     ASSERT_TRUE(wait_until([&] { return remark().startsWith("Saved"); })) << remark().toStdString();
   }
-  /// A picture of the window, where pictures are asked for.
-  void keep(const char* name) {
-    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
-      windows_->therapist().resize(size);
-      EXPECT_TRUE(laid_out(windows_->therapist()));
-      windows_->therapist().grab().save(
-          QStringLiteral("%1/%2_%3.png").arg(folder, QLatin1String(name)).arg(size.height()));
-    }
-    windows_->therapist().resize(1280, 720);
-  }
+  void keep(const char* name) { keep_pictures_of_both_sizes(windows_->therapist(), name); }
   [[nodiscard]] QString remark() { return operator_->find<QLabel>("library_remark").text(); }
   [[nodiscard]] bool session_offers(const std::string& name) {
     const auto& tasks = windows_->presenter().state().library.tasks;

@@ -82,13 +82,7 @@ class LoginTest : public QtTest {
     ASSERT_FALSE(windows_->staff().closed())
         << operator_->find<QLabel>("login_problem").text().toStdString();
   }
-  /// A picture of the window, where pictures are asked for.
-  void keep(const char* name) {
-    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    EXPECT_TRUE(laid_out(windows_->therapist()));
-    windows_->therapist().grab().save(QStringLiteral("%1/%2.png").arg(folder, QLatin1String(name)));
-  }
+  void keep(const char* name) { keep_picture(windows_->therapist(), name); }
 
   TemporaryFolder folder_;
   std::string database_ = folder_.path("clinic.db");

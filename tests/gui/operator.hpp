@@ -28,12 +28,7 @@ class Operator {
 
   template <class Widget>
   [[nodiscard]] Widget& find(const char* name) const {
-    auto* widget = windows_.therapist().findChild<Widget*>(name);
-    if (widget == nullptr) {
-      ADD_FAILURE() << "no widget is called " << name;
-      std::abort();
-    }
-    return *widget;
+    return widget_called<Widget>(name, windows_.therapist());
   }
 
   /// Waits until the button can be pressed, then presses it with the mouse.

@@ -47,12 +47,7 @@ class PatientPageTest : public QtTest {
   }
   template <class Widget>
   Widget& find(const char* name) {
-    auto* widget = page_->findChild<Widget*>(name);
-    if (widget == nullptr) {
-      ADD_FAILURE() << "no widget is called " << name;
-      std::abort();
-    }
-    return *widget;
+    return widget_called<Widget>(name, *page_);
   }
   [[nodiscard]] static QString all_text(const QTableWidget& table) {
     QStringList texts;

@@ -4,7 +4,6 @@
 #include "gui/record_pages/profile_panel.hpp"
 
 #include <QComboBox>
-#include <QDir>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -59,12 +58,7 @@ class ProfileForm : public QtTest {
   }
   template <class Widget>
   Widget& find(const char* name) const {
-    auto* widget = panel_->findChild<Widget*>(name);
-    if (widget == nullptr) {
-      ADD_FAILURE() << "no widget is called " << name;
-      std::abort();
-    }
-    return *widget;
+    return widget_called<Widget>(name, *panel_);
   }
   void press(const char* name) const {
     auto& button = find<QPushButton>(name);
@@ -96,13 +90,9 @@ class ProfileForm : public QtTest {
   }
 
   void take_picture(int width, int height, const char* state) const {
-    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    QDir().mkpath(folder);
+    if (qEnvironmentVariableIsEmpty("ISOGRASP_TEST_PICTURES")) return;
     panel_->resize(width, height);
-    EXPECT_TRUE(laid_out(*panel_));
-    EXPECT_TRUE(
-        panel_->grab().save(QStringLiteral("%1/profile_%2_%3.png").arg(folder, state).arg(width)));
+    keep_picture(*panel_, QStringLiteral("profile_%1_%2").arg(state).arg(width));
   }
 
   /// Another program's look at the file.

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <QApplication>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QTest>
+#include <QWidget>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -64,6 +66,17 @@ inline bool wait_until(const std::function<bool()>& reached, int limit_s = 60) {
   return true;
 }
 
+/// The widget of that name; without one nothing can go on.
+template <class Widget>
+[[nodiscard]] Widget& widget_called(const char* name, const QWidget& in) {
+  auto* widget = in.findChild<Widget*>(name);
+  if (widget == nullptr) {
+    ADD_FAILURE() << "no widget is called " << name;
+    std::abort();
+  }
+  return *widget;
+}
+
 /// Until the layouts are made: a round of events moves no widget of the window any more.
 inline bool laid_out(const QWidget& window) {
   const auto places = [&] {
@@ -77,6 +90,23 @@ inline bool laid_out(const QWidget& window) {
     QCoreApplication::processEvents();
     return places() == before;
   });
+}
+
+/// A picture of the widget, where pictures are asked for: in the folder ISOGRASP_TEST_PICTURES.
+inline void keep_picture(QWidget& widget, const QString& name) {
+  const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
+  if (folder.isEmpty()) return;
+  QDir().mkpath(folder);
+  EXPECT_TRUE(laid_out(widget));
+  EXPECT_TRUE(widget.grab().save(folder + "/" + name + ".png"));
+}
+inline void keep_pictures_of_both_sizes(QWidget& window, const QString& name) {
+  if (qEnvironmentVariableIsEmpty("ISOGRASP_TEST_PICTURES")) return;
+  for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+    window.resize(size);
+    keep_picture(window, QStringLiteral("%1_%2").arg(name).arg(size.height()));
+  }
+  window.resize(1280, 720);
 }
 
 }  // namespace isograsp::gui::test

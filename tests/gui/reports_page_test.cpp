@@ -57,18 +57,7 @@ class ReportsPageTest : public QtTest {
     Q_EMIT list.activated(index);
   }
   void show_tab(int index) { operator_->find<QTabWidget>("report_tabs").setCurrentIndex(index); }
-  /// A picture of the window, where pictures are asked for.
-  void keep(const char* name) {
-    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
-    if (folder.isEmpty()) return;
-    for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
-      windows_->therapist().resize(size);
-      EXPECT_TRUE(laid_out(windows_->therapist()));
-      windows_->therapist().grab().save(
-          QStringLiteral("%1/%2_%3.png").arg(folder, QLatin1String(name)).arg(size.height()));
-    }
-    windows_->therapist().resize(1280, 720);
-  }
+  void keep(const char* name) { keep_pictures_of_both_sizes(windows_->therapist(), name); }
 
   static inline std::unique_ptr<TemporaryFolder> made_;
   TemporaryFolder folder_;

@@ -3,7 +3,6 @@
 // this program is built with what it makes (see CMakeLists.txt). The contract of all devices,
 // compiled into it too, then holds for the new family unasked.
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -25,31 +24,16 @@
 namespace isograsp::new_family_test {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 TEST(NewFamily, IsNewFilesAndOneRow) {
-  const auto patch = read_text(ISOGRASP_SOURCE_DIR "/tests/new_family/triax.patch");
-  const auto lists = read_text(ISOGRASP_PATCHED_TREE "/device/CMakeLists.txt");
-  ASSERT_TRUE(patch.ok() && lists.ok());
-  int new_files = 0;
-  for (const auto& [file, change] : test::every(test::changes_of(*patch))) {
-    EXPECT_EQ(change.removed, 0) << file;
-    if (change.new_file) {
-      ++new_files;
-      EXPECT_FALSE(fs::exists(fs::path(ISOGRASP_SOURCE_DIR) / file)) << file;
-      if (file.ends_with(".cpp")) {
-        EXPECT_NE(lists->find(file.substr(file.find('/') + 1)), std::string::npos) << file;
-      }
-    } else if (file == "device/family/families.cpp") {
-      EXPECT_EQ(change.added,
-                (std::vector<std::string>{"#include \"device/config/triax_sensor.hpp\"",
-                                          "    &kTriaxFamily,"}));
-    } else {
-      EXPECT_EQ(file, "device/CMakeLists.txt") << "beside the table, the list of sources alone";
-    }
-  }
-  EXPECT_EQ(new_files, 9);
+  test::expect_new_files_and_one_row(
+      {ISOGRASP_SOURCE_DIR "/tests/new_family/triax.patch",
+       "device/family/families.cpp",
+       {"#include \"device/config/triax_sensor.hpp\"", "    &kTriaxFamily,"},
+       "device/CMakeLists.txt",
+       9},
+      ISOGRASP_PATCHED_TREE);
 }
 
 TEST(NewFamily, IsKnownByItsName) {

@@ -2,7 +2,6 @@
 // Adding a kind of task takes new files and one row of the table: pulses.patch does it, and this
 // program is built with what it makes (see CMakeLists.txt). The contract of all kinds, compiled
 // into it too, then holds for the new kind unasked.
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,6 @@
 #include "tasks/facts/measure_words.hpp"
 #include "tasks/kinds/force/pulses.hpp"
 #include "tasks/score.hpp"
-#include "tests/support/every.hpp"
 #include "tests/support/patch_changes.hpp"
 #include "tests/support/within.hpp"
 #include "tests/tasks/kinds/force_play.hpp"
@@ -20,29 +18,14 @@
 namespace isograsp::tasks::new_kind_test {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST(NewKind, IsNewFilesAndOneRow) {
-  const auto patch = read_text(ISOGRASP_SOURCE_DIR "/tests/new_kind/pulses.patch");
-  const auto lists = read_text(ISOGRASP_PATCHED_TREE "/tasks/CMakeLists.txt");
-  ASSERT_TRUE(patch.ok() && lists.ok());
-  int new_files = 0;
-  for (const auto& [file, change] : test::every(test::changes_of(*patch))) {
-    EXPECT_EQ(change.removed, 0) << file;
-    if (change.new_file) {
-      ++new_files;
-      EXPECT_FALSE(fs::exists(fs::path(ISOGRASP_SOURCE_DIR) / file)) << file;
-      if (file.ends_with(".cpp")) {
-        EXPECT_NE(lists->find(file.substr(file.find('/') + 1)), std::string::npos) << file;
-      }
-    } else if (file == "tasks/kinds/kinds.cpp") {
-      EXPECT_EQ(change.added, (std::vector<std::string>{"#include \"tasks/kinds/force/pulses.hpp\"",
-                                                        "    &PulsesSpec::kFacts,"}));
-    } else {
-      EXPECT_EQ(file, "tasks/CMakeLists.txt") << "beside the table, the list of sources alone";
-    }
-  }
-  EXPECT_EQ(new_files, 3) << "spec, facts, and a task of the library";
+  test::expect_new_files_and_one_row(
+      {ISOGRASP_SOURCE_DIR "/tests/new_kind/pulses.patch",
+       "tasks/kinds/kinds.cpp",
+       {"#include \"tasks/kinds/force/pulses.hpp\"", "    &PulsesSpec::kFacts,"},
+       "tasks/CMakeLists.txt",
+       3},  // spec, facts, and a task of the library
+      ISOGRASP_PATCHED_TREE);
 }
 
 Result<TaskSpec> pulses(const std::string& keys) {

@@ -13,6 +13,7 @@
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tasks/task_spec.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::test {
 
@@ -21,13 +22,6 @@ namespace {
 constexpr double kRate_Hz = 100.0;
 constexpr double kPi = std::numbers::pi;
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-
-std::string library_task(const std::string& name) {
-  std::ifstream file(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/" + name);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 struct Row {
   tasks::Phase phase = tasks::Phase::active;
@@ -248,19 +242,17 @@ storage::RowId add_session(storage::SessionStore& store, const std::string& code
   Writer writer(store, *id, demo);
   const double seed = 7.0 * demo.skill + 3.0;
   const double maximum_N = 9.0 + 11.0 * demo.skill;
-  writer.add(library_task("resting_force.toml"), rest_rows(seed), false);
-  writer.add(library_task("maximum_grip.toml"), maximum_rows(maximum_N * 0.94, seed), false);
-  writer.add(library_task("maximum_grip.toml"), maximum_rows(maximum_N, seed + 1.0), false);
-  writer.add(library_task("grip_sine.toml"), sine_rows(maximum_N, 0.0, seed), true);
-  writer.add(library_task("grip_sine.toml"), sine_rows(maximum_N, demo.skill, seed), false);
-  writer.add(library_task("grip_sine.toml"), sine_rows(maximum_N, demo.skill + 0.15, seed + 1.0),
-             false);
-  const auto text = library_task("two_target.toml");
-  const auto spec = tasks::parse_task(text, "two_target.toml");
-  EXPECT_TRUE(spec.ok());
-  writer.add(text, pose_rows(spec->kind.as<tasks::PoseTargetsSpec>(), demo.skill, seed), false);
+  writer.add(library_task_text("resting_force.toml"), rest_rows(seed), false);
+  writer.add(library_task_text("maximum_grip.toml"), maximum_rows(maximum_N * 0.94, seed), false);
+  writer.add(library_task_text("maximum_grip.toml"), maximum_rows(maximum_N, seed + 1.0), false);
+  writer.add(library_task_text("grip_sine.toml"), sine_rows(maximum_N, 0.0, seed), true);
+  writer.add(library_task_text("grip_sine.toml"), sine_rows(maximum_N, demo.skill, seed), false);
+  writer.add(library_task_text("grip_sine.toml"),
+             sine_rows(maximum_N, demo.skill + 0.15, seed + 1.0), false);
+  const auto spec = library_task("two_target.toml");
+  writer.add(spec.text, pose_rows(spec.kind.as<tasks::PoseTargetsSpec>(), demo.skill, seed), false);
   if (demo.with_faults)
-    writer.add(library_task("grip_sine.toml"), sine_rows(maximum_N, demo.skill, seed), false,
+    writer.add(library_task_text("grip_sine.toml"), sine_rows(maximum_N, demo.skill, seed), false,
                storage::TrialStatus::aborted);
   EXPECT_TRUE(store.end_session(*id).ok());
   return *id;

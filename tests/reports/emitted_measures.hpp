@@ -31,16 +31,9 @@
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::test {
-
-/// A task of this kind, else as it is by default.
-template <class Kind>
-tasks::TaskSpec spec_of(Kind kind) {
-  tasks::TaskSpec spec;
-  spec.kind = std::move(kind);
-  return spec;
-}
 
 inline std::vector<tasks::TaskSpec> force_tasks() {
   tasks::MaximumSpec opening;

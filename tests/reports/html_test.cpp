@@ -8,9 +8,9 @@
 #include "reports/findings/report_text.hpp"
 #include "reports/paper/html_parts.hpp"
 #include "reports/paper/html_writer.hpp"
-#include "reports/paper/qt_application.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::reports::html_test {
@@ -19,10 +19,7 @@ namespace {
 constexpr const char* kHostile = "</style><script>alert(1)</script><img src=x onerror=alert(2)>";
 
 struct Html : testing::Test {
-  void SetUp() override {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    ensure_qt_application();
-  }
+  void SetUp() override { test::draw_without_a_display(); }
   static void expect_only_text(const std::string& html) {
     EXPECT_EQ(html.find("<script"), std::string::npos);
     EXPECT_EQ(html.find("<img"), std::string::npos);

@@ -12,10 +12,10 @@
 #include "reports/paper/pdf_content.hpp"
 #include "reports/paper/plots.hpp"
 #include "reports/paper/plotting.hpp"
-#include "reports/paper/qt_application.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/reports/painted_page.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -24,13 +24,10 @@ namespace {
 
 using test::painted;
 
-class Layout : public testing::Test {
+class Layout : public test::PaperTest {
  protected:
   static void SetUpTestSuite() {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    ensure_qt_application();
-    folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
+    open_clinic();
     test::add_course(*store_, "TK-104", true);
     const storage::RowId id = store_->find_patient("TK-104")->value().id;
     ASSERT_TRUE(store_
@@ -38,10 +35,6 @@ class Layout : public testing::Test {
                                        "Hold a cup of tea without spilling"})
                     .ok());
     ASSERT_TRUE(store_->add_clinical_score(id, {0, "2026-03-01", "ARAT", 31.0, ""}).ok());
-  }
-  static void TearDownTestSuite() {
-    store_.reset();
-    folder_.reset();
   }
 
   /// All that can make a page full: verdicts with wide limits, treatments close together, norms.
@@ -71,9 +64,6 @@ class Layout : public testing::Test {
                           {5, "2026-03-24", "other", ""}};
     return content;
   }
-
-  static inline std::unique_ptr<test::TemporaryFolder> folder_;
-  static inline std::unique_ptr<storage::SessionStore> store_;
 };
 
 std::string joined(const std::vector<QString>& lines) {

@@ -15,31 +15,20 @@
 #include "reports/findings/practice_dose.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/support/made_up.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/within.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::reports::limits_test {
 namespace {
 
+using test::library_task_text;
+using test::must;
+
 namespace fs = std::filesystem;
 constexpr double kRounding = 1e-12;
 constexpr double kNormal975 = 1.959964;
-
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message());
-  return std::move(result).value();
-}
-void must(const Result<void>& result) {
-  if (!result) throw std::runtime_error(result.error().message());
-}
-
-std::string library_task(const std::string& name) {
-  std::ifstream file(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/" + name);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::vector<ComponentDay> days(std::initializer_list<double> values) {
   std::vector<ComponentDay> all;
@@ -78,8 +67,7 @@ TEST(Training, EveryComponentLeadsToATaskOfTheLibrary) {
   for (const auto& entry :
        fs::directory_iterator(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks"))
     if (entry.path().extension() == ".toml")
-      names.insert(
-          must(tasks::parse_task(library_task(entry.path().filename()), entry.path())).name);
+      names.insert(test::library_task(entry.path().filename()).name);
   for (std::size_t i = 0; i < kComponentCount; ++i) {
     const auto component = static_cast<Component>(i);
     EXPECT_TRUE(names.contains(std::string(training_for(component)))) << name_of(component);
@@ -105,9 +93,7 @@ TEST(CompassPoints, OfALeftHandAreTheMirrorImageOfARight) {
 }
 
 TEST(Repetitions, AreTheEffortsThatATaskAsksFor) {
-  const auto of = [](const char* file) {
-    return must(tasks::parse_task(library_task(file), file)).repetitions();
-  };
+  const auto of = [](const char* file) { return test::library_task(file).repetitions(); };
   EXPECT_EQ(of("resting_force.toml"), 0);
   EXPECT_EQ(of("maximum_grip.toml"), 1);
   EXPECT_EQ(of("directional_maxima.toml"), 18);
@@ -152,7 +138,7 @@ class Limits : public testing::Test {
       storage::TrialRecord trial;
       trial.session_id = id;
       trial.number = ++number;
-      trial.task_text = library_task(file);
+      trial.task_text = library_task_text(file);
       trial.task_name = must(tasks::parse_task(trial.task_text, file)).name;
       trial.groups = {{"task", {"t_s", "actual_force_N"}}};
       trial.id = must(store_->begin_trial(trial));

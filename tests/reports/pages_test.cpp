@@ -12,12 +12,12 @@
 #include "reports/findings/progress_report.hpp"
 #include "reports/findings/report_text.hpp"
 #include "reports/paper/pdf_writer.hpp"
-#include "reports/paper/qt_application.hpp"
 #include "reports/paper/report_pages.hpp"
 #include "reports/paper/report_writer.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/reports/painted_page.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/files_below.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -28,19 +28,12 @@ namespace {
 namespace fs = std::filesystem;
 using test::files_below;
 
-class Pages : public testing::Test {
+class Pages : public test::PaperTest {
  protected:
   static void SetUpTestSuite() {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    ensure_qt_application();
-    folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
+    open_clinic();
     test::add_course(*store_, "TK-104", false);
     test::add_course(*store_, "TK-105", true);
-  }
-  static void TearDownTestSuite() {
-    store_.reset();
-    folder_.reset();
   }
 
   static ReportContent content(const ReportScope& scope = {}, const char* code = "TK-104") {
@@ -58,9 +51,6 @@ class Pages : public testing::Test {
       for (int x = 0; x < image.width(); ++x) dark += qGray(image.pixel(x, y)) < 250 ? 1 : 0;
     return static_cast<double>(dark) / (image.width() * image.height());
   }
-
-  static inline std::unique_ptr<test::TemporaryFolder> folder_;
-  static inline std::unique_ptr<storage::SessionStore> store_;
 };
 
 TEST_F(Pages, OfThePreviewAreAsManyAsThoseOfThePdf) {

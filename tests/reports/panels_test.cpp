@@ -13,9 +13,9 @@
 #include "reports/paper/panel.hpp"
 #include "reports/paper/pdf_writer.hpp"
 #include "reports/paper/plots.hpp"
-#include "reports/paper/qt_application.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/within.hpp"
@@ -36,13 +36,10 @@ std::string bare(const std::string& text) {
   return result;
 }
 
-class Panels : public testing::Test {
+class Panels : public test::PaperTest {
  protected:
   static void SetUpTestSuite() {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    ensure_qt_application();
-    folder_ = std::make_unique<test::TemporaryFolder>();
-    store_ = *storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
+    open_clinic();
     test::add_course(*store_, "TK-104", false);
     test::DemoSession healthy;
     healthy.hand = Hand::left;
@@ -59,10 +56,6 @@ class Panels : public testing::Test {
     ASSERT_TRUE(store_->add_clinical_score(id, {0, "2026-03-01", "ARAT", 31.0, ""}).ok());
     ASSERT_TRUE(store_->add_clinical_score(id, {0, "2026-04-08", "ARAT", 40.0, ""}).ok());
   }
-  static void TearDownTestSuite() {
-    store_.reset();
-    folder_.reset();
-  }
   static ReportContent content(const ReportScope& scope = {}) {
     return gather_progress(*store_, "TK-104", {}, scope).value();
   }
@@ -77,9 +70,6 @@ class Panels : public testing::Test {
       return one.task == task && one.hand == Hand::right;
     });
   }
-
-  static inline std::unique_ptr<test::TemporaryFolder> folder_;
-  static inline std::unique_ptr<storage::SessionStore> store_;
 };
 
 TEST_F(Panels, SayTheSameInPdfAndHtml) {

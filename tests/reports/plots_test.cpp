@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/paper/plot_tools.hpp"
-#include "reports/paper/qt_application.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/every.hpp"
 
 namespace isograsp::reports::plots_test {
@@ -47,8 +47,7 @@ TEST(VisibleRows, AreAllRowsWhereThereAreFewAndKeepEveryGap) {
 }
 
 TEST(OverlayPlot, OfALongTrialKeepsItsExtremesAndADetailForEachPointOfItsWidth) {
-  setenv("QT_QPA_PLATFORM", "offscreen", 1);
-  ensure_qt_application();
+  test::draw_without_a_display();
   constexpr std::size_t kRows = 60000;  // ten minutes
   std::vector<double> t_s;
   std::vector<double> force;
@@ -106,8 +105,7 @@ TEST(ErrorBands, OfMeasuresThatAreBestNearZeroStandOnBothSidesOfIt) {
 }
 
 TEST(TrendPlot, OfAPartHasItsSessionsOnItsAxisAndTreatmentsBetweenThem) {
-  setenv("QT_QPA_PLATFORM", "offscreen", 1);
-  ensure_qt_application();
+  test::draw_without_a_display();
   ReportContent content;
   MeasureSeries series;
   series.name = "maximum_force";

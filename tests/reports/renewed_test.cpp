@@ -19,19 +19,13 @@
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/reports/emitted_measures.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::reports::renewed_test {
 namespace {
 
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message());
-  return std::move(result).value();
-}
-void must(const Result<void>& result) {
-  if (!result) throw std::runtime_error(result.error().message());
-}
+using test::must;
 
 TEST(MeasureVersion, OfEveryMeasureThatATaskGivesIsThatOfTheProgramAndOlderOnesAreTold) {
   std::size_t seen = 0;

@@ -15,10 +15,10 @@
 #include "reports/findings/report_text.hpp"
 #include "reports/paper/html_writer.hpp"
 #include "reports/paper/pdf_writer.hpp"
-#include "reports/paper/qt_application.hpp"
 #include "storage/access/open_store.hpp"
 #include "tasks/facts/measure_words.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -41,8 +41,7 @@ std::string plain(std::string text) {
 class Report : public testing::Test {
  protected:
   void SetUp() override {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    ensure_qt_application();
+    test::draw_without_a_display();
     auto opened = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::create);
     ASSERT_TRUE(opened.ok()) << opened.error().message();
     store_ = std::move(*opened);

@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
-#include "reports/paper/qt_application.hpp"
 #include "reports/study/study_report.hpp"
 #include "reports/study/study_writer.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
 #include "storage/records/session_store.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -121,8 +121,7 @@ struct Attempts {
 class StudyOfClinic : public testing::Test {
  protected:
   void SetUp() override {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    ensure_qt_application();
+    test::draw_without_a_display();
     auto opened = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::scratch);
     ASSERT_TRUE(opened.ok()) << opened.error().message();
     store_ = std::move(*opened);

@@ -16,32 +16,21 @@
 #include "reports/findings/verdicts.hpp"
 #include "reports/paper/html_writer.hpp"
 #include "reports/paper/pdf_writer.hpp"
-#include "reports/paper/qt_application.hpp"
 #include "storage/access/open_store.hpp"
 #include "tasks/facts/measure_words.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/made_up.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/within.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::reports::verdict_report_test {
 namespace {
 
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message());
-  return std::move(result).value();
-}
-void must(const Result<void>& result) {
-  if (!result) throw std::runtime_error(result.error().message());
-}
-
-std::string library_task(const std::string& name) {
-  std::ifstream file(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/" + name);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using test::library_task_text;
+using test::must;
 
 /// One session of maxima.
 struct Assessed {
@@ -62,8 +51,7 @@ struct Assessed {
 class VerdictReport : public testing::Test {
  protected:
   void SetUp() override {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    ensure_qt_application();
+    test::draw_without_a_display();
     store_ = must(storage::open_store(folder_.path("clinic.db"), storage::OpenMode::scratch));
   }
 
@@ -96,7 +84,7 @@ class VerdictReport : public testing::Test {
       trial.number = ++number;
       trial.task_name = "Maximum grip";
       trial.task_version = what.task_version;
-      trial.task_text = library_task(what.task_file) + what.task_suffix;
+      trial.task_text = library_task_text(what.task_file) + what.task_suffix;
       trial.maximum_force_N = what.maximum_force_N;
       trial.groups = {{"task", {"t_s", "actual_force_N"}}};
       trial.id = must(store_->begin_trial(trial));

@@ -10,9 +10,9 @@
 #include "reports/findings/progress_report.hpp"
 #include "reports/paper/html_writer.hpp"
 #include "reports/paper/pdf_writer.hpp"
-#include "reports/paper/qt_application.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
+#include "tests/reports/paper_test.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::reports::writing_test {
@@ -32,8 +32,7 @@ std::string timeless(const std::string& pdf) {
 class Writing : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    setenv("QT_QPA_PLATFORM", "offscreen", 1);
-    ensure_qt_application();
+    test::draw_without_a_display();
     folder_ = std::make_unique<test::TemporaryFolder>();
     auto opened = storage::open_store(folder_->path("clinic.db"), storage::OpenMode::create);
     ASSERT_TRUE(opened.ok()) << opened.error().message();

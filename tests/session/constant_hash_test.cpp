@@ -15,6 +15,7 @@
 #include "session/session.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/crypto/content_hash.hpp"
+#include "tests/session/whole_session.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -57,23 +58,12 @@ std::string hash_of(storage::SessionStore& store, const std::string& patient_cod
 
 TEST(ConstantHash, OfSignalsAndMeasuresOfOneWholeSession) {
   const test::TemporaryFolder folder;
-  SessionConfig config;
-  config.database = folder.path("clinic.db");
-  config.create_database = true;
-  config.patient_code = "HASH-01";
-  config.device_uri = "sim://paretic?seed=21&drop=0.001";
-  config.library = kLibrary;
-  config.virtual_time = true;
-  {
-    auto session = Session::open(config);
-    ASSERT_TRUE(session) << session.error().message();
-    const auto protocol = read_protocol(kLibrary + "/protocols/demonstration.toml", kLibrary);
-    ASSERT_TRUE(protocol) << protocol.error().message();
-    const auto result = run_protocol(**session, *protocol, {});
-    ASSERT_TRUE(result) << result.error().message();
-  }
-  const auto store = storage::open_store(config.database, storage::OpenMode::read_only).value();
-  EXPECT_EQ(hash_of(*store, config.patient_code),
+  const test::WholeSession whole{folder.path("clinic.db"), "HASH-01",
+                                 "sim://paretic?seed=21&drop=0.001",
+                                 kLibrary + "/protocols/demonstration.toml"};
+  (void)run_whole(whole);
+  const auto store = storage::open_store(whole.database, storage::OpenMode::read_only).value();
+  EXPECT_EQ(hash_of(*store, whole.patient_code),
             "5070151268bf1a1bacaa89c76939d46def9d81abdc9885343bd7f8c0a2a15ade")
       << "a bit of a signal or measure is another one. If that is meant (a task, a measure or the "
          "simulated person changed), raise the version of what changed, say so in CHANGELOG.md and "

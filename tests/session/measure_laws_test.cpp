@@ -18,6 +18,7 @@
 #include "tasks/kinds/force/force_tracking.hpp"
 #include "tasks/kinds/force/recorded.hpp"
 #include "tasks/score.hpp"
+#include "tests/session/whole_session.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/within.hpp"
@@ -56,26 +57,14 @@ std::vector<PlayedTrial> sessions_of_a_simulated_hand() {
   const test::TemporaryFolder folder;
   const std::string path = folder.path("all.toml");
   std::ofstream(path) << protocol_of_the_whole_library();
-  SessionConfig config;
-  config.database = folder.path("clinic.db");
-  config.create_database = true;
-  config.patient_code = "LAW-01";
-  config.device_uri = "sim://moderate?seed=5&drop=0.001&resolution=0.005";
-  config.library = kLibrary;
-  config.virtual_time = true;
-  {
-    auto session = Session::open(config);
-    EXPECT_TRUE(session) << session.error().message();
-    const auto protocol = read_protocol(path, kLibrary);
-    EXPECT_TRUE(protocol) << protocol.error().message();
-    const auto result = run_protocol(**session, *protocol, {});
-    EXPECT_TRUE(result) << result.error().message();
-    constexpr std::size_t kNeedFormerDays = 1;  // the load of the first days
-    EXPECT_LE(result->left_out.size(), kNeedFormerDays) << result->left_out.back();
-  }
+  const test::WholeSession whole{folder.path("clinic.db"), "LAW-01",
+                                 "sim://moderate?seed=5&drop=0.001&resolution=0.005", path};
+  const auto result = run_whole(whole);
+  constexpr std::size_t kNeedFormerDays = 1;  // the load of the first days
+  EXPECT_LE(result.left_out.size(), kNeedFormerDays) << result.left_out.back();
   std::vector<PlayedTrial> played;
-  const auto store = storage::open_store(config.database, storage::OpenMode::existing).value();
-  const auto patient = store->find_patient("LAW-01").value().value();
+  const auto store = storage::open_store(whole.database, storage::OpenMode::existing).value();
+  const auto patient = store->find_patient(whole.patient_code).value().value();
   for (const storage::TrialRecord& trial :
        store->trials(store->sessions(patient.id).value().at(0).id).value())
     played.push_back({tasks::parse_task(trial.task_text, trial.task_name).value(),

@@ -18,9 +18,12 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/within.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::session::zero_and_rest_test {
 namespace {
+
+using test::library_task;
 
 const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
 constexpr ZeroRequest kEmpty{true, false, 0.0};
@@ -34,10 +37,6 @@ tasks::TaskSpec task(const std::string& keys) {
 const tasks::TaskSpec& short_rest() {
   static const tasks::TaskSpec spec = task("kind = \"rest\"\nduration_s = 1.0\n");
   return spec;
-}
-tasks::TaskSpec library_task(const std::string& name) {
-  const auto path = find_in_library(kLibrary, "tasks", name).value();
-  return tasks::parse_task(read_text(path).value(), path).value();
 }
 
 struct Clinic {
@@ -428,10 +427,10 @@ TEST(Thresholds, AreStoredAndTheStoredTrialMovesTheObjectAgainToTheBit) {
   auto session = clinic.open("sim://healthy?seed=5");
   zero(*session, kEmpty);
   trial(*session, short_rest());
-  trial(*session, library_task("maximum_grip"));
+  trial(*session, library_task("maximum_grip.toml"));
   const double maximum_N = session->maximum_force_N();
   ASSERT_GT(maximum_N, 16.0);
-  trial(*session, library_task("two_target"));
+  trial(*session, library_task("two_target.toml"));
   session.reset();
 
   const auto store = clinic.store();

@@ -18,6 +18,7 @@
 
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
+#include "tests/support/must.hpp"
 
 namespace isograsp::storage {
 
@@ -53,15 +54,7 @@ inline std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The value of a successful result; a failed one fails the test with its message.
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message());
-  return std::move(result).value();
-}
-inline void must(const Result<void>& result) {
-  if (!result) throw std::runtime_error(result.error().message());
-}
+using test::must;
 
 inline std::unique_ptr<SessionStore> opened(const std::string& path,
                                             OpenMode how = OpenMode::create) {

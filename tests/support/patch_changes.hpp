@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a patch changes.
+// What a patch changes, and that it adds no more than files and one row of a table.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/files.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/must.hpp"
 
 namespace isograsp::test {
 
@@ -38,6 +43,36 @@ inline std::map<std::string, Change> changes_of(const std::string& patch) {
     }
   }
   return changes;
+}
+
+/// What an addition takes, as its patch shows.
+struct Addition {
+  std::string patch;             ///< its file
+  std::string table;             ///< "tasks/kinds/kinds.cpp"
+  std::vector<std::string> row;  ///< what the patch adds there
+  std::string lists;             ///< of sources: "tasks/CMakeLists.txt"
+  int new_files = 0;
+};
+
+/// Fails if the patch changes anything else. `tree`: where it is applied.
+inline void expect_new_files_and_one_row(const Addition& addition, const std::string& tree) {
+  const std::string lists = must(read_text(tree + "/" + addition.lists));
+  int new_files = 0;
+  for (const auto& [file, change] : every(changes_of(must(read_text(addition.patch))))) {
+    EXPECT_EQ(change.removed, 0) << file;
+    if (change.new_file) {
+      ++new_files;
+      EXPECT_FALSE(std::filesystem::exists(std::string(ISOGRASP_SOURCE_DIR) + "/" + file)) << file;
+      if (file.ends_with(".cpp")) {
+        EXPECT_NE(lists.find(file.substr(file.find('/') + 1)), std::string::npos) << file;
+      }
+    } else if (file == addition.table) {
+      EXPECT_EQ(change.added, addition.row);
+    } else {
+      EXPECT_EQ(file, addition.lists) << "beside the table, the list of sources alone";
+    }
+  }
+  EXPECT_EQ(new_files, addition.new_files);
 }
 
 }  // namespace isograsp::test

@@ -16,23 +16,18 @@
 #include "tests/support/every.hpp"
 #include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::tasks::score_test {
 namespace {
 
 using test::edited;
 using test::find;
+using test::spec_of;
 using test::value_of;
 
 constexpr double kPeriod_s = 0.01;
 constexpr double kRounding = 1e-12;
-
-template <class Kind>
-TaskSpec spec_of(Kind kind) {
-  TaskSpec spec;
-  spec.kind = std::move(kind);
-  return spec;
-}
 
 /// Plays a force task; `grip` is the thumb's and the fingers' force [N] over record time.
 Signals play_force(const TaskSpec& spec, const std::function<double(const TaskView&)>& grip,

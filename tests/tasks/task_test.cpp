@@ -13,9 +13,12 @@
 #include "tasks/kinds/object/pose_targets.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/within.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::tasks::task_test {
 namespace {
+
+using test::spec_of;
 
 constexpr double kPeriod_s = 0.01;
 
@@ -27,13 +30,6 @@ std::unique_ptr<Task> made(TaskSpec spec, double maximum_force_N = 0.0) {
   EXPECT_TRUE(task);
   return std::move(*task);
 }
-template <class Kind>
-TaskSpec spec_of(Kind kind) {
-  TaskSpec spec;
-  spec.kind = std::move(kind);
-  return spec;
-}
-
 TaskInput pressing(double thumb_N, double index_N, double middle_N) {
   TaskInput input;
   input.wrench_C[0].force.z() = thumb_N;

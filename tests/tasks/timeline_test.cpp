@@ -25,9 +25,12 @@
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/within.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::tasks::timeline_test {
 namespace {
+
+using test::spec_of;
 
 TaskContext context_of(double maximum_N = 40.0) {
   TaskContext context;
@@ -37,14 +40,6 @@ TaskContext context_of(double maximum_N = 40.0) {
       context.references.maximum_N[{static_cast<Digits>(digits), direction}] = maximum_N;
   return context;
 }
-template <class Kind>
-TaskSpec spec_of(Kind kind) {
-  TaskSpec spec;
-  spec.file = "t.toml";
-  spec.kind = std::move(kind);
-  return spec;
-}
-
 std::vector<TaskSpec> every_force_task() {
   DirectionalMaximaSpec directions;
   directions.digits = {Finger::thumb, Finger::index};

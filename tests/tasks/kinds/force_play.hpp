@@ -12,6 +12,7 @@
 
 #include "core/signals.hpp"
 #include "tasks/task.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::test {
 
@@ -30,13 +31,6 @@ inline FingerWrenches pressing(double thumb_N, double index_N, double middle_N) 
 }
 inline FingerWrenches grip_of(double grip_N) {
   return pressing(grip_N, 0.5 * grip_N, 0.5 * grip_N);
-}
-
-template <class Kind>
-tasks::TaskSpec spec_of(Kind kind) {
-  tasks::TaskSpec spec;
-  spec.kind = std::move(kind);
-  return spec;
 }
 
 /// Of a hand with maxima of 40 N and no tone.

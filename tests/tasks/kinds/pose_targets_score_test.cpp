@@ -14,23 +14,18 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/within.hpp"
 #include "tests/tasks/samples.hpp"
+#include "tests/tasks/specs.hpp"
 
 namespace isograsp::tasks::pose_targets_score_test {
 namespace {
 
 using test::edited;
 using test::find;
+using test::spec_of;
 using test::value_of;
 
 constexpr double kPeriod_s = 0.01;
 constexpr double kRounding = 1e-12;
-
-template <class Kind>
-TaskSpec spec_of(Kind kind) {
-  TaskSpec spec;
-  spec.kind = std::move(kind);
-  return spec;
-}
 
 /// Level to the left in 2 s, a quarter turn in 1 s, both held for 0.5 s.
 PoseTargetsSpec left_and_turn() {

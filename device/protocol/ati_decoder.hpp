@@ -11,6 +11,7 @@
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
 #include "device/codec/ati_codec.hpp"
+#include "device/protocol/learning_counters.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp {
@@ -29,7 +30,7 @@ struct AtiSample {
 /// log may hold readings before the answers that tell their calibration, so read it twice:
 ///   pass 1: AtiDecoder first(base);              push all, then take first.learned();
 ///   pass 2: AtiDecoder second(base, learned);    push all again, take the samples.
-class AtiDecoder {
+class AtiDecoder : public LearningCounters {
  public:
   /// `known` holds from the beginning until the log says something else.
   explicit AtiDecoder(std::uint8_t base,
@@ -58,13 +59,6 @@ class AtiDecoder {
 
   [[nodiscard]] std::uint64_t torn() const noexcept { return pairing_.torn(); }
   [[nodiscard]] std::uint64_t duplicate() const noexcept { return pairing_.duplicate(); }
-  /// Frames with the sensor's identifiers that are no words of the protocol.
-  [[nodiscard]] std::uint64_t foreign() const noexcept { return foreign_; }
-  /// Complete readings without a known calibration.
-  [[nodiscard]] std::uint64_t uncalibrated() const noexcept { return uncalibrated_; }
-  [[nodiscard]] std::uint64_t requests() const noexcept { return requests_; }
-  /// Frames that are answers and hold no gages.
-  [[nodiscard]] std::uint64_t answers() const noexcept { return answers_; }
 
  private:
   void hear_request(const BusFrame& frame) noexcept;
@@ -87,10 +81,6 @@ class AtiDecoder {
   std::optional<AtiCalibration> first_;
   std::optional<AtiCounts> first_counts_;
   std::optional<AtiUnits> first_units_;
-  std::uint64_t foreign_ = 0;
-  std::uint64_t uncalibrated_ = 0;
-  std::uint64_t requests_ = 0;
-  std::uint64_t answers_ = 0;
 };
 
 }  // namespace isograsp

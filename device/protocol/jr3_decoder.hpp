@@ -10,6 +10,7 @@
 #include "core/time.hpp"
 #include "device/bus/frame.hpp"
 #include "device/codec/jr3_codec.hpp"
+#include "device/protocol/learning_counters.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp {
@@ -26,7 +27,7 @@ struct Jr3Sample {
 
 /// Nothing is invented: a reading without known full scales makes no sample and is counted. Hosts
 /// may ask for the full scales after the start, so read a log twice, as with AtiDecoder.
-class Jr3Decoder {
+class Jr3Decoder : public LearningCounters {
  public:
   /// `known` holds from the beginning until the log says something else.
   explicit Jr3Decoder(std::uint8_t node,
@@ -53,13 +54,6 @@ class Jr3Decoder {
 
   [[nodiscard]] std::uint64_t torn() const noexcept { return pairing_.torn(); }
   [[nodiscard]] std::uint64_t duplicate() const noexcept { return pairing_.duplicate(); }
-  /// Frames with the adaptor's identifiers that are no words of the protocol.
-  [[nodiscard]] std::uint64_t foreign() const noexcept { return foreign_; }
-  /// Complete readings without known full scales.
-  [[nodiscard]] std::uint64_t uncalibrated() const noexcept { return uncalibrated_; }
-  [[nodiscard]] std::uint64_t requests() const noexcept { return requests_; }
-  /// Frames of the adaptor that hold no values.
-  [[nodiscard]] std::uint64_t answers() const noexcept { return answers_; }
 
  private:
   void hear_scales(const Jr3Scales& scales) noexcept;
@@ -72,10 +66,6 @@ class Jr3Decoder {
   std::optional<Jr3Scales> first_moment_dNm_;
   bool sees_requests_ = false;    ///< the log holds what the host asked
   std::optional<Jr3Opcode> due_;  ///< the full scales that were asked for last
-  std::uint64_t foreign_ = 0;
-  std::uint64_t uncalibrated_ = 0;
-  std::uint64_t requests_ = 0;
-  std::uint64_t answers_ = 0;
 };
 
 }  // namespace isograsp

@@ -83,7 +83,7 @@ void TargetCurve::paintEvent(QPaintEvent*) {
   painter.drawText(QPointF(2, metrics.ascent()), curve_.axis);
   const double step = round_step(most - least, 5);
   for (double tick = std::ceil(least / step) * step; tick <= most; tick += step) {
-    set_ink(painter, QColor(0xEB, 0xEF, 0xF3));
+    set_ink(painter, look::kGrid);
     painter.drawLine(QPointF(area.left(), y(tick)), QPointF(area.right(), y(tick)));
     painter.setPen(look::kQuietText);
     painter.drawText(QRectF(0, y(tick) - scaled(10), area.left() - 6, scaled(20)),
@@ -176,7 +176,7 @@ void ObjectSketch::paintEvent(QPaintEvent*) {
                        Qt::AlignCenter, QString::number(++number));
   }
   if (sketch_.targets.empty()) {
-    painter.setBrush(QColor(0xE6, 0xEA, 0xEF));
+    painter.setBrush(look::kTrack);
     set_ink(painter, look::kText, 1.4);
     painter.drawPolygon(shape(sketch_.outline));
     for (const auto& touch : sketch_.touches) {

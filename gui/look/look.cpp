@@ -12,106 +12,121 @@
 #include <QStyleFactory>
 #include <QVariant>
 #include <QWidget>
+#include <utility>
 
 namespace isograsp::gui {
 
 namespace {
 
 const char* const kStyleSheet = R"(
-QMainWindow, QWidget#page { background: #F3F5F8; }
-QFrame[card="true"] { background: #FFFFFF; border: 1px solid #D5DBE3; border-radius: 8px; }
-QFrame#header { background: #FFFFFF; border: none; border-bottom: 1px solid #D5DBE3; }
-QLabel { background: transparent; color: #1B2733; }
-QLabel[role="title"] { font-weight: bold; color: #1B2733; }
-QLabel[role="quiet"] { color: #52606D; }
+QMainWindow, QWidget#page { background: %BACKGROUND%; }
+QFrame[card="true"] { background: %CARD%; border: 1px solid %RULE%; border-radius: 8px; }
+QFrame#header { background: %CARD%; border: none; border-bottom: 1px solid %RULE%; }
+QLabel { background: transparent; color: %TEXT%; }
+QLabel[role="title"] { font-weight: bold; color: %TEXT%; }
+QLabel[role="quiet"] { color: %QUIET%; }
 QLabel[role="large"] { font-size: %LARGE%pt; }
-QLabel[role="problem"] { color: #B3261E; }
-QLabel#wordmark { font-weight: bold; font-size: %TITLE%pt; color: #0B5CAD; }
+QLabel[role="problem"] { color: %FAULT%; }
+QLabel#wordmark { font-weight: bold; font-size: %TITLE%pt; color: %ACCENT%; }
 QLabel#sentence { font-size: %LARGE%pt; }
-QLabel#simulated { background: #1B2733; color: #FFFFFF; font-weight: bold; border-radius: 4px;
+QLabel#simulated { background: %TEXT%; color: %CARD%; font-weight: bold; border-radius: 4px;
   padding: 5px 10px; }
-QFrame#navigation { background: #FFFFFF; border: none; border-right: 1px solid #D5DBE3; }
+QFrame#navigation { background: %CARD%; border: none; border-right: 1px solid %RULE%; }
 QPushButton[tight="true"] { padding: 6px 2px; }
 QPushButton[tab="true"] { background: transparent; border: none; border-radius: 6px;
-  text-align: left; padding: 6px 10px; color: #1B2733; }
-QPushButton[tab="true"]:hover { background: #F4F9FE; }
-QPushButton[tab="true"]:checked { background: #E1EEFA; border: none; color: #0A2E52;
+  text-align: left; padding: 6px 10px; color: %TEXT%; }
+QPushButton[tab="true"]:hover { background: %HOVER%; }
+QPushButton[tab="true"]:checked { background: %CHOSEN%; border: none; color: #0A2E52;
   font-weight: bold; }
-QPushButton[tab="true"]:focus { border: 2px solid #0B5CAD; }
+QPushButton[tab="true"]:focus { border: 2px solid %ACCENT%; }
 QLabel#message { background: #FFF6E0; border: 1px solid #E0B252; border-radius: 6px;
   padding: 5px 10px; }
-QFrame[section] { background: #FFFFFF; border: 1px solid #D5DBE3; border-radius: 8px; }
-QFrame[section="next"] { border: 2px solid #0B5CAD; }
+QFrame[section] { background: %CARD%; border: 1px solid %RULE%; border-radius: 8px; }
+QFrame[section="next"] { border: 2px solid %ACCENT%; }
 QPushButton[flat_head="true"] { background: transparent; border: none; border-radius: 7px;
   text-align: left; padding: 4px; }
-QPushButton[flat_head="true"]:hover { background: #F4F9FE; }
-QPushButton[flat_head="true"]:focus { border: 2px solid #0B5CAD; }
+QPushButton[flat_head="true"]:hover { background: %HOVER%; }
+QPushButton[flat_head="true"]:focus { border: 2px solid %ACCENT%; }
 QLabel[section] { border: none; background: transparent; }
-QLabel[section="done"] { color: #1B7F4B; font-weight: bold; }
-QLabel[section="next"] { color: #0B5CAD; font-weight: bold; }
-QLabel[section="open"] { color: #52606D; }
+QLabel[section="done"] { color: %READY%; font-weight: bold; }
+QLabel[section="next"] { color: %ACCENT%; font-weight: bold; }
+QLabel[section="open"] { color: %QUIET%; }
 QListWidget[plain="true"] { border: none; }
-QToolButton[score="true"] { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
+QToolButton[score="true"] { background: %CARD%; color: %TEXT%; border: 1px solid %EDGE%;
   border-radius: 4px; padding: 3px 0; min-height: %LINE%px; }
-QToolButton[score="true"]:hover { border-color: #0B5CAD; background: #F4F9FE; }
-QToolButton[score="true"]:checked { background: #0B5CAD; color: #FFFFFF; font-weight: bold; }
-QToolButton[score="true"]:focus { border: 2px solid #0B5CAD; }
+QToolButton[score="true"]:hover { border-color: %ACCENT%; background: %HOVER%; }
+QToolButton[score="true"]:checked { background: %ACCENT%; color: %CARD%; font-weight: bold; }
+QToolButton[score="true"]:focus { border: 2px solid %ACCENT%; }
 QTabWidget::pane { border: none; }
 QTabBar { background: transparent; }
-QTabBar::tab { background: transparent; color: #52606D; padding: 9px 16px 7px 16px; border: none;
+QTabBar::tab { background: transparent; color: %QUIET%; padding: 9px 16px 7px 16px; border: none;
   border-bottom: 2px solid transparent; margin-left: 8px; }
-QTabBar::tab:selected { color: #0B5CAD; border-bottom: 2px solid #0B5CAD; }
-QTabBar::tab:hover { color: #1B2733; }
-QTabBar::tab:focus { color: #0B5CAD; background: #E1EEFA; }
-QFrame[due="true"] { border: 2px solid #0B5CAD; }
-QPushButton { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0; border-radius: 6px;
+QTabBar::tab:selected { color: %ACCENT%; border-bottom: 2px solid %ACCENT%; }
+QTabBar::tab:hover { color: %TEXT%; }
+QTabBar::tab:focus { color: %ACCENT%; background: %CHOSEN%; }
+QFrame[due="true"] { border: 2px solid %ACCENT%; }
+QPushButton { background: %CARD%; color: %TEXT%; border: 1px solid %EDGE%; border-radius: 6px;
   padding: 6px 12px; min-height: %LINE%px; }
-QPushButton:hover { border-color: #0B5CAD; background: #F4F9FE; }
-QPushButton:pressed { background: #E1EEFA; }
-QPushButton:checked { background: #E1EEFA; border: 2px solid #0B5CAD; font-weight: bold; }
-QPushButton:focus { border: 2px solid #0B5CAD; }
-QPushButton:disabled { color: #7B8794; background: #F3F5F8; border-color: #DDE3EA; }
-QPushButton[next="true"]:enabled { background: #0B5CAD; color: #FFFFFF; border-color: #0B5CAD;
+QPushButton:hover { border-color: %ACCENT%; background: %HOVER%; }
+QPushButton:pressed { background: %CHOSEN%; }
+QPushButton:checked { background: %CHOSEN%; border: 2px solid %ACCENT%; font-weight: bold; }
+QPushButton:focus { border: 2px solid %ACCENT%; }
+QPushButton:disabled { color: #7B8794; background: %BACKGROUND%; border-color: #DDE3EA; }
+QPushButton[next="true"]:enabled { background: %ACCENT%; color: %CARD%; border-color: %ACCENT%;
   font-weight: bold; }
 QPushButton[next="true"]:enabled:hover { background: #094C90; }
 QPushButton[next="true"]:enabled:focus { border: 2px solid #062F59; }
-QPushButton#stop:enabled { color: #B3261E; border-color: #B3261E; font-weight: bold; }
+QPushButton#stop:enabled { color: %FAULT%; border-color: %FAULT%; font-weight: bold; }
 QPushButton#stop:enabled:hover { background: #FCEEED; }
-QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: #FFFFFF; border: 1px solid #A9B4C0;
-  border-radius: 6px; padding: 5px 8px; min-height: %LINE%px; selection-background-color: #0B5CAD; }
-QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid #0B5CAD; padding: 4px 7px; }
+QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: %CARD%; border: 1px solid %EDGE%;
+  border-radius: 6px; padding: 5px 8px; min-height: %LINE%px; selection-background-color: %ACCENT%; }
+QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border: 2px solid %ACCENT%; padding: 4px 7px; }
 QPlainTextEdit { padding: 3px 4px; }
-QPlainTextEdit:focus { border: 2px solid #0B5CAD; padding: 2px 3px; }
-QComboBox:disabled, QLineEdit:disabled, QPlainTextEdit:disabled { color: #7B8794; background: #F3F5F8;
+QPlainTextEdit:focus { border: 2px solid %ACCENT%; padding: 2px 3px; }
+QComboBox:disabled, QLineEdit:disabled, QPlainTextEdit:disabled { color: #7B8794; background: %BACKGROUND%;
   border-color: #DDE3EA; }
 QComboBox::drop-down { border: none; width: %ARROW%px; }
-QComboBox QAbstractItemView { background: #FFFFFF; color: #1B2733; border: 1px solid #A9B4C0;
-  selection-background-color: #E1EEFA; selection-color: #1B2733; }
-QListWidget, QTableWidget { background: #FFFFFF; color: #1B2733; border: 1px solid #E3E8EE;
-  border-radius: 6px; outline: none; gridline-color: #EBEFF3; }
-QListWidget:focus, QTableWidget:focus { border: 1px solid #0B5CAD; }
-QListWidget[next="true"] { border: 2px solid #0B5CAD; }
+QComboBox QAbstractItemView { background: %CARD%; color: %TEXT%; border: 1px solid %EDGE%;
+  selection-background-color: %CHOSEN%; selection-color: %TEXT%; }
+QListWidget, QTableWidget { background: %CARD%; color: %TEXT%; border: 1px solid %DESK%;
+  border-radius: 6px; outline: none; gridline-color: %GRID%; }
+QListWidget:focus, QTableWidget:focus { border: 1px solid %ACCENT%; }
+QListWidget[next="true"] { border: 2px solid %ACCENT%; }
 QListWidget::item { padding: 2px 8px; border-radius: 4px; }
-QListWidget::item:hover { background: #F4F9FE; }
-QListWidget::item:selected { background: #E1EEFA; color: #0A2E52; font-weight: bold; }
+QListWidget::item:hover { background: %HOVER%; }
+QListWidget::item:selected { background: %CHOSEN%; color: #0A2E52; font-weight: bold; }
 QListWidget:disabled { color: #7B8794; }
-QListWidget::item:selected:disabled { background: #EBEFF3; color: #3E4C59; }
+QListWidget::item:selected:disabled { background: %GRID%; color: #3E4C59; }
 QTableWidget::item { padding: 3px 6px; border: none; }
-QTableWidget::item:selected { background: #E1EEFA; color: #1B2733; }
-QHeaderView::section { background: #FFFFFF; color: #52606D; border: none;
-  border-bottom: 1px solid #D5DBE3; padding: 4px 6px; font-weight: normal; }
-QProgressBar { background: #E6EAEF; border: none; border-radius: 5px; max-height: %BAR%px;
+QTableWidget::item:selected { background: %CHOSEN%; color: %TEXT%; }
+QHeaderView::section { background: %CARD%; color: %QUIET%; border: none;
+  border-bottom: 1px solid %RULE%; padding: 4px 6px; font-weight: normal; }
+QProgressBar { background: %TRACK%; border: none; border-radius: 5px; max-height: %BAR%px;
   min-height: %BAR%px; color: transparent; }
-QProgressBar::chunk { background: #0B5CAD; border-radius: 5px; }
-QCheckBox { color: #1B2733; spacing: 8px; padding: 2px; border: 1px solid transparent;
+QProgressBar::chunk { background: %ACCENT%; border-radius: 5px; }
+QCheckBox { color: %TEXT%; spacing: 8px; padding: 2px; border: 1px solid transparent;
   border-radius: 4px; }
-QCheckBox:focus { border-color: #0B5CAD; }
+QCheckBox:focus { border-color: %ACCENT%; }
 QFrame[confirm="true"] { background: #FFF6E0; border: 1px solid #E0B252; border-radius: 6px; }
-QToolTip { background: #1B2733; color: #FFFFFF; border: none; padding: 5px; }
+QToolTip { background: %TEXT%; color: %CARD%; border: none; padding: 5px; }
 QScrollBar:vertical { background: transparent; width: %BAR%px; margin: 0; }
 QScrollBar::handle:vertical { background: #C3CCD6; border-radius: 4px; min-height: 24px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 )";
+
+/// The colours of look.hpp by their names in the style sheet.
+QString coloured(QString sheet) {
+  const std::pair<const char*, QColor> colours[] = {
+      {"%CARD%", look::kCard},       {"%BACKGROUND%", look::kBackground},
+      {"%RULE%", look::kLine},       {"%EDGE%", look::kEdge},
+      {"%GRID%", look::kGrid},       {"%TRACK%", look::kTrack},
+      {"%DESK%", look::kDesk},       {"%HOVER%", look::kHover},
+      {"%CHOSEN%", look::kChosen},   {"%TEXT%", look::kText},
+      {"%QUIET%", look::kQuietText}, {"%ACCENT%", look::kAccent},
+      {"%READY%", look::kReady},     {"%FAULT%", look::kFault}};
+  for (const auto& [name, colour] : colours) sheet.replace(QLatin1String(name), colour.name());
+  return sheet;
+}
 
 constexpr double kText_pt = 9.5;
 constexpr double kLarge_pt = 13.0;
@@ -119,6 +134,7 @@ constexpr double kTitle_pt = 15.0;
 constexpr int kLine_px = 18;  // of a button or a field
 constexpr int kArrow_px = 22;
 constexpr int kBar_px = 10;
+constexpr int kChoices_px = 264;
 constexpr int kMostSideBySide_percent = 130;
 int letters_percent = 100;
 
@@ -173,7 +189,7 @@ void dress(QApplication& application, int font_percent) {
   palette.setColor(QPalette::HighlightedText, Qt::white);
   palette.setColor(QPalette::PlaceholderText, look::kQuietText);
   application.setPalette(palette);
-  application.setStyleSheet(QString(kStyleSheet)
+  application.setStyleSheet(coloured(kStyleSheet)
                                 .replace("%LINE%", QString::number(scaled(kLine_px)))
                                 .replace("%ARROW%", QString::number(scaled(kArrow_px)))
                                 .replace("%BAR%", QString::number(scaled(kBar_px)))
@@ -188,6 +204,15 @@ int scaled(int usual_px) noexcept {
 QBoxLayout::Direction side_by_side() noexcept {
   return letters_percent <= kMostSideBySide_percent ? QBoxLayout::LeftToRight
                                                     : QBoxLayout::TopToBottom;
+}
+
+void lay_out_choices(QWidget& page, QWidget& choices, QWidget& body) {
+  auto* row = new QBoxLayout(side_by_side(), &page);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(10);
+  if (row->direction() == QBoxLayout::LeftToRight) choices.setFixedWidth(scaled(kChoices_px));
+  row->addWidget(&choices);
+  row->addWidget(&body, 1);
 }
 
 void mark_next(QWidget& widget, bool next) {

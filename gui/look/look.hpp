@@ -20,15 +20,26 @@ namespace look {
 inline const QColor kBackground{0xF3, 0xF5, 0xF8};
 inline const QColor kCard{0xFF, 0xFF, 0xFF};
 inline const QColor kLine{0xD5, 0xDB, 0xE3};
+inline const QColor kEdge{0xA9, 0xB4, 0xC0};   ///< of what can be pressed or typed into; zero line
+inline const QColor kGrid{0xEB, 0xEF, 0xF3};   ///< of plots and tables
+inline const QColor kTrack{0xE6, 0xEA, 0xEF};  ///< of a bar, behind what is filled
+inline const QColor kDesk{0xE3, 0xE8, 0xEE};   ///< behind pages of paper
+inline const QColor kHover{0xF4, 0xF9, 0xFE};
+inline const QColor kChosen{0xE1, 0xEE, 0xFA};
 inline const QColor kText{0x1B, 0x27, 0x33};
 inline const QColor kQuietText{0x52, 0x60, 0x6D};
 inline const QColor kAccent{0x0B, 0x5C, 0xAD};
+inline const QColor kPaleAccent{0x8F, 0xB4, 0xD9};
 inline const QColor kReady{0x1B, 0x7F, 0x4B};
 inline const QColor kAttention{0xE0, 0x8A, 0x00};
 inline const QColor kFault{0xB3, 0x26, 0x1E};
 /// Of thumb, index and middle: told apart with every kind of colour vision (Okabe and Ito).
 inline const std::array<QColor, kFingerCount> kFingers{
     QColor{0x00, 0x72, 0xB2}, QColor{0xC7, 0x52, 0x00}, QColor{0x00, 0x8A, 0x63}};
+/// Of curves that are not a finger's, beside those.
+inline const std::array<QColor, 2> kOtherCurves{QColor{0xB0, 0x55, 0x8A}, QColor{0x8A, 0x6D, 0x00}};
+inline const QColor kPathGround{0xFA, 0xFB, 0xFC};  ///< behind the path of an object
+inline const QColor kObject{0x33, 0x6B, 0xA8, 40};  ///< its body, seen through
 }  // namespace look
 
 /// "Thumb", "Index", "Middle".
@@ -41,6 +52,9 @@ void dress(QApplication& application, int font_percent = 100);
 /// Side by side with usual letters; below each other with large ones: nobody scrolls sideways to
 /// read.
 [[nodiscard]] QBoxLayout::Direction side_by_side() noexcept;
+
+/// Fills a page with choices, in a column of their own width, and what they are about beside them.
+void lay_out_choices(QWidget& page, QWidget& choices, QWidget& body);
 
 /// The corners in order.
 [[nodiscard]] inline QPolygonF polygon(std::initializer_list<QPointF> corners) {

@@ -28,7 +28,7 @@ class PageView::Sheets final : public QWidget {
   void paintEvent(QPaintEvent* event) override {
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.fillRect(event->rect(), QColor(0xE3, 0xE8, 0xEE));
+    painter.fillRect(event->rect(), look::kDesk);
     for (int page = 0; page < view_.pages(); ++page) {
       const QRect place = view_.place_of(page);
       if (!place.intersects(event->rect())) continue;

@@ -26,8 +26,8 @@ QCustomPlot* make_plot(QWidget& parent) {
     axis->setSubTickPen(Qt::NoPen);
     axis->setTickLabelColor(look::kQuietText);
     axis->setLabelColor(look::kQuietText);
-    axis->grid()->setPen(QPen(QColor(0xEB, 0xEF, 0xF3)));
-    axis->grid()->setZeroLinePen(QPen(QColor(0xA9, 0xB4, 0xC0)));
+    axis->grid()->setPen(QPen(look::kGrid));
+    axis->grid()->setZeroLinePen(QPen(look::kEdge));
     axis->ticker()->setTickStepStrategy(QCPAxisTicker::tssReadability);
   }
   return plot;

@@ -35,7 +35,7 @@ void TwoLineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   const QRectF area = QRectF(option.rect).adjusted(2, 1, -2, -1);
   if (chosen || under_mouse) {
     painter->setPen(Qt::NoPen);
-    painter->setBrush(chosen ? QColor(0xE1, 0xEE, 0xFA) : QColor(0xF4, 0xF9, 0xFE));
+    painter->setBrush(chosen ? look::kChosen : look::kHover);
     painter->drawRoundedRect(area, 4, 4);
   }
   if (chosen) {  // the colour alone would not tell it

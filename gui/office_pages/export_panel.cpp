@@ -17,7 +17,6 @@ namespace isograsp::gui {
 
 namespace {
 
-constexpr int kExportChoices_px = 264;
 constexpr int kMostListed = 2000;  // a list is read by people
 
 QLabel* label_for(QWidget& field, const QString& words) {
@@ -30,14 +29,8 @@ QLabel* label_for(QWidget& field, const QString& words) {
 
 ExportPanel::ExportPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
     : QWidget(parent), clinic_(clinic), presenter_(presenter) {
-  auto* row = new QBoxLayout(side_by_side(), this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(10);
   auto* choices = make_choices();
-  if (row->direction() == QBoxLayout::LeftToRight)
-    choices->setFixedWidth(scaled(kExportChoices_px));
-  row->addWidget(choices);
-  row->addWidget(make_list(), 1);
+  lay_out_choices(*this, *choices, *make_list());
   connect(&clinic_, &Clinic::history_changed, this, &ExportPanel::look_again);
   connect(&presenter_.flow(), &SessionFlow::changed, this, &ExportPanel::refresh);
   ExportWork& work = clinic_.research_export();

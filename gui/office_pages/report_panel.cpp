@@ -19,7 +19,6 @@ namespace isograsp::gui {
 
 namespace {
 
-constexpr int kReportChoices_px = 264;
 constexpr double kZoomStep = 1.25;
 
 template <class Button>
@@ -33,14 +32,8 @@ Button* named(Button* button, const char* name, const QString& title, const QStr
 
 ReportPanel::ReportPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
     : QWidget(parent), clinic_(clinic), presenter_(presenter) {
-  auto* row = new QBoxLayout(side_by_side(), this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(10);
   auto* choices = make_choices();
-  if (row->direction() == QBoxLayout::LeftToRight)
-    choices->setFixedWidth(scaled(kReportChoices_px));
-  row->addWidget(choices);
-  row->addWidget(make_preview(), 1);
+  lay_out_choices(*this, *choices, *make_preview());
   between_events_.setInterval(0);
   connect(&between_events_, &QTimer::timeout, this, &ReportPanel::print_next);
   connect_report();

@@ -348,7 +348,7 @@ void paint_check(QPainter& painter, const QPointF& centre, double radius) {
 void paint_notice(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
   if (picture.notice == PatientPicture::Notice::none) return;
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(area, QColor(0xF4, 0xF6, 0xF8, 205));
+  painter.fillRect(area, kPaperSeenThrough);
   const bool fault = picture.notice == PatientPicture::Notice::fault;
   const QRectF panel = part(area, 0.10, 0.26, 0.90, 0.78);
   painter.setPen(QPen(fault ? kWarn : kDot, 4));

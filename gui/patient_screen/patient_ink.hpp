@@ -11,6 +11,7 @@ namespace isograsp::gui::ink {
 
 // On kPaper: kInk 15.5:1, kSoftInk 8.7:1, kDot 8.6:1.
 inline const QColor kPaper(0xF4, 0xF6, 0xF8);
+inline const QColor kPaperSeenThrough(0xF4, 0xF6, 0xF8, 205);
 inline const QColor kInk(0x12, 0x1C, 0x28);
 inline const QColor kSoftInk(0x3A, 0x49, 0x58);
 inline const QColor kBand(0xF5, 0xC9, 0x6B);

@@ -2,11 +2,11 @@
 #include "gui/record_pages/history_panel.hpp"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QSignalBlocker>
 
 #include "gui/look/choice_box.hpp"
 #include "gui/look/look.hpp"
+#include "gui/look/value_table.hpp"
 #include "gui/words/words.hpp"
 #include "tasks/facts/measure_words.hpp"
 
@@ -25,22 +25,7 @@ HistoryPanel::HistoryPanel(Clinic& clinic, SessionPresenter& presenter, QWidget*
   column_->removeWidget(title_);
   head->addWidget(title_);
   head->addWidget(choice_, 1);
-  table_ = new QTableWidget(0, 3);
-  table_->setObjectName("history");
-  table_->setHorizontalHeaderLabels({tr("When"), tr("Trial"), tr("Value")});
-  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-  for (int column = 0; column < 3; ++column)
-    table_->horizontalHeaderItem(column)->setTextAlignment(
-        (column == 2 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(scaled(24));
-  table_->setShowGrid(false);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setTabKeyNavigation(false);
-  take_rest(*table_, 80);
+  table_ = make_value_table("history", {tr("When"), tr("Trial"), tr("Value")}, 80);
   describe(*table_, tr("Stored values"),
            tr("Every stored value of this measure (Tab, arrow keys)"));
   trend_ = new TrendPlot;

@@ -36,7 +36,7 @@ SessionTrendPlot::SessionTrendPlot(Size size, QWidget* parent)
     : QWidget(parent), size_(size), plot_(make_plot(*this)) {
   const bool large = size == Size::large;
   means_ = plot_->addGraph();
-  means_->setPen(QPen(QColor(0x8F, 0xB4, 0xD9), large ? 2.0 : 1.5));
+  means_->setPen(QPen(look::kPaleAccent, large ? 2.0 : 1.5));
   const auto marks = [&](QCPScatterStyle::ScatterShape shape, const QColor& fill, double grow) {
     auto* graph = plot_->addGraph();
     graph->setLineStyle(QCPGraph::lsNone);

@@ -64,7 +64,7 @@ void FingerBar::paintEvent(QPaintEvent*) {
 
   const QRectF trough(0, bar_top, width(), bar_px);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(0xE6, 0xEA, 0xEF));
+  painter.setBrush(look::kTrack);
   painter.drawRoundedRect(trough, 4, 4);
   // A tenth of the bar is for pulling.
   const qreal zero = 0.1 * width();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/session_pages/score_panel.hpp"
 
-#include <QHeaderView>
-
 #include "gui/look/look.hpp"
+#include "gui/look/value_table.hpp"
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 
@@ -15,20 +14,7 @@ ScorePanel::ScorePanel(SessionPresenter& presenter, QWidget* parent)
   remark_->setObjectName("result_remark");
   remark_->setProperty("role", "quiet");
   remark_->setWordWrap(true);
-  table_ = new QTableWidget(0, 2);
-  table_->setObjectName("score");
-  table_->setHorizontalHeaderLabels({tr("Measure"), tr("Value")});
-  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-  table_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  table_->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(scaled(24));
-  table_->setShowGrid(false);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setTabKeyNavigation(false);
-  take_rest(*table_, 90);
+  table_ = make_value_table("score", {tr("Measure"), tr("Value")}, 90);
   describe(*table_, tr("Result of the trial"),
            tr("Measures of the running or the last trial (Alt+U)"));
   title_->setText(tr("Res&ult"));

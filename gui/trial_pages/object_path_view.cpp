@@ -93,7 +93,7 @@ void ObjectPathView::paint_backdrop() {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setFont(font());
   painter.setPen(QPen(look::kLine, 1));
-  painter.setBrush(QColor(0xFA, 0xFB, 0xFC));
+  painter.setBrush(look::kPathGround);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
   if (trial_ == nullptr || trial_->path.empty()) return;
   painter.setBrush(Qt::NoBrush);
@@ -147,7 +147,7 @@ void ObjectPathView::paint_object(QPainter& painter, const View& view) const {
   }
   if (!state_.X_WO) return;
   painter.setPen(QPen(look::kText, 1.2));
-  painter.setBrush(QColor(0x33, 0x6B, 0xA8, 40));
+  painter.setBrush(look::kObject);
   paint_outline(painter, view, *state_.X_WO);
   if (!trial_->scene) return;
   for (const auto& contact : trial_->scene->contacts) {

@@ -15,9 +15,8 @@ namespace isograsp::gui {
 namespace {
 
 /// Told apart with every kind of colour vision (Okabe and Ito), dark enough on white.
-const std::array<QColor, 6> kCycle{QColor{0x00, 0x72, 0xB2}, QColor{0xC7, 0x52, 0x00},
-                                   QColor{0x00, 0x8A, 0x63}, QColor{0xB0, 0x55, 0x8A},
-                                   QColor{0x8A, 0x6D, 0x00}, QColor{0x1B, 0x27, 0x33}};
+const std::array<QColor, 6> kCycle{look::kFingers[0],     look::kFingers[1],     look::kFingers[2],
+                                   look::kOtherCurves[0], look::kOtherCurves[1], look::kText};
 
 struct Unit {
   const char* ending;  ///< of the column's name

@@ -5,6 +5,7 @@
 #include <QSvgGenerator>
 #include <cmath>
 
+#include "reports/paper/palette.hpp"
 #include "reports/paper/plotting.hpp"
 
 namespace isograsp::reports {
@@ -12,39 +13,39 @@ namespace isograsp::reports {
 namespace {
 
 constexpr const char* kStyle =
-    R"(body { font: 15px/1.45 "DejaVu Sans", system-ui, sans-serif; color: #22262b; background: #fff;
+    R"(body { font: 15px/1.45 "DejaVu Sans", system-ui, sans-serif; color: %INK%; background: #fff;
   max-width: 920px; margin: 0 auto; padding: 32px 24px; }
 h1 { font-size: 36px; margin: 0 0 12px; } h1.long { font-size: 24px; padding-right: 220px; }
  h2 { font-size: 20px; margin: 40px 0 4px; }
 h3 { font-size: 15px; margin: 20px 0 0; } p { margin: 4px 0; }
-.quiet, small, caption { color: #5f666e; font-size: 13px; }
-header { border-bottom: 1px solid #d5d9dd; padding-bottom: 14px; position: relative; }
-.badge { position: absolute; top: 0; right: 0; border: 1.5px solid #22262b; padding: 4px 10px;
+.quiet, small, caption { color: %QUIET%; font-size: 13px; }
+header { border-bottom: 1px solid %LINE%; padding-bottom: 14px; position: relative; }
+.badge { position: absolute; top: 0; right: 0; border: 1.5px solid %INK%; padding: 4px 10px;
   font-weight: bold; font-size: 13px; }
-.facts { display: flex; flex-wrap: wrap; gap: 28px; border-top: 1.5px solid #22262b; margin: 0;
+.facts { display: flex; flex-wrap: wrap; gap: 28px; border-top: 1.5px solid %INK%; margin: 0;
   padding-top: 12px; }
-.facts dt { color: #5f666e; font-size: 13px; } .facts dd { margin: 0; font-weight: bold; }
+.facts dt { color: %QUIET%; font-size: 13px; } .facts dd { margin: 0; font-weight: bold; }
 table { border-collapse: collapse; width: 100%; margin: 8px 0; font-variant-numeric: tabular-nums; }
 caption { text-align: left; } th { text-align: left; font-weight: normal; }
-thead th { color: #5f666e; font-size: 13px; border-bottom: 1px solid #5f666e; }
-th, td { padding: 5px 10px 5px 0; border-bottom: 1px solid #d5d9dd; vertical-align: top; }
-.quality dl { border: 1px solid #d5d9dd; padding: 12px 16px; margin: 8px 0; display: grid;
+thead th { color: %QUIET%; font-size: 13px; border-bottom: 1px solid %QUIET%; }
+th, td { padding: 5px 10px 5px 0; border-bottom: 1px solid %LINE%; vertical-align: top; }
+.quality dl { border: 1px solid %LINE%; padding: 12px 16px; margin: 8px 0; display: grid;
   grid-template-columns: 9em 1fr; gap: 4px 12px; }
-.quality dt { color: #5f666e; } .quality dd { margin: 0; }
-.quality .attention { font-weight: bold; color: #22262b; }
+.quality dt { color: %QUIET%; } .quality dd { margin: 0; }
+.quality .attention { font-weight: bold; color: %INK%; }
 figure { margin: 0; } svg { width: 100%; height: auto; display: block; }
 td.number, th.number { text-align: right; } figure.boxes { margin: 16px 0; }
 .trends { display: grid; grid-template-columns: repeat(auto-fill, minmax(270px, 1fr)); gap: 8px 24px; }
 .trends table { font-size: 13px; }
 .plots { display: flex; flex-wrap: wrap; gap: 8px 24px; } .plots figure { flex: 1 1 180px; }
 .blanks { display: flex; gap: 24px; margin-top: 64px; }
-.blanks p { flex: 1; border-top: 1px solid #22262b; color: #5f666e; font-size: 13px; }
-.large { font-size: 30px; break-before: page; border-top: 1px solid #d5d9dd; margin-top: 48px; }
+.blanks p { flex: 1; border-top: 1px solid %INK%; color: %QUIET%; font-size: 13px; }
+.large { font-size: 30px; break-before: page; border-top: 1px solid %LINE%; margin-top: 48px; }
 .large h2 { font-size: 52px; } .large h3 { font-size: 30px; } .large p { margin: 16px 0; }
 .trial { display: flex; flex-wrap: wrap; gap: 24px; align-items: flex-start; }
 .trial figure { flex: 2 1 auto; min-width: 260px; } .trial figure + figure { flex: 1 1 auto; }
 details { margin: 8px 0; } summary { cursor: pointer; }
-footer { border-top: 1px solid #d5d9dd; margin-top: 40px; padding-top: 8px; color: #5f666e;
+footer { border-top: 1px solid %LINE%; margin-top: 40px; padding-top: 8px; color: %QUIET%;
   font-size: 13px; }
 .watermark { position: fixed; top: 45%; left: 0; right: 0; text-align: center; font-weight: bold;
   font-size: min(9vw, 84px); color: rgba(0, 0, 0, 0.06); transform: rotate(-35deg);
@@ -61,14 +62,21 @@ details { overflow-x: auto; }
   .large { font-size: 22px; } .large h2 { font-size: 34px; } .large h3 { font-size: 22px; }
   table.cards, .cards caption, .cards tbody, .cards tr { display: block; }
   .cards thead { position: absolute; left: -9999px; }
-  .cards tr { border-bottom: 1px solid #5f666e; padding: 8px 0; }
+  .cards tr { border-bottom: 1px solid %QUIET%; padding: 8px 0; }
   .cards th, .cards td, .cards .number { display: flow-root; border: 0; padding: 2px 0 2px 140px;
     text-align: left; }
   .cards [data-head]::before { content: attr(data-head); float: left; width: 130px;
-    margin-left: -140px; color: #5f666e; font-size: 13px; font-weight: normal; }
+    margin-left: -140px; color: %QUIET%; font-size: 13px; font-weight: normal; }
 }
 @media print { section { break-inside: avoid; } details { display: none; } }
 )";
+
+QString style() {
+  return QString(kStyle)
+      .replace("%INK%", Palette::ink().name())
+      .replace("%QUIET%", Palette::quiet().name())
+      .replace("%LINE%", Palette::line().name());
+}
 
 /// A report is words, styles and drawings: it loads nothing, runs nothing and sends nothing,
 /// whatever stands in the texts of the database.
@@ -114,7 +122,7 @@ QString html_head(const PageFurniture& furniture) {
       QString(kPolicy) +
       "\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      escaped(furniture.kind) + " " + title + "</title>\n<style>\n" + kStyle +
+      escaped(furniture.kind) + " " + title + "</title>\n<style>\n" + style() +
       "</style>\n</head>\n<body>\n";
   if (!mark.isEmpty()) out += "<div class=\"watermark\" aria-hidden=\"true\">" + mark + "</div>\n";
   out += "<header>\n<p class=\"quiet\">IsoGrasp · " + escaped(furniture.kind) + "</p>\n<h1" +

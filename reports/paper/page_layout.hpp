@@ -8,6 +8,8 @@
 #include <functional>
 #include <vector>
 
+#include "reports/paper/palette.hpp"
+
 class QPainter;
 class QCPPainter;
 
@@ -16,7 +18,7 @@ namespace isograsp::reports {
 struct TextStyle {
   double size = 8.0;
   bool bold = false;
-  QColor color = QColor(0x22, 0x26, 0x2b);
+  QColor color = Palette::ink();
   Qt::Alignment align = Qt::AlignLeft;
   double line_height_percent = 125.0;
 };

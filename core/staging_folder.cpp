@@ -60,9 +60,7 @@ Result<StagingFolder> StagingFolder::beside(const std::string& target) {
     // A link or a file in its place leads nowhere and is nobody's work.
     if (errno == ENOTDIR || errno == ELOOP) fs::remove(made.path_, failure);
   }
-  return failed("cannot be made: its folder cannot be written to",
-                "choose a folder that you may write to")
-      .at(target);
+  return failed("its folder is read-only", "choose a folder that you may write to").at(target);
 }
 
 StagingFolder::~StagingFolder() {

@@ -19,6 +19,7 @@
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE __builtin_unreachable()
 #include <toml++/toml.h>
+static_assert(TOML_LIB_MAJOR == 3 && TOML_LIB_MINOR == 3, "are both slips still there?");
 
 namespace isograsp {
 

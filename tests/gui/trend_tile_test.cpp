@@ -2,10 +2,11 @@
 // What tells two measures apart is never cut off.
 #include "gui/record_pages/trend_tile.hpp"
 
+#include <array>
+
 #include "gui/words/words.hpp"
 #include "qt_test.hpp"
 #include "spoken.hpp"
-#include "tests/support/every.hpp"
 
 namespace isograsp::gui::test::trend_tile_test {
 namespace {
@@ -28,12 +29,11 @@ QImage tile_of(const char* measure, const char* channel, Hand hand = Hand::right
 TEST_P(TrendTiles, OfTwoFingersLookDifferent) {
   const Spoken spoken(GetParam());
   for (const char* measure : {"maximum_force", "comfortable_force", "maximum_window_mean"}) {
-    std::vector<QImage> seen;
-    for (const char* channel : {"thumb", "index", "middle", "thumb_-z", "index_-z", "middle_-z"}) {
-      const auto tile = tile_of(measure, channel);
-      for (const auto& other : every(seen)) EXPECT_NE(tile, other) << measure << " " << channel;
-      seen.push_back(tile);
-    }
+    constexpr std::array kChannels{"thumb", "index", "middle", "thumb_-z", "index_-z", "middle_-z"};
+    for (std::size_t a = 0; a < kChannels.size(); ++a)
+      for (std::size_t b = a + 1; b < kChannels.size(); ++b)
+        EXPECT_NE(tile_of(measure, kChannels[a]), tile_of(measure, kChannels[b]))
+            << measure << " " << kChannels[a] << " " << kChannels[b];
   }
 }
 

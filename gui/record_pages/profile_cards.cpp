@@ -59,6 +59,23 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
                            {"dominant_right", tr("Right"), tr("Dominant hand: right"), "Ctrl+6"}},
                           this);
   make_sex_and_year();
+  make_onset();
+  goals_ = text_field("goals", tr("Goals"),
+                      tr("What the patient wants to do again; stays in the clinic, never in a "
+                         "research export; Ctrl+Z takes back what was typed (Ctrl+Shift+G)"),
+                      "Ctrl+Shift+G");
+  notes_ = text_field("notes", tr("Notes"),
+                      tr("What colleagues should know; stays in the clinic, never in a research "
+                         "export; Ctrl+Z takes back what was typed (Ctrl+Shift+N)"),
+                      "Ctrl+Shift+N");
+  place_fields();
+  for (auto* segments : {affected_, dominant_, sex_})
+    connect(segments, &SegmentedChoice::chosen_by_user, this, &PersonCard::left);
+  for (auto* field : {goals_, notes_})
+    connect(field, &QPlainTextEdit::textChanged, this, &PersonCard::typed);
+}
+
+void PersonCard::make_onset() {
   onset_ = new DateField(Ahead::refused);
   onset_->setObjectName("onset");
   onset_->setPlaceholderText(tr("not known"));
@@ -68,14 +85,21 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
   add_key(this, "Ctrl+Shift+O", [this] { onset_->setFocus(); });
   onset_remark_ = new Remark;
   onset_remark_->setObjectName("onset_remark");
-  goals_ = text_field("goals", tr("Goals"),
-                      tr("What the patient wants to do again; stays in the clinic, never in a "
-                         "research export; Ctrl+Z takes back what was typed (Ctrl+Shift+G)"),
-                      "Ctrl+Shift+G");
-  notes_ = text_field("notes", tr("Notes"),
-                      tr("What colleagues should know; stays in the clinic, never in a research "
-                         "export; Ctrl+Z takes back what was typed (Ctrl+Shift+N)"),
-                      "Ctrl+Shift+N");
+  // Half a date may be another one: 2025-02-2 on the way to 2025-02-29. A whole one is taken.
+  connect(onset_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    onset_remark_->say({});
+    const auto day = onset_->typed().value;
+    if (!day || text != shown_date(iso_text(*day))) return;
+    finish();
+    Q_EMIT typed();
+  });
+  connect(onset_, &QLineEdit::editingFinished, this, [this] {
+    finish();
+    Q_EMIT left();
+  });
+}
+
+void PersonCard::place_fields() {
   column_->addWidget(caption(tr("Affected side"), affected_));
   column_->addWidget(affected_);
   // Two and two side by side: the texts below need the room.
@@ -97,23 +121,6 @@ PersonCard::PersonCard(QWidget* parent) : Card({}, parent) {
   column_->addWidget(goals_, 1);
   column_->addWidget(caption(tr("Notes"), notes_));
   column_->addWidget(notes_, 1);
-
-  for (auto* segments : {affected_, dominant_, sex_})
-    connect(segments, &SegmentedChoice::chosen_by_user, this, &PersonCard::left);
-  // Half a date may be another one: 2025-02-2 on the way to 2025-02-29. A whole one is taken.
-  connect(onset_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    onset_remark_->say({});
-    const auto day = onset_->typed().value;
-    if (!day || text != shown_date(iso_text(*day))) return;
-    finish();
-    Q_EMIT typed();
-  });
-  connect(onset_, &QLineEdit::editingFinished, this, [this] {
-    finish();
-    Q_EMIT left();
-  });
-  for (auto* field : {goals_, notes_})
-    connect(field, &QPlainTextEdit::textChanged, this, &PersonCard::typed);
 }
 
 /// By these and the dominant hand healthy people of the same kind are found.

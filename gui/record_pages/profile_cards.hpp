@@ -37,6 +37,8 @@ class PersonCard final : public Card {
 
  private:
   void make_sex_and_year();
+  void make_onset();
+  void place_fields();
   void finish_year();
   [[nodiscard]] QPlainTextEdit* text_field(const QString& name, const QString& title,
                                            const QString& tooltip, const QString& key);

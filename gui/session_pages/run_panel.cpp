@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 
 #include "gui/library/task_groups.hpp"
@@ -17,6 +18,22 @@ namespace isograsp::gui {
 RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
     : Card({}, parent), presenter_(presenter) {
   title_->setText(tr("Now"));
+  make_choice();
+  make_next();
+  make_buttons();
+  make_between();
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &RunPanel::refresh);
+  connect(&presenter_.flow(), &SessionFlow::library_changed, this, [this] {
+    fill_list();
+    refresh();
+  });
+  connect(&presenter_.flow(), &SessionFlow::frame, this, &RunPanel::refresh_progress);
+  refresh();
+  refresh_progress();
+}
+
+/// The protocol, or one task of the list.
+void RunPanel::make_choice() {
   follow_ = new QPushButton(tr("Prot&ocol"));
   follow_->setObjectName("follow_protocol");
   follow_->setCheckable(true);
@@ -34,6 +51,25 @@ RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
   list_->setObjectName("tasks");
   describe(*list_, tr("Tasks"), tr("Choose what the patient will do (Alt+T, then arrow keys)"));
   fill_list();
+  column_->addLayout(mode);
+  column_->addWidget(list_, 1);
+  connect(follow_, &QPushButton::clicked, this, [this] {
+    presenter_.protocol().follow();
+    refresh();
+  });
+  connect(by_hand_, &QPushButton::clicked, this, [this] {
+    presenter_.protocol().choose_by_hand();
+    refresh();
+    list_->setFocus();
+  });
+  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (item != nullptr && item->data(Qt::UserRole).isValid())
+      presenter_.tasks().choose(item->data(Qt::UserRole).toInt());
+  });
+}
+
+/// What comes next, and how it is done.
+void RunPanel::make_next() {
   next_ = new QLabel;
   next_->setObjectName("next_task");
   next_->setProperty("role", "title");
@@ -53,26 +89,35 @@ RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
            tr("After a rest the next trial begins without a press; F9 holds it (Alt+F)"));
   show_how_ = new QPushButton;
   show_how_->setObjectName("show_how");
-  start_ = new QPushButton(tr("&Start"));
-  start_->setObjectName("start");
-  start_->setMinimumHeight(scaled(38));
-  pause_ = new QPushButton;
-  pause_->setObjectName("pause");
-  pause_->setMinimumHeight(scaled(32));
-  stop_ = new QPushButton(tr("Stop"));
-  stop_->setObjectName("stop");
-  stop_->setMinimumHeight(scaled(44));
-  describe(*stop_, tr("Stop the trial"), tr("End the trial now; it is kept and marked (F10)"));
-  end_report_ = new QPushButton(tr("Write the report …"));
-  end_report_->setObjectName("end_report");
-  end_report_->setMinimumHeight(scaled(38));
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{next_, instruction_, practice_, by_itself_, show_how_})
+    column_->addWidget(widget);
+  connect(practice_, &QCheckBox::toggled, this,
+          [this](bool practice) { presenter_.tasks().set_practice(practice); });
+  connect(by_itself_, &QCheckBox::toggled, this,
+          [this](bool by_itself) { presenter_.protocol().set_by_itself(by_itself); });
+  connect(show_how_, &QPushButton::clicked, this, [this] { presenter_.tasks().show_how(); });
+}
+
+/// Start, pause, stop, and the end where nothing is left to start.
+void RunPanel::make_buttons() {
+  const auto make = [this](const char* name, int height_px, const QString& text = {}) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QLatin1String(name));
+    button->setMinimumHeight(scaled(height_px));
+    column_->addWidget(button);
+    return button;
+  };
+  start_ = make("start", 38, tr("&Start"));
+  end_report_ = make("end_report", 38, tr("Write the report …"));
   describe(*end_report_, tr("Write the report"),
            tr("The report of this patient, on its page (Ctrl+R)"));
-  end_disconnect_ = new QPushButton(tr("Disconnect"));
-  end_disconnect_->setObjectName("end_disconnect");
-  end_disconnect_->setMinimumHeight(scaled(32));
+  end_disconnect_ = make("end_disconnect", 32, tr("Disconnect"));
   describe(*end_disconnect_, tr("Disconnect: end the session"),
            tr("End the session and disconnect (Tab, then Enter)"));
+  pause_ = make("pause", 32);
+  stop_ = make("stop", 44, tr("Stop"));
+  describe(*stop_, tr("Stop the trial"), tr("End the trial now; it is kept and marked (F10)"));
   progress_ = new QProgressBar;
   progress_->setRange(0, 1000);
   describe(*progress_, tr("Progress of the trial"), tr("How much of the trial is over"));
@@ -80,63 +125,24 @@ RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
   hint_->setObjectName("start_hint");
   hint_->setProperty("role", "quiet");
   hint_->setWordWrap(true);
-
-  column_->addLayout(mode);
-  column_->addWidget(list_, 1);
-  column_->addWidget(next_);
-  column_->addWidget(instruction_);
-  column_->addWidget(practice_);
-  column_->addWidget(by_itself_);
-  column_->addWidget(show_how_);
-  column_->addWidget(start_);
-  column_->addWidget(end_report_);
-  column_->addWidget(end_disconnect_);
-  column_->addWidget(pause_);
-  column_->addWidget(stop_);
   column_->addWidget(progress_);
   column_->addWidget(hint_);
-  make_between();
-
-  connect(follow_, &QPushButton::clicked, this, [this] {
-    presenter_.protocol().follow();
-    refresh();
-  });
-  connect(by_hand_, &QPushButton::clicked, this, [this] {
-    presenter_.protocol().choose_by_hand();
-    refresh();
-    list_->setFocus();
-  });
-  connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
-    if (item != nullptr && item->data(Qt::UserRole).isValid())
-      presenter_.tasks().choose(item->data(Qt::UserRole).toInt());
-  });
-  connect(practice_, &QCheckBox::toggled, this,
-          [this](bool practice) { presenter_.tasks().set_practice(practice); });
-  connect(by_itself_, &QCheckBox::toggled, this,
-          [this](bool by_itself) { presenter_.protocol().set_by_itself(by_itself); });
-  connect(show_how_, &QPushButton::clicked, this, [this] { presenter_.tasks().show_how(); });
   connect(start_, &QPushButton::clicked, this, [this] { presenter_.trials().start(); });
   connect(end_report_, &QPushButton::clicked, this, &RunPanel::report_wanted);
   connect(end_disconnect_, &QPushButton::clicked, this,
           [this] { presenter_.connecting().disconnect_device(); });
-  connect(pause_, &QPushButton::clicked, this, [this] {
-    const auto& view = presenter_.flow().view();
-    if (view.may_pause)
-      presenter_.trials().pause();
-    else if (view.may_resume)
-      presenter_.trials().resume();
-    else
-      presenter_.protocol().stand_by();
-  });
+  connect(pause_, &QPushButton::clicked, this, &RunPanel::pause_or_go_on);
   connect(stop_, &QPushButton::clicked, this, [this] { presenter_.trials().stop(); });
-  connect(&presenter_.flow(), &SessionFlow::changed, this, &RunPanel::refresh);
-  connect(&presenter_.flow(), &SessionFlow::library_changed, this, [this] {
-    fill_list();
-    refresh();
-  });
-  connect(&presenter_.flow(), &SessionFlow::frame, this, &RunPanel::refresh_progress);
-  refresh();
-  refresh_progress();
+}
+
+void RunPanel::pause_or_go_on() {
+  const auto& view = presenter_.flow().view();
+  if (view.may_pause)
+    presenter_.trials().pause();
+  else if (view.may_resume)
+    presenter_.trials().resume();
+  else
+    presenter_.protocol().stand_by();
 }
 
 /// What a therapist does between two trials: difficulty, repeat, skip, helped, a note.

@@ -26,8 +26,12 @@ class RunPanel final : public Card {
   void report_wanted();  ///< the work is done
 
  private:
-  void fill_list();
+  void make_choice();
+  void make_next();
+  void make_buttons();
   void make_between();
+  void fill_list();
+  void pause_or_go_on();
   void refresh();
   void refresh_choice();
   void refresh_between();

@@ -13,7 +13,7 @@ namespace isograsp::reports {
 
 namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr int kMostDatedTicks = 4;
+constexpr std::size_t kMostDatedTicks = 4;
 constexpr double kDateLine = 8.0;  // a second line of tick labels [points]
 constexpr double kAbove = 4.0;
 constexpr double kLetterRow = 7.2;  // of letters of treatments
@@ -147,81 +147,73 @@ void add_marks_of_time(PlotView& view, QCPAxisRect& rect, const TaskSection& sec
   }
 }
 
-}  // namespace
+/// What is drawn, in the printed unit, over the numbers of the sessions.
+struct Drawn {
+  Values x, mean;  ///< a gap (NaN) where the conditions changed
+  Values x_trials, trials;
+  Values x_first, first, x_later, later;  ///< means of the first day, and of all others
+  Values x_practice, practice;
+  Values x_without;  ///< sessions with trials that have no value
+  Values band;       ///< on the side of the baseline; of the other only what the values reach
+  Values norm;       ///< lowest and highest; empty: none
+};
 
-PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
-                    const ReportContent& content, QSizeF size, double unit) {
-  PlotView view(size, unit);
-  const int count = static_cast<int>(content.sessions.size());
-  const bool dated = count <= kMostDatedTicks;
-  const auto printed = tasks::printed_unit(series.unit);
-  Values x, mean, x_trials, trials, x_first, first, x_later, later, x_without;
+bool breaks_between(const TaskSection& section, const ReportContent& content, double before,
+                    double session) {
+  return std::any_of(section.breaks.begin(), section.breaks.end(), [&](const auto& change) {
+    const double at = content.sessions[change.session].number;
+    return before < at && at <= session;
+  });
+}
+
+Drawn drawn(const MeasureSeries& series, const TaskSection& section, const ReportContent& content,
+            double factor) {
+  Drawn all;
   for (const auto& value : series.values) {
     const double session = content.sessions[value.session].number;
-    const bool broken =
-        !x.isEmpty() &&
-        std::any_of(section.breaks.begin(), section.breaks.end(), [&](auto& change) {
-          const double at = content.sessions[change.session].number;
-          return x.back() < at && at <= session;
-        });
-    if (broken) {
-      x.push_back(session - 0.5);
-      mean.push_back(kNaN);
+    if (!all.x.isEmpty() && breaks_between(section, content, all.x.back(), session)) {
+      all.x.push_back(session - 0.5);
+      all.mean.push_back(kNaN);
     }
-    x.push_back(session);
-    mean.push_back(value.mean ? *value.mean * printed.factor : kNaN);
+    all.x.push_back(session);
+    all.mean.push_back(value.mean ? *value.mean * factor : kNaN);
     if (value.trials.size() > 1 || !value.mean)
       for (const double trial : value.trials) {
-        x_trials.push_back(session);
-        trials.push_back(trial * printed.factor);
+        all.x_trials.push_back(session);
+        all.trials.push_back(trial * factor);
       }
     if (value.mean) {
-      (value.first_day ? x_first : x_later).push_back(session);
-      (value.first_day ? first : later).push_back(mean.back());
+      (value.first_day ? all.x_first : all.x_later).push_back(session);
+      (value.first_day ? all.first : all.later).push_back(all.mean.back());
     }
-    if (value.without_value > 0) x_without.push_back(session);
+    if (value.without_value > 0) all.x_without.push_back(session);
   }
-  const auto bands = error_bands(series);
-  Values band;  // on the side of the baseline; of the other only what the values reach
-  if (!bands.empty())
-    band = {bands.front().low * printed.factor, bands.front().high * printed.factor};
-  Values x_practice, practice;
   for (const auto& [session, value] : series.practice) {
-    x_practice.push_back(content.sessions[session].number);
-    practice.push_back(value * printed.factor);
+    all.x_practice.push_back(content.sessions[session].number);
+    all.practice.push_back(value * factor);
   }
-  Values norm;
+  if (const auto bands = error_bands(series); !bands.empty())
+    all.band = {bands.front().low * factor, bands.front().high * factor};
   if (series.norm) {
-    norm = {series.norm->values.front(), series.norm->values.back()};
-    if (series.norm->low) norm = {*series.norm->low, *series.norm->high};
-    for (double& value : norm) value *= printed.factor;
+    all.norm = {series.norm->values.front(), series.norm->values.back()};
+    if (series.norm->low) all.norm = {*series.norm->low, *series.norm->high};
+    for (double& value : all.norm) value *= factor;
   }
-  QCPRange range = range_of({&mean, &trials, &band, &practice});
-  const bool norm_far = !norm.isEmpty() && far_away(norm, range);
-  if (!norm_far) range = range_of({&mean, &trials, &band, &practice, &norm});
-  // "of 5": the scale is known.
-  if (series.unit.starts_with("of "))
-    range = {0.0, 1.08 * std::strtod(series.unit.c_str() + 3, nullptr)};
-  const auto treated = treatment_places(content);
-  int rows_above = 0;
-  for (const auto& place : treated) rows_above = std::max(rows_above, place.row + 1);
-  const int norm_row = rows_above;
-  if (norm_far) ++rows_above;
-  const double above = std::max(kAbove, rows_above * kLetterRow);
-  QCPAxisRect& rect = view.add_axes({kLeft, above, size.width() - kLeft - kRight,
-                                     size.height() - above - kBelow - (dated ? kDateLine : 0.0)});
-  rect.axis(QCPAxis::atLeft)->setRange(range);
-  rect.axis(QCPAxis::atLeft)
-      ->setLabel(QString::fromStdString(printed.text.empty() ? "ratio" : printed.text));
+  return all;
+}
 
-  const Span span = span_of(content);
-  constexpr double kRoomForNorm = 0.05;  // of the length
-  const bool norm_beside = series.norm && !norm_far;
-  const double right = span.high + (norm_beside ? kRoomForNorm * (span.high - span.low) : 0.0);
-  rect.axis(QCPAxis::atBottom)->setRange(span.low, right);
-  rect.axis(QCPAxis::atBottom)->setLabel("session");
+/// Of the axis of values; healthy people are on it unless they are `norm_far`.
+QCPRange range_for(const Drawn& all, bool norm_far, const std::string& unit) {
+  // "of 5": the scale is known.
+  if (unit.starts_with("of ")) return {0.0, 1.08 * std::strtod(unit.c_str() + 3, nullptr)};
+  return norm_far ? range_of({&all.mean, &all.trials, &all.band, &all.practice})
+                  : range_of({&all.mean, &all.trials, &all.band, &all.practice, &all.norm});
+}
+
+void add_session_ticks(QCPAxis& axis, const ReportContent& content, bool dated) {
   auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   constexpr int kMostTicks = 12;
+  const int count = static_cast<int>(content.sessions.size());
   const int step = 1 + (count - 1) / kMostTicks;
   for (int i = 0; i < count; i += step) {
     const auto& session = content.sessions[static_cast<std::size_t>(i)];
@@ -232,46 +224,85 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
     }
     ticker->addTick(session.number, label);
   }
-  rect.axis(QCPAxis::atBottom)->setTicker(ticker);
+  axis.setTicker(ticker);
+}
 
-  for (const auto& [low, high] : bands) {
-    const Values ends{span.low, right};
-    const double factor = printed.factor;
+/// Measurement error round the baseline, and the baseline itself, along the whole axis.
+void add_baseline(PlotView& view, QCPAxisRect& rect, const MeasureSeries& series,
+                  const Values& ends, double factor) {
+  for (const auto& [low, high] : error_bands(series)) {
     QCPGraph& lower = add_line(rect, ends, {low * factor, low * factor}, QPen(Qt::NoPen));
     QCPGraph& upper = add_line(rect, ends, {high * factor, high * factor}, QPen(Qt::NoPen));
     upper.setBrush(Palette::tolerance());
     upper.setChannelFillGraph(&lower);
   }
-  const QColor color = Palette::of(section.hand);
-  const auto shape =
-      section.hand == Hand::right ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare;
-  if (series.baseline) {
-    const double base = *series.baseline * printed.factor;
-    add_line(rect, {span.low, right}, {base, base},
-             dashed(Palette::quiet(), view.px(0.7), {1.5, 2.5}));
-  }
-  if (norm_far) add_far_norm(view, rect, norm, norm_row);
-  if (norm_beside) add_norm(view, rect, *series.norm, (span.high + right) / 2.0, printed.factor);
-  add_marks_of_time(view, rect, section, content, treated);
-  add_line(rect, x, mean, QPen(color, view.px(1.0)));
+  if (!series.baseline) return;
+  const double base = *series.baseline * factor;
+  add_line(rect, ends, {base, base}, dashed(Palette::quiet(), view.px(0.7), {1.5, 2.5}));
+}
+
+void add_values(PlotView& view, QCPAxisRect& rect, const Drawn& all, const QCPRange& range,
+                Hand hand) {
+  const QColor color = Palette::of(hand);
+  const auto shape = hand == Hand::right ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare;
+  add_line(rect, all.x, all.mean, QPen(color, view.px(1.0)));
   const auto add_marks = [&](const Values& keys, const Values& values,
                              const QCPScatterStyle& style) {
     QCPGraph& marks = add_line(rect, keys, values, QPen(Qt::NoPen));
     marks.setLineStyle(QCPGraph::lsNone);
     marks.setScatterStyle(style);
   };
-  add_marks(x_trials, trials,
-            {QCPScatterStyle::ssDisc, QPen(Palette::pale(section.hand), view.px(0.5)),
-             Palette::pale(section.hand), view.px(2.6)});
+  add_marks(all.x_trials, all.trials,
+            {QCPScatterStyle::ssDisc, QPen(Palette::pale(hand), view.px(0.5)), Palette::pale(hand),
+             view.px(2.6)});
   add_marks(
-      x_practice, practice,
+      all.x_practice, all.practice,
       {QCPScatterStyle::ssCircle, QPen(Palette::quiet(), view.px(0.6)), Qt::white, view.px(3.0)});
-  add_marks(x_first, first, {shape, QPen(color, view.px(1.1)), Qt::white, view.px(5.0)});
-  add_marks(x_later, later, {shape, QPen(color, view.px(1.1)), color, view.px(5.0)});
+  add_marks(all.x_first, all.first, {shape, QPen(color, view.px(1.1)), Qt::white, view.px(5.0)});
+  add_marks(all.x_later, all.later, {shape, QPen(color, view.px(1.1)), color, view.px(5.0)});
   const double floor = range.lower + 0.06 * range.size();
   add_marks(
-      x_without, Values(x_without.size(), floor),
+      all.x_without, Values(all.x_without.size(), floor),
       {QCPScatterStyle::ssCross, QPen(Palette::ink(), view.px(0.9)), Qt::NoBrush, view.px(4.5)});
+}
+
+}  // namespace
+
+PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
+                    const ReportContent& content, QSizeF size, double unit) {
+  PlotView view(size, unit);
+  const auto printed = tasks::printed_unit(series.unit);
+  const Drawn all = drawn(series, section, content, printed.factor);
+  const bool norm_far =
+      !all.norm.isEmpty() &&
+      far_away(all.norm, range_of({&all.mean, &all.trials, &all.band, &all.practice}));
+  const auto treated = treatment_places(content);
+  int rows_above = 0;
+  for (const auto& place : treated) rows_above = std::max(rows_above, place.row + 1);
+  const int norm_row = rows_above;
+  if (norm_far) ++rows_above;
+  const double above = std::max(kAbove, rows_above * kLetterRow);
+  const bool dated = content.sessions.size() <= kMostDatedTicks;
+  QCPAxisRect& rect = view.add_axes({kLeft, above, size.width() - kLeft - kRight,
+                                     size.height() - above - kBelow - (dated ? kDateLine : 0.0)});
+  const QCPRange range = range_for(all, norm_far, series.unit);
+  rect.axis(QCPAxis::atLeft)->setRange(range);
+  rect.axis(QCPAxis::atLeft)
+      ->setLabel(QString::fromStdString(printed.text.empty() ? "ratio" : printed.text));
+
+  const Span span = span_of(content);
+  constexpr double kRoomForNorm = 0.05;  // of the length
+  const bool norm_beside = series.norm && !norm_far;
+  const double right = span.high + (norm_beside ? kRoomForNorm * (span.high - span.low) : 0.0);
+  rect.axis(QCPAxis::atBottom)->setRange(span.low, right);
+  rect.axis(QCPAxis::atBottom)->setLabel("session");
+  add_session_ticks(*rect.axis(QCPAxis::atBottom), content, dated);
+
+  add_baseline(view, rect, series, {span.low, right}, printed.factor);
+  if (norm_far) add_far_norm(view, rect, all.norm, norm_row);
+  if (norm_beside) add_norm(view, rect, *series.norm, (span.high + right) / 2.0, printed.factor);
+  add_marks_of_time(view, rect, section, content, treated);
+  add_values(view, rect, all, range, section.hand);
   return view;
 }
 

@@ -61,6 +61,22 @@ TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresen
   resize(1280, 720);
   setMinimumSize(1100, 660);
   add_shortcuts();
+  watch();
+  show_page(Page::start);
+  refresh();
+  const auto say_problems = [this] {
+    for (const auto& problem : presenter_.state().library.problems) say(shown(problem));
+  };
+  connect(&presenter_.flow(), &SessionFlow::library_changed, this, say_problems);
+  say_problems();
+  connect(&staff_, &Staff::changed, this, &TherapistWindow::show_who_is_in);
+  connect(&staff_, &Staff::locking, person_, &ProfilePanel::store_now);
+  connect(&staff_, &Staff::refused, this, &TherapistWindow::say);
+  show_who_is_in();
+}
+
+/// What is said, and what lets a window close that was asked to.
+void TherapistWindow::watch() {
   connect(&presenter_.flow(), &SessionFlow::changed, this, &TherapistWindow::refresh);
   connect(&presenter_.flow(), &SessionFlow::failed, this, &TherapistWindow::say);
   connect(&clinic_, &Clinic::failed, this, &TherapistWindow::say);
@@ -85,17 +101,6 @@ TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresen
   connect(reports_, &ReportsPage::sent, &staff_, [this](const QString& code, bool done) {
     staff_.log("print", code.toStdString(), done);
   });
-  show_page(Page::start);
-  refresh();
-  const auto say_problems = [this] {
-    for (const auto& problem : presenter_.state().library.problems) say(shown(problem));
-  };
-  connect(&presenter_.flow(), &SessionFlow::library_changed, this, say_problems);
-  say_problems();
-  connect(&staff_, &Staff::changed, this, &TherapistWindow::show_who_is_in);
-  connect(&staff_, &Staff::locking, person_, &ProfilePanel::store_now);
-  connect(&staff_, &Staff::refused, this, &TherapistWindow::say);
-  show_who_is_in();
 }
 
 QWidget* TherapistWindow::make_header() {
@@ -134,7 +139,11 @@ QWidget* TherapistWindow::make_header() {
   message_->setObjectName("message");
   message_->setWordWrap(true);
   message_->hide();
+  arrange_header(*header, wordmark);
+  return header;
+}
 
+void TherapistWindow::arrange_header(QWidget& header, QLabel* wordmark) {
   auto* said = new QHBoxLayout;  // how things stand, in a line of its own with large letters
   said->setSpacing(12);
   said->addWidget(light_);
@@ -153,13 +162,12 @@ QWidget* TherapistWindow::make_header() {
   top->addWidget(simulated_);
   top->addWidget(patient_screen_);
   top->addWidget(lock_);
-  auto* column = new QVBoxLayout(header);
+  auto* column = new QVBoxLayout(&header);
   column->setContentsMargins(16, 10, 16, 10);
   column->setSpacing(6);
   column->addLayout(top);
   if (!in_a_row) column->addLayout(said);
   column->addWidget(message_);
-  return header;
 }
 
 QWidget* TherapistWindow::make_navigation() {

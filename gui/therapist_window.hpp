@@ -60,6 +60,8 @@ class TherapistWindow final : public QMainWindow {
 
  private:
   QWidget* make_header();
+  void arrange_header(QWidget& header, QLabel* wordmark);
+  void watch();
   QWidget* make_navigation();
   void make_pages();
   void add_page(Page page, const QString& title, QWidget* content);

@@ -159,6 +159,11 @@ QWidget* LibraryPage::make_editor() {
   column.addWidget(remark_);
   column.addWidget(editor_, 1);
   column.addLayout(verdict);
+  watch_editor();
+  return card;
+}
+
+void LibraryPage::watch_editor() {
   connect(duplicate_, &QPushButton::clicked, this, &LibraryPage::duplicate);
   connect(save_, &QPushButton::clicked, this, &LibraryPage::save);
   connect(revert_, &QPushButton::clicked, this, &LibraryPage::revert);
@@ -172,7 +177,6 @@ QWidget* LibraryPage::make_editor() {
   connect(editor_, &QPlainTextEdit::textChanged, this, &LibraryPage::text_changed);
   connect(editor_->document(), &QTextDocument::undoAvailable, this, &LibraryPage::refresh);
   connect(editor_->document(), &QTextDocument::redoAvailable, this, &LibraryPage::refresh);
-  return card;
 }
 
 void LibraryPage::add_keys() {

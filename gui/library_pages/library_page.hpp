@@ -37,6 +37,7 @@ class LibraryPage final : public QWidget {
  private:
   [[nodiscard]] QWidget* make_list();
   [[nodiscard]] QWidget* make_editor();
+  void watch_editor();
   void add_keys();
   void show_kind(LibraryKind kind);
   /// Reads the list again; then the file at `path` is chosen, with its name selected if it is new.

@@ -15,6 +15,7 @@ namespace isograsp::gui {
 namespace {
 
 constexpr int kPicture_px = 190;
+constexpr double kFingerArrow_px = 26.0;  // of a finger
 
 /// 1, 2 or 5 times a power of ten: at most `most` steps over `range`.
 double round_step(double range, int most) {
@@ -61,10 +62,14 @@ void TargetCurve::paintEvent(QPaintEvent*) {
   if (curve_.values.empty()) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  const Axes axes = this->axes();
+  draw_axes(painter, axes);
+  draw_curve(painter, axes);
+}
+
+TargetCurve::Axes TargetCurve::axes() const {
   const auto metrics = fontMetrics();
   const int left_px = scaled(40);
-  const QRectF area(left_px, metrics.height() + 8, width() - left_px - 10,
-                    height() - 2.0 * metrics.height() - 18);
   double least = 0.0;
   double most = 0.0;
   for (const double value : curve_.values)
@@ -74,30 +79,36 @@ void TargetCurve::paintEvent(QPaintEvent*) {
     }
   if (!(most > least)) most = least + 1.0;
   most += 0.06 * (most - least);
-  const double end_s = curve_.period_s * static_cast<double>(curve_.values.size());
-  const auto x = [&](double t_s) { return area.left() + area.width() * t_s / end_s; };
-  const auto y = [&](double value) {
-    return area.bottom() - area.height() * (value - least) / (most - least);
-  };
+  return {QRectF(left_px, metrics.height() + 8, width() - left_px - 10,
+                 height() - 2.0 * metrics.height() - 18),
+          least, most, curve_.period_s * static_cast<double>(curve_.values.size())};
+}
+
+void TargetCurve::draw_axes(QPainter& painter, const Axes& on) const {
+  const auto metrics = fontMetrics();
+  const QRectF& area = on.area;
   painter.setPen(look::kQuietText);
   painter.drawText(QPointF(2, metrics.ascent()), curve_.axis);
-  const double step = round_step(most - least, 5);
-  for (double tick = std::ceil(least / step) * step; tick <= most; tick += step) {
+  const double step = round_step(on.most - on.least, 5);
+  for (double tick = std::ceil(on.least / step) * step; tick <= on.most; tick += step) {
     set_ink(painter, look::kGrid);
-    painter.drawLine(QPointF(area.left(), y(tick)), QPointF(area.right(), y(tick)));
+    painter.drawLine(QPointF(area.left(), on.y(tick)), QPointF(area.right(), on.y(tick)));
     painter.setPen(look::kQuietText);
-    painter.drawText(QRectF(0, y(tick) - scaled(10), area.left() - 6, scaled(20)),
+    painter.drawText(QRectF(0, on.y(tick) - scaled(10), area.left() - 6, scaled(20)),
                      Qt::AlignRight | Qt::AlignVCenter,
                      tick_words(std::abs(tick) < 1e-9 * step ? 0.0 : tick));
   }
-  const double step_s = round_step(end_s, side_by_side() == QBoxLayout::LeftToRight ? 6 : 5);
-  for (double tick_s = 0.0; tick_s <= end_s; tick_s += step_s)
-    painter.drawText(QRectF(x(tick_s) - left_px, area.bottom() + 4, 2 * left_px, metrics.height()),
-                     Qt::AlignHCenter, tr("%1 s").arg(tick_words(tick_s)));
+  const double step_s = round_step(on.end_s, side_by_side() == QBoxLayout::LeftToRight ? 6 : 5);
+  for (double tick_s = 0.0; tick_s <= on.end_s; tick_s += step_s)
+    painter.drawText(
+        QRectF(on.x(tick_s) - area.left(), area.bottom() + 4, 2 * area.left(), metrics.height()),
+        Qt::AlignHCenter, tr("%1 s").arg(tick_words(tick_s)));
   set_ink(painter, look::kLine);
-  painter.drawLine(QPointF(area.left(), y(0.0)), QPointF(area.right(), y(0.0)));
+  painter.drawLine(QPointF(area.left(), on.y(0.0)), QPointF(area.right(), on.y(0.0)));
+}
 
-  // One stroke for each stretch that is seen, or not seen, without a gap.
+/// One stroke for each stretch that is seen, or not seen, without a gap.
+void TargetCurve::draw_curve(QPainter& painter, const Axes& on) const {
   QPainterPath path;
   const auto stroke = [&](bool hidden) {
     set_ink(painter, hidden ? look::kQuietText : look::kAccent, 1.8,
@@ -111,7 +122,7 @@ void TargetCurve::paintEvent(QPaintEvent*) {
       if (!path.isEmpty()) stroke(curve_.hidden[k - 1]);
       continue;
     }
-    const QPointF place(x(curve_.period_s * static_cast<double>(k)), y(value));
+    const QPointF place(on.x(curve_.period_s * static_cast<double>(k)), on.y(value));
     if (path.elementCount() == 0)
       path.moveTo(place);
     else
@@ -138,85 +149,95 @@ void ObjectSketch::show_sketch(const LibraryPreview::Sketch& sketch) {
   update();
 }
 
-void ObjectSketch::paintEvent(QPaintEvent*) {
-  if (sketch_.outline.isEmpty()) return;
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const auto placed = [&](const LibraryPreview::Sketch::Target& target) {
-    QTransform turn;
-    turn.translate(target.place.x(), target.place.y());
-    turn.rotateRadians(target.angle_rad);
-    return turn.map(sketch_.outline);
-  };
+QPolygonF ObjectSketch::placed(const LibraryPreview::Sketch::Target& target) const {
+  QTransform turn;
+  turn.translate(target.place.x(), target.place.y());
+  turn.rotateRadians(target.angle_rad);
+  return turn.map(sketch_.outline);
+}
+
+ObjectSketch::Plane ObjectSketch::plane() const {
   QRectF all = sketch_.outline.boundingRect();
   for (const auto& target : sketch_.targets) all = all.united(placed(target).boundingRect());
   const double around_m = 0.35 * std::max(sketch_.outline.boundingRect().width(),
                                           sketch_.outline.boundingRect().height());
   all.adjust(-around_m, -around_m, around_m, around_m);
   const double foot_px = scaled(22);  // for the scale
-  const double scale = std::min(width() / all.width(), (height() - foot_px) / all.height());
-  const auto at = [&](const QPointF& place) {
-    return QPointF(width() / 2.0 + scale * (place.x() - all.center().x()),
-                   (height() - foot_px) / 2.0 - scale * (place.y() - all.center().y()));
-  };
-  const auto shape = [&](const QPolygonF& outline) {
-    QPolygonF drawn;
-    for (const auto& corner : outline) drawn << at(corner);
-    return drawn;
-  };
+  return {all.center(),
+          {width() / 2.0, (height() - foot_px) / 2.0},
+          std::min(width() / all.width(), (height() - foot_px) / all.height())};
+}
+
+void ObjectSketch::paintEvent(QPaintEvent*) {
+  if (sketch_.outline.isEmpty()) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Plane on = plane();
+  draw_targets(painter, on);
+  if (sketch_.targets.empty()) {
+    painter.setBrush(look::kTrack);
+    set_ink(painter, look::kText, 1.4);
+    painter.drawPolygon(on.shape(sketch_.outline));
+    draw_arrows(painter, on);
+    draw_letters(painter, on);
+  }
+  const double bar_m = round_step(0.35 * width() / on.px_per_m, 2);
+  const QPointF begin(12, height() - 6);
+  set_ink(painter, look::kQuietText, 1.5);
+  painter.drawLine(begin, begin + QPointF(on.px_per_m * bar_m, 0));
+  painter.drawText(begin + QPointF(0, -5), tr("%1 mm").arg(tick_words(1000.0 * bar_m)));
+}
+
+void ObjectSketch::draw_targets(QPainter& painter, const Plane& on) const {
   int number = 0;
   painter.setBrush(Qt::NoBrush);
   for (const auto& target : sketch_.targets) {
     set_ink(painter, target.start ? look::kQuietText : look::kAccent, 1.4,
             target.start ? Qt::DashLine : Qt::SolidLine);
-    painter.drawPolygon(shape(placed(target)));
+    painter.drawPolygon(on.shape(placed(target)));
     if (!target.start)
-      painter.drawText(QRectF(at(target.place) - QPointF(scaled(20), scaled(20)),
+      painter.drawText(QRectF(on.at(target.place) - QPointF(scaled(20), scaled(20)),
                               QSizeF(scaled(40), scaled(40))),
                        Qt::AlignCenter, QString::number(++number));
   }
-  if (sketch_.targets.empty()) {
-    painter.setBrush(look::kTrack);
-    set_ink(painter, look::kText, 1.4);
-    painter.drawPolygon(shape(sketch_.outline));
-    for (const auto& touch : sketch_.touches) {
-      const QColor color = look::kFingers[index_of(touch.finger)];
-      const QPointF tip = at(touch.place);
-      const QPointF along(touch.inward.x(), -touch.inward.y());
-      constexpr double kArrow_px = 26.0;
-      constexpr double kHead_px = 6.0;
-      const QPointF across(-along.y(), along.x());
-      set_ink(painter, color, 2.4);
-      painter.setBrush(color);
-      painter.drawLine(tip - kArrow_px * along, tip - kHead_px * along);
-      painter.drawPolygon(polygon({tip, tip - 1.6 * kHead_px * along + 0.7 * kHead_px * across,
-                                   tip - 1.6 * kHead_px * along - 0.7 * kHead_px * across}));
-    }
-    // Fingers at the same height share a place: their letters stand side by side.
-    std::vector<std::pair<QPointF, QString>> letters;
-    for (const auto& touch : sketch_.touches) {
-      const QPointF along(touch.inward.x(), -touch.inward.y());
-      const QPointF place = at(touch.place) - (26.0 + scaled(12)) * along;
-      const auto letter = finger_title(touch.finger).left(1);
-      const auto same = std::find_if(letters.begin(), letters.end(), [&](const auto& one) {
-        return (one.first - place).manhattanLength() < 12.0;
-      });
-      if (same == letters.end())
-        letters.emplace_back(place, letter);
-      else
-        same->second += QStringLiteral(" ") + letter;
-    }
-    painter.setPen(look::kText);
-    for (const auto& [place, letter] : letters)
-      painter.drawText(
-          QRectF(place - QPointF(scaled(30), scaled(12)), QSizeF(scaled(60), scaled(24))),
-          Qt::AlignCenter, letter);
+}
+
+/// Fingers, and where they press.
+void ObjectSketch::draw_arrows(QPainter& painter, const Plane& on) const {
+  for (const auto& touch : sketch_.touches) {
+    const QColor color = look::kFingers[index_of(touch.finger)];
+    const QPointF tip = on.at(touch.place);
+    const QPointF along(touch.inward.x(), -touch.inward.y());
+    constexpr double kHead_px = 6.0;
+    const QPointF across(-along.y(), along.x());
+    set_ink(painter, color, 2.4);
+    painter.setBrush(color);
+    painter.drawLine(tip - kFingerArrow_px * along, tip - kHead_px * along);
+    painter.drawPolygon(polygon({tip, tip - 1.6 * kHead_px * along + 0.7 * kHead_px * across,
+                                 tip - 1.6 * kHead_px * along - 0.7 * kHead_px * across}));
   }
-  const double bar_m = round_step(0.35 * width() / scale, 2);
-  const QPointF begin(12, height() - 6);
-  set_ink(painter, look::kQuietText, 1.5);
-  painter.drawLine(begin, begin + QPointF(scale * bar_m, 0));
-  painter.drawText(begin + QPointF(0, -5), tr("%1 mm").arg(tick_words(1000.0 * bar_m)));
+}
+
+/// Fingers at the same height share a place: their letters stand side by side.
+void ObjectSketch::draw_letters(QPainter& painter, const Plane& on) const {
+  std::vector<std::pair<QPointF, QString>> letters;
+  for (const auto& touch : sketch_.touches) {
+    const QPointF along(touch.inward.x(), -touch.inward.y());
+    const QPointF place = on.at(touch.place) - (kFingerArrow_px + scaled(12)) * along;
+    const auto letter = finger_title(touch.finger).left(1);
+    const auto same = std::find_if(letters.begin(), letters.end(), [&](const auto& one) {
+      return (one.first - place).manhattanLength() < 12.0;
+    });
+    if (same == letters.end())
+      letters.emplace_back(place, letter);
+    else
+      same->second += QStringLiteral(" ") + letter;
+  }
+  painter.setPen(look::kText);
+  for (const auto& [place, letter] : letters)
+    painter.drawText(
+        QRectF(place - QPointF(scaled(30), scaled(12)), QSizeF(scaled(60), scaled(24))),
+        Qt::AlignCenter, letter);
 }
 
 LibraryView::LibraryView(QWidget* parent) : Card({}, parent) {

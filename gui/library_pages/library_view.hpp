@@ -4,6 +4,8 @@
 #pragma once
 
 #include <QLabel>
+#include <QPainter>
+#include <QPolygonF>
 #include <QTableWidget>
 #include <QWidget>
 
@@ -24,6 +26,21 @@ class TargetCurve final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  struct Axes {
+    QRectF area;  ///< of the plot [px]
+    double least;
+    double most;
+    double end_s;
+
+    [[nodiscard]] double x(double t_s) const { return area.left() + area.width() * t_s / end_s; }
+    [[nodiscard]] double y(double value) const {
+      return area.bottom() - area.height() * (value - least) / (most - least);
+    }
+  };
+  [[nodiscard]] Axes axes() const;
+  void draw_axes(QPainter& painter, const Axes& on) const;
+  void draw_curve(QPainter& painter, const Axes& on) const;
+
   LibraryPreview::Curve curve_;
 };
 
@@ -39,6 +56,29 @@ class ObjectSketch final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// Of x and y [m], as it stands in the widget.
+  struct Plane {
+    QPointF center_m;
+    QPointF center_px;
+    double px_per_m;
+
+    [[nodiscard]] QPointF at(const QPointF& place) const {
+      return {center_px.x() + px_per_m * (place.x() - center_m.x()),
+              center_px.y() - px_per_m * (place.y() - center_m.y())};
+    }
+    [[nodiscard]] QPolygonF shape(const QPolygonF& outline) const {
+      QPolygonF drawn;
+      for (const auto& corner : outline) drawn << at(corner);
+      return drawn;
+    }
+  };
+  [[nodiscard]] Plane plane() const;
+  /// The object's outline there [m].
+  [[nodiscard]] QPolygonF placed(const LibraryPreview::Sketch::Target& target) const;
+  void draw_targets(QPainter& painter, const Plane& on) const;
+  void draw_arrows(QPainter& painter, const Plane& on) const;
+  void draw_letters(QPainter& painter, const Plane& on) const;
+
   LibraryPreview::Sketch sketch_;
 };
 

@@ -23,6 +23,15 @@ constexpr const char* kRecovery = "\n recovery";
 }  // namespace
 
 LoginPage::LoginPage(Staff& staff, QWidget* parent) : QWidget(parent), staff_(staff) {
+  auto* centred = new QVBoxLayout(this);
+  centred->addStretch(2);
+  centred->addWidget(make_card(), 0, Qt::AlignHCenter);
+  centred->addStretch(3);
+  watch();
+  refresh();
+}
+
+QWidget* LoginPage::make_card() {
   auto* card = new Card({});
   card->setFixedWidth(scaled(kCard_px));
   title_ = card->findChild<QLabel*>();
@@ -65,10 +74,10 @@ LoginPage::LoginPage(Staff& staff, QWidget* parent) : QWidget(parent), staff_(st
   column.addSpacing(4);
   column.addWidget(enter_);
   column.addWidget(problem_);
-  auto* centred = new QVBoxLayout(this);
-  centred->addStretch(2);
-  centred->addWidget(card, 0, Qt::AlignHCenter);
-  centred->addStretch(3);
+  return card;
+}
+
+void LoginPage::watch() {
   connect(&staff_, &Staff::changed, this, &LoginPage::refresh);
   connect(&staff_, &Staff::login_refused, this, [this](const QString& why) {
     problem_->setText(why);
@@ -87,7 +96,6 @@ LoginPage::LoginPage(Staff& staff, QWidget* parent) : QWidget(parent), staff_(st
   connect(enter_, &QPushButton::clicked, this, &LoginPage::log_in);
   connect(secret_, &QLineEdit::returnPressed, this, &LoginPage::log_in);
   connect(secret_, &QLineEdit::textChanged, this, &LoginPage::refresh);
-  refresh();
 }
 
 void LoginPage::showEvent(QShowEvent* event) {

@@ -23,6 +23,8 @@ class LoginPage final : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  [[nodiscard]] QWidget* make_card();
+  void watch();
   void refresh();
   void fill_who();
   [[nodiscard]] bool who_is_filled() const;

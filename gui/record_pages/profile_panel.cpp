@@ -21,6 +21,17 @@ constexpr int kTwoColumns_px = 720;
 
 ProfilePanel::ProfilePanel(Clinic& clinic, PersonFile& file, QWidget* parent)
     : QWidget(parent), clinic_(clinic), file_(file) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(make_header());
+  column->addWidget(make_form(), 1);
+  watch();
+  show_state();
+}
+
+/// Whose profile it is, and whether it is stored.
+QLayout* ProfilePanel::make_header() {
   title_ = new QLabel;
   title_->setObjectName("profile_title");
   title_->setProperty("role", "title");
@@ -37,7 +48,11 @@ ProfilePanel::ProfilePanel(Clinic& clinic, PersonFile& file, QWidget* parent)
   header->addWidget(title_);
   header->addWidget(state_, 1);
   header->addWidget(again_);
+  return header;
+}
 
+/// The cards, in two columns where there is room.
+QWidget* ProfilePanel::make_form() {
   person_ = new PersonCard;
   treatment_ = new TreatmentCard;
   scores_ = new ScoreCard;
@@ -66,12 +81,10 @@ ProfilePanel::ProfilePanel(Clinic& clinic, PersonFile& file, QWidget* parent)
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setWidgetResizable(true);
   scroll_->setWidget(page);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addLayout(header);
-  column->addWidget(scroll_, 1);
+  return scroll_;
+}
 
+void ProfilePanel::watch() {
   delay_.setSingleShot(true);
   delay_.setInterval(kAfterLastKey_ms);
   connect(&delay_, &QTimer::timeout, this, &ProfilePanel::store);
@@ -97,7 +110,6 @@ ProfilePanel::ProfilePanel(Clinic& clinic, PersonFile& file, QWidget* parent)
   connect(&clinic_, &Clinic::history_changed, this, &ProfilePanel::load_choices);
   connect(&file_, &PersonFile::changed, this, &ProfilePanel::take_answer);
   connect(&file_, &PersonFile::failed, this, &ProfilePanel::refuse);
-  show_state();
 }
 
 template <class Entry, class Card>

@@ -40,6 +40,9 @@ class ProfilePanel final : public QWidget {
  private:
   using Stored = PersonFile::Stored;
   using Change = std::function<void(PersonFile& file, Stored then)>;
+  [[nodiscard]] QLayout* make_header();
+  [[nodiscard]] QWidget* make_form();
+  void watch();
   void load();
   void store();
   /// Changes a list of this person; kept for try_again() where it is not stored.

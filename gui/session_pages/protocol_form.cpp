@@ -56,6 +56,32 @@ ProtocolForm::ProtocolForm(SessionPresenter& presenter, QWidget* parent)
   duration_->setObjectName("protocol_duration");
   duration_->setProperty("role", "quiet");
   duration_->setWordWrap(true);
+  make_question();
+  steps_ = new QListWidget;
+  steps_->setObjectName("protocol_steps");
+  steps_->setProperty("plain", true);
+  steps_->setSelectionMode(QAbstractItemView::NoSelection);
+  describe(*steps_, tr("Steps of the protocol"),
+           tr("What is done and what comes (Tab, arrow keys)"));
+  take_rest(*steps_, 3 * kProtocolRow_px);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(7);
+  column->addWidget(protocols_);
+  column->addWidget(duration_);
+  column->addWidget(earlier_);
+  column->addWidget(steps_, 1);
+  connect(protocols_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    const bool by_hand = index == protocols_->count() - 1;
+    presenter_.choices().choose_protocol(by_hand ? Choices::kByHand : index);
+  });
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ProtocolForm::refresh);
+  connect(&presenter_.flow(), &SessionFlow::library_changed, this, &ProtocolForm::fill_protocols);
+  fill_protocols();
+}
+
+/// Whether an interrupted protocol goes on.
+void ProtocolForm::make_question() {
   earlier_ = new QFrame;
   earlier_->setProperty("confirm", true);
   question_ = new QLabel;
@@ -77,24 +103,6 @@ ProtocolForm::ProtocolForm(SessionPresenter& presenter, QWidget* parent)
   asking->setContentsMargins(8, 6, 8, 8);
   asking->addWidget(question_);
   asking->addLayout(answers);
-  steps_ = new QListWidget;
-  steps_->setObjectName("protocol_steps");
-  steps_->setProperty("plain", true);
-  steps_->setSelectionMode(QAbstractItemView::NoSelection);
-  describe(*steps_, tr("Steps of the protocol"),
-           tr("What is done and what comes (Tab, arrow keys)"));
-  take_rest(*steps_, 3 * kProtocolRow_px);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(7);
-  column->addWidget(protocols_);
-  column->addWidget(duration_);
-  column->addWidget(earlier_);
-  column->addWidget(steps_, 1);
-  connect(protocols_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-    const bool by_hand = index == protocols_->count() - 1;
-    presenter_.choices().choose_protocol(by_hand ? Choices::kByHand : index);
-  });
   connect(go_on_, &QPushButton::clicked, this, [this] {
     presenter_.choices().decide_earlier(true);
     refresh();
@@ -103,9 +111,6 @@ ProtocolForm::ProtocolForm(SessionPresenter& presenter, QWidget* parent)
     presenter_.choices().decide_earlier(false);
     refresh();
   });
-  connect(&presenter_.flow(), &SessionFlow::changed, this, &ProtocolForm::refresh);
-  connect(&presenter_.flow(), &SessionFlow::library_changed, this, &ProtocolForm::fill_protocols);
-  fill_protocols();
 }
 
 void ProtocolForm::fill_protocols() {

@@ -21,6 +21,7 @@ class ProtocolForm final : public QWidget {
   explicit ProtocolForm(SessionPresenter& presenter, QWidget* parent = nullptr);
 
  private:
+  void make_question();
   void fill_protocols();
   void refresh();
   void fill_steps();

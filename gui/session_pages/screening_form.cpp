@@ -22,17 +22,37 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(5);
+  make_questions(*column);
+  make_decision(*column);
+  make_limit(*column);
+  advice_ = new QLabel;
+  advice_->setObjectName("screening_advice");
+  advice_->setWordWrap(true);
+  column->addWidget(advice_);
+  connect(&presenter_.flow(), &SessionFlow::changed, this, &ScreeningForm::refresh);
+  refresh();
+}
+
+/// What applies, and how much it hurts.
+void ScreeningForm::make_questions(QVBoxLayout& column) {
   nothing_ = new QPushButton(tr("Nothing applies, no &pain"));
   nothing_->setObjectName("screening_clear");
   describe(*nothing_, tr("Nothing applies, no pain: maximum allowed"),
            tr("None of the reasons below, no pain: maximal effort is allowed (Alt+P)"));
-  column->addWidget(nothing_);
+  column.addWidget(nothing_);
+  connect(nothing_, &QPushButton::clicked, this, [this] {
+    Screening answers;
+    answers.pain = 0;
+    answers.allowed = tasks::Effort::maximum;
+    answers.ceiling_N = presenter_.state().choices.today.screening.ceiling_N;
+    answer(answers);
+  });
   for (const Caution caution : kCautions) {
     auto* box = new QCheckBox(title_of(caution));
     box->setObjectName(QStringLiteral("screening_%1").arg(QLatin1String(name_of(caution))));
     describe(*box, title_of(caution), tr("%1 (Tab, then space)").arg(details_of(caution)));
     cautions_[static_cast<std::size_t>(caution)] = box;
-    column->addWidget(box);
+    column.addWidget(box);
     connect(box, &QCheckBox::toggled, this, [this, caution](bool on) {
       Screening answers = presenter_.state().choices.today.screening;
       answers.applies[static_cast<std::size_t>(caution)] = on;
@@ -40,17 +60,20 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
       answer(answers);
     });
   }
-  column->addWidget(new QLabel(tr("Pain now, at rest")));
+  column.addWidget(new QLabel(tr("Pain now, at rest")));
   pain_ = new ScoreRow("screening_pain", tr("Pain now"));
-  column->addWidget(pain_);
+  column.addWidget(pain_);
   connect(pain_, &ScoreRow::chosen, this, [this](int pain) {
     Screening answers = presenter_.state().choices.today.screening;
     answers.pain = pain;
     answers.allowed.reset();
     answer(answers);
   });
-  auto* decision = new QLabel(tr("You decide for this hand"));
-  column->addWidget(decision);
+}
+
+/// How much effort is allowed.
+void ScreeningForm::make_decision(QVBoxLayout& column) {
+  column.addWidget(new QLabel(tr("You decide for this hand")));
   for (const tasks::Effort effort : kEfforts) {
     auto* button = new QPushButton(words_for(effort));
     button->setObjectName(QStringLiteral("screening_allow_%1")
@@ -59,13 +82,17 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
     describe(*button, words_for(effort),
              tr("%1 of this hand today (Tab, then space)").arg(words_for(effort)));
     efforts_[static_cast<std::size_t>(effort)] = button;
-    column->addWidget(button);
+    column.addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, effort] {
       Screening answers = presenter_.state().choices.today.screening;
       answers.allowed = effort;
       answer(answers);
     });
   }
+}
+
+/// The largest force of a target.
+void ScreeningForm::make_limit(QVBoxLayout& column) {
   limited_ = new QCheckBox(tr("No target above"));
   limited_->setObjectName("screening_limited");
   describe(*limited_, tr("Limit all targets"),
@@ -82,7 +109,7 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
   limit->addWidget(limited_);
   limit->addWidget(ceiling_);
   limit->addStretch(1);
-  column->addLayout(limit);
+  column.addLayout(limit);
   const auto set_ceiling = [this] {
     Screening answers = presenter_.state().choices.today.screening;
     answers.ceiling_N.reset();
@@ -91,19 +118,6 @@ ScreeningForm::ScreeningForm(SessionPresenter& presenter, QWidget* parent)
   };
   connect(limited_, &QCheckBox::toggled, this, set_ceiling);
   connect(ceiling_, QOverload<int>::of(&QSpinBox::valueChanged), this, set_ceiling);
-  advice_ = new QLabel;
-  advice_->setObjectName("screening_advice");
-  advice_->setWordWrap(true);
-  column->addWidget(advice_);
-  connect(nothing_, &QPushButton::clicked, this, [this] {
-    Screening answers;
-    answers.pain = 0;
-    answers.allowed = tasks::Effort::maximum;
-    answers.ceiling_N = presenter_.state().choices.today.screening.ceiling_N;
-    answer(answers);
-  });
-  connect(&presenter_.flow(), &SessionFlow::changed, this, &ScreeningForm::refresh);
-  refresh();
 }
 
 void ScreeningForm::answer(Screening answers) {

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <array>
 
@@ -22,6 +23,9 @@ class ScreeningForm final : public QWidget {
   explicit ScreeningForm(SessionPresenter& presenter, QWidget* parent = nullptr);
 
  private:
+  void make_questions(QVBoxLayout& column);
+  void make_decision(QVBoxLayout& column);
+  void make_limit(QVBoxLayout& column);
   void refresh();
   void answer(Screening answers);
 

@@ -121,12 +121,12 @@ Result<void> run_session(const RunOptions& options) {
   }
 
   if (!options.quiet) {
-    if ((*session)->patient_is_new())
+    if ((*session)->known().patient_is_new)
       print_note("patient " + options.patient + " is new and was created");
-    if (const auto got = session::describe((*session)->realtime()); !got.empty())
+    if (const auto got = session::describe((*session)->known().realtime); !got.empty())
       print_note("acquisition with " + got);
     print("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
-          printable((*session)->device().description).c_str());
+          printable((*session)->known().device.description).c_str());
     std::fflush(stdout);
   }
   if (!options.quiet) {

@@ -3,37 +3,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 #include "core/csv.hpp"
+#include "session/platform/health_json.hpp"
 #include "session/resting.hpp"
 #include "tasks/score.hpp"
 
 namespace isograsp::session {
 
 namespace {
-
-std::string health_as_json(const DeviceHealth& health) {
-  std::ostringstream json;
-  json << "{\"state\": \"" << name_of(health.state) << "\", \"fault\": \"" << name_of(health.fault)
-       << "\", \"fault_finger\": "
-       << (health.finger ? "\"" + std::string(name_of(*health.finger)) + "\"" : "null");
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const auto& s = health.sensors[f];
-    json << ", \"" << kFingerNames[f] << "\": {\"good\": " << s.good
-         << ", \"invalid\": " << s.invalid << ", \"torn\": " << s.torn
-         << ", \"duplicate\": " << s.duplicate << ", \"late\": " << s.late
-         << ", \"lost\": " << s.lost << ", \"stale\": " << s.stale
-         << ", \"saturated\": " << s.saturated << ", \"overload\": " << s.overload
-         << ", \"status_errors\": " << s.status_errors << ", \"restarts\": " << s.restarts << "}";
-  }
-  json << ", \"foreign_frames\": " << health.foreign_frames
-       << ", \"kernel_drops\": " << health.bus.kernel_drops
-       << ", \"overflows\": " << health.bus.overflows
-       << ", \"error_frames\": " << health.bus.error_frames << ", \"unsent\": " << health.bus.unsent
-       << "}";
-  return json.str();
-}
 
 std::string newtons(double force_N) {
   char text[32];
@@ -173,7 +151,7 @@ void Recorder::end(const RecordItem& item) {
   outcome.trial.worst_lateness_s = item.worst_lateness_s;
   outcome.trial.worst_compute_s = item.worst_compute_s;
   outcome.trial.dropped = item.dropped;
-  outcome.trial.health_json = health_as_json(item.health);
+  outcome.trial.health_json = as_json(item.health);
   outcome.trial.timing_json = as_json(trial_->timing);
   {
     const std::lock_guard lock(mutex_);

@@ -2,25 +2,15 @@
 #include "session/session.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
-#include "core/csv.hpp"
-#include "session/contact_threshold.hpp"
 #include "session/resting.hpp"
 #include "session/session_parts.hpp"
 #include "session/trial_setup.hpp"
 
 namespace isograsp::session {
-
-namespace {
-
-/// Fresh sequences and waits of each trial, from the seed of the session and the trial's number.
-std::uint64_t trial_seed(std::uint64_t session_seed, std::size_t trials_before) {
-  constexpr std::uint64_t kTrialsPerSession = 1000;
-  return session_seed * kTrialsPerSession + trials_before + 1;
-}
-
-}  // namespace
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
@@ -28,54 +18,14 @@ Session::~Session() {
   close();
 }
 
-const DeviceInfo& Session::device() const noexcept {
-  return parts_->device->info();
-}
-const storage::SessionRecord& Session::record() const noexcept {
-  return parts_->record;
-}
-bool Session::patient_is_new() const noexcept {
-  return parts_->patient_is_new;
+const SessionKnowledge& Session::known() const noexcept {
+  return parts_->known;
 }
 const Snapshot& Session::snapshot() noexcept {
   return parts_->acquisition->snapshots().read();
 }
 std::vector<Measure> Session::live_score() const {
   return parts_->recorder->live_score();
-}
-const EarlierWork& Session::earlier() const noexcept {
-  return parts_->earlier;
-}
-std::uint64_t Session::order_seed() const noexcept {
-  return session::order_seed(parts_->record, parts_->earlier);
-}
-const Training& Session::training() const noexcept {
-  return parts_->lesson.training;
-}
-const tasks::ForceReferences& Session::references() const noexcept {
-  return parts_->lesson.references;
-}
-tasks::TaskContext Session::next_context() const {
-  tasks::TaskContext context;
-  context.period_s = parts_->device->info().frame_period_s;
-  context.references = references();
-  context.seed = trial_seed(order_seed(), parts_->earlier.trials_made + parts_->setups.size());
-  return context;
-}
-double Session::maximum_force_N() const noexcept {
-  const double maximum_N = references().maximum({});
-  return std::isnan(maximum_N) ? 0.0 : maximum_N;
-}
-double Session::resting_force_N() const noexcept {
-  const double resting_N = references().resting({});
-  return std::isnan(resting_N) ? 0.0 : resting_N;
-}
-
-std::array<std::optional<double>, kFingerCount> Session::contact_thresholds_N() const {
-  return contact_thresholds(parts_->zero, maximum_force_N());
-}
-const RealtimeGrant& Session::realtime() const noexcept {
-  return parts_->realtime;
 }
 
 void Session::strapped() {
@@ -111,28 +61,30 @@ Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
     return failed("the hand was strapped less than a minute ago and still settles",
                   "wait another " + std::to_string(std::lround(std::ceil(wait_s))) + " s");
   if (auto fresh = p.check_zero_is_fresh(); !fresh) return fresh;
-  const tasks::TaskContext context = next_context();
+  const SessionKnowledge& known = p.known;
+  const tasks::TaskContext context = known.next_context();
   const auto scene =
-      read_trial_scene(spec, p.config.hand, contact_thresholds_N(), p.config.library);
+      read_trial_scene(spec, p.config.hand, known.contact_thresholds_N(), p.config.library);
   if (!scene) return scene.error();
   auto prepared = prepare_trial(spec, context, *scene);
   if (!prepared) return prepared.error();
   auto setup = *std::move(prepared);
   if (p.strapped_at_s) setup->since_strapping_s = snapshot().session_time_s - *p.strapped_at_s;
-  setup->constants.device_delay_s = p.device->info().delay_s;
+  setup->constants.device_delay_s = known.device.delay_s;
   if (p.config.display_delay_s) setup->constants.display_delay_s = *p.config.display_delay_s;
-  const double resolution_N = references().resolution_N;
+  const double resolution_N = known.references.resolution_N;
   if (resolution_N > 0.0) setup->constants.resolution_N = resolution_N;
   storage::TrialRecord& record = setup->record;
-  record.session_id = p.record.id;
+  record.session_id = known.record.id;
   record.number = static_cast<int>(p.setups.size()) + 1;
   record.practice = practice;
   record.place = place;
-  record.maximum_force_N = maximum_force_N();
-  record.resting_force_N = resting_force_N();
+  record.maximum_force_N = known.maximum_force_N();
+  record.resting_force_N = known.resting_force_N();
   auto sent = p.send({Command::Kind::begin, setup.get()});
   if (!sent) return sent;
   p.setups.push_back(std::move(setup));
+  ++p.known.trials_begun;
   p.pending = p.in_trial = true;
   p.helped = false;
   return {};
@@ -169,7 +121,7 @@ void Session::mark_helped(bool helped) {
   if (p.in_trial || !p.last) return;  // a running trial is marked at its end
   p.last->trial.helped = helped;
   p.recorder->mark_helped(p.last->trial.id, helped);
-  p.lesson = p.before_last;
+  static_cast<Lessons&>(p.known) = p.before_last;
   p.learn(*p.last);
 }
 
@@ -243,7 +195,7 @@ void Session::close() {
   if (p.pending) abort("The session was closed.");
   constexpr int kTries = 3;  // news of a failure may come before those of the trial
   for (int tries = 0; p.pending && tries < kTries; ++tries) (void)wait_for_news();
-  p.stop_threads();
+  p.threads.stop();
   p.stop_device();
   p.recorder->pump();
   // Virtual time has its own end.

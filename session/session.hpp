@@ -18,8 +18,7 @@
 #include "session/acquisition/snapshot.hpp"
 #include "session/library.hpp"
 #include "session/resting.hpp"
-#include "session/resume.hpp"
-#include "session/training.hpp"
+#include "session/session_knowledge.hpp"
 #include "storage/file/open_mode.hpp"
 #include "storage/records/session_store.hpp"
 #include "tasks/references.hpp"
@@ -124,10 +123,8 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  [[nodiscard]] const DeviceInfo& device() const noexcept;
-  [[nodiscard]] const storage::SessionRecord& record() const noexcept;
-  /// The code was not in the database before this session.
-  [[nodiscard]] bool patient_is_new() const noexcept;
+  /// What is known so far; take_news() and wait_for_news() add to it. Owner thread.
+  [[nodiscard]] const SessionKnowledge& known() const noexcept;
   /// Newest state. Wait-free. Owner thread.
   [[nodiscard]] const Snapshot& snapshot() noexcept;
   /// Measures of the running trial so far, by the same functions as at its end; renewed every
@@ -167,25 +164,6 @@ class Session {
   /// The last rating was meant to be this. @pre rate() was called in this session
   [[nodiscard]] std::optional<std::string> correct_rating(int effort, int pain);
 
-  /// What an interrupted session did of this protocol; empty unless SessionConfig::resume.
-  [[nodiscard]] const EarlierWork& earlier() const noexcept;
-  /// Orders the tasks of this session's protocol, the same way when it is resumed.
-  [[nodiscard]] std::uint64_t order_seed() const noexcept;
-  /// What earlier sessions, and this one so far, say about the level of training tasks.
-  [[nodiscard]] const Training& training() const noexcept;
-  /// What the task of the next trial will be made with: the same task made with it is the same.
-  [[nodiscard]] tasks::TaskContext next_context() const;
-  /// What tasks measure forces against, from this session's trials so far.
-  [[nodiscard]] const tasks::ForceReferences& references() const noexcept;
-  /// Maximum grip force [N]; 0: not measured yet.
-  [[nodiscard]] double maximum_force_N() const noexcept;
-  /// Grip force at rest [N]; 0: not measured yet.
-  [[nodiscard]] double resting_force_N() const noexcept;
-  /// From which force on a finger touches an object; nothing: as the scene says.
-  [[nodiscard]] std::array<std::optional<double>, kFingerCount> contact_thresholds_N() const;
-  /// What the acquisition thread was given.
-  [[nodiscard]] const RealtimeGrant& realtime() const noexcept;
-
   /// News since the last call, without waiting.
   [[nodiscard]] std::vector<SessionNews> take_news();
   /// Waits for news; in virtual time this is what makes time pass. Empty only if the device
@@ -205,6 +183,7 @@ class Session {
 
  private:
   struct Parts;
+  struct Opening;
   explicit Session(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };

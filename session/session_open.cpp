@@ -74,136 +74,224 @@ Result<void> check_hand(const std::string& device_uri, std::string_view mounted_
       .about("hand");
 }
 
+/// The steps of opening, in the order in which they are taken.
+struct Session::Opening {
+  const SessionConfig& config;
+  Parts& parts;
+  Uri uri;
+  Timestamp start{0};  ///< of the device
+  std::unique_ptr<storage::SessionStore> store;
+  /// Of the newest session of the file, if the clock of this computer is behind it.
+  std::optional<std::string> latest;
+  storage::PatientRecord patient;
+  std::optional<storage::InstrumentZeroRecord> last_zero;
+
+  [[nodiscard]] storage::SessionRecord& record() const { return parts.known.record; }
+
+  // Nothing is written.
+  Result<void> check_request();
+  Result<void> open_device();
+  Result<void> start_device();
+  // The file is made if it is absent, and the patient if new.
+  Result<void> open_file();
+  Result<void> find_patient();
+  Result<void> describe_session();
+  Result<void> read_what_is_known();
+  Result<void> take_up_earlier_work();
+  Result<void> set_references();
+  // The session has its row.
+  Result<void> write_session();
+  void start_recording();
+};
+
 Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   auto parts = std::make_unique<Parts>();
   parts->config = config;
-  const auto uri = Uri::parse(config.device_uri);
-  if (!uri) return uri.error();
-  const std::string said = uri->text_or("hand", std::string(name_of(config.hand)));
-  if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same.error();
-  if (auto good = storage::check_patient_code(config.patient_code); !good) return good.error();
+  Opening opening{config, *parts, {}, {}, {}, {}, {}, {}};
+  for (const auto step :
+       {&Opening::check_request, &Opening::open_device, &Opening::start_device, &Opening::open_file,
+        &Opening::find_patient, &Opening::describe_session, &Opening::read_what_is_known,
+        &Opening::take_up_earlier_work, &Opening::set_references, &Opening::write_session})
+    if (auto done = (opening.*step)(); !done) return done.error();
+  opening.start_recording();
+  return std::unique_ptr<Session>(new Session(std::move(parts)));
+}
+
+Result<void> Session::Opening::check_request() {
+  auto parsed = Uri::parse(config.device_uri);
+  if (!parsed) return parsed.error();
+  uri = *std::move(parsed);
+  const std::string said = uri.text_or("hand", std::string(name_of(config.hand)));
+  if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same;
+  if (auto good = storage::check_patient_code(config.patient_code); !good) return good;
   for (const storage::SessionAnswer& answer : config.answers)
-    if (auto good = storage::check_answer(answer); !good) return good.error();
+    if (auto good = storage::check_answer(answer); !good) return good;
   if (config.scratch_database && !config.virtual_time)
     return refused("a session in real time is not recorded into a scratch file",
                    "give a database that is kept")
-        .at(uri->text);
-  auto viewer = simulated_person(*uri, config.library);
+        .at(uri.text);
+  return {};
+}
+
+Result<void> Session::Opening::open_device() {
+  auto viewer = simulated_person(uri, config.library);
   if (!viewer) return viewer.error();
-  parts->viewer = std::move(*viewer);
-  DeviceOptions device_options;
-  device_options.source = parts->viewer.get();
-  auto device = open_device(config.device_uri, device_options);
+  parts.viewer = std::move(*viewer);
+  DeviceOptions options;
+  options.source = parts.viewer.get();
+  auto device = isograsp::open_device(config.device_uri, options);
   if (!device) return device.error();
-  parts->device = std::move(*device);
-  const DeviceInfo& info = parts->device->info();
+  parts.device = std::move(*device);
+  const DeviceInfo& info = parts.device->info();
   if (info.hand)
     if (auto same = check_hand(config.device_uri, name_of(*info.hand), config.hand); !same)
-      return same.error();
+      return same;
   if (config.virtual_time && !info.simulated && !info.recorded)
-    return refused("a real device cannot run in virtual time", "leave out --fast").at(uri->text);
-  if (!config.virtual_time)
-    if (auto made = parts->make_acquisition_thread(); !made) return made.error();
+    return refused("a real device cannot run in virtual time", "leave out --fast").at(uri.text);
+  return {};
+}
 
-  // Real sensors tell who they are only when they are started; if they do not answer, nothing is
-  // written.
-  if (config.virtual_time)
-    parts->clock = std::make_unique<ManualClock>();
-  else
-    parts->clock = std::make_unique<SteadyClock>();
-  if (auto started = parts->device->start(*parts->clock); !started) return started.error();
-  parts->streaming = true;
-  const Timestamp start = parts->device->now(*parts->clock);
-  auto store =
+/// Real sensors tell who they are only when they are started; if they do not answer, or if real
+/// time is refused, nothing is written.
+Result<void> Session::Opening::start_device() {
+  if (config.virtual_time) {
+    parts.clock = std::make_unique<ManualClock>();
+  } else {
+    auto granted = parts.threads.make(config.realtime);
+    if (!granted) return granted.error();
+    parts.known.realtime = *std::move(granted);
+    parts.clock = std::make_unique<SteadyClock>();
+  }
+  if (auto started = parts.device->start(*parts.clock); !started) return started;
+  parts.streaming = true;
+  parts.known.device = parts.device->info();
+  start = parts.device->now(*parts.clock);
+  return {};
+}
+
+Result<void> Session::Opening::open_file() {
+  auto opened =
       storage::open_store(config.database, config.scratch_database  ? storage::OpenMode::scratch
                                            : config.create_database ? storage::OpenMode::create
                                                                     : storage::OpenMode::existing);
-  if (!store) return store.error();
-  const auto newest = (*store)->recent_sessions(1);
+  if (!opened) return opened.error();
+  store = *std::move(opened);
+  const auto newest = store->recent_sessions(1);
   if (!newest) return newest.error();
-  const auto behind = config.started_utc.empty() ? clock_behind(*newest) : std::nullopt;
-  if (behind && !config.clock_is_right)
+  if (config.started_utc.empty()) latest = clock_behind(*newest);
+  if (latest && !config.clock_is_right)
     return refused("the clock of this computer says " + utc_text(std::time(nullptr)) +
-                       ", but the newest session of this file is of " + *behind,
+                       ", but the newest session of this file is of " + *latest,
                    "set the clock, or say that it is right")
         .at(config.database)
         .about("clock");
-  auto patient = (*store)->find_patient(config.patient_code);
-  if (!patient) return patient.error();
-  if (!*patient) {
-    const auto added = (*store)->add_patient(config.patient_code, config.started_utc);
-    if (!added) return added.error();
-    *patient = *added;
-    parts->patient_is_new = true;
-  }
-  storage::SessionRecord& record = parts->record;
-  record.patient_id = (*patient)->id;
-  record.started_utc =
-      config.started_utc.empty() ? utc_text(std::time(nullptr)) : config.started_utc;
-  record.hand = config.hand;
-  record.device_uri = config.device_uri;
-  record.device_description = info.description;
-  record.simulated = info.simulated;
-  record.recorded = info.recorded;
-  record.provenance = joined_lines(info.provenance);
-  record.protocol_name = config.protocol_name;
-  record.protocol_text = config.protocol_text;
-  record.rate_Hz = 1.0 / info.frame_period_s;
-  record.device_delay_s = info.delay_s;
-  record.software_version = config.software_version;
-  record.cpu_features = cpu_features();
-  record.serial_numbers = info.serial_numbers;
-  record.calibration = calibration_text(info);
-  record.operator_name = config.operator_name;
-  record.realtime = describe(parts->realtime);
-  if (config.allowed) record.allowed = tasks::name_of(*config.allowed);
-  record.ceiling_N = config.ceiling_N;
-  if (uri->parameters.contains("seed"))
-    record.seed = std::strtoull(uri->parameters.at("seed").c_str(), nullptr, 10);
-  const auto last_zero = (*store)->last_zero(record);
-  if (!last_zero) return last_zero.error();
-  auto training = Training::read(**store, record);
-  if (!training) return training.error();
-  if (config.resume) {
-    auto earlier = read_earlier_work(**store, record);
-    if (!earlier) return earlier.error();
-    parts->earlier = *std::move(earlier);
-    record.resumes_id = parts->earlier.last_id;
-    // What the screening forbade this hand today stays forbidden, unless it was asked again.
-    if (record.allowed.empty()) record.allowed = parts->earlier.allowed;
-    if (!record.ceiling_N) record.ceiling_N = parts->earlier.ceiling_N;
-  }
-  parts->lesson.training = *std::move(training);
-  tasks::ForceReferences& references = parts->lesson.references;
-  references.baseline_N = parts->lesson.training.baseline_N();
-  references.allowed = tasks::effort_from_name(record.allowed).value_or(tasks::Effort::maximum);
-  references.ceiling_N = record.ceiling_N;
-  references.resolution_N = resolution_N(info);
-  for (const EarlierTrial& trial : parts->earlier.trials)
-    if (!trial.record.helped) learn_maxima(trial.measures, references);
-  if (!config.scratch_database) record.uuid = storage::random_uuid();
-  const auto session_id = (*store)->begin_session(record, config.answers);
-  if (!session_id) return session_id.error();
-  record.id = *session_id;
-  // Progress is put in order by these times.
-  std::optional<storage::EventRecord> clock_event;
-  if (behind)
-    clock_event = storage::EventRecord{
-        0, 0.0, "clock",
-        "The clock of this computer is behind the newest session of this file (" + *behind + ")."};
+  return {};
+}
 
+Result<void> Session::Opening::find_patient() {
+  auto found = store->find_patient(config.patient_code);
+  if (!found) return found.error();
+  if (*found) {
+    patient = **std::move(found);
+    return {};
+  }
+  auto added = store->add_patient(config.patient_code, config.started_utc);
+  if (!added) return added.error();
+  patient = *std::move(added);
+  parts.known.patient_is_new = true;
+  return {};
+}
+
+Result<void> Session::Opening::describe_session() {
+  const DeviceInfo& info = parts.known.device;
+  storage::SessionRecord& session = record();
+  session.patient_id = patient.id;
+  session.started_utc =
+      config.started_utc.empty() ? utc_text(std::time(nullptr)) : config.started_utc;
+  session.hand = config.hand;
+  session.device_uri = config.device_uri;
+  session.device_description = info.description;
+  session.simulated = info.simulated;
+  session.recorded = info.recorded;
+  session.provenance = joined_lines(info.provenance);
+  session.protocol_name = config.protocol_name;
+  session.protocol_text = config.protocol_text;
+  session.rate_Hz = 1.0 / info.frame_period_s;
+  session.device_delay_s = info.delay_s;
+  session.software_version = config.software_version;
+  session.cpu_features = cpu_features();
+  session.serial_numbers = info.serial_numbers;
+  session.calibration = calibration_text(info);
+  session.operator_name = config.operator_name;
+  session.realtime = describe(parts.known.realtime);
+  if (config.allowed) session.allowed = tasks::name_of(*config.allowed);
+  session.ceiling_N = config.ceiling_N;
+  if (uri.parameters.contains("seed"))
+    session.seed = std::strtoull(uri.parameters.at("seed").c_str(), nullptr, 10);
+  return {};
+}
+
+Result<void> Session::Opening::read_what_is_known() {
+  auto zero = store->last_zero(record());
+  if (!zero) return zero.error();
+  last_zero = *std::move(zero);
+  auto training = Training::read(*store, record());
+  if (!training) return training.error();
+  parts.known.training = *std::move(training);
+  return {};
+}
+
+Result<void> Session::Opening::take_up_earlier_work() {
+  if (!config.resume) return {};
+  auto earlier = read_earlier_work(*store, record());
+  if (!earlier) return earlier.error();
+  SessionKnowledge& known = parts.known;
+  known.earlier = *std::move(earlier);
+  known.record.resumes_id = known.earlier.last_id;
+  // What the screening forbade this hand today stays forbidden, unless it was asked again.
+  if (known.record.allowed.empty()) known.record.allowed = known.earlier.allowed;
+  if (!known.record.ceiling_N) known.record.ceiling_N = known.earlier.ceiling_N;
+  return {};
+}
+
+Result<void> Session::Opening::set_references() {
+  SessionKnowledge& known = parts.known;
+  tasks::ForceReferences& references = known.references;
+  references.baseline_N = known.training.baseline_N();
+  references.allowed =
+      tasks::effort_from_name(known.record.allowed).value_or(tasks::Effort::maximum);
+  references.ceiling_N = known.record.ceiling_N;
+  references.resolution_N = resolution_N(known.device);
+  for (const EarlierTrial& trial : known.earlier.trials)
+    if (!trial.record.helped) known.learn_maxima(trial.measures);
+  return {};
+}
+
+Result<void> Session::Opening::write_session() {
+  if (!config.scratch_database) record().uuid = storage::random_uuid();
+  const auto id = store->begin_session(record(), config.answers);
+  if (!id) return id.error();
+  record().id = *id;
+  return {};
+}
+
+void Session::Opening::start_recording() {
   Acquisition::Options options;
-  options.resume_by_itself = info.recorded;
-  options.viewer = parts->viewer.get();
-  if (*last_zero) options.last_zero = (*last_zero)->mean;
-  parts->acquisition = std::make_unique<Acquisition>(*parts->device, *parts->clock, start, options);
-  auto writer = std::make_unique<SessionWriter>(std::move(*store), **patient, record,
-                                                config.answers, !config.scratch_database);
-  parts->recorder = std::make_unique<Recorder>(std::move(writer), record,
-                                               parts->acquisition->records(), !config.virtual_time);
-  if (clock_event) parts->recorder->add_event(*clock_event);
-  if (!config.virtual_time) parts->start_threads();
-  return std::unique_ptr<Session>(new Session(std::move(parts)));
+  options.resume_by_itself = parts.known.device.recorded;
+  options.viewer = parts.viewer.get();
+  if (last_zero) options.last_zero = last_zero->mean;
+  parts.acquisition = std::make_unique<Acquisition>(*parts.device, *parts.clock, start, options);
+  auto writer = std::make_unique<SessionWriter>(std::move(store), patient, record(), config.answers,
+                                                !config.scratch_database);
+  parts.recorder = std::make_unique<Recorder>(std::move(writer), record(),
+                                              parts.acquisition->records(), !config.virtual_time);
+  // Progress is put in order by the times of sessions.
+  if (latest)
+    parts.recorder->add_event({0, 0.0, "clock",
+                               "The clock of this computer is behind the newest session of this "
+                               "file (" +
+                                   *latest + ")."});
+  if (!config.virtual_time) parts.threads.start(*parts.acquisition, *parts.recorder);
 }
 
 }  // namespace isograsp::session

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session learns from its trials.
+// What a session learns from its news.
 #include "session/session_parts.hpp"
 
-#include <algorithm>
+#include "session/acquisition/zeroing.hpp"
 
 namespace isograsp::session {
 
@@ -15,51 +15,38 @@ std::array<Vec3, kFingerCount> noise_of(const storage::InstrumentZeroRecord& zer
   return sd_N;
 }
 
-FingerWrenches wrenches_of(const storage::RestingForceRecord& rest) {
-  FingerWrenches wrench_C;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    wrench_C[f].force = rest.mean[f].head<3>();
-    wrench_C[f].torque = rest.mean[f].tail<3>();
-  }
-  return wrench_C;
-}
-
 }  // namespace
 
-void learn_maxima(const std::vector<Measure>& measures, tasks::ForceReferences& references) {
-  for (const Measure& measure : measures) {
-    if (!measure.value) continue;
-    auto* const known = measure.name == "maximum_force"       ? &references.maximum_N
-                        : measure.name == "comfortable_force" ? &references.comfortable_N
-                                                              : nullptr;
-    const auto channel = force_channel_from_name(measure.channel);
-    if (known == nullptr || !channel) continue;
-    double& value_N = (*known)[*channel];
-    value_N = std::max(value_N, *measure.value);
-  }
+Result<void> Session::Parts::check_zero_is_fresh() {
+  const Snapshot& now = acquisition->snapshots().read();
+  if (standing_of_zero(known.device.recorded, now.zeroed, now.restarted.has_value()) !=
+      ZeroStanding::outdated)
+    return {};
+  return failed("since the zero was set a sensor started anew (" +
+                    std::string(name_of(*now.restarted)) + ")",
+                "take the hand out and set the zero again")
+      .about("zero");
 }
 
 void Session::Parts::learn(std::vector<SessionNews>& news) {
   for (auto& item : news) {
     if (item.zero || item.trial) pending = in_trial = false;
     if (item.zero && item.zero->accepted) {
-      zero = item.zero->zero;
-      lesson.references.noise_sd_N = before_last.references.noise_sd_N = noise_of(*zero);
+      known.zero = item.zero->zero;
+      known.references.noise_sd_N = before_last.references.noise_sd_N = noise_of(*known.zero);
     }
     if (!item.trial) continue;
     item.trial->trial.helped = helped;
     if (helped) recorder->mark_helped(item.trial->trial.id, true);
     last = *item.trial;
-    before_last = lesson;
+    before_last = static_cast<const Lessons&>(known);
     learn(*last);
   }
 }
 
 void Session::Parts::learn(const TrialOutcome& outcome) {
-  if (outcome.trial.status != storage::TrialStatus::completed || outcome.trial.helped) return;
-  learn_maxima(outcome.measures, lesson.references);
-  lesson.training.learn(setups.back()->spec, outcome.trial, outcome.measures);
-  if (outcome.rest) lesson.references.resting_C = wrenches_of(outcome.rest->rest);
+  known.learn(setups.back()->spec, outcome.trial, outcome.measures,
+              outcome.rest ? &*outcome.rest : nullptr);
 }
 
 }  // namespace isograsp::session

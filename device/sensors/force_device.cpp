@@ -50,8 +50,8 @@ const std::array<Sentences, kDeviceFaultCount> kSentences{
 
 }  // namespace
 
-std::string_view describe(DeviceFault fault, std::optional<Finger> finger) noexcept {
-  return kSentences[static_cast<std::size_t>(fault)][finger ? 1 + index_of(*finger) : 0];
+const char* describe(DeviceFault fault, std::optional<Finger> finger) noexcept {
+  return kSentences[static_cast<std::size_t>(fault)][finger ? 1 + index_of(*finger) : 0].c_str();
 }
 
 }  // namespace isograsp

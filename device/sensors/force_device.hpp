@@ -83,8 +83,8 @@ inline constexpr std::size_t kDeviceFaultCount = 13;
 /// One word for machines: "silence", "bus_off".
 [[nodiscard]] std::string_view name_of(DeviceFault fault) noexcept;
 /// One plain sentence for the therapist, with what to do. Static text: real-time safe.
-[[nodiscard]] std::string_view describe(DeviceFault fault,
-                                        std::optional<Finger> finger = std::nullopt) noexcept;
+[[nodiscard]] const char* describe(DeviceFault fault,
+                                   std::optional<Finger> finger = std::nullopt) noexcept;
 
 struct DeviceHealth {
   DeviceState state = DeviceState::absent;

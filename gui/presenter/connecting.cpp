@@ -103,8 +103,8 @@ void Connecting::take(Result<std::unique_ptr<session::Session>> opened,
 void Connecting::begin(std::unique_ptr<session::Session> session, const Presentation& stored) {
   const Choices& choices = state_.choices;
   const bool numb_skin = choices.today.screening.applies[static_cast<std::size_t>(Caution::skin)];
-  const auto task =
-      first_task(state_.library.tasks, session->device().recorded ? is_free_handling : is_rest);
+  const auto task = first_task(state_.library.tasks,
+                               session->known().device.recorded ? is_free_handling : is_rest);
   state_.left = {};
   state_.open.emplace(std::move(session), clock_.now(), numb_skin, stored,
                       task.value_or(choices.task));
@@ -118,10 +118,10 @@ void Connecting::begin(std::unique_ptr<session::Session> session, const Presenta
 /// The hand has worked before the session was interrupted.
 void Connecting::take_earlier_work() {
   OpenSession& open = *state_.open;
-  for (const auto& [trial, measures, ended_s] : open.session->earlier().trials) {
+  for (const auto& [trial, measures, ended_s] : open.session->known().earlier.trials) {
     const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
     if (spec && !is_rest(*spec))
-      open.limits.worked(static_cast<double>(trial.samples) / open.session->record().rate_Hz);
+      open.limits.worked(static_cast<double>(trial.samples) / open.session->known().record.rate_Hz);
     if (!trial.practice && !trial.helped) open.limits.tried(measures);
   }
 }

@@ -34,14 +34,14 @@ std::string lack_of(const tasks::TaskSpec& spec, const tasks::ForceReferences& r
 void NextWork::begin() {
   OpenSession& open = *state_.open;
   if (state_.has_protocol())
-    open.work.guide.begin(state_.chosen_protocol(), open.session->earlier(),
-                          open.session->order_seed());
+    open.work.guide.begin(state_.chosen_protocol(), open.session->known().earlier,
+                          open.session->known().order_seed());
   look_at_act();
 }
 
 void NextWork::look_at_act() {
   Work& work = state_.open->work;
-  const session::Training& training = state_.open->session->training();
+  const session::Training& training = state_.open->session->known().training;
   work.act_task.reset();
   if (const auto& act = work.guide.act();
       act && act->kind == session::ProtocolWalk::Act::Kind::trial) {
@@ -62,7 +62,7 @@ void NextWork::look_at_task() {
   const auto* spec = state_.next_task();
   // What a protocol asks is not refused beforehand: it is left out, with the reason.
   if (spec == nullptr || work.follows()) return;
-  work.task_lacks = lack_of(*spec, state_.open->session->references());
+  work.task_lacks = lack_of(*spec, state_.open->session->known().references);
 }
 
 void NextWork::select(std::optional<int> task) {
@@ -75,7 +75,7 @@ void NextWork::select_first(bool (*fits)(const tasks::TaskSpec&)) {
 }
 
 void NextWork::select_after_maximum() {
-  const auto& references = state_.open->session->references();
+  const auto& references = state_.open->session->known().references;
   select(first_task(state_.library.tasks, [&](const tasks::TaskSpec& spec) {
     return spec.kind->follows_curve && lack_of(spec, references).empty();
   }));

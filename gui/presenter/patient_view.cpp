@@ -34,9 +34,9 @@ PatientFacts PatientView::facts() const {
   facts.session_open = true;
   facts.device_fault = now.frames > 0 && now.stage != session::Stage::finished &&
                        flow_.view().device_mood == Mood::fault;
-  facts.hand = open.session->record().hand;
+  facts.hand = open.session->known().record.hand;
   facts.snapshot = now;
-  facts.maximum_force_N = open.session->maximum_force_N();
+  facts.maximum_force_N = open.session->known().maximum_force_N();
   if (const auto& trial = open.trial) {
     facts.task = trial->task;
     facts.scene = trial->scene;

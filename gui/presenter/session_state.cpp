@@ -29,20 +29,20 @@ Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec) const
 }
 
 bool SessionState::simulated() const noexcept {
-  if (open) return open->session->device().simulated;
+  if (open) return open->session->known().device.simulated;
   return choices.device_uri.rfind("sim://", 0) == 0;
 }
 
 bool SessionState::recorded() const noexcept {
-  return open && open->session->device().recorded;
+  return open && open->session->known().device.recorded;
 }
 
 const DeviceInfo* SessionState::device() const noexcept {
-  return open ? &open->session->device() : nullptr;
+  return open ? &open->session->known().device : nullptr;
 }
 
 std::string SessionState::realtime() const {
-  return open ? session::describe(open->session->realtime()) : "";
+  return open ? session::describe(open->session->known().realtime) : "";
 }
 
 const session::Snapshot& SessionState::snapshot() const noexcept {

@@ -38,7 +38,8 @@ std::optional<double> TaskActs::difficulty() const {
   const OpenSession& open = *state_.open;
   const auto chosen = open.work.levels.find(spec->file);
   if (chosen != open.work.levels.end()) return chosen->second;
-  return open.work.follows() ? spec->difficulty->chosen : open.session->training().level(*spec);
+  return open.work.follows() ? spec->difficulty->chosen
+                             : open.session->known().training.level(*spec);
 }
 
 void TaskActs::adjust_difficulty(int direction) {
@@ -58,7 +59,7 @@ void TaskActs::show_how() {
   if (!flow_.view().may_show_how) return;
   next_.hold();
   example_.show(*state_.next_task(),
-                state_.open ? state_.open->session->references() : tasks::ForceReferences{},
+                state_.open ? state_.open->session->known().references : tasks::ForceReferences{},
                 state_.choices.today.hand.value_or(Hand::right), state_.config.library,
                 [this](const Result<void>& shown) {
                   if (!shown) flow_.refuse(shown.error());

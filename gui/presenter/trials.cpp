@@ -62,7 +62,7 @@ Result<void> Trials::begin(const tasks::TaskSpec& spec, bool practice,
   OpenSession& open = *state_.open;
   open.preparation.zero_refusal.clear();
   open.preparation.zero_only_changed = false;
-  const tasks::TaskContext context = open.session->next_context();
+  const tasks::TaskContext context = open.session->known().next_context();
   if (auto started = open.session->start_trial(spec, practice, place); !started) return started;
   open.trial.emplace();
   open.trial->practice = practice;
@@ -79,8 +79,9 @@ void Trials::prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskConte
   trial.preview = std::make_shared<TargetPreview>(preview_target(spec, context));
   const session::Session& session = *state_.open->session;
   // The session has just read the same file: a failure here would have been refused there.
-  auto read = session::read_trial_scene(spec, session.record().hand, session.contact_thresholds_N(),
-                                        state_.config.library);
+  auto read =
+      session::read_trial_scene(spec, session.known().record.hand,
+                                session.known().contact_thresholds_N(), state_.config.library);
   if (!read) return flow_.refuse(read.error());
   if (read->scene) trial.scene = std::make_shared<Scene>(*std::move(read->scene));
 }
@@ -141,7 +142,7 @@ void Trials::look() {
   if (now.stage == session::Stage::paused)
     trial.rest_watch.add(now);
   else
-    trial.rest_watch.begin(open.session->references().resting_C);
+    trial.rest_watch.begin(open.session->known().references.resting_C);
   if (!is_running(now)) return;
   trial.arrived = true;
   trial.view = now.task;
@@ -187,7 +188,8 @@ void Trials::take_progress(const tasks::TaskSpec& task) {
     open.preparation.rest_done = true;
   } else if (is_grip_maximum(task)) {
     ++work.maximum_attempts;
-    if (!work.task_done && open.session->maximum_force_N() > 0.0) next_.select_after_maximum();
+    if (!work.task_done && open.session->known().maximum_force_N() > 0.0)
+      next_.select_after_maximum();
   } else {
     work.task_done = work.task_done || task.kind->group != TaskGroup::rest_and_maximum;
   }

@@ -131,7 +131,7 @@ void Acquisition::tell_fault() noexcept {
   told_fault_ = health.fault;
   told_finger_ = health.finger;
   if (health.fault != DeviceFault::none)
-    push_event(kFaultEvent, describe(health.fault, health.finger).data());
+    push_event(kFaultEvent, describe(health.fault, health.finger));
 }
 
 void Acquisition::subtract_zero(FingerFrame& frame) const noexcept {
@@ -236,7 +236,7 @@ void Acquisition::pause(PauseCause cause) noexcept {
     told_finger_ = health.finger;
   }
   push_event(cause == PauseCause::therapist ? "pause" : kFaultEvent,
-             fault ? describe(health.fault, health.finger).data() : describe(cause).data());
+             fault ? describe(health.fault, health.finger) : describe(cause));
   item_.pauses = item_.told_before = false;
 }
 

@@ -19,7 +19,7 @@ NetPush net_push(const Platform& platform, const FingerFrame& forces, double gri
   return push;
 }
 
-std::string_view describe(PauseCause cause) noexcept {
+const char* describe(PauseCause cause) noexcept {
   switch (cause) {
     case PauseCause::none: return "";
     case PauseCause::therapist: return "Paused by the therapist.";

@@ -25,8 +25,8 @@ enum class Stage : std::uint8_t {
 [[nodiscard]] std::string_view name_of(Stage stage) noexcept;
 
 enum class PauseCause : std::uint8_t { none, therapist, missing_samples, device_fault };
-/// One plain sentence: why the trial stands still and what to do.
-[[nodiscard]] std::string_view describe(PauseCause cause) noexcept;
+/// One plain sentence: why the trial stands still and what to do. Static text.
+[[nodiscard]] const char* describe(PauseCause cause) noexcept;
 
 /// What arm and trunk push: finger forces that only squeeze cancel in it. Frame P of the platform.
 struct NetPush {

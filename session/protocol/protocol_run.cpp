@@ -18,7 +18,7 @@ class Run {
       : session_(session), progress_(progress), serviced_(serviced) {}
 
   Result<ProtocolResult> all(const ReadyProtocol& protocol) {
-    ProtocolWalk walk(protocol, session_.earlier(), session_.order_seed());
+    ProtocolWalk walk(protocol, session_.known().earlier, session_.known().order_seed());
     while (const auto act = walk.next()) {
       if (auto good = may_go_on(); !good) return good.error();
       position_.step = walk.acts_done();
@@ -98,7 +98,7 @@ class Run {
 
   /// False: the task was left out.
   Result<bool> trial(const ProtocolWalk::Act& act) {
-    const auto spec = task_of(act, session_.training());
+    const auto spec = task_of(act, session_.known().training);
     if (!spec) return spec.error();
     std::string reason;
     for (int attempt = 0; attempt < kTrialAttempts; ++attempt) {
@@ -139,7 +139,7 @@ class Run {
       for (const auto& item : news) {
         if (item.trial) return *item.trial;
         // Resuming is a therapist's act and there is none here; recorded data go on by themselves.
-        if (item.fault && !session_.device().recorded)
+        if (item.fault && !session_.known().device.recorded)
           session_.abort("Stopped after a device fault.");
       }
     }

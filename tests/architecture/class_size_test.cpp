@@ -23,8 +23,7 @@ const std::map<std::string, std::string>& larger_ones() {
       {"SessionStore", "a table: the acts on records, two lines each"},
       {"ForwardingStore", "the same table"},
       {"SqliteStore", "the same table"},
-      {"GuardedStore", "the same table, as far as rights matter"},
-      {"Session", "to be divided: commands, and what is known of it"}};
+      {"GuardedStore", "the same table, as far as rights matter"}};
   return kLarger;
 }
 

@@ -172,7 +172,7 @@ TEST(Resume, ASessionGoesOnWithNewZeroAndRestAndTheMaximumThatWasMeasured) {
   const Clinic clinic;
   clinic.run_until(3);  // zero, rest and maximum are done
   auto session = Session::open(clinic.config(true)).value();
-  EXPECT_GT(session->references().maximum({}), 5.0) << "measured before the break";
+  EXPECT_GT(session->known().references.maximum({}), 5.0) << "measured before the break";
   const auto result = run_protocol(*session, clinic.protocol, {});
   ASSERT_TRUE(result.ok()) << result.error().message();
   session->close();
@@ -188,7 +188,7 @@ TEST(Resume, ASessionGoesOnWithNewZeroAndRestAndTheMaximumThatWasMeasured) {
   EXPECT_FALSE(after[0].place.has_value());
   EXPECT_EQ(after[1].place, (storage::TrialPlace{3, 0}));
   EXPECT_EQ(after[2].place, (storage::TrialPlace{4, 0}));
-  EXPECT_EQ(after[1].maximum_force_N, session->maximum_force_N());
+  EXPECT_EQ(after[1].maximum_force_N, session->known().maximum_force_N());
   EXPECT_NE(after[0].zero_id, before[0].zero_id);
   for (const auto& a : test::every(after))
     for (const auto& b : test::every(before)) EXPECT_NE(a.seed, b.seed);
@@ -212,7 +212,7 @@ TEST(Resume, AResumedSessionThatBreaksOffIsResumedToo) {
     }
   }
   auto session = Session::open(clinic.config(true)).value();
-  EXPECT_EQ(session->earlier().trials.size(), 3u);
+  EXPECT_EQ(session->known().earlier.trials.size(), 3u);
   const auto result = run_protocol(*session, clinic.protocol, {});
   ASSERT_TRUE(result.ok()) << result.error().message();
   EXPECT_EQ(result->trials.size(), 2u) << "rest and the last task";
@@ -225,15 +225,15 @@ TEST(Resume, WhatTheScreeningForbadeStaysForbiddenUnlessItIsAskedAgain) {
   first.ceiling_N = 7.5;
   Session::open(first).value()->close();
   const auto held = Session::open(clinic.config(true)).value();
-  EXPECT_EQ(held->references().allowed, tasks::Effort::comfortable);
-  EXPECT_EQ(held->references().ceiling_N, 7.5);
-  EXPECT_EQ(held->record().allowed, "comfortable");
+  EXPECT_EQ(held->known().references.allowed, tasks::Effort::comfortable);
+  EXPECT_EQ(held->known().references.ceiling_N, 7.5);
+  EXPECT_EQ(held->known().record.allowed, "comfortable");
   held->close();
   auto asked = clinic.config(true);
   asked.allowed = tasks::Effort::none;
   const auto again = Session::open(asked).value();
-  EXPECT_EQ(again->references().allowed, tasks::Effort::none);
-  EXPECT_EQ(again->references().ceiling_N, 7.5);
+  EXPECT_EQ(again->known().references.allowed, tasks::Effort::none);
+  EXPECT_EQ(again->known().references.ceiling_N, 7.5);
 }
 
 TEST(Resume, IsRefusedForAnotherProtocolHandOrDay) {
@@ -283,12 +283,12 @@ TEST(Helped, NothingFollowsFromAHelpedTrialAndTheMarkIsStored) {
     const auto outcome = maximum_in(*session, while_it_runs);
     EXPECT_EQ(outcome.trial.helped, while_it_runs);
     if (!while_it_runs) {
-      EXPECT_GT(session->maximum_force_N(), 5.0);
+      EXPECT_GT(session->known().maximum_force_N(), 5.0);
       session->mark_helped();
     }
-    EXPECT_EQ(session->maximum_force_N(), 0.0);
+    EXPECT_EQ(session->known().maximum_force_N(), 0.0);
     session->mark_helped(false);
-    EXPECT_GT(session->maximum_force_N(), 5.0) << "the mark was taken away";
+    EXPECT_GT(session->known().maximum_force_N(), 5.0) << "the mark was taken away";
     session->mark_helped();
     EXPECT_FALSE(session->rate(3, 1).has_value());
     EXPECT_TRUE(session->rate(6, 7).has_value());

@@ -187,7 +187,7 @@ TEST(Session, WhatWasAskedBeforeStandsWithItFromTheStart) {
   config.answers = {{"screening", "pain", "2"}, {"posture", "seat", "chair"}};
   const auto session = Session::open(config);
   ASSERT_TRUE(session) << session.error().message();
-  EXPECT_EQ(clinic.store()->answers((*session)->record().id).value(), config.answers);
+  EXPECT_EQ(clinic.store()->answers((*session)->known().record.id).value(), config.answers);
 }
 
 TEST(Session, WhatIsAnsweredAndShownOnTheWayStandsWithIt) {
@@ -207,7 +207,7 @@ TEST(Session, WhatIsAnsweredAndShownOnTheWayStandsWithIt) {
     if (seen) (*session)->shown({0.021, 0.8, 0.6});
     (void)(*session)->wait_for_news();
   }
-  const auto id = (*session)->record().id;
+  const auto id = (*session)->known().record.id;
   session->reset();
   EXPECT_EQ(clinic.store()->answers(id).value(), answers);
   const auto trials = clinic.store()->trials(id).value();
@@ -296,8 +296,8 @@ TEST(Session, ALeftHandedSimulatedSessionNamesNoOtherHand) {
   config.hand = Hand::left;
   const auto session = Session::open(config);
   ASSERT_TRUE(session);
-  EXPECT_EQ((*session)->record().hand, Hand::left);
-  EXPECT_EQ((*session)->record().device_description.find("right"), std::string::npos);
+  EXPECT_EQ((*session)->known().record.hand, Hand::left);
+  EXPECT_EQ((*session)->known().record.device_description.find("right"), std::string::npos);
 }
 
 TEST(Session, ATrialThatAFaultEndedSaysSo) {

@@ -428,7 +428,7 @@ TEST(Thresholds, AreStoredAndTheStoredTrialMovesTheObjectAgainToTheBit) {
   zero(*session, kEmpty);
   trial(*session, short_rest());
   trial(*session, library_task("maximum_grip.toml"));
-  const double maximum_N = session->maximum_force_N();
+  const double maximum_N = session->known().maximum_force_N();
   ASSERT_GT(maximum_N, 16.0);
   trial(*session, library_task("two_target.toml"));
   session.reset();

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session_knowledge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "session/contact_threshold.hpp"
+#include "session/session.hpp"
+
+namespace isograsp::session {
+
+namespace {
+
+/// Fresh sequences and waits of each trial, from the seed of the session and the trial's number.
+std::uint64_t trial_seed(std::uint64_t session_seed, std::size_t trials_before) {
+  constexpr std::uint64_t kTrialsPerSession = 1000;
+  return session_seed * kTrialsPerSession + trials_before + 1;
+}
+
+FingerWrenches wrenches_of(const storage::RestingForceRecord& rest) {
+  FingerWrenches wrench_C;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    wrench_C[f].force = rest.mean[f].head<3>();
+    wrench_C[f].torque = rest.mean[f].tail<3>();
+  }
+  return wrench_C;
+}
+
+}  // namespace
+
+void Lessons::learn(const tasks::TaskSpec& spec, const storage::TrialRecord& trial,
+                    const std::vector<Measure>& measures, const RestOutcome* rest) {
+  if (trial.status != storage::TrialStatus::completed || trial.helped) return;
+  learn_maxima(measures);
+  training.learn(spec, trial, measures);
+  if (rest != nullptr) references.resting_C = wrenches_of(rest->rest);
+}
+
+void Lessons::learn_maxima(const std::vector<Measure>& measures) {
+  for (const Measure& measure : measures) {
+    if (!measure.value) continue;
+    auto* const known = measure.name == "maximum_force"       ? &references.maximum_N
+                        : measure.name == "comfortable_force" ? &references.comfortable_N
+                                                              : nullptr;
+    const auto channel = force_channel_from_name(measure.channel);
+    if (known == nullptr || !channel) continue;
+    double& value_N = (*known)[*channel];
+    value_N = std::max(value_N, *measure.value);
+  }
+}
+
+std::uint64_t SessionKnowledge::order_seed() const noexcept {
+  return session::order_seed(record, earlier);
+}
+
+tasks::TaskContext SessionKnowledge::next_context() const {
+  tasks::TaskContext context;
+  context.period_s = device.frame_period_s;
+  context.references = references;
+  context.seed = trial_seed(order_seed(), earlier.trials_made + trials_begun);
+  return context;
+}
+
+double SessionKnowledge::maximum_force_N() const noexcept {
+  const double maximum_N = references.maximum({});
+  return std::isnan(maximum_N) ? 0.0 : maximum_N;
+}
+
+double SessionKnowledge::resting_force_N() const noexcept {
+  const double resting_N = references.resting({});
+  return std::isnan(resting_N) ? 0.0 : resting_N;
+}
+
+std::array<std::optional<double>, kFingerCount> SessionKnowledge::contact_thresholds_N() const {
+  return contact_thresholds(zero, maximum_force_N());
+}
+
+}  // namespace isograsp::session

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of a session: what it was opened with, and what its trials have taught so far.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/measure.hpp"
+#include "device/sensors/force_device.hpp"
+#include "hand/finger.hpp"
+#include "session/acquisition/realtime.hpp"
+#include "session/resume.hpp"
+#include "session/training.hpp"
+#include "storage/records/session_store.hpp"
+#include "tasks/references.hpp"
+#include "tasks/task.hpp"
+#include "tasks/task_spec.hpp"
+
+namespace isograsp::session {
+
+struct RestOutcome;
+
+/// What trials teach.
+struct Lessons {
+  tasks::ForceReferences references;  ///< what tasks measure forces against
+  Training training;                  ///< the level of training tasks, earlier sessions included
+
+  /// Only completed trials teach, and those in which nobody helped. `rest`: of a trial at rest.
+  void learn(const tasks::TaskSpec& spec, const storage::TrialRecord& trial,
+             const std::vector<Measure>& measures, const RestOutcome* rest);
+  /// Maxima and comfortable forces that a trial measured raise the references of their channels.
+  void learn_maxima(const std::vector<Measure>& measures);
+};
+
+struct SessionKnowledge : Lessons {
+  storage::SessionRecord record;
+  DeviceInfo device;
+  RealtimeGrant realtime;        ///< what the acquisition thread was given
+  bool patient_is_new = false;   ///< the code was not in the database before this session
+  EarlierWork earlier;           ///< of a session that is resumed; else empty
+  std::size_t trials_begun = 0;  ///< in this session
+  std::optional<storage::InstrumentZeroRecord> zero;  ///< in force
+
+  /// Orders the tasks of this session's protocol, the same way when it is resumed.
+  [[nodiscard]] std::uint64_t order_seed() const noexcept;
+  /// What the task of the next trial will be made with: the same task made with it is the same.
+  [[nodiscard]] tasks::TaskContext next_context() const;
+  /// Maximum grip force [N]; 0: not measured yet.
+  [[nodiscard]] double maximum_force_N() const noexcept;
+  /// Grip force at rest [N]; 0: not measured yet.
+  [[nodiscard]] double resting_force_N() const noexcept;
+  /// From which force on a finger touches an object; nothing: as the scene says.
+  [[nodiscard]] std::array<std::optional<double>, kFingerCount> contact_thresholds_N() const;
+};
+
+}  // namespace isograsp::session

@@ -16,7 +16,7 @@
 #include "core/csv.hpp"
 #include "grasp_model/describe.hpp"
 #include "grasp_model/plan.hpp"
-#include "session/acquisition/plan_cost.hpp"
+#include "session/platform/plan_cost.hpp"
 
 namespace isograsp::app {
 

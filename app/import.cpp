@@ -16,7 +16,7 @@
 #include "app/run.hpp"
 #include "core/csv.hpp"
 #include "grasp_model/scene.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "storage/access/open_store.hpp"
 
 namespace isograsp::app {

@@ -100,6 +100,7 @@ Result<void> run_session(const RunOptions& options) {
   config.patient_code = options.patient;
   config.hand = *hand;
   config.device_uri = options.device;
+  config.apparatus = protocol->apparatus();
   config.library = library_folder();
   config.protocol_name = protocol->spec.name;
   config.protocol_text = protocol->spec.text;

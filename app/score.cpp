@@ -12,7 +12,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "core/csv.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 
 namespace isograsp::app {
 

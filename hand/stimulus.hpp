@@ -4,31 +4,13 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
 #include "core/spatial.hpp"
+#include "hand/cue.hpp"
 #include "hand/finger.hpp"
 #include "hand/force_channel.hpp"
 
 namespace isograsp {
-
-/// The instruction on the patient's screen. Each is about the force of Stimulus::channel.
-enum class Cue : std::uint8_t {
-  hand_out,   ///< "Please take your hand out of the device"
-  relax,      ///< hand in, no force
-  squeeze,    ///< as hard as you can, in the direction of the channel
-  press,      ///< comfortably, and hold it
-  follow,     ///< follow the force target, or hold it where the own force is not shown
-  reproduce,  ///< the force held before, from memory
-  let_go,     ///< now, as fast as you can
-  move        ///< bring the object to the target
-};
-inline constexpr std::size_t kCueCount = 8;
-[[nodiscard]] constexpr std::string_view name_of(Cue cue) noexcept {
-  constexpr std::array<std::string_view, kCueCount> kNames{
-      "hand out", "relax", "squeeze", "press", "follow", "reproduce", "let go", "move"};
-  return kNames[static_cast<std::size_t>(cue)];
-}
 
 /// Forces asked of single digits, contact frames [N]; `shown[f]`: there is one for finger f.
 struct DigitTargets {

@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 
 namespace isograsp::session {
 

@@ -2,8 +2,10 @@
 #include "session/demonstration.hpp"
 
 #include "device/config/uri.hpp"
+#include "session/acquisition/acquisition.hpp"
+#include "session/platform/force_platform.hpp"
+#include "session/platform/prepare_trial.hpp"
 #include "session/simulated_person.hpp"
-#include "session/trial_setup.hpp"
 
 namespace isograsp::session {
 
@@ -41,19 +43,20 @@ Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
   const std::string text = "sim://healthy?seed=1&hand=" + std::string(name_of(hand));
   const auto uri = Uri::parse(text);
   if (!uri) return uri.error();
-  const auto person = simulated_person(*uri, library);
+  auto person = simulated_person(*uri, library);
   if (!person) return person.error();
   DeviceOptions options;
   options.source = person->get();
-  const auto device = open_device(text, options);
+  auto device = open_device(text, options);
   if (!device) return device.error();
   ManualClock clock;
-  if (auto started = (*device)->start(clock); !started) return started.error();
-  Acquisition acquisition(**device, clock, (*device)->now(clock), {.viewer = person->get()});
+  ForcePlatform platform(*std::move(device), *std::move(person));
+  if (auto started = platform.start(clock); !started) return started.error();
+  Acquisition acquisition(platform, clock);
 
   Demonstration shown;
   shown.task = std::make_shared<tasks::TaskSpec>(spec);
-  shown.period_s = (*device)->info().frame_period_s;
+  shown.period_s = platform.info().period_s;
   shown.context.period_s = shown.period_s;
   shown.context.references = completed(references);
   const auto scene = read_trial_scene(spec, hand, {}, library);
@@ -61,18 +64,18 @@ Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
   if (scene->scene) shown.scene = std::make_shared<Scene>(*scene->scene);
   const auto setup = prepare_trial(spec, shown.context, *scene);
   if (!setup) return setup.error();
-  (void)acquisition.commands().push({Command::Kind::begin, setup->get()});
+  (void)acquisition.commands().push({.kind = Command::Kind::begin, .setup = setup->get()});
   const auto most = static_cast<std::size_t>(kLongestDemonstration_s / shown.period_s);
   bool begun = false;
   while (shown.frames.size() < most && acquisition.tick()) {
     for (RecordItem unwanted; acquisition.records().pop(unwanted);) {
     }
-    const Snapshot& now = acquisition.snapshots().read();
+    const Snapshot& now = platform.snapshots().read();
     begun = begun || now.stage == Stage::trial;
     if (begun && now.stage != Stage::trial) break;
     if (begun) shown.frames.push_back(now);
   }
-  (*device)->stop();
+  platform.stop();
   return shown;
 }
 

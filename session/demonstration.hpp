@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp::session {

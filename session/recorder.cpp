@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "core/csv.hpp"
-#include "session/platform/health_json.hpp"
 #include "session/resting.hpp"
 #include "tasks/score.hpp"
 
@@ -88,7 +87,7 @@ void Recorder::take(const RecordItem& item) {
     case RecordItem::Kind::begin: begin(*item.setup); break;
     case RecordItem::Kind::sample: add_row(item.row.values()); break;
     case RecordItem::Kind::end: end(item); break;
-    case RecordItem::Kind::zero: add_zero(item); break;
+    case RecordItem::Kind::prepared: add_preparation(item); break;
     case RecordItem::Kind::finished: finished_ = true; break;
     case RecordItem::Kind::event: add_event(item); break;
   }
@@ -109,7 +108,7 @@ void Recorder::begin(TrialSetup& setup) {
   samples_ = 0;
   setup.record.session_time_s = item_.session_time_s;
   setup.record.zero_id = zero_id_;
-  setup.record.groups = signal_groups(setup.plan.has_value());
+  setup.record.groups = setup.columns();
   std::vector<std::string> names;
   for (const auto& group : setup.record.groups)
     names.insert(names.end(), group.columns.begin(), group.columns.end());
@@ -151,7 +150,7 @@ void Recorder::end(const RecordItem& item) {
   outcome.trial.worst_lateness_s = item.worst_lateness_s;
   outcome.trial.worst_compute_s = item.worst_compute_s;
   outcome.trial.dropped = item.dropped;
-  outcome.trial.health_json = as_json(item.health);
+  outcome.trial.health_json = trial_->health_json();
   outcome.trial.timing_json = as_json(trial_->timing);
   {
     const std::lock_guard lock(mutex_);
@@ -194,31 +193,37 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
   return outcome;
 }
 
-void Recorder::add_zero(const RecordItem& item) {
+void Recorder::add_preparation(const RecordItem& item) {
+  if (const auto* zero = dynamic_cast<const InstrumentZero*>(item.preparation))
+    add_zero(item, *zero);
+}
+
+void Recorder::add_zero(const RecordItem& item, const InstrumentZero& measured) {
   ZeroOutcome outcome;
-  outcome.accepted = !item.zero_refusal.has_value();
+  outcome.accepted = !measured.refusal.has_value();
   storage::InstrumentZeroRecord& zero = outcome.zero;
   zero.session_id = session_.id;
   zero.session_time_s = item.session_time_s;
-  zero.mean = item.zero.mean;
-  zero.sd = item.zero.sd;
+  zero.mean = measured.statistics.mean;
+  zero.sd = measured.statistics.sd;
   zero.recorded_utc = utc_at(item.session_time_s);
   zero.operator_name = session_.operator_name;
-  zero.change_N = item.zero_change_N;
-  zero.drift_N = item.zero_drift_N;
+  zero.change_N = measured.change_N;
+  zero.drift_N = measured.drift_N;
   zero.drifted = zero.drift_N && *zero.drift_N > ZeroLimits().force_drift_N;
   if (outcome.accepted)
-    take_zero(item, outcome);
+    take_zero(item, measured, outcome);
   else
-    refuse_zero(item, outcome);
+    refuse_zero(item, *measured.refusal, outcome);
   SessionNews news;
   news.zero = std::move(outcome);
   publish(std::move(news));
 }
 
-void Recorder::take_zero(const RecordItem& item, ZeroOutcome& outcome) {
+void Recorder::take_zero(const RecordItem& item, const InstrumentZero& measured,
+                         ZeroOutcome& outcome) {
   storage::InstrumentZeroRecord& zero = outcome.zero;
-  zero.change_confirmed = item.change_confirmed;
+  zero.change_confirmed = measured.change_confirmed;
   outcome.remark = remark_on(zero);
   stored(store_->add_zero(zero, zero.id));
   zero_id_ = zero.id;
@@ -226,9 +231,10 @@ void Recorder::take_zero(const RecordItem& item, ZeroOutcome& outcome) {
     stored(store_->add_event({0, item.session_time_s, "zero", outcome.remark}));
 }
 
-void Recorder::refuse_zero(const RecordItem& item, ZeroOutcome& outcome) {
-  outcome.reason = describe(*item.zero_refusal);
-  outcome.only_changed = item.zero_refusal->why == ZeroRefusal::Why::changed;
+void Recorder::refuse_zero(const RecordItem& item, const ZeroRefusal& refusal,
+                           ZeroOutcome& outcome) {
+  outcome.reason = describe(refusal);
+  outcome.only_changed = refusal.why == ZeroRefusal::Why::changed;
   stored(store_->add_event({0, item.session_time_s, "zero refused", outcome.reason}));
 }
 

@@ -12,6 +12,7 @@
 #include "core/ring.hpp"
 #include "core/signals.hpp"
 #include "session/acquisition/acquisition.hpp"
+#include "session/platform/instrument_zero.hpp"
 #include "session/session.hpp"
 #include "session/session_writer.hpp"
 
@@ -62,9 +63,10 @@ class Recorder {
   void add_row(std::span<const double> values);
   void write_block();
   void end(const RecordItem& item);
-  void add_zero(const RecordItem& item);
-  void take_zero(const RecordItem& item, ZeroOutcome& outcome);
-  void refuse_zero(const RecordItem& item, ZeroOutcome& outcome);
+  void add_preparation(const RecordItem& item);
+  void add_zero(const RecordItem& item, const InstrumentZero& measured);
+  void take_zero(const RecordItem& item, const InstrumentZero& measured, ZeroOutcome& outcome);
+  void refuse_zero(const RecordItem& item, const ZeroRefusal& refusal, ZeroOutcome& outcome);
   /// Of a rest trial that was completed.
   [[nodiscard]] std::optional<RestOutcome> add_rest(const RecordItem& item);
   /// Wall time of this moment of the session.

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 
 namespace isograsp::session {
 

@@ -8,7 +8,6 @@
 
 #include "session/resting.hpp"
 #include "session/session_parts.hpp"
-#include "session/trial_setup.hpp"
 
 namespace isograsp::session {
 
@@ -21,36 +20,43 @@ Session::~Session() {
 const SessionKnowledge& Session::known() const noexcept {
   return parts_->known;
 }
+const Moment& Session::moment() noexcept {
+  return parts_->apparatus->newest();
+}
 const Snapshot& Session::snapshot() noexcept {
-  return parts_->acquisition->snapshots().read();
+  Parts& p = *parts_;
+  if (p.platform != nullptr) return p.platform->snapshots().read();
+  static_cast<Moment&>(p.blank) = moment();
+  return p.blank;
 }
 std::vector<Measure> Session::live_score() const {
   return parts_->recorder->live_score();
 }
 
 void Session::strapped() {
-  const double now_s = snapshot().session_time_s;
+  const double now_s = moment().session_time_s;
   parts_->strapped_at_s = now_s;
   parts_->recorder->add_event({0, now_s, "strapped", ""});
 }
 
 double Session::settling_s() noexcept {
   const auto& at_s = parts_->strapped_at_s;
-  return at_s ? std::max(0.0, *at_s + parts_->config.settle_after_strapping_s -
-                                  snapshot().session_time_s)
+  return at_s ? std::max(0.0,
+                         *at_s + parts_->config.settle_after_strapping_s - moment().session_time_s)
               : 0.0;
 }
 
 Result<void> Session::start_zero(const ZeroRequest& request) {
-  if (!request.device_is_empty)
-    return refused("nobody has confirmed that the device is empty",
-                   "take the hand out, let nothing touch the supports, and confirm that");
-  if (parts_->pending) return failed("a trial or a zero is still running", "wait for its end");
-  auto sent =
-      parts_->send({Command::Kind::zero, nullptr, "", request.accept_changed, request.settle_s});
-  parts_->pending = sent.ok();
-  if (sent) parts_->strapped_at_s.reset();
-  return sent;
+  Parts& p = *parts_;
+  auto made = p.apparatus->make_preparation(request);
+  if (!made) return made.error();
+  if (p.pending) return failed("a trial or a zero is still running", "wait for its end");
+  auto sent = p.send({.kind = Command::Kind::prepare, .preparation = made->get()});
+  if (!sent) return sent;
+  p.preparations.push_back(*std::move(made));
+  p.pending = true;
+  p.strapped_at_s.reset();
+  return {};
 }
 
 Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
@@ -60,28 +66,18 @@ Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
   if (const double wait_s = settling_s(); wait_s > 0.0 && spec.kind->rests)
     return failed("the hand was strapped less than a minute ago and still settles",
                   "wait another " + std::to_string(std::lround(std::ceil(wait_s))) + " s");
-  if (auto fresh = p.check_zero_is_fresh(); !fresh) return fresh;
-  const SessionKnowledge& known = p.known;
-  const tasks::TaskContext context = known.next_context();
-  const auto scene =
-      read_trial_scene(spec, p.config.hand, known.contact_thresholds_N(), p.config.library);
-  if (!scene) return scene.error();
-  auto prepared = prepare_trial(spec, context, *scene);
+  if (auto ready = p.apparatus->ready(); !ready) return ready;
+  if (auto fits = check_apparatus(spec.apparatus(), p.known.apparatus); !fits) return fits;
+  auto prepared = p.apparatus->make_trial(spec, p.known.next_context());
   if (!prepared) return prepared.error();
   auto setup = *std::move(prepared);
-  if (p.strapped_at_s) setup->since_strapping_s = snapshot().session_time_s - *p.strapped_at_s;
-  setup->constants.device_delay_s = known.device.delay_s;
-  if (p.config.display_delay_s) setup->constants.display_delay_s = *p.config.display_delay_s;
-  const double resolution_N = known.references.resolution_N;
-  if (resolution_N > 0.0) setup->constants.resolution_N = resolution_N;
+  if (p.strapped_at_s) setup->since_strapping_s = moment().session_time_s - *p.strapped_at_s;
   storage::TrialRecord& record = setup->record;
-  record.session_id = known.record.id;
+  record.session_id = p.known.record.id;
   record.number = static_cast<int>(p.setups.size()) + 1;
   record.practice = practice;
   record.place = place;
-  record.maximum_force_N = known.maximum_force_N();
-  record.resting_force_N = known.resting_force_N();
-  auto sent = p.send({Command::Kind::begin, setup.get()});
+  auto sent = p.send({.kind = Command::Kind::begin, .setup = setup.get()});
   if (!sent) return sent;
   p.setups.push_back(std::move(setup));
   ++p.known.trials_begun;
@@ -91,17 +87,17 @@ Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
 }
 
 void Session::pause() {
-  (void)parts_->send({Command::Kind::pause});
+  (void)parts_->send({.kind = Command::Kind::pause});
 }
 void Session::resume() {
-  (void)parts_->send({Command::Kind::resume});
+  (void)parts_->send({.kind = Command::Kind::resume});
 }
 void Session::abort(const char* reason) {
-  (void)parts_->send({Command::Kind::abort, nullptr, reason});
+  (void)parts_->send({.kind = Command::Kind::abort, .reason = reason});
 }
 
 void Session::note(const std::string& text) {
-  parts_->recorder->add_event({0, snapshot().session_time_s, "note", text});
+  parts_->recorder->add_event({0, moment().session_time_s, "note", text});
 }
 
 Result<void> Session::answer(const std::vector<storage::SessionAnswer>& answers) {
@@ -127,7 +123,7 @@ void Session::mark_helped(bool helped) {
 
 std::optional<std::string> Session::rate(int effort, int pain) {
   storage::RatingRecord rating;
-  rating.session_time_s = snapshot().session_time_s;
+  rating.session_time_s = moment().session_time_s;
   rating.effort = effort;
   rating.pain = pain;
   parts_->recorder->add_rating(rating);
@@ -140,7 +136,7 @@ std::optional<std::string> Session::correct_rating(int effort, int pain) {
   rating.effort = effort;
   rating.pain = pain;
   storage::RatingRecord correction = rating;
-  correction.session_time_s = snapshot().session_time_s;
+  correction.session_time_s = moment().session_time_s;
   parts_->recorder->correct_rating(correction);
   return reason_to_stop(parts_->ratings);
 }
@@ -160,7 +156,7 @@ std::vector<SessionNews> Session::wait_for_news() {
       if (p.finished) return take_news();
       p.step();
     } else {
-      if (snapshot().stage == Stage::finished) {
+      if (moment().stage == Stage::finished) {
         // The recorder may still be writing what came last.
         constexpr double kGrace_s = 5.0;
         p.recorder->wait_for_news(kGrace_s);
@@ -183,8 +179,8 @@ void Session::let_pass(double duration_s) {
       std::this_thread::sleep_for(std::min<Steady::duration>(kLook, end - Steady::now()));
     return;
   }
-  const double until_s = snapshot().session_time_s + duration_s;
-  while (!p.finished && !is_to_stop() && snapshot().session_time_s < until_s) p.step();
+  const double until_s = moment().session_time_s + duration_s;
+  while (!p.finished && !is_to_stop() && moment().session_time_s < until_s) p.step();
 }
 
 void Session::close() {
@@ -196,11 +192,10 @@ void Session::close() {
   constexpr int kTries = 3;  // news of a failure may come before those of the trial
   for (int tries = 0; p.pending && tries < kTries; ++tries) (void)wait_for_news();
   p.threads.stop();
-  p.stop_device();
+  p.apparatus->stop();
   p.recorder->pump();
   // Virtual time has its own end.
-  p.recorder->end_session(p.virtual_time() ? std::optional(snapshot().session_time_s)
-                                           : std::nullopt);
+  p.recorder->end_session(p.virtual_time() ? std::optional(moment().session_time_s) : std::nullopt);
 }
 
 std::optional<Error> Session::failure() const {

@@ -9,14 +9,16 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/measure.hpp"
 #include "core/result.hpp"
 #include "session/acquisition/realtime.hpp"
-#include "session/acquisition/snapshot.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
+#include "session/open_apparatus.hpp"
+#include "session/platform/snapshot.hpp"
 #include "session/resting.hpp"
 #include "session/session_knowledge.hpp"
 #include "storage/file/open_mode.hpp"
@@ -37,6 +39,9 @@ struct SessionConfig {
   std::string patient_code;  ///< created in the database if new
   Hand hand = Hand::right;
   std::string device_uri;
+  /// Which apparatus the tasks need ("platform"); a device that is another one is refused. Empty:
+  /// any.
+  std::string apparatus;
   std::string library;        ///< folder with scenes/ and tasks/
   std::string protocol_name;  ///< for the record; may be empty
   std::string protocol_text;
@@ -53,6 +58,8 @@ struct SessionConfig {
   /// The clock of this computer may be behind the newest session of the file: somebody was asked
   /// and says that it is right. Without it such a session is refused (field "clock").
   bool clock_is_right = false;
+  /// What a device URI opens; others in tests.
+  std::span<const ApparatusRow> apparatuses = all_apparatuses();
   /// Set by somebody who wants the session to end: waiting ends at once, and what is closed then is
   /// closed in good order. May be null; outlives the session.
   const std::atomic<bool>* stop = nullptr;
@@ -64,16 +71,6 @@ struct SessionConfig {
   /// The database is made for a moment and removed again (OpenMode::scratch); in virtual
   /// time only: nobody's data are recorded so.
   bool scratch_database = false;
-};
-
-/// An instrument zero is asked for.
-struct ZeroRequest {
-  /// The operator has confirmed it. Without it nothing is measured: muscle tone would become zero.
-  bool device_is_empty = false;
-  /// The operator has confirmed that the device was serviced or remounted: this zero may lie
-  /// outside the band round the last one. Kept with the zero where it made the difference.
-  bool accept_changed = false;
-  double settle_s = 0.0;  ///< before the second that is measured: a simulated hand leaves
 };
 
 /// The instrument zero ended.
@@ -125,7 +122,9 @@ class Session {
 
   /// What is known so far; take_news() and wait_for_news() add to it. Owner thread.
   [[nodiscard]] const SessionKnowledge& known() const noexcept;
-  /// Newest state. Wait-free. Owner thread.
+  /// Newest state, whatever is measured. Wait-free. Owner thread.
+  [[nodiscard]] const Moment& moment() noexcept;
+  /// The same with all that the platform shows; of another apparatus the moment alone.
   [[nodiscard]] const Snapshot& snapshot() noexcept;
   /// Measures of the running trial so far, by the same functions as at its end; renewed every
   /// second.
@@ -187,9 +186,5 @@ class Session {
   explicit Session(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };
-
-/// Refuses a platform that is mounted for the other hand, in words for the therapist.
-[[nodiscard]] Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for,
-                                      Hand hand);
 
 }  // namespace isograsp::session

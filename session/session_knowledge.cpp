@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session/contact_threshold.hpp"
 #include "session/session.hpp"
 
 namespace isograsp::session {
@@ -55,7 +54,7 @@ std::uint64_t SessionKnowledge::order_seed() const noexcept {
 
 tasks::TaskContext SessionKnowledge::next_context() const {
   tasks::TaskContext context;
-  context.period_s = device.frame_period_s;
+  context.period_s = apparatus.period_s;
   context.references = references;
   context.seed = trial_seed(order_seed(), earlier.trials_made + trials_begun);
   return context;
@@ -64,15 +63,6 @@ tasks::TaskContext SessionKnowledge::next_context() const {
 double SessionKnowledge::maximum_force_N() const noexcept {
   const double maximum_N = references.maximum({});
   return std::isnan(maximum_N) ? 0.0 : maximum_N;
-}
-
-double SessionKnowledge::resting_force_N() const noexcept {
-  const double resting_N = references.resting({});
-  return std::isnan(resting_N) ? 0.0 : resting_N;
-}
-
-std::array<std::optional<double>, kFingerCount> SessionKnowledge::contact_thresholds_N() const {
-  return contact_thresholds(zero, maximum_force_N());
 }
 
 }  // namespace isograsp::session

@@ -2,14 +2,13 @@
 // What is known of a session: what it was opened with, and what its trials have taught so far.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/measure.hpp"
 #include "device/sensors/force_device.hpp"
-#include "hand/finger.hpp"
+#include "session/acquisition/apparatus.hpp"
 #include "session/acquisition/realtime.hpp"
 #include "session/resume.hpp"
 #include "session/training.hpp"
@@ -36,12 +35,12 @@ struct Lessons {
 
 struct SessionKnowledge : Lessons {
   storage::SessionRecord record;
-  DeviceInfo device;
+  ApparatusInfo apparatus;
+  DeviceInfo device;             ///< of the platform; of another apparatus: what it has of it
   RealtimeGrant realtime;        ///< what the acquisition thread was given
   bool patient_is_new = false;   ///< the code was not in the database before this session
   EarlierWork earlier;           ///< of a session that is resumed; else empty
   std::size_t trials_begun = 0;  ///< in this session
-  std::optional<storage::InstrumentZeroRecord> zero;  ///< in force
 
   /// Orders the tasks of this session's protocol, the same way when it is resumed.
   [[nodiscard]] std::uint64_t order_seed() const noexcept;
@@ -49,10 +48,6 @@ struct SessionKnowledge : Lessons {
   [[nodiscard]] tasks::TaskContext next_context() const;
   /// Maximum grip force [N]; 0: not measured yet.
   [[nodiscard]] double maximum_force_N() const noexcept;
-  /// Grip force at rest [N]; 0: not measured yet.
-  [[nodiscard]] double resting_force_N() const noexcept;
-  /// From which force on a finger touches an object; nothing: as the scene says.
-  [[nodiscard]] std::array<std::optional<double>, kFingerCount> contact_thresholds_N() const;
 };
 
 }  // namespace isograsp::session

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <ctime>
 
-#include "core/csv.hpp"
 #include "core/time.hpp"
 #include "device/config/uri.hpp"
 #include "session/session_parts.hpp"
-#include "session/simulated_person.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/crypto/content_hash.hpp"
 #include "storage/records/patient_code.hpp"
@@ -41,45 +39,26 @@ std::string joined_lines(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// How counts became forces, a line a finger; empty if the device has no counts.
-std::string calibration_text(const DeviceInfo& info) {
-  std::string text;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    if (info.units_per_count[f].isZero(0.0)) continue;
-    text += std::string(kFingerNames[f]) + ": N or N m per count";
-    for (const double unit : info.units_per_count[f]) text += " " + format_number(unit);
-    if (!info.calibration[f].empty()) text += "; matrix " + info.calibration[f];
-    text += "\n";
-  }
-  return text;
-}
-
-/// Coarsest step of a force component; 0: the device has no counts.
-double resolution_N(const DeviceInfo& info) {
-  double coarsest_N = 0.0;
-  for (const Vec6& unit : info.units_per_count)
-    coarsest_N = std::max(coarsest_N, unit.head<3>().cwiseAbs().maxCoeff());
-  return coarsest_N;
+/// Of an apparatus that is no platform: what it has of such a device.
+DeviceInfo device_of(const ApparatusInfo& apparatus, const Uri& uri) {
+  DeviceInfo device;
+  device.uri = uri.text;
+  device.description = apparatus.description;
+  device.simulated = apparatus.simulated;
+  device.recorded = apparatus.recorded;
+  device.frame_period_s = apparatus.period_s;
+  device.delay_s = apparatus.delay_s;
+  device.provenance = apparatus.provenance;
+  return device;
 }
 
 }  // namespace
-
-Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for, Hand hand) {
-  if (mounted_for == name_of(hand)) return {};
-  return refused("the device is set up for the " + std::string(mounted_for) +
-                     " hand, the session for the " + std::string(name_of(hand)),
-                 "turn the platform and choose the configuration for that hand, or choose the " +
-                     std::string(mounted_for) + " hand")
-      .at(device_uri)
-      .about("hand");
-}
 
 /// The steps of opening, in the order in which they are taken.
 struct Session::Opening {
   const SessionConfig& config;
   Parts& parts;
   Uri uri;
-  Timestamp start{0};  ///< of the device
   std::unique_ptr<storage::SessionStore> store;
   /// Of the newest session of the file, if the clock of this computer is behind it.
   std::optional<std::string> latest;
@@ -107,7 +86,7 @@ struct Session::Opening {
 Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   auto parts = std::make_unique<Parts>();
   parts->config = config;
-  Opening opening{config, *parts, {}, {}, {}, {}, {}, {}};
+  Opening opening{config, *parts, {}, {}, {}, {}, {}};
   for (const auto step :
        {&Opening::check_request, &Opening::open_device, &Opening::start_device, &Opening::open_file,
         &Opening::find_patient, &Opening::describe_session, &Opening::read_what_is_known,
@@ -134,18 +113,13 @@ Result<void> Session::Opening::check_request() {
 }
 
 Result<void> Session::Opening::open_device() {
-  auto viewer = simulated_person(uri, config.library);
-  if (!viewer) return viewer.error();
-  parts.viewer = std::move(*viewer);
-  DeviceOptions options;
-  options.source = parts.viewer.get();
-  auto device = isograsp::open_device(config.device_uri, options);
-  if (!device) return device.error();
-  parts.device = std::move(*device);
-  const DeviceInfo& info = parts.device->info();
-  if (info.hand)
-    if (auto same = check_hand(config.device_uri, name_of(*info.hand), config.hand); !same)
-      return same;
+  auto opened = open_apparatus({uri, config.hand, config.library, config.display_delay_s},
+                               config.apparatuses);
+  if (!opened) return opened.error();
+  parts.apparatus = *std::move(opened);
+  parts.platform = dynamic_cast<ForcePlatform*>(parts.apparatus.get());
+  const ApparatusInfo& info = parts.apparatus->info();
+  if (auto fits = check_apparatus(config.apparatus, info); !fits) return fits;
   if (config.virtual_time && !info.simulated && !info.recorded)
     return refused("a real device cannot run in virtual time", "leave out --fast").at(uri.text);
   return {};
@@ -154,18 +128,19 @@ Result<void> Session::Opening::open_device() {
 /// Real sensors tell who they are only when they are started; if they do not answer, or if real
 /// time is refused, nothing is written.
 Result<void> Session::Opening::start_device() {
+  SessionKnowledge& known = parts.known;
   if (config.virtual_time) {
     parts.clock = std::make_unique<ManualClock>();
   } else {
     auto granted = parts.threads.make(config.realtime);
     if (!granted) return granted.error();
-    parts.known.realtime = *std::move(granted);
+    known.realtime = *std::move(granted);
     parts.clock = std::make_unique<SteadyClock>();
   }
-  if (auto started = parts.device->start(*parts.clock); !started) return started;
-  parts.streaming = true;
-  parts.known.device = parts.device->info();
-  start = parts.device->now(*parts.clock);
+  if (auto started = parts.apparatus->start(*parts.clock); !started) return started;
+  known.apparatus = parts.apparatus->info();
+  known.device =
+      parts.platform != nullptr ? parts.platform->device() : device_of(known.apparatus, uri);
   return {};
 }
 
@@ -203,7 +178,7 @@ Result<void> Session::Opening::find_patient() {
 }
 
 Result<void> Session::Opening::describe_session() {
-  const DeviceInfo& info = parts.known.device;
+  const ApparatusInfo& info = parts.known.apparatus;
   storage::SessionRecord& session = record();
   session.patient_id = patient.id;
   session.started_utc =
@@ -216,14 +191,13 @@ Result<void> Session::Opening::describe_session() {
   session.provenance = joined_lines(info.provenance);
   session.protocol_name = config.protocol_name;
   session.protocol_text = config.protocol_text;
-  session.rate_Hz = 1.0 / info.frame_period_s;
+  session.rate_Hz = 1.0 / info.period_s;
   session.device_delay_s = info.delay_s;
   session.software_version = config.software_version;
   session.cpu_features = cpu_features();
-  session.serial_numbers = info.serial_numbers;
-  session.calibration = calibration_text(info);
   session.operator_name = config.operator_name;
   session.realtime = describe(parts.known.realtime);
+  parts.apparatus->describe(session);
   if (config.allowed) session.allowed = tasks::name_of(*config.allowed);
   session.ceiling_N = config.ceiling_N;
   if (uri.parameters.contains("seed"))
@@ -261,7 +235,7 @@ Result<void> Session::Opening::set_references() {
   references.allowed =
       tasks::effort_from_name(known.record.allowed).value_or(tasks::Effort::maximum);
   references.ceiling_N = known.record.ceiling_N;
-  references.resolution_N = resolution_N(known.device);
+  if (parts.platform != nullptr) references.resolution_N = parts.platform->resolution_N();
   for (const EarlierTrial& trial : known.earlier.trials)
     if (!trial.record.helped) known.learn_maxima(trial.measures);
   return {};
@@ -276,11 +250,8 @@ Result<void> Session::Opening::write_session() {
 }
 
 void Session::Opening::start_recording() {
-  Acquisition::Options options;
-  options.resume_by_itself = parts.known.device.recorded;
-  options.viewer = parts.viewer.get();
-  if (last_zero) options.last_zero = last_zero->mean;
-  parts.acquisition = std::make_unique<Acquisition>(*parts.device, *parts.clock, start, options);
+  if (last_zero && parts.platform != nullptr) parts.platform->set_last_zero(last_zero->mean);
+  parts.acquisition = std::make_unique<Acquisition>(*parts.apparatus, *parts.clock);
   auto writer = std::make_unique<SessionWriter>(std::move(store), patient, record(), config.answers,
                                                 !config.scratch_database);
   parts.recorder = std::make_unique<Recorder>(std::move(writer), record(),

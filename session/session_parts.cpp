@@ -2,8 +2,6 @@
 // What a session learns from its news.
 #include "session/session_parts.hpp"
 
-#include "session/acquisition/zeroing.hpp"
-
 namespace isograsp::session {
 
 namespace {
@@ -17,23 +15,11 @@ std::array<Vec3, kFingerCount> noise_of(const storage::InstrumentZeroRecord& zer
 
 }  // namespace
 
-Result<void> Session::Parts::check_zero_is_fresh() {
-  const Snapshot& now = acquisition->snapshots().read();
-  if (standing_of_zero(known.device.recorded, now.zeroed, now.restarted.has_value()) !=
-      ZeroStanding::outdated)
-    return {};
-  return failed("since the zero was set a sensor started anew (" +
-                    std::string(name_of(*now.restarted)) + ")",
-                "take the hand out and set the zero again")
-      .about("zero");
-}
-
 void Session::Parts::learn(std::vector<SessionNews>& news) {
   for (auto& item : news) {
     if (item.zero || item.trial) pending = in_trial = false;
     if (item.zero && item.zero->accepted) {
-      known.zero = item.zero->zero;
-      known.references.noise_sd_N = before_last.references.noise_sd_N = noise_of(*known.zero);
+      known.references.noise_sd_N = before_last.references.noise_sd_N = noise_of(item.zero->zero);
     }
     if (!item.trial) continue;
     item.trial->trial.helped = helped;

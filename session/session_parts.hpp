@@ -4,14 +4,13 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "session/acquisition/acquisition.hpp"
+#include "session/platform/force_platform.hpp"
 #include "session/recorder.hpp"
 #include "session/session.hpp"
 #include "session/session_threads.hpp"
-#include "virtual_patient/virtual_patient.hpp"
 
 namespace isograsp::session {
 
@@ -19,13 +18,14 @@ struct Session::Parts {
   SessionConfig config;
   SessionKnowledge known;
   std::unique_ptr<Clock> clock;
-  std::unique_ptr<virtual_patient::VirtualPatient> viewer;
-  std::unique_ptr<ForceDevice> device;
+  std::unique_ptr<Apparatus> apparatus;
+  ForcePlatform* platform = nullptr;  ///< null: it is another apparatus
+  Snapshot blank;                     ///< of another apparatus: its moment, without forces
   std::unique_ptr<Acquisition> acquisition;
   std::unique_ptr<Recorder> recorder;
-  std::vector<std::unique_ptr<TrialSetup>> setups;  ///< live as long as the threads
-  SessionThreads threads;                           ///< none in virtual time
-  bool streaming = false;                           ///< the device is started
+  std::vector<std::unique_ptr<TrialSetup>> setups;         ///< live as long as the threads
+  std::vector<std::unique_ptr<Preparation>> preparations;  ///< as long
+  SessionThreads threads;                                  ///< none in virtual time
   bool pending = false;   ///< a zero or a trial was asked for and has not ended
   bool in_trial = false;  ///< it is a trial
   bool finished = false;  ///< virtual time: the device has finished
@@ -38,11 +38,7 @@ struct Session::Parts {
 
   ~Parts() {
     threads.stop();
-    stop_device();
-  }
-
-  void stop_device() {
-    if (std::exchange(streaming, false)) device->stop();
+    if (apparatus) apparatus->stop();
   }
 
   [[nodiscard]] bool virtual_time() const { return clock->is_virtual(); }
@@ -58,9 +54,6 @@ struct Session::Parts {
     return failed("the session does not answer", "close it and start again");
   }
 
-  /// An outdated zero would be subtracted from the forces of a sensor that it does not belong to.
-  /// Trials without any zero are the owner's affair.
-  Result<void> check_zero_is_fresh();
   /// What the news say about references, zero and training. Trials that were helped are marked.
   void learn(std::vector<SessionNews>& news);
   void learn(const TrialOutcome& outcome);

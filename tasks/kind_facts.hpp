@@ -75,6 +75,10 @@ struct KindFacts {
   /// Reads the keys that other kinds have not. Problems are reported to the reader.
   KindSpec (*read)(TomlReader& reader) = nullptr;
 
+  /// Of what a task is made for: an apparatus of this kind (session/acquisition/apparatus.hpp);
+  /// empty: a task without scene can be done with any.
+  std::string_view apparatus = "platform";
+
   // What a task asks; nullptr, if nothing else is said: it has none.
   /// nullptr: as long as its segments.
   Duration (*duration)(const KindSpec&) = nullptr;

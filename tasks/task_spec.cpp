@@ -25,6 +25,11 @@ double duration_of_segments(const KindSpec& kind, Pace::Waits waits) {
 
 }  // namespace
 
+std::string_view TaskSpec::apparatus() const {
+  constexpr std::string_view kOfScenes = "platform";
+  return kind->apparatus.empty() && !scene().empty() ? kOfScenes : kind->apparatus;
+}
+
 std::string TaskSpec::scene() const {
   return kind->scene != nullptr ? kind->scene(kind) : "";
 }

@@ -25,6 +25,8 @@ struct TaskSpec {
   // What its kind says of it (kind_facts.hpp).
   /// The scene the task needs; empty: none (a force task has no object).
   [[nodiscard]] std::string scene() const;
+  /// The apparatus that it is done with: "platform"; empty: any.
+  [[nodiscard]] std::string_view apparatus() const;
   [[nodiscard]] Duration duration() const;
   /// How force and target are shown and scaled; null: the task has no force target.
   [[nodiscard]] const Aim* aim() const;

@@ -94,19 +94,20 @@ class Play final : public Task {
     const bool over = current_ == timeline_.segments.size();
     const std::size_t here = over ? current_ - 1 : current_;
     TaskView view = views_[here];
+    auto& force = std::get<ForceView>(view.special);
     view.segment = static_cast<int>(here);
     view.task_time_s = static_cast<double>(frame_) * period_s_;
     view.duration_s = static_cast<double>(frames_) * period_s_;
-    view.actual_force_N = force_of(input.wrench_C, view.channel);
+    force = with_force(force, input);
     if (over) {
       view.phase = Phase::done;
       view.cue = Cue::relax;
-      view.has_force_target = view.force_target_shown = false;
+      force.has_force_target = force.force_target_shown = false;
       return view;
     }
     const auto& target_N = timeline_.segments[here].target_N;
     if (target_N.size() > 1)
-      view.target_force_N = target_N[static_cast<std::size_t>(frame_ - begin_)];
+      force.target_force_N = target_N[static_cast<std::size_t>(frame_ - begin_)];
     ++frame_;
     skip_empty();
     return view;
@@ -114,14 +115,16 @@ class Play final : public Task {
 
  private:
   static TaskView view_of(const Segment& segment, const ForceReferences& references) {
-    TaskView view = blank_view(references, segment.channel);
+    ForceView force = blank_force(references, segment.channel);
+    force.force_shown = segment.force_shown;
+    force.digit_targets = segment.digits;
+    force.has_force_target = !segment.target_N.empty();
+    force.force_target_shown = force.has_force_target && segment.target_shown;
+    if (force.has_force_target) force.target_force_N = segment.target_N.front();
+    TaskView view;
     view.phase = segment.phase;
     view.cue = segment.cue;
-    view.force_shown = segment.force_shown;
-    view.digit_targets = segment.digits;
-    view.has_force_target = !segment.target_N.empty();
-    view.force_target_shown = view.has_force_target && segment.target_shown;
-    if (view.has_force_target) view.target_force_N = segment.target_N.front();
+    view.special = force;
     return view;
   }
   /// To the segment of the present frame.

@@ -9,7 +9,7 @@
 #include "core/files.hpp"
 #include "grasp_model/plan.hpp"
 #include "gui/library/task_groups.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "tasks/waveform.hpp"
 
 namespace isograsp::gui {

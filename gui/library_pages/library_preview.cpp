@@ -9,8 +9,8 @@
 #include "grasp_model/describe.hpp"
 #include "grasp_model/grasp.hpp"
 #include "gui/words/words.hpp"
-#include "session/acquisition/plan_cost.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
+#include "session/platform/plan_cost.hpp"
 #include "tasks/timeline.hpp"
 #include "tasks/waveform.hpp"
 

@@ -31,8 +31,8 @@ void ForceHistory::add(const session::Snapshot& snapshot) {
     const bool missing = (snapshot.forces.flags[f] & bit(SampleFlag::missing)) != 0;
     point.normal_N[f] = missing ? kNothing : snapshot.forces.wrench_C[f].force.z();
   }
-  const bool shown = snapshot.trial_number > 0 && snapshot.task.force_target_shown;
-  point.target_N = shown ? snapshot.task.target_force_N : kNothing;
+  const bool shown = snapshot.trial_number > 0 && snapshot.special.force().force_target_shown;
+  point.target_N = shown ? snapshot.special.force().target_force_N : kNothing;
   points_.push_back(point);
   while (points_.front().t_s < point.t_s - length_s_) points_.pop_front();
 }

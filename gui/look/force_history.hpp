@@ -5,7 +5,7 @@
 #include <array>
 #include <deque>
 
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 
 namespace isograsp::gui {
 

@@ -91,7 +91,7 @@ struct RunningTrial {
   bool helped = false;
   std::shared_ptr<const TargetPreview> preview;
   std::shared_ptr<const Scene> scene;
-  tasks::TaskView view;           ///< as it was seen last
+  tasks::TaskProgress view;       ///< as it was seen last
   session::RestWatch rest_watch;  ///< while it is paused
   std::vector<Measure> score;     ///< so far
   Timestamp scored{0};            ///< when that was renewed

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "gui/library/task_groups.hpp"
-#include "session/trial_setup.hpp"
+#include "session/platform/prepare_trial.hpp"
 
 namespace isograsp::gui {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 
 namespace isograsp::gui {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gui/rules/flow.hpp"
-#include "session/acquisition/zeroing.hpp"
+#include "session/platform/zeroing.hpp"
 
 namespace isograsp::gui {
 

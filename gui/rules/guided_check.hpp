@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "device/sensors/device_check.hpp"
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 
 namespace isograsp::gui {
 

@@ -77,8 +77,8 @@ void add_object(const PatientFacts& facts, PatientPicture& picture) {
   picture.page = Page::object;
   picture.scene = facts.scene;
   picture.X_WO = moved(now.object, facts.ahead_s);
-  picture.target_shown = now.task.pose_target_shown;
-  picture.X_WT = now.task.X_WT;
+  picture.target_shown = now.special.object().pose_target_shown;
+  picture.X_WT = now.special.object().X_WT;
   picture.hold_fraction = is_held(facts, picture) ? now.task.hold_fraction : 0.0;
   picture.ring_W = picture.X_WT.p;
   picture.targets_reached = now.task.targets_reached;
@@ -100,7 +100,8 @@ void say(PatientPicture& picture, Sign sign, CueWords words) {
 }
 
 void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskView& task = facts.snapshot.task;
+  const tasks::TaskProgress& task = facts.snapshot.task;
+  const tasks::ForceView& force = facts.snapshot.special.force();
   if (facts.task->kind->course != nullptr)
     return say(picture, Sign::wait, PictureTexts::tr("Stay on the outline"),
                PictureTexts::tr("It moves: go with it"));
@@ -114,7 +115,7 @@ void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
   if (facts.task->kind->carries)
     return say(picture, Sign::wait, PictureTexts::tr("Bring it to the outline"),
                PictureTexts::tr("Take it and carry it there"));
-  say(picture, Sign::wait, words_for(Cue::move, task.channel, facts.hand));
+  say(picture, Sign::wait, words_for(Cue::move, force.channel, facts.hand));
 }
 
 /// "Next: thumb, push up".
@@ -140,29 +141,30 @@ void add_rest(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_directions(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskView& task = facts.snapshot.task;
+  const tasks::ForceView& force = facts.snapshot.special.force();
   picture.page = Page::directions;
   picture.digits_N = facts.preview == nullptr ? 0.0 : facts.preview->digits_N;
   for (std::size_t f = 0; f < kFingerCount; ++f)
-    if (task.digit_targets.shown[f])
-      picture.digits_N = std::max(picture.digits_N, task.digit_targets.force_C[f].norm());
+    if (force.digit_targets.shown[f])
+      picture.digits_N = std::max(picture.digits_N, force.digit_targets.force_C[f].norm());
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     DigitPicture& digit = picture.digits[f];
-    digit.asked = task.digit_targets.shown[f];
+    digit.asked = force.digit_targets.shown[f];
     if (!digit.asked) continue;
-    digit.target_C = task.digit_targets.force_C[f];
-    if (!task.force_shown) continue;
+    digit.target_C = force.digit_targets.force_C[f];
+    if (!force.force_shown) continue;
     digit.force_C = facts.snapshot.forces.wrench_C[f].force;
     digit.on_target = (digit.force_C - digit.target_C).norm() <= kOnTarget * picture.digits_N;
   }
-  say(picture, Sign::act, words_for_digits(task.digit_targets.shown));
+  say(picture, Sign::act, words_for_digits(force.digit_targets.shown));
 }
 
 void add_follow(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskView& task = facts.snapshot.task;
+  const tasks::TaskProgress& task = facts.snapshot.task;
+  const tasks::ForceView& force = facts.snapshot.special.force();
   picture.page = Page::tracking;
-  say(picture, Sign::act, words_for(Cue::follow, task.channel, facts.hand));
-  if (!task.force_shown) {
+  say(picture, Sign::act, words_for(Cue::follow, force.channel, facts.hand));
+  if (!force.force_shown) {
     picture.detail = PictureTexts::tr("Without seeing your force").toStdString();
     return;
   }
@@ -178,8 +180,9 @@ void add_follow(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_force(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskView& task = facts.snapshot.task;
-  const auto words = [&] { return words_for(task.cue, task.channel, facts.hand); };
+  const tasks::TaskProgress& task = facts.snapshot.task;
+  const tasks::ForceView& force = facts.snapshot.special.force();
+  const auto words = [&] { return words_for(task.cue, force.channel, facts.hand); };
   switch (task.cue) {
     case Cue::relax: return add_rest(facts, picture);
     case Cue::squeeze:
@@ -188,11 +191,11 @@ void add_force(const PatientFacts& facts, PatientPicture& picture) {
       picture.urgent = task.cue == Cue::squeeze;
       return say(picture, Sign::act, words());
     case Cue::follow:
-      if (task.digit_targets.any()) return add_directions(facts, picture);
+      if (force.digit_targets.any()) return add_directions(facts, picture);
       return add_follow(facts, picture);
     case Cue::let_go:
       // The mark falls where it was held.
-      if (task.force_shown) picture.page = Page::tracking;
+      if (force.force_shown) picture.page = Page::tracking;
       picture.urgent = true;
       return say(picture, Sign::let_go, words());
     case Cue::reproduce: return say(picture, Sign::memory, words());
@@ -202,13 +205,14 @@ void add_force(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_trial(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskView& task = facts.snapshot.task;
+  const tasks::TaskProgress& task = facts.snapshot.task;
+  const tasks::ForceView& force = facts.snapshot.special.force();
   picture.hand = facts.hand;
-  picture.channel = task.channel;
-  picture.force_shown = task.force_shown;
-  if (task.force_shown) picture.force_N = task.actual_force_N;
-  picture.line_shown = task.force_target_shown;
-  if (task.force_target_shown) picture.target_N = task.target_force_N;
+  picture.channel = force.channel;
+  picture.force_shown = force.force_shown;
+  if (force.force_shown) picture.force_N = force.actual_force_N;
+  picture.line_shown = force.force_target_shown;
+  if (force.force_target_shown) picture.target_N = force.target_force_N;
   picture.task_time_s = task.task_time_s + facts.ahead_s;
   const ForceChannel* effort = facts.task->effort();
   const bool of_grip = effort != nullptr && *effort == ForceChannel{};
@@ -216,7 +220,7 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   if (facts.preview != nullptr && facts.preview->has_target())
     picture.axis = facts.preview->axis;
   else
-    picture.axis = {std::min(0.0, task.target_force_N), std::max(1.0, task.target_force_N)};
+    picture.axis = {std::min(0.0, force.target_force_N), std::max(1.0, force.target_force_N)};
   const bool angles_known = facts.viewing.known();
   if (angles_known && facts.preview != nullptr && facts.preview->gain_deg_per_N)
     picture.axis = with_gain(picture.axis, *facts.preview->gain_deg_per_N, facts.viewing);
@@ -233,7 +237,7 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   picture.on_target = picture.page == Page::tracking && picture.force_shown && picture.line_shown &&
                       std::abs(picture.axis.share(picture.force_N) -
                                picture.axis.share(picture.target_N)) <= kHalfBandShare;
-  if (picture.page == Page::tracking && task.force_shown && angles_known)
+  if (picture.page == Page::tracking && force.force_shown && angles_known)
     picture.gain_deg_per_N = gain_of(picture.axis, facts.viewing);
 }
 
@@ -263,7 +267,7 @@ void add_idle(const PatientFacts& facts, PatientPicture& picture) {
 void add_notice(const PatientFacts& facts, PatientPicture& picture) {
   const session::Snapshot& now = facts.snapshot;
   const bool paused = now.stage == session::Stage::paused;
-  const bool by_fault = paused && now.pause_cause != session::PauseCause::therapist;
+  const bool by_fault = paused && session::is_fault(now.pause_cause);
   if (facts.device_fault || facts.broken_off || by_fault) {
     picture.notice = Notice::fault;
     picture.notice_words =

@@ -10,7 +10,7 @@
 #include "grasp_model/scene.hpp"
 #include "gui/rules/presentation.hpp"
 #include "gui/rules/target_preview.hpp"
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 
 namespace isograsp::gui {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "session/protocol/protocol_walk.hpp"
 
 namespace isograsp::gui {

@@ -4,7 +4,7 @@
 
 #include <QTableWidget>
 
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 
 namespace isograsp::gui {
 

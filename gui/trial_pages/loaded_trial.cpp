@@ -49,8 +49,9 @@ PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
   now.task.phase = state.phase;
   now.task.target_index = state.target_index;
   now.task.targets_reached = state.targets_reached;
-  now.task.pose_target_shown = state.X_WT.has_value();
-  now.task.X_WT = state.X_WT.value_or(Pose{});
+  auto& view = now.special.special.emplace<tasks::ObjectView>();
+  view.pose_target_shown = state.X_WT.has_value();
+  view.X_WT = state.X_WT.value_or(Pose{});
   now.object.X_WO = state.X_WO.value_or(Pose{});
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     now.forces.wrench_C[f].force = state.fingers[f].force_C;

@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "core/measure.hpp"
-#include "session/acquisition/snapshot.hpp"
+#include "session/platform/snapshot.hpp"
 #include "storage/records/session_store.hpp"
 
 namespace isograsp::gui {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 namespace isograsp::session {
 
@@ -16,43 +15,58 @@ std::size_t ring_capacity(double seconds, double period_s) {
 constexpr std::size_t kCommands = 64;
 }  // namespace
 
-Acquisition::Acquisition(ForceDevice& device, Clock& clock, Timestamp start, const Options& options)
-    : device_(device),
+Acquisition::Acquisition(Apparatus& apparatus, Clock& clock, double ring_s)
+    : apparatus_(apparatus),
       clock_(clock),
-      options_(options),
-      frames_(device, clock, start),
+      period_s_(apparatus.info().period_s),
       commands_(kCommands),
-      records_(ring_capacity(options.ring_s, device.info().frame_period_s)) {}
+      records_(ring_capacity(ring_s, period_s_)),
+      now_(apparatus.now()) {}
 
 bool Acquisition::tick() noexcept {
   for (Command command; commands_.pop(command);) obey(command);
-  if (!frames_.next(now_.forces)) {
-    if (trial_ != nullptr) {
-      const bool whole = trial_->spec.kind->free;
-      end_trial(whole ? storage::TrialStatus::completed : storage::TrialStatus::aborted,
-                "The recording ended.");
-    }
-    now_.stage = Stage::finished;
-    now_.health = device_.health();
-    push(RecordItem::Kind::finished);
-    publish(clock_.now());
+  if (!apparatus_.next()) {
+    finish();
     return false;
   }
   const Timestamp frame_ready = clock_.now();
-  process(now_.forces);
+  process();
   publish(frame_ready);
-  show_to_viewer();
+  apparatus_.show();
   return true;
+}
+
+void Acquisition::process() noexcept {
+  ++now_.frames;
+  if (now_.stage == Stage::zeroing) prepare();
+  const Reception frame = apparatus_.receive();
+  if (frame.gap) ++now_.frames_with_gap;
+  guard(frame.sight);
+  tell_fault();
+  if (trial_ != nullptr) run_trial();
+}
+
+void Acquisition::run_trial() noexcept {
+  const bool moving = now_.stage == Stage::trial;
+  if (moving) apparatus_.step();
+  item_.row.clear();
+  apparatus_.write({.t_s = static_cast<double>(trial_frames_++) * period_s_,
+                    .phase = moving ? now_.task.phase : tasks::Phase::paused,
+                    .task = now_.task,
+                    .lateness_s = apparatus_.lateness_s(),
+                    .compute_s = last_compute_s_},
+                   item_.row);
+  push(RecordItem::Kind::sample);
+  if (!moving) return;
+  apparatus_.move();
+  if (now_.task.phase == tasks::Phase::done) end_trial(storage::TrialStatus::completed, "");
 }
 
 void Acquisition::obey(const Command& command) noexcept {
   switch (command.kind) {
-    case Command::Kind::zero:
-      zeroing_ = Zeroing(frames_.period_s());
-      settle_s_ = command.settle_s;
-      accept_changed_ = command.accept_changed;
-      for (std::size_t f = 0; f < kFingerCount; ++f)
-        restarts_before_zeroing_[f] = now_.health.sensors[f].restarts;
+    case Command::Kind::prepare:
+      preparation_ = command.preparation;
+      apparatus_.begin(*preparation_);
       now_.zero_progress = 0.0;
       now_.stage = Stage::zeroing;
       break;
@@ -69,124 +83,31 @@ void Acquisition::obey(const Command& command) noexcept {
   }
 }
 
-void Acquisition::process(FingerFrame& frame) noexcept {
-  ++now_.frames;
-  now_.session_time_s = frame.t_s;
-  now_.health = device_.health();
-  if (frame.any(SampleFlag::missing)) ++now_.frames_with_gap;
-  if (now_.stage == Stage::zeroing) add_to_zero(frame);
-  watch_restarts();
-  subtract_zero(frame);
-  guard(frame);
-  tell_fault();
-  now_.grip_N = force_of(frame.wrench_C, {});
-  now_.push = net_push(device_.info().platform, frame, now_.grip_N);
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    now_.centre_of_pressure[f] = (frame.flags[f] & bit(SampleFlag::missing)) != 0
-                                     ? std::nullopt
-                                     : centre_of_pressure(frame.wrench_C[f]);
-  if (trial_ != nullptr) run_trial(frame);
-}
-
-void Acquisition::add_to_zero(const FingerFrame& frame) noexcept {
-  if (settle_s_ > 0.0) {
-    settle_s_ -= frames_.period_s();
-    return;
-  }
-  zeroing_.add(frame);
-  now_.zero_progress = zeroing_.progress();
-  if (!zeroing_.complete() && !zeroing_.hopeless()) return;
-  item_.zero_refusal = ZeroRefusal{};
-  item_.zero_change_N.reset();
-  item_.zero_drift_N.reset();
-  item_.change_confirmed = false;
-  if (zeroing_.complete()) {
-    item_.zero = zeroing_.statistics();
-    const auto& last = zero_ ? zero_ : options_.last_zero;
-    item_.zero_refusal = check_zero(item_.zero, accept_changed_ ? std::nullopt : last);
-    item_.change_confirmed = accept_changed_ && check_zero(item_.zero, last).has_value();
-    if (last) item_.zero_change_N = largest_force_change_N(item_.zero.mean, *last);
-    if (zero_) item_.zero_drift_N = largest_force_change_N(item_.zero.mean, *zero_);
-  }
-  if (!item_.zero_refusal) {
-    zero_ = item_.zero.mean;
-    restarts_at_zero_ = restarts_before_zeroing_;
-  }
-  now_.zeroed = zero_.has_value();
+void Acquisition::prepare() noexcept {
+  if (!apparatus_.measure(*preparation_)) return;
+  item_.preparation = preparation_;
   now_.stage = Stage::idle;
-  push(RecordItem::Kind::zero);
+  push(RecordItem::Kind::prepared);
 }
 
-void Acquisition::watch_restarts() noexcept {
-  now_.restarted.reset();
-  if (!zero_) return;
-  for (const Finger finger : kFingers)
-    if (now_.health.sensors[index_of(finger)].restarts != restarts_at_zero_[index_of(finger)])
-      now_.restarted = finger;
+void Acquisition::guard(Reception::Sight sight) noexcept {
+  const bool out_of_sight = now_.stage == Stage::paused && now_.pause_cause == PauseCause::occluded;
+  if (sight == Reception::Sight::clear) {
+    if (out_of_sight ||
+        (now_.stage == Stage::paused && is_fault(now_.pause_cause) && apparatus_.info().recorded))
+      resume();
+  } else if (sight == Reception::Sight::occluded) {
+    if (now_.stage == Stage::trial) pause(PauseCause::occluded);
+  } else if (now_.stage == Stage::trial || out_of_sight) {
+    pause(apparatus_.fault().number == 0 ? PauseCause::missing_samples : PauseCause::device_fault);
+  }
 }
 
 void Acquisition::tell_fault() noexcept {
-  const DeviceHealth& health = now_.health;
-  if (health.fault == told_fault_ && health.finger == told_finger_) return;
-  told_fault_ = health.fault;
-  told_finger_ = health.finger;
-  if (health.fault != DeviceFault::none)
-    push_event(kFaultEvent, describe(health.fault, health.finger));
-}
-
-void Acquisition::subtract_zero(FingerFrame& frame) const noexcept {
-  if (!zero_) return;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    frame.wrench_C[f].force -= (*zero_)[f].head<3>();
-    frame.wrench_C[f].torque -= (*zero_)[f].tail<3>();
-  }
-}
-
-void Acquisition::guard(FingerFrame& frame) noexcept {
-  std::array<bool, kFingerCount> present{};
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    present[f] = (frame.flags[f] & bit(SampleFlag::missing)) == 0;
-  std::array<bool, kFingerCount> used{true, true, true};
-  if (trial_ != nullptr && trial_->plan) used = trial_->plan->scene().fingers_used();
-  const auto verdict = stale_.apply(frame.wrench_C, present, used, frames_.period_s());
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    if (stale_.held(f)) frame.flags[f] = bit(SampleFlag::held);
-  if (verdict == StaleRule::Verdict::frozen) {
-    if (now_.stage == Stage::trial)
-      pause(now_.health.fault == DeviceFault::none ? PauseCause::missing_samples
-                                                   : PauseCause::device_fault);
-  } else if (now_.stage == Stage::paused && now_.pause_cause != PauseCause::therapist &&
-             options_.resume_by_itself) {
-    resume();
-  }
-}
-
-void Acquisition::run_trial(const FingerFrame& frame) noexcept {
-  TrialSetup& trial = *trial_;
-  const bool moving = now_.stage == Stage::trial;
-  if (moving) {
-    if (trial.plan) now_.grasp = trial.plan->grasp(frame.wrench_C, now_.object);
-    now_.task =
-        trial.task->step({frame.wrench_C, trial.plan ? &now_.object : nullptr, now_.grasp.contact});
-  }
-  write_row({.t_s = static_cast<double>(trial_frames_++) * frames_.period_s(),
-             .forces = frame,
-             .push = now_.push,
-             .phase = moving ? now_.task.phase : tasks::Phase::paused,
-             .task = now_.task,
-             .constants = trial.constants,
-             .object = now_.object,
-             .grasp = now_.grasp,
-             .lateness_s = frames_.lateness_s(frame),
-             .compute_s = last_compute_s_},
-            trial.plan.has_value(), item_.row);
-  push(RecordItem::Kind::sample);
-  if (!moving) return;
-  if (trial.plan && now_.task.object_placed)
-    now_.object = trial.plan->at_rest(now_.task.placed_X_WO);
-  else if (trial.plan)
-    trial.plan->move(now_.grasp, now_.object);
-  if (now_.task.phase == tasks::Phase::done) end_trial(storage::TrialStatus::completed, "");
+  const ApparatusFault fault = apparatus_.fault();
+  if (fault.number == told_fault_) return;
+  told_fault_ = fault.number;
+  if (fault.number != 0) push_event(kFaultEvent, fault.words);
 }
 
 void Acquisition::begin_trial(TrialSetup& setup) noexcept {
@@ -197,23 +118,18 @@ void Acquisition::begin_trial(TrialSetup& setup) noexcept {
   worst_compute_s_ = 0.0;
   now_.trial_number = setup.record.number;
   now_.task = {};
-  now_.has_object = setup.plan.has_value();
-  now_.object = setup.plan ? setup.plan->initial_state() : ObjectState{};
-  now_.grasp = {};
   now_.stage = Stage::trial;
   now_.pause_cause = PauseCause::none;
-  // A simulated person gets acquainted with the object; nobody else is here to be disturbed.
-  if (options_.viewer != nullptr)
-    options_.viewer->meet_object(setup.plan ? std::optional(setup.plan->scene()) : std::nullopt);
+  apparatus_.begin(setup);
   item_.setup = &setup;
   push(RecordItem::Kind::begin);
 }
 
 void Acquisition::end_trial(storage::TrialStatus status, const char* reason) noexcept {
+  apparatus_.end(*trial_);
   item_.setup = trial_;
   item_.status = status;
   item_.reason = reason;
-  item_.health = now_.health;
   item_.worst_lateness_s = worst_lateness_s_;
   item_.worst_compute_s = worst_compute_s_;
   item_.dropped = static_cast<std::int64_t>(now_.recorder_dropped - dropped_before_trial_);
@@ -227,16 +143,15 @@ void Acquisition::end_trial(storage::TrialStatus status, const char* reason) noe
 void Acquisition::pause(PauseCause cause) noexcept {
   now_.stage = Stage::paused;
   now_.pause_cause = cause;
-  const DeviceHealth& health = now_.health;
-  const bool fault = cause == PauseCause::device_fault;
-  item_.pauses = cause != PauseCause::therapist;
-  item_.told_before = fault && health.fault == told_fault_ && health.finger == told_finger_;
-  if (fault) {
-    told_fault_ = health.fault;
-    told_finger_ = health.finger;
-  }
-  push_event(cause == PauseCause::therapist ? "pause" : kFaultEvent,
-             fault ? describe(health.fault, health.finger) : describe(cause));
+  const ApparatusFault fault =
+      cause == PauseCause::device_fault ? apparatus_.fault() : ApparatusFault{};
+  item_.pauses = is_fault(cause);
+  item_.told_before = fault.number != 0 && fault.number == told_fault_;
+  if (fault.number != 0) told_fault_ = fault.number;
+  push_event(item_.pauses                    ? kFaultEvent
+             : cause == PauseCause::occluded ? "occluded"
+                                             : "pause",
+             fault.number != 0 ? fault.words : describe(cause));
   item_.pauses = item_.told_before = false;
 }
 
@@ -244,6 +159,16 @@ void Acquisition::resume() noexcept {
   now_.stage = Stage::trial;
   now_.pause_cause = PauseCause::none;
   push_event("resume", "");
+}
+
+void Acquisition::finish() noexcept {
+  if (trial_ != nullptr)
+    end_trial(
+        trial_->spec.kind->free ? storage::TrialStatus::completed : storage::TrialStatus::aborted,
+        "The recording ended.");
+  now_.stage = Stage::finished;
+  push(RecordItem::Kind::finished);
+  publish(clock_.now());
 }
 
 void Acquisition::push(RecordItem::Kind kind) noexcept {
@@ -259,15 +184,14 @@ void Acquisition::push_event(const char* kind, const char* text) noexcept {
 }
 
 void Acquisition::publish(Timestamp frame_ready) noexcept {
-  const Timestamp now = clock_.now();
-  now_.published = now;
-  now_.compute_s = to_seconds(now - frame_ready);
-  now_.lateness_s = frames_.lateness_s(now_.forces);
+  now_.published = clock_.now();
+  now_.compute_s = to_seconds(now_.published - frame_ready);
+  now_.lateness_s = apparatus_.lateness_s();
   last_compute_s_ = now_.compute_s;
   worst_compute_s_ = std::max(worst_compute_s_, now_.compute_s);
   worst_lateness_s_ = std::max(worst_lateness_s_, now_.lateness_s);
   if (now_.stage != Stage::finished) measure_timing();
-  snapshots_.publish(now_);
+  apparatus_.publish();
 }
 
 void Acquisition::measure_timing() noexcept {
@@ -275,38 +199,14 @@ void Acquisition::measure_timing() noexcept {
     if (last_published_) timing.period.add(to_seconds(now_.published - *last_published_));
     timing.lateness.add(now_.lateness_s);
     timing.compute.add(now_.compute_s);
-    if (const auto& stamp = frames_.completed_by())
-      timing.latency.add(to_seconds(device_.now(clock_) - *stamp));
+    if (const auto latency_s = apparatus_.latency_s()) timing.latency.add(*latency_s);
   };
   add(timing_);
   if (trial_ != nullptr) add(trial_->timing);
   last_published_ = now_.published;
   constexpr double kRenewEvery_s = 1.0;
-  const auto every = static_cast<std::int64_t>(std::ceil(kRenewEvery_s / frames_.period_s()));
+  const auto every = static_cast<std::int64_t>(std::ceil(kRenewEvery_s / period_s_));
   if (now_.frames % every == 0) now_.timing = summary_of(timing_);
-}
-
-void Acquisition::show_to_viewer() noexcept {
-  if (options_.viewer == nullptr) return;
-  Stimulus screen;
-  screen.t_s = now_.session_time_s;
-  screen.shown_force_N = now_.grip_N;
-  if (trial_ == nullptr) {
-    screen.cue = now_.stage == Stage::zeroing || !now_.zeroed ? Cue::hand_out : Cue::relax;
-  } else {
-    screen.cue = now_.stage == Stage::paused ? Cue::relax : now_.task.cue;
-    screen.channel = now_.task.channel;
-    screen.force_target_shown = now_.task.force_target_shown;
-    screen.target_force_N = now_.task.target_force_N;
-    screen.force_shown = now_.task.force_shown;
-    screen.shown_force_N = now_.task.actual_force_N;
-    screen.digit_targets = now_.task.digit_targets;
-    screen.object_shown = now_.has_object;
-    screen.X_WO = now_.object.X_WO;
-    screen.X_WT = now_.task.pose_target_shown ? now_.task.X_WT : now_.object.X_WO;
-    screen.contact = now_.grasp.contact;
-  }
-  options_.viewer->see(screen);
 }
 
 }  // namespace isograsp::session

@@ -1,39 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One frame of a trial as it is recorded: a row of numbers, and the columns that they stand in.
+// An apparatus writes column and value in one line, to a Sink: the same lines give the names of the
+// columns once a trial and their values every frame. A Sink has begin(name of a group) and
+// put(column, value).
 #pragma once
 
 #include <array>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "grasp_model/plan.hpp"
-#include "hand/finger.hpp"
-#include "session/acquisition/snapshot.hpp"
+#include "core/column.hpp"
 #include "storage/records/session_store.hpp"
-#include "tasks/task.hpp"
+#include "tasks/task_progress.hpp"
 
 namespace isograsp::session {
-
-/// What does not change within a trial and is stored beside its signals; NaN: not known.
-struct TrialConstants {
-  double resolution_N = tasks::kNotMeasured;     ///< coarsest step of a force component
-  double device_delay_s = tasks::kNotMeasured;   ///< of the sensors and their filters
-  double display_delay_s = tasks::kNotMeasured;  ///< from the program to the light
-};
-
-/// One frame as the acquisition has it at hand: what the columns are filled from.
-struct TrialFrame {
-  double t_s;                 ///< since the trial began; runs on while paused
-  const FingerFrame& forces;  ///< zeroed; held values stand in where flagged
-  const NetPush& push;
-  tasks::Phase phase;  ///< `paused` while the task stands still, else that of the task
-  const tasks::TaskView& task;
-  const TrialConstants& constants;
-  const ObjectState& object;  ///< at t_s, before this frame's wrench acts
-  const GraspWrench& grasp;
-  double lateness_s;
-  double compute_s;  ///< of the frame before this one: its own is not over yet
-};
 
 /// One row: the values of all groups, one after the other.
 class TrialRow {
@@ -51,11 +33,45 @@ class TrialRow {
   std::size_t size_ = 0;
 };
 
-/// The stored columns of a trial; the "object" group only if there is an object.
-[[nodiscard]] std::vector<storage::SignalGroup> signal_groups(bool has_object);
+/// Collects the columns; values are of no interest.
+struct ColumnNames {
+  std::vector<storage::SignalGroup>& groups;
+  void begin(std::string_view group) { groups.push_back({std::string(group), {}}); }
+  void put(const Column& column, double) { groups.back().columns.emplace_back(column); }
+};
 
-/// Fills `row` with one value per column of signal_groups(has_object), in that order. Real-time
-/// safe.
-void write_row(const TrialFrame& frame, bool has_object, TrialRow& row) noexcept;
+/// Collects the values.
+struct ColumnValues {
+  TrialRow& row;
+  void begin(std::string_view) noexcept {}
+  void put(const Column&, double value) noexcept { row.add(value); }
+};
+
+/// What every trial records of a frame.
+struct RowFrame {
+  double t_s = 0.0;  ///< since the trial began; runs on while paused
+  /// `paused` while the task stands still, else that of the task.
+  tasks::Phase phase = tasks::Phase::lead_in;
+  tasks::TaskProgress task;
+  double lateness_s = 0.0;
+  double compute_s = 0.0;  ///< of the frame before this one: its own is not over yet
+};
+
+/// The group "task" begins with it; what the apparatus knows of the task follows.
+template <class Sink>
+void put_progress(Sink& sink, const RowFrame& frame) {
+  sink.begin("task");
+  sink.put(columns::t_s, frame.t_s);
+  sink.put(columns::task_time_s, frame.task.task_time_s);
+  sink.put(columns::phase, static_cast<double>(frame.phase));
+}
+
+/// The last group.
+template <class Sink>
+void put_timing(Sink& sink, const RowFrame& frame) {
+  sink.begin("timing");
+  sink.put(columns::lateness_s, frame.lateness_s);
+  sink.put(columns::compute_s, frame.compute_s);
+}
 
 }  // namespace isograsp::session

@@ -82,8 +82,10 @@ House::House(const std::string& map) {
       folder.source_libraries = words_in(rest);
     } else if (key.starts_with("room ")) {
       const std::string room = key.substr(5);
-      folder.rooms.push_back({room == "." ? folder.name : folder.name + "/" + room,
-                              rest.ends_with("; no Qt"), rest.ends_with("; no widgets")});
+      const auto without = rest.rfind("; no ");
+      folder.rooms.push_back(
+          {room == "." ? folder.name : folder.name + "/" + room,
+           words_in(without == std::string::npos ? "" : rest.substr(without + 5))});
     } else {
       throw std::runtime_error("unknown: " + line);
     }

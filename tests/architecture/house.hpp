@@ -12,9 +12,8 @@ namespace isograsp::architecture {
 using Names = std::set<std::string>;
 
 struct Room {
-  std::string path;  ///< "gui/words"; "gui": the files beside the rooms
-  bool no_qt = false;
-  bool no_widgets = false;
+  std::string path;    ///< "gui/words"; "gui": the files beside the rooms
+  Names without = {};  ///< "Qt", "widgets", folders that the others may include
 };
 
 struct Folder {

@@ -68,15 +68,17 @@ std::string objection(const House& house, const Include& what) {
     if (what.included.find('/') == std::string::npos)
       return "write the path from the root of the project";
     const std::string from = what.included.substr(0, what.included.find('/'));
+    if (folder.rooms[room].without.contains(from)) return here + " knows nothing of " + from;
     if (from != what.folder)
       return folder.uses.contains(from) ? "" : what.folder + " may not include " + from;
     const std::size_t there = folder.room_of(what.included);
     return there <= room ? "" : folder.rooms[there].path + " stands above " + here;
   }
-  if (folder.rooms[room].no_widgets && is_widget(what.included)) return here + " has no widgets";
+  if (folder.rooms[room].without.contains("widgets") && is_widget(what.included))
+    return here + " has no widgets";
   for (const auto& [prefix, library] : kLibraryOf) {
     if (what.included.rfind(prefix, 0) != 0) continue;
-    if (library == "Qt" && folder.rooms[room].no_qt) return here + " knows no Qt";
+    if (library == "Qt" && folder.rooms[room].without.contains("Qt")) return here + " knows no Qt";
     if (folder.libraries.contains(library)) return "";
     if (folder.source_libraries.contains(library))
       return what.header && !what.for_its_room
@@ -176,7 +178,7 @@ TEST(Includes, TheRulesForbidWhatTheyShould) {
       "  library: Qt\n"
       "  source library: nlohmann\n"
       "  room words: texts; no widgets\n"
-      "  room facts: what is true; no Qt\n"
+      "  room facts: what is true; no Qt core\n"
       "  room .: the windows\n");
   const auto says = [&](const char* file, const char* included, bool quoted,
                         bool for_its_room = false) {
@@ -190,6 +192,7 @@ TEST(Includes, TheRulesForbidWhatTheyShould) {
   EXPECT_NE(says("gui/words/texts.cpp", "gui/windows.hpp", true), "") << "the files above";
   EXPECT_NE(says("core/time.cpp", "QObject", false), "") << "a library of others";
   EXPECT_NE(says("gui/facts/true.cpp", "QString", false), "") << "no Qt";
+  EXPECT_NE(says("gui/facts/true.cpp", "core/time.hpp", true), "") << "a room without a folder";
   EXPECT_NE(says("gui/words/texts.cpp", "QWidget", false), "") << "no widgets";
   EXPECT_NE(says("gui/words/texts.cpp", "QtWidgets/QLabel", false), "") << "no widgets";
   EXPECT_NE(says("gui/words/texts.hpp", "nlohmann/json.hpp", false), "") << "in sources only";

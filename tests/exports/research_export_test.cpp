@@ -18,7 +18,6 @@
 #include "exports/export_trial.hpp"
 #include "exports/fhir_codes.hpp"
 #include "hand/anatomical_axes.hpp"
-#include "session/acquisition/trial_row.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
 #include "tasks/facts/column_facts.hpp"
@@ -26,6 +25,7 @@
 #include "tests/reports/emitted_measures.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/files_below.hpp"
+#include "tests/support/platform_columns.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::exports::research_export_test {
@@ -302,10 +302,8 @@ TEST(TrialAsJson, AMeasureThatIsNoNumberIsNullAndSaysWhy) {
 }
 
 TEST(ColumnFacts, EveryColumnOfATrialIsDescribedWithItsUnit) {
-  std::vector<std::string> names;
-  for (const bool object : {false, true})
-    for (const auto& group : session::signal_groups(object))
-      names.insert(names.end(), group.columns.begin(), group.columns.end());
+  auto names = test::platform_columns(false);
+  for (auto& name : test::platform_columns(true)) names.push_back(std::move(name));
   for (const Finger finger : kFingers)
     for (const HandAxis axis : kHandAxes) names.push_back(anatomical_column(finger, axis));
   for (const auto& name : test::every(names)) {

@@ -18,7 +18,7 @@
 #include "gui/words/texts.hpp"
 #include "message_texts.hpp"
 #include "reports/findings/progress_report.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "session/resume.hpp"
 #include "session/simulated_person.hpp"
 #include "source_messages.hpp"

@@ -9,7 +9,7 @@
 
 #include "core/files.hpp"
 #include "gui/library/library_use.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -17,7 +17,7 @@
 #include "gui/look/toml_editor.hpp"
 #include "gui/presenter/next_words.hpp"
 #include "operator.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "short_library.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -38,12 +38,13 @@ tasks::TaskContext context(std::uint64_t seed = 1) {
 /// Three fingers of which each presses `share` of what is asked in the channel.
 FingerWrenches answer(const tasks::TaskView& view, double share) {
   FingerWrenches wrench_C;
-  const double sign = view.channel.direction == Direction::minus_z ? -1.0 : 1.0;
+  const double sign = view.force().channel.direction == Direction::minus_z ? -1.0 : 1.0;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const double part = f == 0 ? 1.0 : 0.5;
-    wrench_C[f].force = Vec3(0, 0, sign * share * part * view.target_force_N);
-    if (single_digit(view.channel) == kFingers[f]) wrench_C[f].force.z() *= 1.0 / part;
-    if (view.digit_targets.shown[f]) wrench_C[f].force = share * view.digit_targets.force_C[f];
+    wrench_C[f].force = Vec3(0, 0, sign * share * part * view.force().target_force_N);
+    if (single_digit(view.force().channel) == kFingers[f]) wrench_C[f].force.z() *= 1.0 / part;
+    if (view.force().digit_targets.shown[f])
+      wrench_C[f].force = share * view.force().digit_targets.force_C[f];
   }
   return wrench_C;
 }
@@ -65,11 +66,13 @@ class Play {
 
   /// False after the end.
   bool next() {
-    tasks::TaskInput input;
-    input.wrench_C = answer(facts_.snapshot.task, share_);
+    tasks::ForceInput input;
+    input.wrench_C = answer(view_, share_);
     facts_.snapshot.forces.wrench_C = input.wrench_C;
     facts_.snapshot.grip_N = kOtherForce_N;
-    facts_.snapshot.task = task_->step(input);
+    view_ = task_->step(input);
+    facts_.snapshot.task = view_;
+    facts_.snapshot.special = view_;
     return facts_.snapshot.task.phase != tasks::Phase::done;
   }
   bool run_to(const std::function<bool(const tasks::TaskView&)>& reached) {
@@ -77,7 +80,7 @@ class Play {
       if (reached(view())) return true;
     return false;
   }
-  [[nodiscard]] const tasks::TaskView& view() const { return facts_.snapshot.task; }
+  [[nodiscard]] const tasks::TaskView& view() const { return view_; }
   [[nodiscard]] PatientPicture picture() const { return picture_for(facts_); }
   [[nodiscard]] PatientFacts& facts() { return facts_; }
 
@@ -86,6 +89,7 @@ class Play {
  private:
   double share_;
   PatientFacts facts_;
+  tasks::TaskView view_;
   std::unique_ptr<tasks::Task> task_;
 };
 
@@ -140,11 +144,13 @@ TEST(PatientPages, ShowTheForceOfTheChannelAndNothingOfItWhileItIsOff) {
     while (play.next()) {
       ++frames;
       const auto picture = play.picture();
-      ASSERT_EQ(picture.force_shown, play.view().force_shown) << text;
-      ASSERT_EQ(picture.force_N, play.view().force_shown ? play.view().actual_force_N : 0.0)
+      ASSERT_EQ(picture.force_shown, play.view().force().force_shown) << text;
+      ASSERT_EQ(picture.force_N,
+                play.view().force().force_shown ? play.view().force().actual_force_N : 0.0)
           << text;
-      ASSERT_EQ(picture.line_shown, play.view().force_target_shown) << text;
-      ASSERT_EQ(picture.target_N, play.view().force_target_shown ? play.view().target_force_N : 0.0)
+      ASSERT_EQ(picture.line_shown, play.view().force().force_target_shown) << text;
+      ASSERT_EQ(picture.target_N,
+                play.view().force().force_target_shown ? play.view().force().target_force_N : 0.0)
           << text;
       ASSERT_FALSE(picture.headline.empty()) << text;
     }
@@ -161,7 +167,7 @@ TEST(PatientPages, LookTheSameWhateverTheForceWhileItIsOff) {
     Play strong(parse(text), 1, 1.7);
     int compared = 0;
     for (int frame = 0; weak.next() && strong.next(); ++frame) {
-      if (weak.view().force_shown || frame % 50 != 0) continue;
+      if (weak.view().force().force_shown || frame % 50 != 0) continue;
       ++compared;
       ASSERT_TRUE(paint(weak.picture(), 180) == paint(strong.picture(), 180))
           << text << " at " << weak.view().task_time_s << " s";

@@ -32,7 +32,7 @@ PatientFacts with_object() {
   facts.snapshot.stage = session::Stage::trial;
   facts.snapshot.zeroed = true;
   facts.snapshot.has_object = true;
-  facts.snapshot.task.pose_target_shown = true;
+  facts.snapshot.special.special.emplace<tasks::ObjectView>().pose_target_shown = true;
   facts.snapshot.task.target_count = 5;
   facts.snapshot.task.duration_s = 150.0;
   return facts;
@@ -102,16 +102,17 @@ TEST(PatientPicture, OnACalmScreenNoFingerApproaches) {
 
 TEST(PatientPicture, TheRingOfAHoldStandsAtTheOutlineAndOnlyWhileTheBlockIsSeenThere) {
   PatientFacts facts = with_object();
-  tasks::TaskView& view = facts.snapshot.task;
+  tasks::TaskProgress& view = facts.snapshot.task;
   view.target_index = 1;  // it is to be held for a second
   view.phase = tasks::Phase::hold;
   view.hold_fraction = 0.5;
-  view.X_WT.p = Vec3(-0.08, -0.06, 0.0);
+  Pose& X_WT = std::get<tasks::ObjectView>(facts.snapshot.special.special).X_WT;
+  X_WT.p = Vec3(-0.08, -0.06, 0.0);
   Pose& block = facts.snapshot.object.X_WO;
-  block.p = view.X_WT.p + Vec3(0.015, 0.0, 0.0);  // the task allows 20 mm
+  block.p = X_WT.p + Vec3(0.015, 0.0, 0.0);  // the task allows 20 mm
   auto picture = picture_for(facts);
   EXPECT_EQ(picture.hold_fraction, 0.5);
-  EXPECT_EQ(picture.ring_W, view.X_WT.p) << "what is to be filled is the outline";
+  EXPECT_EQ(picture.ring_W, X_WT.p) << "what is to be filled is the outline";
   facts.snapshot.object.v_WO_W = Vec3(0.5, 0.0, 0.0);
   facts.ahead_s = 0.02;  // seen 10 mm further on, outside
   EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
@@ -122,7 +123,7 @@ TEST(PatientPicture, TheRingOfAHoldStandsAtTheOutlineAndOnlyWhileTheBlockIsSeenT
 
 TEST(PatientPicture, WhereTheBlockOnlyPassesThereIsNoRing) {
   PatientFacts facts = with_object();
-  tasks::TaskView& view = facts.snapshot.task;
+  tasks::TaskProgress& view = facts.snapshot.task;
   view.phase = tasks::Phase::hold;
   view.hold_fraction = 1.0;  // reached on entering
   view.target_index = 0;
@@ -203,13 +204,13 @@ TEST(TargetPreview, IsExactlyWhatTheTaskWillShow) {
   const auto preview = preview_target(*sine, context);
   auto trial = tasks::make_task(*sine, context);
   ASSERT_TRUE(trial.ok());
-  const tasks::TaskInput pressing{.wrench_C = {}, .object = nullptr};
+  const tasks::TaskInput pressing = tasks::ForceInput{};
   for (std::size_t k = 0; k < preview.target_N.size(); ++k) {
     const tasks::TaskView view = (*trial)->step(pressing);
-    ASSERT_EQ(preview.target_N[k], view.target_force_N);
+    ASSERT_EQ(preview.target_N[k], view.force().target_force_N);
     const auto shown = preview.at(view.task_time_s, view.task_time_s);
     ASSERT_TRUE(shown.has_value()) << view.task_time_s;
-    ASSERT_WITHIN(*shown, view.target_force_N, 1e-9)
+    ASSERT_WITHIN(*shown, view.force().target_force_N, 1e-9)
         << "time over period may round to a neighbour: slope 12 N/s times 1e-12 s";
   }
   EXPECT_DOUBLE_EQ(preview.period_s * static_cast<double>(preview.target_N.size()),

@@ -10,9 +10,9 @@
 #include "device/sensors/device_check.hpp"
 #include "device/sensors/force_device.hpp"
 #include "gui/words/text_patterns.hpp"
-#include "session/acquisition/snapshot.hpp"
-#include "session/acquisition/zeroing.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
+#include "session/platform/snapshot.hpp"
+#include "session/platform/zeroing.hpp"
 #include "session/recorder.hpp"
 #include "session/resting.hpp"
 #include "session/resume.hpp"
@@ -68,7 +68,7 @@ void add_device(Texts& texts) {
 
 void add_session(Texts& texts) {
   for (const auto cause : {session::PauseCause::therapist, session::PauseCause::missing_samples,
-                           session::PauseCause::device_fault})
+                           session::PauseCause::device_fault, session::PauseCause::occluded})
     texts.insert(std::string(session::describe(cause)));
   using Why = session::ZeroRefusal::Why;
   for (const Why why :

@@ -21,7 +21,7 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 #include "languages/catalogue.hpp"
-#include "session/acquisition/zeroing.hpp"
+#include "session/platform/zeroing.hpp"
 #include "spoken.hpp"
 #include "tests/support/every.hpp"
 #include "texts_below.hpp"

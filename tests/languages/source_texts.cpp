@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "core/files.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "tasks/task_spec.hpp"
 
 namespace isograsp::languages {

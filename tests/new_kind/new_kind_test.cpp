@@ -66,7 +66,8 @@ TEST(NewKind, RunsAndIsScored) {
   ASSERT_TRUE(spec) << spec.error().message();
   constexpr double kTooMuch_N = 1.0;
   const auto signals = test::play_force(*spec, [](const TaskView& view, double) {
-    return test::grip_of(view.has_force_target ? view.target_force_N + kTooMuch_N : 0.0);
+    return test::grip_of(view.force().has_force_target ? view.force().target_force_N + kTooMuch_N
+                                                       : 0.0);
   });
   const auto measures = score(*spec, signals);
   ASSERT_EQ(measures.size(), 2U);

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/signals.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "tasks/kinds/force/directional_maxima.hpp"
 #include "tasks/kinds/force/fatigue.hpp"
 #include "tasks/kinds/force/force_direction.hpp"
@@ -141,25 +141,27 @@ inline Signals still_hand(const tasks::TaskSpec& spec) {
   for (int k = 0;; ++k) {
     const tasks::TaskView view = (*task)->step({});
     if (view.phase == tasks::Phase::done) return signals;
-    std::vector<double> row{k * context.period_s,
-                            static_cast<double>(view.phase),
-                            static_cast<double>(view.segment),
-                            static_cast<double>(view.cue),
-                            static_cast<double>(view.channel.digits),
-                            static_cast<double>(view.channel.direction),
-                            view.has_force_target ? view.target_force_N : tasks::kNotMeasured,
-                            view.actual_force_N,
-                            0.0,
-                            kMaximum_N,
-                            0.0,
-                            0.0,
-                            0.0};
+    std::vector<double> row{
+        k * context.period_s,
+        static_cast<double>(view.phase),
+        static_cast<double>(view.segment),
+        static_cast<double>(view.cue),
+        static_cast<double>(view.force().channel.digits),
+        static_cast<double>(view.force().channel.direction),
+        view.force().has_force_target ? view.force().target_force_N : tasks::kNotMeasured,
+        view.force().actual_force_N,
+        0.0,
+        kMaximum_N,
+        0.0,
+        0.0,
+        0.0};
     for (const Finger finger : kFingers)
       for (const int axis : {0, 1, 2}) {
         const auto f = index_of(finger);
         row.push_back(0.0);
-        row.push_back(view.digit_targets.shown[f] ? view.digit_targets.force_C[f][axis]
-                                                  : tasks::kNotMeasured);
+        row.push_back(view.force().digit_targets.shown[f]
+                          ? view.force().digit_targets.force_C[f][axis]
+                          : tasks::kNotMeasured);
       }
     signals.append_row(row);
   }

@@ -8,9 +8,11 @@
 #include "core/csv.hpp"
 #include "core/signals.hpp"
 #include "hand/columns.hpp"
+#include "session/platform/force_platform.hpp"
 #include "session/session.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/support/platform_columns.hpp"
 
 namespace isograsp::session::acquisition_test {
 namespace {
@@ -19,40 +21,47 @@ const std::string kLibrary = std::string(ISOGRASP_SOURCE_DIR) + "/library";
 
 /// A simulated device with a person in front of it, in virtual time.
 struct Bench {
-  explicit Bench(const std::string& uri = "sim://healthy?seed=3")
-      : viewer(*virtual_patient::patient_traits("healthy"), 3) {
-    DeviceOptions device_options;
-    device_options.source = &viewer;
-    device = std::move(open_device(uri, device_options)).value();
-    EXPECT_TRUE(device->start(clock));
-    Acquisition::Options options;
-    options.viewer = &viewer;
-    acquisition.emplace(*device, clock, clock.now(), options);
+  /// `wrap` makes another device of the simulated one.
+  template <class Wrap>
+  Bench(const std::string& uri, Wrap wrap) {
+    auto viewer = std::make_unique<virtual_patient::VirtualPatient>(
+        *virtual_patient::patient_traits("healthy"), 3);
+    DeviceOptions options;
+    options.source = viewer.get();
+    platform.emplace(wrap(std::move(open_device(uri, options)).value()), std::move(viewer));
+    EXPECT_TRUE(platform->start(clock));
+    acquisition.emplace(*platform, clock);
   }
+  explicit Bench(const std::string& uri = "sim://healthy?seed=3")
+      : Bench(uri, [](std::unique_ptr<ForceDevice> device) { return device; }) {}
 
   tasks::TaskSpec task(const std::string& name) {
     const auto path = find_in_library(kLibrary, "tasks", name);
     return tasks::parse_task(read_text(*path).value(), *path).value();
   }
 
-  TrialSetup setup(const std::string& name, double maximum_N) {
-    TrialSetup made;
-    made.spec = task(name);
+  std::unique_ptr<PlatformTrial> setup(const std::string& name, double maximum_N) {
+    auto made = std::make_unique<PlatformTrial>();
+    made->spec = task(name);
     tasks::TaskContext context;
     if (maximum_N > 0.0) context.references.maximum_N[{}] = maximum_N;
-    if (const auto scene = made.spec.scene(); !scene.empty()) {
+    if (const auto scene = made->spec.scene(); !scene.empty()) {
       const auto path = find_in_library(kLibrary, "scenes", scene).value();
-      made.plan =
+      made->plan =
           Plan::compile(parse_scene(read_text(path).value(), path).value(), context.period_s)
               .value();
     }
-    made.task = tasks::make_task(made.spec, context).value();
+    made->task = tasks::make_task(made->spec, context).value();
     return made;
   }
 
+  void begin(PlatformTrial& trial) {
+    EXPECT_TRUE(acquisition->commands().push({.kind = Command::Kind::begin, .setup = &trial}));
+  }
+  const Snapshot& now() { return platform->snapshots().read(); }
+
   ManualClock clock;
-  virtual_patient::VirtualPatient viewer;
-  std::unique_ptr<ForceDevice> device;
+  std::optional<ForcePlatform> platform;
   std::optional<Acquisition> acquisition;
 };
 
@@ -75,23 +84,23 @@ class Ailing final : public ForceDevice {
 
 class Ailment : public ::testing::Test {
  protected:
-  Ailment() {
-    bench_.device = std::make_unique<Ailing>(std::move(bench_.device));
-    Acquisition::Options options;
-    options.viewer = &bench_.viewer;
-    bench_.acquisition.emplace(*bench_.device, bench_.clock, bench_.clock.now(), options);
-  }
-  DeviceHealth& health() { return static_cast<Ailing&>(*bench_.device).given; }
+  Ailment()
+      : bench_("sim://healthy?seed=3", [this](std::unique_ptr<ForceDevice> device) {
+          auto ailing = std::make_unique<Ailing>(std::move(device));
+          ailing_ = ailing.get();
+          return ailing;
+        }) {}
+  DeviceHealth& health() { return ailing_->given; }
   void tick(int frames) {
     for (int k = 0; k < frames; ++k) ASSERT_TRUE(bench_.acquisition->tick());
   }
-  void set_zero() {
-    constexpr double kHandLeaves_s = 1.0;
+  void set_zero(double settle_s = 1.0) {  // the hand leaves
+    zero_ = {};
+    zero_.settle_s = settle_s;
     ASSERT_TRUE(bench_.acquisition->commands().push(
-        {Command::Kind::zero, nullptr, "", false, kHandLeaves_s}));
-    tick(250);
+        {.kind = Command::Kind::prepare, .preparation = &zero_}));
   }
-  const Snapshot& now() { return bench_.acquisition->snapshots().read(); }
+  const Snapshot& now() { return bench_.now(); }
   /// What was told of faults since the last call.
   std::vector<std::string> told() {
     std::vector<std::string> words;
@@ -101,13 +110,16 @@ class Ailment : public ::testing::Test {
         words.emplace_back(item.reason);
     return words;
   }
+  Ailing* ailing_ = nullptr;
   Bench bench_;
+  InstrumentZero zero_;
 };
 
 TEST_F(Ailment, AZeroIsOlderThanTheRestartOfASensorUntilItIsSetAgain) {
   health().sensors[1].restarts = 2;  // while nothing was zeroed
   tick(1);
   set_zero();
+  tick(250);
   ASSERT_TRUE(now().zeroed);
   EXPECT_FALSE(now().restarted);
   health().sensors[1].restarts = 3;
@@ -116,11 +128,12 @@ TEST_F(Ailment, AZeroIsOlderThanTheRestartOfASensorUntilItIsSetAgain) {
   tick(500);
   EXPECT_EQ(now().restarted, Finger::index) << "however long ago";
   set_zero();
+  tick(250);
   EXPECT_FALSE(now().restarted);
 }
 
 TEST_F(Ailment, ARestartWhileTheZeroIsMeasuredSpoilsThatZero) {
-  ASSERT_TRUE(bench_.acquisition->commands().push({Command::Kind::zero, nullptr, ""}));
+  set_zero(0.0);
   tick(20);
   ++health().sensors[0].restarts;
   tick(130);
@@ -144,8 +157,8 @@ TEST_F(Ailment, EveryFaultIsRecordedOnceAlsoBetweenTrials) {
                         std::string(describe(DeviceFault::silence, Finger::index)),
                         std::string(describe(DeviceFault::restarted, Finger::index)),
                         std::string(describe(DeviceFault::overload, Finger::thumb))}));
-  TrialSetup setup = bench_.setup("two_target", 0.0);
-  ASSERT_TRUE(bench_.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
+  const auto setup = bench_.setup("two_target", 0.0);
+  bench_.begin(*setup);
   suffer(DeviceFault::overload, Finger::middle);
   EXPECT_EQ(now().stage, Stage::trial) << "it does not stop the trial";
   EXPECT_EQ(told().size(), 1u);
@@ -154,8 +167,8 @@ TEST_F(Ailment, EveryFaultIsRecordedOnceAlsoBetweenTrials) {
 TEST(Acquisition, ASamplesWholeWayToThePublishedSnapshotAllocatesNothing) {
   for (const char* name : {"grip_sine", "two_target"}) {
     Bench bench("sim://healthy?seed=3&drop=0.01");
-    TrialSetup setup = bench.setup(name, 40.0);
-    ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
+    const auto setup = bench.setup(name, 40.0);
+    bench.begin(*setup);
     ASSERT_TRUE(bench.acquisition->tick());
     const auto before = test::allocations();
     for (int frame = 0; frame < 900; ++frame) ASSERT_TRUE(bench.acquisition->tick());
@@ -165,16 +178,16 @@ TEST(Acquisition, ASamplesWholeWayToThePublishedSnapshotAllocatesNothing) {
 
 TEST(Acquisition, TheSnapshotIsTheRecordedSample) {
   Bench bench;
-  TrialSetup setup = bench.setup("two_target", 0.0);
-  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
+  const auto setup = bench.setup("two_target", 0.0);
+  bench.begin(*setup);
   std::vector<std::string> names;
-  for (const auto& group : signal_groups(true))
+  for (const auto& group : setup->columns())
     names.insert(names.end(), group.columns.begin(), group.columns.end());
   RecordItem item;
   test::AtLeast compared(290);
   for (int frame = 0; frame < 300; ++frame) {
     ASSERT_TRUE(bench.acquisition->tick());
-    const Snapshot& shown = bench.acquisition->snapshots().read();
+    const Snapshot& shown = bench.now();
     while (bench.acquisition->records().pop(item)) {
       if (item.kind != RecordItem::Kind::sample) continue;
       Signals row(names);
@@ -194,24 +207,24 @@ TEST(TrialRow, EveryColumnStandsOnceAndHasAValue) {
   constexpr std::size_t kForceTask = 12 + 15 + 28 + 18 + 2;
   constexpr std::size_t kObjectTask = 12 + 11 + 28 + 18 + 31 + 2;
   for (const bool has_object : {false, true}) {
-    std::set<std::string> names;
-    for (const auto& group : test::every(signal_groups(has_object)))
-      for (const auto& name : test::every(group.columns))
-        EXPECT_TRUE(names.insert(name).second) << name;
+    const auto all = test::platform_columns(has_object);
+    const std::set<std::string> names(all.begin(), all.end());
+    EXPECT_EQ(names.size(), all.size()) << "one stands twice";
     EXPECT_EQ(names.size(), has_object ? kObjectTask : kForceTask);
     ASSERT_LE(names.size(), TrialRow::kMostColumns);
+    const test::StillFrame still;
     TrialRow row;
-    write_row({0.0, {}, {}, tasks::Phase::active, {}, {}, {}, {}, 0.0, 0.0}, has_object, row);
+    write_row({}, still.seen(has_object), row);
     EXPECT_EQ(row.values().size(), names.size());
   }
 }
 
 TEST(Acquisition, AMissingSampleIsHeldAndASilentSensorPausesTheTrialWithoutMovingAnything) {
   Bench bench("sim://healthy?seed=3&drop=1.0");
-  TrialSetup setup = bench.setup("two_target", 0.0);
-  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::begin, &setup, ""}));
+  const auto setup = bench.setup("two_target", 0.0);
+  bench.begin(*setup);
   for (int frame = 0; frame < 100; ++frame) ASSERT_TRUE(bench.acquisition->tick());
-  const Snapshot& shown = bench.acquisition->snapshots().read();
+  const Snapshot& shown = bench.now();
   EXPECT_EQ(shown.stage, Stage::paused);
   EXPECT_EQ(shown.pause_cause, PauseCause::missing_samples);
   EXPECT_EQ(shown.task.task_time_s, 0.0);
@@ -220,19 +233,19 @@ TEST(Acquisition, AMissingSampleIsHeldAndASilentSensorPausesTheTrialWithoutMovin
 
 TEST(Acquisition, PauseStopsTaskAndObjectAndResumeContinues) {
   Bench bench;
-  TrialSetup setup = bench.setup("two_target", 0.0);
+  const auto setup = bench.setup("two_target", 0.0);
   auto& acquisition = *bench.acquisition;
-  ASSERT_TRUE(acquisition.commands().push({Command::Kind::begin, &setup, ""}));
+  bench.begin(*setup);
   for (int frame = 0; frame < 300; ++frame) ASSERT_TRUE(acquisition.tick());
-  const Snapshot before = acquisition.snapshots().read();
-  ASSERT_TRUE(acquisition.commands().push({Command::Kind::pause, nullptr, ""}));
+  const Snapshot before = bench.now();
+  ASSERT_TRUE(acquisition.commands().push({.kind = Command::Kind::pause}));
   for (int frame = 0; frame < 200; ++frame) ASSERT_TRUE(acquisition.tick());
-  const Snapshot paused = acquisition.snapshots().read();
+  const Snapshot paused = bench.now();
   EXPECT_EQ(paused.task.task_time_s, before.task.task_time_s);
   EXPECT_GT(paused.session_time_s, before.session_time_s + 1.9);
-  ASSERT_TRUE(acquisition.commands().push({Command::Kind::resume, nullptr, ""}));
+  ASSERT_TRUE(acquisition.commands().push({.kind = Command::Kind::resume}));
   for (int frame = 0; frame < 2; ++frame) ASSERT_TRUE(acquisition.tick());
-  EXPECT_GT(acquisition.snapshots().read().task.task_time_s, before.task.task_time_s);
+  EXPECT_GT(bench.now().task.task_time_s, before.task.task_time_s);
 }
 
 }  // namespace

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/contact_threshold.hpp"
+#include "session/platform/contact_threshold.hpp"
 
 #include <gtest/gtest.h>
 
 namespace isograsp::session::contact_threshold_test {
 namespace {
 
-storage::InstrumentZeroRecord zero_with_noise(double thumb_N, double index_N, double middle_N) {
-  storage::InstrumentZeroRecord zero;
-  for (auto& mean : zero.mean) mean.setZero();
-  for (auto& sd : zero.sd) sd.setConstant(9.0);  // other axes do not matter
-  zero.sd[0][2] = thumb_N;
-  zero.sd[1][2] = index_N;
-  zero.sd[2][2] = middle_N;
-  return zero;
+tasks::ForceReferences measured(const std::array<double, kFingerCount>& noise_N, double maximum_N) {
+  tasks::ForceReferences references;
+  references.noise_sd_N.emplace();
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    (*references.noise_sd_N)[f] = Vec3(9.0, 9.0, noise_N[f]);  // other axes do not matter
+  references.maximum_N[{}] = maximum_N;
+  return references;
 }
 
 TEST(ContactThreshold, IsTheClinicalRuleOnAGridOfNoiseAndStrength) {
@@ -47,7 +46,7 @@ TEST(ContactThreshold, ExamplesOfAStrongAWeakAndANoisyHand) {
 }
 
 TEST(ContactThreshold, EachFingerHasItsOwnByTheNoiseOfItsNormalForce) {
-  const auto threshold_N = contact_thresholds(zero_with_noise(0.04, 0.1, 0.2), 2.0);
+  const auto threshold_N = contact_thresholds(measured({0.04, 0.1, 0.2}, 2.0));
   EXPECT_EQ(threshold_N[0], 0.2);
   EXPECT_EQ(threshold_N[1], 0.5);
   EXPECT_EQ(threshold_N[2], 1.0);
@@ -58,15 +57,18 @@ TEST(ContactThreshold, WithoutNoiseOrMaximumTheSceneDecides) {
   scene.contacts = {{Finger::index}, {Finger::thumb}};
   scene.contacts[0].threshold_N = 0.3;
   scene.contacts[1].threshold_N = 0.7;
-  for (const auto& unknown : {contact_thresholds(std::nullopt, 20.0),
-                              contact_thresholds(zero_with_noise(0.04, 0.04, 0.04), 0.0)}) {
-    const auto used = thresholds_of(with_thresholds(scene, unknown));
+  auto without_noise = measured({}, 20.0);
+  without_noise.noise_sd_N.reset();
+  auto without_maximum = measured({0.04, 0.04, 0.04}, 0.0);
+  without_maximum.maximum_N.clear();
+  for (const auto& references : {without_noise, without_maximum}) {
+    const auto used = thresholds_of(with_thresholds(scene, contact_thresholds(references)));
     EXPECT_EQ(used[0], 0.7);
     EXPECT_EQ(used[1], 0.3);
     EXPECT_FALSE(used[2].has_value()) << "no contact of the middle finger";
   }
   const auto used =
-      thresholds_of(with_thresholds(scene, contact_thresholds(zero_with_noise(0, 0, 0), 10.0)));
+      thresholds_of(with_thresholds(scene, contact_thresholds(measured({0, 0, 0}, 10.0))));
   EXPECT_EQ(used[0], 0.5) << "the scene's own one is no floor";
   EXPECT_EQ(used[1], 0.5);
 }

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 #include "tasks/kinds/force/force_tracking.hpp"
 #include "tests/support/every.hpp"
 
@@ -36,7 +36,8 @@ TEST(Demonstration, TheTargetsAreThoseOfThePatient) {
   references.maximum_N[{}] = 7.0;
   const auto highest_N = [](const Demonstration& shown) {
     double most_N = 0.0;
-    for (const Snapshot& frame : shown.frames) most_N = std::max(most_N, frame.task.target_force_N);
+    for (const Snapshot& frame : shown.frames)
+      most_N = std::max(most_N, frame.special.force().target_force_N);
     return most_N;
   };
   const tasks::TaskSpec spec = task("grip_sine");
@@ -55,7 +56,8 @@ TEST(Demonstration, TheForceFollowsTheTargetAndTheSameIsShownEachTime) {
   for (std::size_t k = 0; k < shown.frames.size(); ++k) {
     EXPECT_EQ(shown.frames[k].grip_N, again.frames[k].grip_N);
     if (shown.frames[k].task.phase != tasks::Phase::active) continue;
-    error_N += std::abs(shown.frames[k].task.actual_force_N - shown.frames[k].task.target_force_N);
+    error_N += std::abs(shown.frames[k].special.force().actual_force_N -
+                        shown.frames[k].special.force().target_force_N);
     ++active;
   }
   ASSERT_GT(active, 1000);

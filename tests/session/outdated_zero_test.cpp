@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "device/config/net_ft_sensor.hpp"
-#include "session/acquisition/zeroing.hpp"
+#include "session/platform/zeroing.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/device/net_ft_boxes.hpp"

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "session/acquisition/trial_row.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/platform_columns.hpp"
 #include "tests/support/within.hpp"
 
 namespace isograsp::session::resting_test {
@@ -17,16 +17,13 @@ namespace {
 /// A rest trial as it is recorded; `change` alters row k.
 template <class Change>
 Signals rest_trial(int rows, Change change) {
-  std::vector<std::string> names;
-  for (const auto& group : signal_groups(false))
-    names.insert(names.end(), group.columns.begin(), group.columns.end());
-  Signals signals(names);
+  Signals signals(test::platform_columns(false));
   for (int k = 0; k < rows; ++k) {
-    FingerFrame forces;
+    test::StillFrame still;
     tasks::Phase phase = tasks::Phase::active;
-    change(k, forces, phase);
+    change(k, still.forces, phase);
     TrialRow row;
-    write_row({0.01 * k, forces, {}, phase, {}, {}, {}, {}, 0.0, 0.0}, false, row);
+    write_row({0.01 * k, phase, {}, 0.0, 0.0}, still.seen(false), row);
     signals.append_row(row.values());
   }
   return signals;

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "core/csv.hpp"
-#include "session/acquisition/acquisition.hpp"
+#include "session/platform/force_platform.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "session/recorder.hpp"
 #include "session/session.hpp"
@@ -285,8 +285,11 @@ class ScriptedDevice final : public ForceDevice {
 /// Acquisition and recorder on a scripted device, in virtual time.
 struct Bench {
   Bench() {
-    EXPECT_TRUE(device.start(clock));
-    acquisition.emplace(device, clock, clock.now(), Acquisition::Options{});
+    auto made = std::make_unique<ScriptedDevice>();
+    device = made.get();
+    platform.emplace(std::move(made));
+    EXPECT_TRUE(platform->start(clock));
+    acquisition.emplace(*platform, clock);
     auto store = storage::open_store(folder.path("c.db"), storage::OpenMode::create).value();
     const storage::PatientRecord patient = store->add_patient("P-1").value();
     record.patient_id = patient.id;
@@ -304,17 +307,20 @@ struct Bench {
     }
   }
   ZeroOutcome zero(bool accept_changed = false) {
-    EXPECT_TRUE(acquisition->commands().push({Command::Kind::zero, nullptr, "", accept_changed}));
+    asked = {};
+    asked.accept_changed = accept_changed;
+    EXPECT_TRUE(
+        acquisition->commands().push({.kind = Command::Kind::prepare, .preparation = &asked}));
     run(1.1);
     return recorder->take_news().at(0).zero.value();
   }
   void trial() {
-    auto& setup = *setups.emplace_back(std::make_unique<TrialSetup>());
+    auto& setup = *setups.emplace_back(std::make_unique<PlatformTrial>());
     setup.spec = short_rest();
     setup.task = tasks::make_task(setup.spec, tasks::TaskContext{}).value();
     setup.record.session_id = record.id;
     setup.record.number = static_cast<int>(setups.size());
-    EXPECT_TRUE(acquisition->commands().push({Command::Kind::begin, &setup}));
+    EXPECT_TRUE(acquisition->commands().push({.kind = Command::Kind::begin, .setup = &setup}));
     run(1.1);
     EXPECT_TRUE(recorder->take_news().at(0).trial);
   }
@@ -327,22 +333,24 @@ struct Bench {
 
   test::TemporaryFolder folder;
   ManualClock clock;
-  ScriptedDevice device;
+  ScriptedDevice* device = nullptr;
+  std::optional<ForcePlatform> platform;
+  InstrumentZero asked;
   storage::SessionRecord record;
   std::optional<Acquisition> acquisition;
   std::optional<Recorder> recorder;
-  std::vector<std::unique_ptr<TrialSetup>> setups;
+  std::vector<std::unique_ptr<PlatformTrial>> setups;
 };
 
 TEST(ZeroDrift, BeyondTheLimitMarksTheTrialsBetweenTwoZerosAndNoOthers) {
   Bench bench;
   EXPECT_TRUE(bench.zero().accepted);
   bench.trial();
-  bench.device.wrench_C[2].force.y() = -0.3;
+  bench.device->wrench_C[2].force.y() = -0.3;
   EXPECT_FALSE(bench.zero().zero.drifted) << "below the limit of 0.4 N";
   bench.trial();
   bench.trial();
-  bench.device.wrench_C[2].force.y() = -0.9;
+  bench.device->wrench_C[2].force.y() = -0.9;
   const auto drifted = bench.zero();
   EXPECT_TRUE(drifted.accepted) << "nothing automatic: the new zero is used, the trials are marked";
   EXPECT_TRUE(drifted.zero.drifted);
@@ -365,7 +373,7 @@ TEST(ZeroDrift, ARefusedZeroMarksNothingAndAConfirmedOneDoes) {
   Bench bench;
   EXPECT_TRUE(bench.zero().accepted);
   bench.trial();
-  bench.device.wrench_C[0].force.z() = 5.0;
+  bench.device->wrench_C[0].force.z() = 5.0;
   EXPECT_TRUE(bench.zero().only_changed);
   EXPECT_FALSE(bench.trials()[0].zero_drift_N.has_value());
   EXPECT_TRUE(bench.zero(true).accepted);
@@ -392,7 +400,7 @@ TEST(NetPush, OfASqueezeIsNothingAndOfAnArmIsItsForce) {
 
 TEST(Recorded, NetPushHealthAndTimingStandWithTheTrial) {
   Bench bench;
-  bench.device.wrench_C[0].force.x() = 2.0;
+  bench.device->wrench_C[0].force.x() = 2.0;
   bench.trial();
   const auto trial = bench.trials().at(0);
   const auto signals = storage::open_store(bench.folder.path("c.db"), storage::OpenMode::read_only)
@@ -416,10 +424,11 @@ TEST(Acquisition, AZeroAndTheTimingAllocateNothing) {
   Bench bench;
   ASSERT_TRUE(bench.acquisition->tick());
   const auto before = test::allocations();
-  ASSERT_TRUE(bench.acquisition->commands().push({Command::Kind::zero}));
+  ASSERT_TRUE(bench.acquisition->commands().push(
+      {.kind = Command::Kind::prepare, .preparation = &bench.asked}));
   for (int frame = 0; frame < 300; ++frame) ASSERT_TRUE(bench.acquisition->tick());
   EXPECT_EQ(test::allocations() - before, 0u);
-  EXPECT_TRUE(bench.acquisition->snapshots().read().zeroed);
+  EXPECT_TRUE(bench.platform->snapshots().read().zeroed);
 }
 
 TEST(Thresholds, AreStoredAndTheStoredTrialMovesTheObjectAgainToTheBit) {

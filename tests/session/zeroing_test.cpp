@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/acquisition/zeroing.hpp"
+#include "session/platform/zeroing.hpp"
 
 #include <cmath>
 #include <random>

@@ -87,7 +87,7 @@ TEST(KindContract, EveryKindThatRunsHasATaskInTheLibrary) {
 /// A trial in which the hand lies still, to its end: not longer than the task tells.
 Signals still_hand(const TaskSpec& spec) {
   const TaskContext context = known_hand();
-  TaskInput input;
+  ObjectInput input;
   for (Wrench& wrench : input.wrench_C) wrench.force = wrench.torque = Vec3::Zero();
   Signals signals({"t_s", "phase", "segment", "cue", "channel_digits", "channel_direction",
                    "target_force_N", "actual_force_N"});
@@ -97,14 +97,15 @@ Signals still_hand(const TaskSpec& spec) {
   const double most_s = spec.duration().worst_s + kRounding_s;
   for (int frame = 0; frame * context.period_s <= most_s; ++frame) {
     const TaskView view = (*task)->step(input);
-    const std::vector<double> row{frame * context.period_s,
-                                  static_cast<double>(view.phase),
-                                  static_cast<double>(view.segment),
-                                  static_cast<double>(view.cue),
-                                  static_cast<double>(view.channel.digits),
-                                  static_cast<double>(view.channel.direction),
-                                  view.has_force_target ? view.target_force_N : std::nan(""),
-                                  view.actual_force_N};
+    const std::vector<double> row{
+        frame * context.period_s,
+        static_cast<double>(view.phase),
+        static_cast<double>(view.segment),
+        static_cast<double>(view.cue),
+        static_cast<double>(view.force().channel.digits),
+        static_cast<double>(view.force().channel.direction),
+        view.force().has_force_target ? view.force().target_force_N : std::nan(""),
+        view.force().actual_force_N};
     signals.append_row(row);
     if (view.phase == Phase::done) return signals;
   }

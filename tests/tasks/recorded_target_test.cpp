@@ -27,7 +27,7 @@ TaskSpec pose_task(const std::string& axes) {
 /// Somebody who is on the target in every frame.
 Signals on_target(const TaskSpec& spec) {
   return test::play_object(spec, [](const TaskView& view, const Pose&) {
-    return test::Handled{view.pose_target_shown ? view.X_WT : Pose{}};
+    return test::Handled{view.object().pose_target_shown ? view.object().X_WT : Pose{}};
   });
 }
 

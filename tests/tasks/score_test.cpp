@@ -43,7 +43,7 @@ Signals play_force(const TaskSpec& spec, const std::function<double(const TaskVi
     const TaskView view = (*task)->step({});
     if (view.phase == Phase::done) return signals;
     const double row[] = {k * kPeriod_s, static_cast<double>(view.phase),
-                          0.0,           view.target_force_N,
+                          0.0,           view.force().target_force_N,
                           grip(view),    resting_N,
                           maximum_N};
     signals.append_row(row);
@@ -157,7 +157,7 @@ TEST(Score, APauseIsCutOutOfTaskTimeAndChangesNoTrackingMeasure) {
 TEST(Score, FlaggedSamplesAreExcludedAndCounted) {
   const TaskSpec spec = spec_of(ForceTrackingSpec{});
   const Signals clean =
-      play_force(spec, [](const TaskView& view) { return view.target_force_N + 1.0; });
+      play_force(spec, [](const TaskView& view) { return view.force().target_force_N + 1.0; });
   const Signals spoiled = edited(clean, [](std::size_t k, std::vector<double>& row) {
     if (k % 10 != 0) return;
     row[2] = bit(SampleFlag::saturated);
@@ -174,7 +174,7 @@ TEST(Score, FlaggedSamplesAreExcludedAndCounted) {
 TEST(Score, TheRangeWidensToTheStoredNoise) {
   const TaskSpec spec = spec_of(ForceTrackingSpec{});
   Signals signals =
-      play_force(spec, [](const TaskView& view) { return view.target_force_N + 0.7; });
+      play_force(spec, [](const TaskView& view) { return view.force().target_force_N + 0.7; });
   EXPECT_EQ(value_of(score(spec, signals), "time_in_range"), 0.0);  // 5 % of at most 12 N
   signals.add_column("noise_sd_N", std::vector<double>(signals.rows(), 0.25));
   EXPECT_EQ(value_of(score(spec, signals), "time_in_range"), 100.0);

@@ -30,8 +30,8 @@ std::unique_ptr<Task> made(TaskSpec spec, double maximum_force_N = 0.0) {
   EXPECT_TRUE(task);
   return std::move(*task);
 }
-TaskInput pressing(double thumb_N, double index_N, double middle_N) {
-  TaskInput input;
+ObjectInput pressing(double thumb_N, double index_N, double middle_N) {
+  ObjectInput input;
   input.wrench_C[0].force.z() = thumb_N;
   input.wrench_C[1].force.z() = index_N;
   input.wrench_C[2].force.z() = middle_N;
@@ -76,7 +76,7 @@ TEST(Maximum, RelaxesThenSqueezesThenIsDone) {
   TaskView view = task->step(pressing(8, 3, 3));
   for (; view.phase != Phase::done; view = task->step(pressing(8, 3, 3))) {
     EXPECT_EQ(view.cue, view.phase == Phase::active ? Cue::squeeze : Cue::relax);
-    EXPECT_EQ(view.actual_force_N, 6.0);
+    EXPECT_EQ(view.force().actual_force_N, 6.0);
     EXPECT_EQ(view.duration_s, 4.0);
     (view.phase == Phase::active ? squeezed : relaxed)++;
   }
@@ -99,14 +99,14 @@ TEST(ForceTracking, TheTargetIsTheSineOfItsSpecificationWithoutAJump) {
     const double s = std::max(0.0, frame * kPeriod_s - 2.0);
     const double closed = 10.0 - 5.0 * std::cos(2.0 * std::numbers::pi * 0.2 * s);
     constexpr double kRounding_N = 1e-12;
-    ASSERT_WITHIN(view.target_force_N, closed, kRounding_N);
+    ASSERT_WITHIN(view.force().target_force_N, closed, kRounding_N);
     const double fastest_N = 5.0 * 2.0 * std::numbers::pi * 0.2 * kPeriod_s;
-    ASSERT_LE(std::abs(view.target_force_N - previous_N), fastest_N);
+    ASSERT_LE(std::abs(view.force().target_force_N - previous_N), fastest_N);
     ASSERT_EQ(view.phase, frame < 200 ? Phase::lead_in : Phase::active);
-    ASSERT_TRUE(view.force_target_shown);
-    previous_N = view.target_force_N;
-    least_N = std::min(least_N, view.target_force_N);
-    most_N = std::max(most_N, view.target_force_N);
+    ASSERT_TRUE(view.force().force_target_shown);
+    previous_N = view.force().target_force_N;
+    least_N = std::min(least_N, view.force().target_force_N);
+    most_N = std::max(most_N, view.force().target_force_N);
   }
   EXPECT_DOUBLE_EQ(least_N, 5.0);
   EXPECT_DOUBLE_EQ(most_N, 15.0);
@@ -129,7 +129,7 @@ TEST(PoseTargets, AreReachedOnEnteringOrAfterAnUninterruptedHold) {
   const ObjectState level = object_at(-0.08, -0.05, 0.1);
   const ObjectState turned = object_at(-0.075, -0.06, 1.5);
   const auto step = [&](const ObjectState& object) {
-    TaskInput input;
+    ObjectInput input;
     input.object = &object;
     return task->step(input);
   };
@@ -137,7 +137,7 @@ TEST(PoseTargets, AreReachedOnEnteringOrAfterAnUninterruptedHold) {
   EXPECT_EQ(view.phase, Phase::transport);
   EXPECT_EQ(view.target_index, 0);
   EXPECT_EQ(view.cue, Cue::move);
-  EXPECT_TRUE(view.pose_target_shown);
+  EXPECT_TRUE(view.object().pose_target_shown);
   view = step(level);
   EXPECT_EQ(view.phase, Phase::hold);
   EXPECT_EQ(view.targets_reached, 1);
@@ -157,14 +157,14 @@ TEST(PoseTargets, AreReachedOnEnteringOrAfterAnUninterruptedHold) {
   view = step(turned);
   EXPECT_EQ(view.phase, Phase::done);
   EXPECT_EQ(view.targets_reached, 2);
-  EXPECT_FALSE(view.pose_target_shown);
+  EXPECT_FALSE(view.object().pose_target_shown);
 }
 
 TEST(PoseTargets, BothPositionAndAngleMustBeInside) {
   for (const ObjectState& outside :
        {object_at(-0.08, -0.039, 0.0), object_at(-0.08, -0.06, 0.27)}) {
     const auto task = made(spec_of(two_poses()));
-    TaskInput input;
+    ObjectInput input;
     input.object = &outside;
     EXPECT_EQ(task->step(input).phase, Phase::transport);
   }
@@ -173,7 +173,7 @@ TEST(PoseTargets, BothPositionAndAngleMustBeInside) {
 TEST(PoseTargets, ATargetBeyondItsTimeLimitIsLeftUnreached) {
   const auto task = made(spec_of(two_poses()));
   const ObjectState away = object_at(0, 0, 0);
-  TaskInput input;
+  ObjectInput input;
   input.object = &away;
   int frames = 0;
   for (TaskView view = task->step(input); view.phase != Phase::done; view = task->step(input)) {
@@ -190,7 +190,7 @@ TEST(PoseTargets, TimeWithoutStepsNeverCountsAgainstThePatient) {
   const auto task = made(spec_of(two_poses()));
   const ObjectState away = object_at(0, 0, 0);
   const ObjectState level = object_at(-0.08, -0.06, 0.0);
-  TaskInput input;
+  ObjectInput input;
   input.object = &away;
   for (int frame = 0; frame < 49; ++frame) EXPECT_EQ(task->step(input).target_index, 0);
   input.object = &level;
@@ -204,8 +204,8 @@ TEST(Observe, ShowsNoTargetAndEndsAfterItsTime) {
   for (int frame = 0; frame < 20; ++frame) {
     const TaskView view = task->step(pressing(2, 1, 1));
     EXPECT_EQ(view.phase, Phase::active);
-    EXPECT_FALSE(view.pose_target_shown);
-    EXPECT_EQ(view.actual_force_N, 2.0);
+    EXPECT_FALSE(view.object().pose_target_shown);
+    EXPECT_EQ(view.force().actual_force_N, 2.0);
   }
   EXPECT_EQ(task->step({}).phase, Phase::done);
 }
@@ -217,7 +217,7 @@ TEST(Task, StepAllocatesNothingFromFirstToLastFrame) {
         spec_of(poses), spec_of(ObserveSpec{"planar_block", 1.0})}) {
     const auto task = made(spec, 20.0);
     const ObjectState object = object_at(-0.08, -0.06, 0.0);
-    TaskInput input = pressing(1, 1, 1);
+    ObjectInput input = pressing(1, 1, 1);
     input.object = &object;
     const auto before = test::allocations();
     while (task->step(input).phase != Phase::done) {
@@ -238,7 +238,7 @@ TEST(Task, TheFrameRateChangesNeitherTargetNorDuration) {
     const TaskView slow_view = coarse->step({});
     const TaskView fast_view = fine->step({});
     for (int skipped = 0; skipped < 4; ++skipped) static_cast<void>(fine->step({}));
-    ASSERT_WITHIN(slow_view.target_force_N, fast_view.target_force_N, kRounding);
+    ASSERT_WITHIN(slow_view.force().target_force_N, fast_view.force().target_force_N, kRounding);
     ASSERT_WITHIN(slow_view.task_time_s, fast_view.task_time_s, kRounding);
   }
   EXPECT_EQ(coarse->step({}).phase, Phase::done);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free handling of an object: an instruction for a fixed time.
+// Free handling, of an object or of whatever the apparatus is: an instruction for a fixed time.
 #include "tasks/kinds/object/observe.hpp"
 
 #include "hand/columns.hpp"
@@ -16,23 +16,26 @@ namespace {
 class Observe final : public Task {
  public:
   Observe(const ObserveSpec& spec, const TaskContext& context)
-      : blank_(blank_view(context.references, {})),
+      : blank_(blank_force(context.references, {})),
         period_s_(context.period_s),
         frames_(frames_in(spec.duration_s, context.period_s)) {}
 
   TaskView step(const TaskInput& input) noexcept override {
-    TaskView view = blank_;
+    TaskView view;
     view.phase = frame_ < frames_ ? Phase::active : Phase::done;
     view.cue = frame_ < frames_ ? Cue::move : Cue::relax;
     view.task_time_s = static_cast<double>(frame_) * period_s_;
     view.duration_s = static_cast<double>(frames_) * period_s_;
-    view.actual_force_N = force_of(input.wrench_C, view.channel);
+    if (std::holds_alternative<ObjectInput>(input))
+      view.special.emplace<ObjectView>().grip = with_force(blank_, input);
+    else if (std::holds_alternative<ForceInput>(input))
+      view.special = with_force(blank_, input);
     if (frame_ < frames_) ++frame_;
     return view;
   }
 
  private:
-  TaskView blank_;
+  ForceView blank_;
   double period_s_;
   std::int64_t frames_;
   std::int64_t frame_ = 0;
@@ -44,7 +47,7 @@ std::unique_ptr<Task> make_observe(const ObserveSpec& spec, const TaskContext& c
 
 KindSpec read_observe(TomlReader& reader) {
   ObserveSpec spec;
-  spec.scene = read_scene(reader);
+  if (reader.has("scene")) spec.scene = read_scene(reader);
   spec.duration_s = read_duration(reader, "duration_s", spec.duration_s);
   return spec;
 }
@@ -78,6 +81,7 @@ constexpr PlacedMeasure kObservePlaces[] = {{"mean_grip", "", Prominence::trend}
 constinit const KindFacts ObserveSpec::kFacts{.name = "observe",
                                               .group = TaskGroup::object,
                                               .read = read_observe,
+                                              .apparatus = "",
                                               .duration = of_kind<observe_duration>,
                                               .scene = own_scene<ObserveSpec>,
                                               .make = of_kind<make_observe>,

@@ -22,7 +22,7 @@ namespace {
 class PickPlace final : public Task {
  public:
   PickPlace(const PickPlaceSpec& spec, const TaskContext& context)
-      : blank_(blank_view(context.references, {})),
+      : blank_(blank_force(context.references, {})),
         period_s_(context.period_s),
         tolerance_{spec.position_tolerance_m, spec.angle_tolerance_rad},
         drop_distance_m_(spec.drop_distance_m),
@@ -34,14 +34,15 @@ class PickPlace final : public Task {
   }
 
   TaskView step(const TaskInput& input) noexcept override {
-    TaskView view = blank_;
+    TaskView view;
+    auto& object = view.special.emplace<ObjectView>();
+    object.grip = with_force(blank_, input);
     view.task_time_s = static_cast<double>(frame_) * period_s_;
     view.duration_s =
         static_cast<double>(limit_frames_) * static_cast<double>(items_.size()) * period_s_;
-    view.actual_force_N = force_of(input.wrench_C, view.channel);
     view.target_count = static_cast<int>(items_.size());
     view.targets_reached = placed_;
-    view.drops = drops_;
+    object.drops = drops_;
     if (current_ == items_.size()) {
       view.phase = Phase::done;
       view.cue = Cue::relax;
@@ -49,11 +50,11 @@ class PickPlace final : public Task {
     }
     const Item& item = items_[current_];
     view.target_index = static_cast<int>(current_);
-    view.pose_target_shown = true;
-    view.X_WT = item.X_WT;
-    const bool done = advance(input, item, view);
+    object.pose_target_shown = true;
+    object.X_WT = item.X_WT;
+    const bool done = advance(object_of(input), item, view);
     view.cue = held_ ? Cue::let_go : Cue::move;
-    view.drops = drops_;
+    object.drops = drops_;
     ++frame_;
     if (done || ++item_frames_ >= limit_frames_) next(view, done);
     return view;
@@ -65,7 +66,7 @@ class PickPlace final : public Task {
   };
 
   /// True: the object was let go at its target.
-  bool advance(const TaskInput& input, const Item& item, TaskView& view) noexcept {
+  bool advance(const ObjectInput& input, const Item& item, TaskView& view) noexcept {
     view.phase = Phase::transport;
     if (item_frames_ == 0) {
       place(item, view);
@@ -96,8 +97,9 @@ class PickPlace final : public Task {
     place(item, view);
   }
   void place(const Item& item, TaskView& view) noexcept {
-    view.object_placed = true;
-    view.placed_X_WO = item.X_WO;
+    auto& object = std::get<ObjectView>(view.special);
+    object.object_placed = true;
+    object.placed_X_WO = item.X_WO;
     held_ = picked_up_ = false;
     inside_frames_ = 0;
   }
@@ -107,7 +109,7 @@ class PickPlace final : public Task {
     item_frames_ = 0;
   }
 
-  TaskView blank_;
+  ForceView blank_;
   double period_s_;
   PoseTolerance tolerance_;
   double drop_distance_m_;

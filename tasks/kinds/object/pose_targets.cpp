@@ -18,7 +18,7 @@ namespace {
 class PoseTargets final : public Task {
  public:
   PoseTargets(const PoseTargetsSpec& spec, const TaskContext& context)
-      : blank_(blank_view(context.references, {})),
+      : blank_(blank_force(context.references, {})),
         period_s_(context.period_s),
         tolerance_{spec.position_tolerance_m, spec.angle_tolerance_rad},
         limit_frames_(frames_in(spec.time_limit_s, context.period_s)) {
@@ -29,11 +29,12 @@ class PoseTargets final : public Task {
   }
 
   TaskView step(const TaskInput& input) noexcept override {
-    TaskView view = blank_;
+    TaskView view;
+    auto& object = view.special.emplace<ObjectView>();
+    object.grip = with_force(blank_, input);
     view.duration_s =
         static_cast<double>(limit_frames_) * static_cast<double>(goals_.size()) * period_s_;
     view.task_time_s = static_cast<double>(frame_) * period_s_;
-    view.actual_force_N = force_of(input.wrench_C, view.channel);
     view.target_count = static_cast<int>(goals_.size());
     view.targets_reached = reached_;
     if (current_ == goals_.size()) {
@@ -42,14 +43,15 @@ class PoseTargets final : public Task {
       return view;
     }
     const Goal& goal = goals_[current_];
-    const bool inside = input.object != nullptr && tolerance_.holds(goal.X_WT, input.object->X_WO);
+    const ObjectState* const state = object_of(input).object;
+    const bool inside = state != nullptr && tolerance_.holds(goal.X_WT, state->X_WO);
     inside_frames_ = inside ? inside_frames_ + 1 : 0;
     const bool reached = inside_frames_ > goal.hold_frames;  // n + 1 samples span n periods
     if (reached) ++reached_;
     view.phase = inside ? Phase::hold : Phase::transport;
     view.cue = Cue::move;
-    view.pose_target_shown = true;
-    view.X_WT = goal.X_WT;
+    object.pose_target_shown = true;
+    object.X_WT = goal.X_WT;
     view.target_index = static_cast<int>(current_);
     view.targets_reached = reached_;
     view.hold_fraction = hold_fraction(goal, reached);
@@ -75,7 +77,7 @@ class PoseTargets final : public Task {
     return static_cast<double>(inside_frames_ - 1) / static_cast<double>(goal.hold_frames);
   }
 
-  TaskView blank_;
+  ForceView blank_;
   double period_s_;
   PoseTolerance tolerance_;
   std::int64_t limit_frames_;

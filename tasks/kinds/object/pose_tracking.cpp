@@ -18,7 +18,7 @@ namespace {
 class PoseTracking final : public Task {
  public:
   PoseTracking(const PoseTrackingSpec& spec, const TaskContext& context)
-      : blank_(blank_view(context.references, {})),
+      : blank_(blank_force(context.references, {})),
         period_s_(context.period_s),
         lead_in_frames_(frames_in(spec.lead_in_s, context.period_s)),
         frames_(lead_in_frames_ + frames_in(spec.duration_s, context.period_s)) {
@@ -33,16 +33,17 @@ class PoseTracking final : public Task {
   }
 
   TaskView step(const TaskInput& input) noexcept override {
-    TaskView view = blank_;
+    TaskView view;
+    auto& object = view.special.emplace<ObjectView>();
+    object.grip = with_force(blank_, input);
     const bool over = frame_ >= frames_;
     view.phase = over ? Phase::done : frame_ < lead_in_frames_ ? Phase::lead_in : Phase::active;
     view.cue = over ? Cue::relax : Cue::move;
     view.task_time_s = static_cast<double>(frame_) * period_s_;
     view.duration_s = static_cast<double>(frames_) * period_s_;
-    view.actual_force_N = force_of(input.wrench_C, view.channel);
     if (over) return view;
-    view.pose_target_shown = true;
-    view.X_WT = pose_of(
+    object.pose_target_shown = true;
+    object.X_WT = pose_of(
         targets_[static_cast<std::size_t>(std::max<std::int64_t>(0, frame_ - lead_in_frames_))]);
     ++frame_;
     return view;
@@ -58,7 +59,7 @@ class PoseTracking final : public Task {
     return X_WT;
   }
 
-  TaskView blank_;
+  ForceView blank_;
   double period_s_;
   std::int64_t lead_in_frames_;
   std::int64_t frames_;

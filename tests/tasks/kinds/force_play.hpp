@@ -68,26 +68,28 @@ inline Signals play_force(const tasks::TaskSpec& spec, const Answer& answer, dou
   Signals signals(names);
   FingerWrenches wrench_C = grip_of(0.0);
   for (int k = 0;; ++k) {
-    const tasks::TaskView view = (*task)->step({wrench_C});
+    const tasks::TaskView view = (*task)->step(tasks::ForceInput{wrench_C});
     wrench_C = answer(view, k * kPeriod_s);
-    std::vector<double> row{start_s + k * kPeriod_s,
-                            static_cast<double>(view.phase),
-                            0.0,
-                            view.has_force_target ? view.target_force_N : std::nan(""),
-                            force_of(wrench_C, view.channel),
-                            view.resting_force_N,
-                            view.maximum_force_N,
-                            0.01,
-                            0.03,
-                            static_cast<double>(view.segment),
-                            static_cast<double>(view.cue),
-                            static_cast<double>(view.channel.digits),
-                            static_cast<double>(view.channel.direction)};
+    std::vector<double> row{
+        start_s + k * kPeriod_s,
+        static_cast<double>(view.phase),
+        0.0,
+        view.force().has_force_target ? view.force().target_force_N : std::nan(""),
+        force_of(wrench_C, view.force().channel),
+        view.force().resting_force_N,
+        view.force().maximum_force_N,
+        0.01,
+        0.03,
+        static_cast<double>(view.segment),
+        static_cast<double>(view.cue),
+        static_cast<double>(view.force().channel.digits),
+        static_cast<double>(view.force().channel.direction)};
     for (const Wrench& w : wrench_C) row.insert(row.end(), {w.force.x(), w.force.y(), w.force.z()});
     for (std::size_t f = 0; f < kFingerCount; ++f)
       for (int axis = 0; axis < 3; ++axis)
-        row.push_back(view.digit_targets.shown[f] ? view.digit_targets.force_C[f][axis]
-                                                  : std::nan(""));
+        row.push_back(view.force().digit_targets.shown[f]
+                          ? view.force().digit_targets.force_C[f][axis]
+                          : std::nan(""));
     signals.append_row(row);
     if (view.phase == tasks::Phase::done) return signals;
   }

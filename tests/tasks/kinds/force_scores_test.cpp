@@ -88,7 +88,7 @@ TEST(ForceScores, ReactionsOfStepsAreTheDelayAndAnticipationsAreCountedApart) {
   Late late(0.25);
   const auto measures =
       score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
-              return grip_of(late(view.target_force_N));
+              return grip_of(late(view.force().target_force_N));
             }));
   constexpr double kOneFrame_s = kPeriod_s + kRounding;
   EXPECT_WITHIN(value_of(measures, "reaction_time"), 0.25, kOneFrame_s);
@@ -100,7 +100,7 @@ TEST(ForceScores, ReactionsOfStepsAreTheDelayAndAnticipationsAreCountedApart) {
   EXPECT_EQ(value_of(measures, "anticipations"), 0.0);
   Late early(0.05);
   const auto hasty = score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
-                             return grip_of(early(view.target_force_N));
+                             return grip_of(early(view.force().target_force_N));
                            }));
   EXPECT_EQ(value_of(hasty, "anticipations"), 4.0);
   EXPECT_FALSE(find(hasty, "reaction_time")->value);
@@ -165,7 +165,7 @@ TEST(ForceScores, AForceMadeAgainTooWeakHasThatConstantError) {
   const auto measures =
       score(spec_of(ForceSenseSpec{}),
             played(spec_of(ForceSenseSpec{}), [](const TaskView& view, double) {
-              return grip_of(view.cue == Cue::reproduce ? 6.5 : view.target_force_N);
+              return grip_of(view.cue == Cue::reproduce ? 6.5 : view.force().target_force_N);
             }));
   EXPECT_WITHIN(value_of(measures, "constant_error"), -1.5, kRounding);  // 20 % of 40 N is 8 N
   EXPECT_WITHIN(value_of(measures, "absolute_error"), 1.5, kRounding);
@@ -177,11 +177,12 @@ TEST(ForceScores, DigitsThatDragTheirNeighbourAlongHaveThatEnslaving) {
   const auto measures =
       score(spec_of(IndividuationSpec{}),
             played(spec_of(IndividuationSpec{}), [&](const TaskView& view, double) {
-              if (!view.has_force_target) return pressing(0.3, 0.3, 0.3);  // tone is no enslaving
+              if (!view.force().has_force_target)
+                return pressing(0.3, 0.3, 0.3);  // tone is no enslaving
               std::array<double, 3> force_N{0.3, 0.3, 0.3};
-              const std::size_t j = index_of(*single_digit(view.channel));
-              force_N[j] += view.target_force_N;
-              if (j == 1) force_N[2] += kShare * view.target_force_N;
+              const std::size_t j = index_of(*single_digit(view.force().channel));
+              force_N[j] += view.force().target_force_N;
+              if (j == 1) force_N[2] += kShare * view.force().target_force_N;
               return pressing(force_N[0], force_N[1], force_N[2]);
             }));
   EXPECT_WITHIN(value_of(measures, "enslaving", "index_to_middle"), kShare, kRounding);
@@ -201,7 +202,7 @@ TEST(ForceScores, AForceTurnedFromItsTargetHasThatDirectionError) {
       score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double) {
               FingerWrenches wrench_C = grip_of(0.0);
               wrench_C[0].force = Eigen::AngleAxisd(kAngle_rad, Vec3::UnitX()) *
-                                  Vec3(view.digit_targets.force_C[0]);
+                                  Vec3(view.force().digit_targets.force_C[0]);
               return wrench_C;
             }));
   EXPECT_WITHIN(value_of(measures, "direction_error", "thumb"), kAngle_rad, kRounding);
@@ -216,7 +217,7 @@ TEST(ForceScores, ASteadyHandHasTheSpreadThatItWasGiven) {
   const auto measures =
       score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double t_s) {
               const double wave_N = kAmplitude_N * std::sin(2.0 * std::numbers::pi * 4.0 * t_s);
-              return grip_of(view.target_force_N + wave_N);
+              return grip_of(view.force().target_force_N + wave_N);
             }));
   constexpr double kShortRecord =
       0.01;  // of a whole number of cycles the SD is exact but for n - 1
@@ -230,7 +231,7 @@ TEST(ForceScores, LevelsOfOneNameAreToldApart) {
   spec.levels = {0.1231, 0.25, 0.1234, 0.25};
   const auto measures =
       score(spec_of(spec), played(spec_of(spec), [](const TaskView& view, double) {
-              return grip_of(view.target_force_N);
+              return grip_of(view.force().target_force_N);
             }));
   std::vector<std::string> channels;
   for (const Measure& measure : measures)
@@ -244,11 +245,12 @@ TEST(ForceScores, TheDigitsShareTheGripAsTheyPress) {
   const auto pressed = [](double grip_N) { return pressing(grip_N, 0.6 * grip_N, 0.4 * grip_N); };
   for (const TaskSpec& spec :
        {spec_of(ForceTrackingSpec{}), spec_of(SteadinessSpec{}), spec_of(MaximumSpec{})}) {
-    const auto measures = score(spec, played(spec, [&](const TaskView& view, double) {
-                                  return pressed(view.cue == Cue::squeeze ? 30.0
-                                                 : view.has_force_target  ? view.target_force_N
-                                                                          : 0.0);
-                                }));
+    const auto measures =
+        score(spec, played(spec, [&](const TaskView& view, double) {
+                return pressed(view.cue == Cue::squeeze        ? 30.0
+                               : view.force().has_force_target ? view.force().target_force_N
+                                                               : 0.0);
+              }));
     EXPECT_WITHIN(value_of(measures, "sharing", "thumb"), 50.0, kRounding);
     EXPECT_WITHIN(value_of(measures, "sharing", "index"), 30.0, kRounding);
     EXPECT_WITHIN(value_of(measures, "sharing", "middle"), 20.0, kRounding);
@@ -257,7 +259,7 @@ TEST(ForceScores, TheDigitsShareTheGripAsTheyPress) {
   ForceTrackingSpec one;
   one.aim.channel = channel_of(Finger::index);
   const auto alone = score(spec_of(one), played(spec_of(one), [](const TaskView& view, double) {
-                             return pressing(0, view.target_force_N, 0);
+                             return pressing(0, view.force().target_force_N, 0);
                            }));
   EXPECT_EQ(find(alone, "sharing"), nullptr) << "one digit shares nothing";
 }
@@ -268,7 +270,7 @@ TEST(ForceScores, RisingAndFallingHalvesOfASineAreScoredApart) {
   const auto measures = score(spec, played(spec, [](const TaskView& view, double t_s) {
                                 const double phase = std::fmod(t_s - 2.0 + kCycle_s, kCycle_s);
                                 const bool rises = phase < 0.5 * kCycle_s - 0.5 * kPeriod_s;
-                                return grip_of(view.target_force_N + (rises ? 0.0 : 1.5));
+                                return grip_of(view.force().target_force_N + (rises ? 0.0 : 1.5));
                               }));
   EXPECT_WITHIN(value_of(measures, "rmse", "force_rise"), 0.0, kRounding);
   EXPECT_EQ(value_of(measures, "time_in_range", "force_rise"), 100.0);
@@ -282,11 +284,13 @@ TEST(ForceScores, RisingAndFallingHalvesOfASineAreScoredApart) {
 TEST(ForceScores, EachPartOfATrapezoidHasItsOwnErrorAndTimeInRange) {
   ForceTrackingSpec trapezoid;
   trapezoid.waveform.shape = Waveform::Shape::trapezoid;
-  const auto measures = score(
-      spec_of(trapezoid), played(spec_of(trapezoid), [](const TaskView& view, double t_s) {
-        const double since_s = t_s - 2.0;
-        return grip_of(view.target_force_N + (since_s < 5.0 ? 1.0 : since_s < 20.0 ? 0.0 : -2.0));
-      }));
+  const auto measures =
+      score(spec_of(trapezoid), played(spec_of(trapezoid), [](const TaskView& view, double t_s) {
+              const double since_s = t_s - 2.0;
+              return grip_of(view.force().target_force_N + (since_s < 5.0    ? 1.0
+                                                            : since_s < 20.0 ? 0.0
+                                                                             : -2.0));
+            }));
   EXPECT_WITHIN(value_of(measures, "rmse", "force_rise"), 1.0, 1e-2);
   EXPECT_WITHIN(value_of(measures, "rmse", "force_hold"), 0.0, kRounding);
   EXPECT_EQ(value_of(measures, "time_in_range", "force_hold"), 100.0);
@@ -298,7 +302,7 @@ TEST(ForceScores, AForceBeyondTheMaximumOfTheSessionShowsThatItWasNone) {
   const auto measures =
       score(spec_of(spec), played(spec_of(spec), [](const TaskView& view, double t_s) {
               const bool burst = t_s > 10.0 && t_s < 10.6;
-              return grip_of(burst ? 48.0 : view.target_force_N);
+              return grip_of(burst ? 48.0 : view.force().target_force_N);
             }));
   EXPECT_WITHIN(value_of(measures, "force_of_maximum"), 120.0, kRounding) << "of 40 N, above rest";
 }
@@ -326,7 +330,7 @@ TEST(ForceScores, DigitsThatCorrectEachOtherOverTheCyclesAreASynergy) {
     return score(spec_of(spec), played(spec_of(spec), [&](const TaskView& view, double t_s) {
                    const double cycle = std::floor((t_s - 2.0 + 0.5 * kPeriod_s) * 0.8);
                    const double other = std::sin(2.4 * cycle);
-                   const double each_N = view.target_force_N / 3.0 + together_N * other;
+                   const double each_N = view.force().target_force_N / 3.0 + together_N * other;
                    return pressing(each_N + between_N * other, each_N - between_N * other, each_N);
                  }));
   };

@@ -41,7 +41,7 @@ inline Signals play_object(const tasks::TaskSpec& spec,
     const Handled now = hand(view, object);
     ObjectState state;
     state.X_WO = now.X_WO;
-    tasks::TaskInput input;
+    tasks::ObjectInput input;
     input.object = &state;
     input.contact[0] = now.contact;
     input.wrench_C[0].force.z() = input.wrench_C[1].force.z() = now.grip_N;
@@ -49,12 +49,12 @@ inline Signals play_object(const tasks::TaskSpec& spec,
     if (view.phase == tasks::Phase::done) return signals;
     const Vec3& a = now.X_WO.p;
     const Quat& q = now.X_WO.q;
-    const Vec3& b = view.X_WT.p;
-    const Quat& r = view.X_WT.q;
+    const Vec3& b = view.object().X_WT.p;
+    const Quat& r = view.object().X_WT.q;
     const double row[] = {k / rate_Hz,
                           static_cast<double>(view.phase),
                           0.0,
-                          view.actual_force_N,
+                          view.force().actual_force_N,
                           b.x(),
                           b.y(),
                           b.z(),
@@ -73,11 +73,11 @@ inline Signals play_object(const tasks::TaskSpec& spec,
                           r.z(),
                           static_cast<double>(view.target_index),
                           static_cast<double>(view.targets_reached),
-                          static_cast<double>(view.drops),
+                          static_cast<double>(view.object().drops),
                           now.contact ? 1.0 : 0.0,
                           now.slip ? 1.0 : 0.0};
     signals.append_row(row);
-    object = view.object_placed ? view.placed_X_WO : now.X_WO;
+    object = view.object().object_placed ? view.object().placed_X_WO : now.X_WO;
   }
 }
 

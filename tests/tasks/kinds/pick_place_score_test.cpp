@@ -39,7 +39,7 @@ struct Hand {
     now.X_WO = object;
     const int k = frame++;
     now.contact = view.cue != Cue::let_go && k != drop_frame && view.target_index < idle_from;
-    if (!now.contact || !view.pose_target_shown || view.object_placed) return now;
+    if (!now.contact || !view.object().pose_target_shown || view.object().object_placed) return now;
     const double left_m = 0.044 - object.p.x();
     if (left_m > 0.0) now.X_WO.p.x() += std::min(0.001, left_m);
     return now;

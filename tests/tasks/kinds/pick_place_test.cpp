@@ -63,13 +63,13 @@ class Play {
 
  private:
   TaskView step(bool touched) {
-    TaskInput input;
+    ObjectInput input;
     input.object = &object_;
     input.contact = {touched, touched, false};
     const TaskView view = task_->step(input);
-    if (view.object_placed) {
+    if (view.object().object_placed) {
       object_ = {};
-      object_.X_WO = view.placed_X_WO;
+      object_.X_WO = view.object().placed_X_WO;
       ++placements_;
     }
     return view;
@@ -84,10 +84,10 @@ class Play {
 TEST(PickPlace, TheObjectAppearsAtItsPlaceAndItsTargetIsShown) {
   Play play(spec_of());
   const TaskView view = play.wait(1);
-  EXPECT_TRUE(view.object_placed);
+  EXPECT_TRUE(view.object().object_placed);
   EXPECT_EQ(play.object().X_WO.p, kStart_m);
-  EXPECT_EQ(view.X_WT.p, kGoal_m);
-  EXPECT_TRUE(view.pose_target_shown);
+  EXPECT_EQ(view.object().X_WT.p, kGoal_m);
+  EXPECT_TRUE(view.object().pose_target_shown);
   EXPECT_EQ(view.target_index, 0);
   EXPECT_EQ(view.target_count, 2);
   EXPECT_EQ(view.cue, Cue::move);
@@ -108,10 +108,10 @@ TEST(PickPlace, HeldForItsTimeAndThenLetGoCountsAsPlaced) {
   EXPECT_EQ(view.cue, Cue::let_go);
   view = play.at(kGoal_m, false);
   EXPECT_EQ(view.targets_reached, 1);
-  EXPECT_EQ(view.drops, 0);
+  EXPECT_EQ(view.object().object().drops, 0);
   view = play.wait(1);
   EXPECT_EQ(view.target_index, 1);
-  EXPECT_TRUE(view.object_placed);
+  EXPECT_TRUE(view.object().object_placed);
 }
 
 TEST(PickPlace, LettingGoTooEarlyIsNotPlacedAndTheHoldBeginsAnew) {
@@ -121,7 +121,7 @@ TEST(PickPlace, LettingGoTooEarlyIsNotPlacedAndTheHoldBeginsAnew) {
   TaskView view = play.at(kGoal_m, false, 5);
   EXPECT_EQ(view.targets_reached, 0);
   EXPECT_EQ(view.hold_fraction, 0.0);
-  EXPECT_EQ(view.drops, 0) << "it lies at its target";
+  EXPECT_EQ(view.object().object().drops, 0) << "it lies at its target";
   view = play.at(kGoal_m, true, 100);
   EXPECT_EQ(view.cue, Cue::move);
   view = play.at(kGoal_m, true);
@@ -133,25 +133,25 @@ TEST(PickPlace, LetGoTooEarlyAndGoneFromTheTargetIsADrop) {
   Play play(spec_of());
   play.carry();
   play.at(kGoal_m, true, 50);
-  EXPECT_EQ(play.at(kGoal_m, false, 3).drops, 0);
-  EXPECT_EQ(play.at(kHalfway_m, false).drops, 1) << "springs pulled it away";
+  EXPECT_EQ(play.at(kGoal_m, false, 3).object().drops, 0);
+  EXPECT_EQ(play.at(kHalfway_m, false).object().drops, 1) << "springs pulled it away";
 }
 
 TEST(PickPlace, ADropOnTheWayPutsTheObjectBackAndIsCountedOnce) {
   Play play(spec_of());
   play.carry();
   TaskView view = play.at(kHalfway_m, false);
-  EXPECT_EQ(view.drops, 1);
-  EXPECT_TRUE(view.object_placed);
+  EXPECT_EQ(view.object().object().drops, 1);
+  EXPECT_TRUE(view.object().object_placed);
   EXPECT_EQ(play.object().X_WO.p, kStart_m);
   EXPECT_EQ(view.target_index, 0) << "the same object again";
   view = play.wait(50);
-  EXPECT_EQ(view.drops, 1);
-  EXPECT_FALSE(view.object_placed);
+  EXPECT_EQ(view.object().object().drops, 1);
+  EXPECT_FALSE(view.object().object_placed);
   EXPECT_EQ(play.placements(), 2);
   play.wait(5, true);
   play.at(kHalfway_m, true, 5);
-  EXPECT_EQ(play.at(kHalfway_m, false).drops, 2) << "a second drop counts again";
+  EXPECT_EQ(play.at(kHalfway_m, false).object().drops, 2) << "a second drop counts again";
 }
 
 TEST(PickPlace, ATouchThatEndsNearTheStartIsNoDropUntilTheObjectGoesAway) {
@@ -159,14 +159,14 @@ TEST(PickPlace, ATouchThatEndsNearTheStartIsNoDropUntilTheObjectGoesAway) {
   play.wait(1);
   const Vec3 near_m = kStart_m + Vec3(0.015, 0.0, 0.0);
   play.at(near_m, true, 5);
-  EXPECT_EQ(play.at(near_m, false, 20).drops, 0);
-  EXPECT_EQ(play.at(kHalfway_m, false).drops, 1) << "it slid away by itself";
+  EXPECT_EQ(play.at(near_m, false, 20).object().drops, 0);
+  EXPECT_EQ(play.at(kHalfway_m, false).object().drops, 1) << "it slid away by itself";
 }
 
 TEST(PickPlace, AnObjectThatNobodyTouchedIsNotDropped) {
   Play play(spec_of());
   play.wait(1);
-  EXPECT_EQ(play.at(kHalfway_m, false, 20).drops, 0);
+  EXPECT_EQ(play.at(kHalfway_m, false, 20).object().drops, 0);
 }
 
 TEST(PickPlace, CarriedAwayAfterTheHoldAndLetGoThereIsADropNotPlaced) {
@@ -178,7 +178,7 @@ TEST(PickPlace, CarriedAwayAfterTheHoldAndLetGoThereIsADropNotPlaced) {
   EXPECT_EQ(view.hold_fraction, 0.0);
   view = play.at(kHalfway_m, false);
   EXPECT_EQ(view.targets_reached, 0);
-  EXPECT_EQ(view.drops, 1);
+  EXPECT_EQ(view.object().object().drops, 1);
 }
 
 TEST(PickPlace, TheTimeLimitOfEachObjectMovesToTheNextAndEndsTheTask) {
@@ -187,14 +187,14 @@ TEST(PickPlace, TheTimeLimitOfEachObjectMovesToTheNextAndEndsTheTask) {
   EXPECT_EQ(view.target_index, 0);
   view = play.wait(1);
   EXPECT_EQ(view.target_index, 1);
-  EXPECT_TRUE(view.object_placed);
+  EXPECT_TRUE(view.object().object_placed);
   view = play.wait(499);
   EXPECT_EQ(view.phase, Phase::transport);
   view = play.wait(1);
   EXPECT_EQ(view.phase, Phase::done);
   EXPECT_EQ(view.cue, Cue::relax);
   EXPECT_EQ(view.targets_reached, 0);
-  EXPECT_FALSE(view.object_placed);
+  EXPECT_FALSE(view.object().object_placed);
   EXPECT_EQ(play.wait(10).phase, Phase::done);
 }
 
@@ -237,7 +237,7 @@ TEST(PickPlace, PlacingIsTheSameAtEveryFrameRate) {
     object.X_WO.p = kGoal_m;
     double let_go_s = -1.0;
     for (int frame = 0; let_go_s < 0.0 && frame < 5.0 * rate_Hz; ++frame) {
-      TaskInput input;
+      ObjectInput input;
       input.object = &object;
       input.contact = {frame > 0, false, false};
       const TaskView view = (*made)->step(input);

@@ -63,7 +63,7 @@ Signals play_poses(const PoseTargetsSpec& spec, const std::function<Motion(doubl
     ObjectState object;
     object.X_WO.p = {m.x_m, m.y_m, 0.0};
     object.X_WO.q = Quat(Eigen::AngleAxisd(m.angle_rad, Vec3::UnitZ()));
-    TaskInput input;
+    ObjectInput input;
     input.object = &object;
     if (!m.paused) view = (*task)->step(input);
     if (view.phase == Phase::done) return signals;

@@ -77,10 +77,10 @@ TEST(PoseTracking, TheTargetIsItsWaveformInEveryDegreeOfFreedomAtEveryRate) {
     for (std::size_t k = 0; k < views.size(); ++k) {
       const double t_s = std::max(0.0, static_cast<double>(k) / rate_Hz - spec.lead_in_s);
       for (int axis = 0; axis < 3; ++axis)
-        ASSERT_WITHIN(views[k].X_WT.p[axis], value(spec.axes[static_cast<std::size_t>(axis)], t_s),
-                      kRounding);
-      ASSERT_WITHIN(angle_about(views[k].X_WT.q, 2), value(spec.axes[3], t_s), kRounding);
-      ASSERT_TRUE(views[k].pose_target_shown);
+        ASSERT_WITHIN(views[k].object().X_WT.p[axis],
+                      value(spec.axes[static_cast<std::size_t>(axis)], t_s), kRounding);
+      ASSERT_WITHIN(angle_about(views[k].object().X_WT.q, 2), value(spec.axes[3], t_s), kRounding);
+      ASSERT_TRUE(views[k].object().pose_target_shown);
       ASSERT_EQ(views[k].cue, Cue::move);
     }
   }
@@ -99,7 +99,7 @@ TEST(PoseTracking, EveryShapeHasTheSameValuesAtTheSameTimesAtEveryRate) {
     const auto fast = played(spec, 500.0);
     constexpr double kRounding_m = 1e-14;
     for (std::size_t k = 0; k < slow.size(); ++k)
-      ASSERT_WITHIN(slow[k].X_WT.p.x(), fast[5 * k].X_WT.p.x(), kRounding_m)
+      ASSERT_WITHIN(slow[k].object().X_WT.p.x(), fast[5 * k].object().X_WT.p.x(), kRounding_m)
           << name_of(waveform.shape) << ' ' << k;
   }
 }
@@ -114,7 +114,7 @@ TEST(PoseTracking, ASequenceHasTheSameMovementAtEveryRateUpToItsSampledExtremes)
     // Between samples of the slow grid a sum of sines up to 0.5 Hz rises by less than this.
     constexpr double kExtremes = 1e-3;
     for (std::size_t k = 0; k < slow.size(); ++k)
-      ASSERT_WITHIN(slow[k].X_WT.p.x(), fast[5 * k].X_WT.p.x(), kExtremes);
+      ASSERT_WITHIN(slow[k].object().X_WT.p.x(), fast[5 * k].object().X_WT.p.x(), kExtremes);
   }
 }
 
@@ -125,20 +125,20 @@ TEST(PoseTracking, TheLeadInHoldsTheFirstValueAndTheTargetDoesNotJump) {
   for (std::size_t k = 0; k < views.size(); ++k) {
     EXPECT_EQ(views[k].phase, k < 100 ? Phase::lead_in : Phase::active);
     if (k < 100) {
-      EXPECT_EQ(views[k].X_WT.p.x(), 0.02);
+      EXPECT_EQ(views[k].object().X_WT.p.x(), 0.02);
     }
     const double fastest_m = 0.03 * std::numbers::pi * 0.2 * 0.01 * 1.001;
-    EXPECT_LE(std::abs(views[k].X_WT.p.x() - before_m), fastest_m);
-    before_m = views[k].X_WT.p.x();
+    EXPECT_LE(std::abs(views[k].object().X_WT.p.x() - before_m), fastest_m);
+    before_m = views[k].object().X_WT.p.x();
   }
 }
 
 TEST(PoseTracking, DegreesOfFreedomThatAreNotAskedForStayAtTheOrigin) {
   for (const TaskView& view : test::every(played(tracking({{4, -0.5, 0.5, sine(0.2)}}), 100.0))) {
-    ASSERT_EQ(view.X_WT.p, Vec3::Zero());
-    ASSERT_EQ(view.X_WT.q.x(), 0.0);
-    ASSERT_EQ(view.X_WT.q.z(), 0.0);
-    ASSERT_WITHIN(view.X_WT.q.norm(), 1.0, 1e-15);
+    ASSERT_EQ(view.object().X_WT.p, Vec3::Zero());
+    ASSERT_EQ(view.object().X_WT.q.x(), 0.0);
+    ASSERT_EQ(view.object().X_WT.q.z(), 0.0);
+    ASSERT_WITHIN(view.object().X_WT.q.norm(), 1.0, 1e-15);
   }
 }
 
@@ -148,7 +148,7 @@ TEST(PoseTracking, ATargetThatJumpsHasItsTwoEndsAndNothingBetween) {
   int changes = 0;
   double before_m = -0.05;
   for (const TaskView& view : test::every(played(tracking({{0, -0.05, 0.05, jumps}}), 100.0))) {
-    const double x_m = view.X_WT.p.x();
+    const double x_m = view.object().X_WT.p.x();
     ASSERT_TRUE(x_m == -0.05 || x_m == 0.05) << x_m;
     changes += x_m != before_m ? 1 : 0;
     before_m = x_m;
@@ -162,7 +162,8 @@ TEST(PoseTracking, FreshSequencesDifferBetweenTrialsAndAxesSeededOnesDoNot) {
   const auto differs = [&](const auto& a, const auto& b, int axis_a, int axis_b) {
     double most_m = 0.0;
     for (std::size_t k = 0; k < a.size(); ++k)
-      most_m = std::max(most_m, std::abs(a[k].X_WT.p[axis_a] - b[k].X_WT.p[axis_b]));
+      most_m =
+          std::max(most_m, std::abs(a[k].object().X_WT.p[axis_a] - b[k].object().X_WT.p[axis_b]));
     return most_m > 0.01;
   };
   const auto first = played(spec, 100.0, 1);
@@ -181,7 +182,7 @@ TEST(PoseTracking, StaysDoneAndRelaxedAndNeverAllocates) {
   EXPECT_EQ(test::allocations(), before);
   EXPECT_EQ(view.phase, Phase::done);
   EXPECT_EQ(view.cue, Cue::relax);
-  EXPECT_FALSE(view.pose_target_shown);
+  EXPECT_FALSE(view.object().pose_target_shown);
   EXPECT_EQ(view.task_time_s, view.duration_s);
 }
 

@@ -51,9 +51,9 @@ TEST(ScoredRows, TheRowAfterTheEndIsScoredInNoTask) {
     // A hand that jumps in the row of the phase `done`.
     const Signals signals = play_force(spec, [](const TaskView& view, double t_s) {
       if (view.phase == Phase::done) return pressing(200, -150, 90);
-      const double force_N = view.has_force_target      ? view.target_force_N
-                             : view.cue == Cue::squeeze ? 20.0
-                                                        : 0.0;
+      const double force_N = view.force().has_force_target ? view.force().target_force_N
+                             : view.cue == Cue::squeeze    ? 20.0
+                                                           : 0.0;
       return grip_of(force_N + 0.3 * std::sin(40.0 * t_s));
     });
     ASSERT_EQ(signals.column("phase").back(), static_cast<double>(Phase::done));
@@ -87,7 +87,7 @@ TEST(ScoredRows, TheEndOfAReproductionIsAsManyRowsAsItsWindowHolds) {
         [&](const TaskView& view, double) {
           if (view.cue != Cue::reproduce) {
             row = 0;
-            return grip_of(view.has_force_target ? view.target_force_N : 0.0);
+            return grip_of(view.force().has_force_target ? view.force().target_force_N : 0.0);
           }
           return grip_of(++row == 301 ? 8.0 + 2.0 : 8.0);  // in the first row of the window alone
         },
@@ -125,11 +125,12 @@ ForceTrackingSpec trapezoid() {
 
 TEST(ScoredRows, ThePiecesOfATrapezoidHaveTheirRowsWhenItBegins) {
   for (const double start_s : {0.0, 0.1, 0.7, 33.3}) {
-    const auto measures = score(
-        spec_of(trapezoid()),
-        play_force(
-            spec_of(trapezoid()),
-            [](const TaskView& view, double) { return grip_of(view.target_force_N); }, start_s));
+    const auto measures =
+        score(spec_of(trapezoid()),
+              play_force(
+                  spec_of(trapezoid()),
+                  [](const TaskView& view, double) { return grip_of(view.force().target_force_N); },
+                  start_s));
     EXPECT_EQ(find(measures, "rmse", "force_rise")->samples, 500) << start_s;
     EXPECT_EQ(find(measures, "rmse", "force_hold")->samples, 1400) << start_s;
     EXPECT_EQ(find(measures, "rmse", "force_fall")->samples, 500) << start_s;
@@ -138,7 +139,7 @@ TEST(ScoredRows, ThePiecesOfATrapezoidHaveTheirRowsWhenItBegins) {
 
 TEST(ScoredRows, AHeldRowAtTheStartMovesNoPieceAndIsCountedInIts) {
   const Signals whole = play_force(spec_of(trapezoid()), [](const TaskView& view, double t_s) {
-    return grip_of(view.target_force_N + 0.2 * std::sin(3.0 * t_s));
+    return grip_of(view.force().target_force_N + 0.2 * std::sin(3.0 * t_s));
   });
   const Signals held = test::edited(whole, [&](std::size_t k, std::vector<double>& row) {
     if (k >= 200 && k < 205) row[2] = bit(SampleFlag::held);
@@ -179,7 +180,7 @@ TEST(ScoredRows, TheLastRowOfTheLastHalfCycleCounts) {
     spec.waveform.shape = shape;
     const auto measures =
         score(spec_of(spec), play_force(spec_of(spec), [](const TaskView& view, double) {
-                return grip_of(view.target_force_N + 1.0);
+                return grip_of(view.force().target_force_N + 1.0);
               }));
     EXPECT_EQ(find(measures, "rmse", "force_rise")->samples, 1500);
     EXPECT_EQ(find(measures, "rmse", "force_fall")->samples, 1500);

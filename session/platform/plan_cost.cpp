@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/acquisition/plan_cost.hpp"
+#include "session/platform/plan_cost.hpp"
 
 #include <algorithm>
 #include <chrono>

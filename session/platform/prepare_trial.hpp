@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/result.hpp"
-#include "session/acquisition/acquisition.hpp"
+#include "session/platform/platform_trial.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp::session {
@@ -26,8 +26,7 @@ struct TrialScene {
 
 /// Task, plan and what their record says of them; the session adds its own. Refused like
 /// make_task(), or where the scene cannot be read or compiled.
-[[nodiscard]] Result<std::unique_ptr<TrialSetup>> prepare_trial(const tasks::TaskSpec& spec,
-                                                                const tasks::TaskContext& context,
-                                                                const TrialScene& scene);
+[[nodiscard]] Result<std::unique_ptr<PlatformTrial>> prepare_trial(
+    const tasks::TaskSpec& spec, const tasks::TaskContext& context, const TrialScene& scene);
 
 }  // namespace isograsp::session

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/library.hpp"
+#include "session/library/library.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -159,6 +159,13 @@ Result<ReadyProtocol> read_protocol(std::string_view text, const std::string& pa
   ReadyProtocol ready{std::move(*spec), {}};
   if (auto read = ProtocolReader(ready, library).read(); !read) return read.error();
   return ready;
+}
+
+std::string_view ReadyProtocol::apparatus() const {
+  for (const auto& of_step : tasks)
+    for (const auto& task : of_step)
+      if (const auto needed = task.apparatus(); !needed.empty()) return needed;
+  return "";
 }
 
 }  // namespace isograsp::session

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Column and value stand in one line, and the same lines give the names of the columns once a trial
-// and their values every frame.
-#include "session/acquisition/trial_row.hpp"
+#include "session/platform/platform_row.hpp"
 
 #include <cmath>
 #include <limits>
@@ -13,20 +11,6 @@ namespace isograsp::session {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-
-/// Collects the columns; values are of no interest.
-struct ColumnNames {
-  std::vector<storage::SignalGroup>& groups;
-  void begin(std::string_view group) { groups.push_back({std::string(group), {}}); }
-  void put(const Column& column, double) { groups.back().columns.emplace_back(column); }
-};
-
-/// Collects the values.
-struct ColumnValues {
-  TrialRow& row;
-  void begin(std::string_view) noexcept {}
-  void put(const Column&, double value) noexcept { row.add(value); }
-};
 
 template <class Sink>
 void put_axes(Sink& sink, const columns::OfAxes& axes, const Vec3& value, bool known = true) {
@@ -57,9 +41,9 @@ double angle_about_z(const Quat& q) {
 
 /// Numbers of enumerations: docs/file_formats.md.
 template <class Sink>
-void put_force_task(Sink& sink, const tasks::TaskView& task) {
-  sink.put(columns::segment, number(task.segment));
-  sink.put(columns::cue, number(task.cue));
+void put_force_task(Sink& sink, const RowFrame& frame, const tasks::ForceView& task) {
+  sink.put(columns::segment, number(frame.task.segment));
+  sink.put(columns::cue, number(frame.task.cue));
   sink.put(columns::channel_digits, number(task.channel.digits));
   sink.put(columns::channel_direction, number(task.channel.direction));
   sink.put(columns::force_shown, number(task.force_shown));
@@ -70,7 +54,8 @@ void put_force_task(Sink& sink, const tasks::TaskView& task) {
 }
 
 template <class Sink>
-void put_object_task(Sink& sink, const tasks::TaskView& task, const ObjectState& object) {
+void put_object_task(Sink& sink, const RowFrame& frame, const tasks::ObjectView& task,
+                     const ObjectState& object) {
   const bool shown = task.pose_target_shown;
   for (std::size_t a = 0; a < 3; ++a) {
     const auto axis = static_cast<Eigen::Index>(a);
@@ -79,32 +64,29 @@ void put_object_task(Sink& sink, const tasks::TaskView& task, const ObjectState&
   }
   sink.put(columns::target_angle_rad, shown ? angle_about_z(task.X_WT.q) : kMissing);
   sink.put(columns::actual_angle_rad, object.angle_rad);
-  sink.put(columns::target_index, number(task.target_index));
-  sink.put(columns::targets_reached, number(task.targets_reached));
+  sink.put(columns::target_index, number(frame.task.target_index));
+  sink.put(columns::targets_reached, number(frame.task.targets_reached));
   sink.put(columns::drops, number(task.drops));
 }
 
 template <class Sink>
-void put_task(Sink& sink, const TrialFrame& frame, bool has_object) {
-  const tasks::TaskView& task = frame.task;
-  const auto& flags = frame.forces.flags;
-  sink.begin("task");
-  sink.put(columns::t_s, frame.t_s);
-  sink.put(columns::task_time_s, task.task_time_s);
-  sink.put(columns::phase, number(frame.phase));
+void put_task(Sink& sink, const RowFrame& frame, const PlatformFrame& seen) {
+  const tasks::ForceView& force = seen.special.force();
+  const auto& flags = seen.forces.flags;
+  put_progress(sink, frame);
   sink.put(columns::sample_flags, number(flags[0] | flags[1] | flags[2]));
-  sink.put(columns::target_force_N, task.has_force_target ? task.target_force_N : kMissing);
-  sink.put(columns::actual_force_N, task.actual_force_N);
-  sink.put(columns::resting_force_N, task.resting_force_N);
-  sink.put(columns::maximum_force_N, task.maximum_force_N);
-  sink.put(columns::noise_sd_N, known(task.noise_sd_N));
-  sink.put(columns::resolution_N, frame.constants.resolution_N);
-  sink.put(columns::device_delay_s, frame.constants.device_delay_s);
-  sink.put(columns::display_delay_s, frame.constants.display_delay_s);
-  if (has_object)
-    put_object_task(sink, task, frame.object);
+  sink.put(columns::target_force_N, force.has_force_target ? force.target_force_N : kMissing);
+  sink.put(columns::actual_force_N, force.actual_force_N);
+  sink.put(columns::resting_force_N, force.resting_force_N);
+  sink.put(columns::maximum_force_N, force.maximum_force_N);
+  sink.put(columns::noise_sd_N, known(force.noise_sd_N));
+  sink.put(columns::resolution_N, seen.constants.resolution_N);
+  sink.put(columns::device_delay_s, seen.constants.device_delay_s);
+  sink.put(columns::display_delay_s, seen.constants.display_delay_s);
+  if (seen.object != nullptr)
+    put_object_task(sink, frame, seen.special.object(), *seen.object);
   else
-    put_force_task(sink, task);
+    put_force_task(sink, frame, force);
 }
 
 template <class Sink>
@@ -133,7 +115,7 @@ void put_counts(Sink& sink, const FingerFrame& forces) {
 }
 
 template <class Sink>
-void put_object(Sink& sink, const tasks::TaskView& task, const ObjectState& object,
+void put_object(Sink& sink, const tasks::ObjectView& task, const ObjectState& object,
                 const GraspWrench& grasp) {
   sink.begin("object");
   put_attitude(sink, columns::actual_attitude, object.X_WO.q, true);
@@ -155,27 +137,24 @@ void put_object(Sink& sink, const tasks::TaskView& task, const ObjectState& obje
 }
 
 template <class Sink>
-void put_all(Sink sink, const TrialFrame& frame, bool has_object) {
-  put_task(sink, frame, has_object);
-  put_forces(sink, frame.forces, frame.push);
-  put_counts(sink, frame.forces);
-  if (has_object) put_object(sink, frame.task, frame.object, frame.grasp);
-  sink.begin("timing");
-  sink.put(columns::lateness_s, frame.lateness_s);
-  sink.put(columns::compute_s, frame.compute_s);
+void put_all(Sink sink, const RowFrame& frame, const PlatformFrame& seen) {
+  put_task(sink, frame, seen);
+  put_forces(sink, seen.forces, seen.push);
+  put_counts(sink, seen.forces);
+  if (seen.object != nullptr) put_object(sink, seen.special.object(), *seen.object, seen.grasp);
+  put_timing(sink, frame);
 }
 
 }  // namespace
 
-std::vector<storage::SignalGroup> signal_groups(bool has_object) {
+std::vector<storage::SignalGroup> columns_of(const PlatformFrame& seen) {
   std::vector<storage::SignalGroup> groups;
-  put_all(ColumnNames{groups}, {0.0, {}, {}, {}, {}, {}, {}, {}, 0.0, 0.0}, has_object);
+  put_all(ColumnNames{groups}, {}, seen);
   return groups;
 }
 
-void write_row(const TrialFrame& frame, bool has_object, TrialRow& row) noexcept {
-  row.clear();
-  put_all(ColumnValues{row}, frame, has_object);
+void write_row(const RowFrame& frame, const PlatformFrame& seen, TrialRow& row) noexcept {
+  put_all(ColumnValues{row}, frame, seen);
 }
 
 }  // namespace isograsp::session

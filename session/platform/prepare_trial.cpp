@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/trial_setup.hpp"
+#include "session/platform/prepare_trial.hpp"
 
 #include "core/files.hpp"
-#include "session/contact_threshold.hpp"
-#include "session/library.hpp"
+#include "session/library/library.hpp"
+#include "session/platform/contact_threshold.hpp"
 
 namespace isograsp::session {
 
@@ -24,10 +24,10 @@ Result<TrialScene> read_trial_scene(
   return read;
 }
 
-Result<std::unique_ptr<TrialSetup>> prepare_trial(const tasks::TaskSpec& spec,
-                                                  const tasks::TaskContext& context,
-                                                  const TrialScene& scene) {
-  auto setup = std::make_unique<TrialSetup>();
+Result<std::unique_ptr<PlatformTrial>> prepare_trial(const tasks::TaskSpec& spec,
+                                                     const tasks::TaskContext& context,
+                                                     const TrialScene& scene) {
+  auto setup = std::make_unique<PlatformTrial>();
   setup->spec = spec;
   storage::TrialRecord& record = setup->record;
   if (scene.scene) {

@@ -9,7 +9,7 @@
 
 #include "grasp_model/scene.hpp"
 #include "hand/finger.hpp"
-#include "storage/records/session_store.hpp"
+#include "tasks/references.hpp"
 
 namespace isograsp::session {
 
@@ -24,9 +24,10 @@ namespace isograsp::session {
 }
 
 /// Thresholds of a session: of each finger by the noise of its normal force when the device was
-/// empty. Nothing as long as noise or maximum is not measured: then a scene's own ones count.
+/// empty, and by the maximum of the grip. Nothing as long as one of them is not measured: then a
+/// scene's own ones count.
 [[nodiscard]] std::array<std::optional<double>, kFingerCount> contact_thresholds(
-    const std::optional<storage::InstrumentZeroRecord>& zero, double maximum_force_N);
+    const tasks::ForceReferences& references);
 
 /// The scene with these thresholds in place of its own.
 [[nodiscard]] Scene with_thresholds(

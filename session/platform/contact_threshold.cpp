@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/contact_threshold.hpp"
+#include "session/platform/contact_threshold.hpp"
 
 namespace isograsp::session {
 
 std::array<std::optional<double>, kFingerCount> contact_thresholds(
-    const std::optional<storage::InstrumentZeroRecord>& zero, double maximum_force_N) {
+    const tasks::ForceReferences& references) {
   std::array<std::optional<double>, kFingerCount> threshold_N{};
-  if (!zero || !(maximum_force_N > 0.0)) return threshold_N;
-  constexpr Eigen::Index kNormalForce = 2;
+  const double maximum_N = references.maximum({});
+  if (!references.noise_sd_N || !(maximum_N > 0.0)) return threshold_N;
   for (std::size_t f = 0; f < kFingerCount; ++f)
-    threshold_N[f] = contact_threshold_N(zero->sd[f][kNormalForce], maximum_force_N);
+    threshold_N[f] = contact_threshold_N((*references.noise_sd_N)[f].z(), maximum_N);
   return threshold_N;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/acquisition/snapshot.hpp"
+#include "session/acquisition/moment.hpp"
+
+#include <array>
 
 namespace isograsp::session {
 
@@ -7,16 +9,6 @@ std::string_view name_of(Stage stage) noexcept {
   constexpr std::array<std::string_view, 5> kNames{"idle", "zeroing", "trial", "paused",
                                                    "finished"};
   return kNames[static_cast<std::size_t>(stage)];
-}
-
-NetPush net_push(const Platform& platform, const FingerFrame& forces, double grip_N) noexcept {
-  NetPush push;
-  push.known = !forces.any(SampleFlag::missing);
-  if (!push.known) return push;
-  push.wrench_P = net_wrench(platform, forces.wrench_C);
-  if (grip_N >= kLeastGripForPush_N)
-    push.share_of_grip_percent = 100.0 * push.wrench_P.force.norm() / grip_N;
-  return push;
 }
 
 const char* describe(PauseCause cause) noexcept {
@@ -27,6 +19,8 @@ const char* describe(PauseCause cause) noexcept {
       return "Paused: samples are missing. Check the cables, check the zero, then resume.";
     case PauseCause::device_fault:
       return "Paused: the device has a fault. Mend it, check the zero, then resume.";
+    case PauseCause::occluded:
+      return "Out of sight: turn towards the cameras. The trial goes on by itself.";
   }
   return "";
 }

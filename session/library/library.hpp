@@ -36,6 +36,8 @@ struct ReadyProtocol {
   tasks::ProtocolSpec spec;
   std::vector<std::vector<tasks::TaskSpec>> tasks;  ///< of each step; empty for zeros and pauses
   [[nodiscard]] tasks::Duration duration() const { return tasks::duration_of(spec, tasks); }
+  /// The apparatus that its tasks need; empty: any.
+  [[nodiscard]] std::string_view apparatus() const;
 };
 /// Tasks are looked for beside the protocol, then in the library; their scenes must exist.
 [[nodiscard]] Result<ReadyProtocol> read_protocol(const std::string& path,

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What patients are measured with: a platform of force sensors, cameras that see an arm, …. A
+// session runs the same clockwork with all of them (acquisition.hpp); what is special stands behind
+// this interface. Life: start() -> next()… -> stop().
+//
+// Threads: the owner's functions before the session's threads begin, after their end or where
+// noted; the others belong to the acquisition thread and are real-time safe (no allocation, lock,
+// log or exception).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+#include "core/time.hpp"
+#include "session/acquisition/moment.hpp"
+#include "session/acquisition/trial_row.hpp"
+#include "storage/records/session_store.hpp"
+#include "tasks/task.hpp"
+
+namespace isograsp::session {
+
+/// What is fixed once it was started.
+struct ApparatusInfo {
+  std::string_view kind;    ///< which apparatus: "platform"; tasks say what they need
+  std::string description;  ///< one line for people, e.g. "Robotous RFT on can0"
+  bool simulated = false;   ///< values come from software: reports carry a watermark
+  bool recorded = false;    ///< values come from a file: nobody can be asked, no zero is needed
+  double period_s = 0.01;   ///< of the grid of frames
+  double delay_s = 0.0;     ///< known delay from the body to the stamp
+  std::vector<std::string> provenance;  ///< where recorded data come from, what was overridden
+};
+
+/// Refuses an apparatus that is not of the kind `needed`; empty: any will do.
+[[nodiscard]] Result<void> check_apparatus(std::string_view needed, const ApparatusInfo& info);
+
+/// What a session asks for before the work, in this order.
+enum class PreparationStep : std::uint8_t {
+  zero,  ///< instrument zero of the empty device
+  rest   ///< the hand at rest in it
+};
+
+/// How a frame came.
+struct Reception {
+  enum class Sight : std::uint8_t {
+    clear,     ///< all that matters is there, or stands in for a moment
+    occluded,  ///< the device works and does not see what it measures
+    lost       ///< samples do not come any more
+  };
+  bool gap = false;  ///< a part of it is missing
+  Sight sight = Sight::clear;
+};
+
+/// What is wrong with the device; two are the same where their numbers are.
+struct ApparatusFault {
+  int number = 0;          ///< 0: nothing
+  const char* words = "";  ///< for people, with what to do; static text
+};
+
+/// A preparation is asked for.
+struct ZeroRequest {
+  /// The operator has confirmed it. Without it nothing is measured: muscle tone would become zero.
+  bool device_is_empty = false;
+  /// The operator has confirmed that the device was serviced or remounted: this zero may lie
+  /// outside the band round the last one. Kept with the zero where it made the difference.
+  bool accept_changed = false;
+  double settle_s = 0.0;  ///< before the second that is measured: a simulated hand leaves
+};
+
+/// Something that is measured before the work: the empty device, a hand at rest. Made by the owner,
+/// filled on the acquisition thread, read by the recorder after its end.
+class Preparation {
+ public:
+  virtual ~Preparation() = default;
+};
+
+/// All that one trial needs, made ready by the owner; lives until the session ends.
+class TrialSetup {
+ public:
+  virtual ~TrialSetup() = default;
+  /// The groups of columns that are recorded; those of Apparatus::write() in this trial.
+  [[nodiscard]] virtual std::vector<storage::SignalGroup> columns() const = 0;
+  /// Of the device when the trial ended, as JSON. Recorder thread.
+  [[nodiscard]] virtual std::string health_json() const = 0;
+
+  storage::TrialRecord record;
+  tasks::TaskSpec spec;
+  std::unique_ptr<tasks::Task> task;
+  std::optional<double> since_strapping_s;
+  Timing timing;  ///< filled while the trial runs, read after its end
+};
+
+class Apparatus {
+ public:
+  virtual ~Apparatus() = default;
+
+  // The owner's.
+  [[nodiscard]] virtual const ApparatusInfo& info() const noexcept = 0;
+  [[nodiscard]] virtual std::span<const PreparationStep> steps() const noexcept = 0;
+  /// Begins to stream on `clock`, which outlives it; session time begins now.
+  [[nodiscard]] virtual Result<void> start(Clock& clock) = 0;
+  virtual void stop() noexcept = 0;
+  /// Writes what is special about it into the record of a session.
+  virtual void describe(storage::SessionRecord& session) const = 0;
+  // While threads run.
+  /// Whether a trial may begin; the error says what is to be prepared anew.
+  [[nodiscard]] virtual Result<void> ready() = 0;
+  [[nodiscard]] virtual Result<std::unique_ptr<Preparation>> make_preparation(
+      const ZeroRequest& request) = 0;
+  /// Task, columns and what the record says of them; the session adds its own. Refused like
+  /// tasks::make_task(), or where what the task needs cannot be read.
+  [[nodiscard]] virtual Result<std::unique_ptr<TrialSetup>> make_trial(
+      const tasks::TaskSpec& spec, const tasks::TaskContext& context) = 0;
+  /// What was published last.
+  [[nodiscard]] virtual const Moment& newest() noexcept = 0;
+
+  // Every frame, in this order.
+  /// Waits for it and writes its session time into now(); false: there will be none.
+  [[nodiscard]] virtual bool next() noexcept = 0;
+  /// Adds the frame to a preparation that runs, and its progress to now(); true: it has ended.
+  [[nodiscard]] virtual bool measure(Preparation& preparation) noexcept = 0;
+  /// Makes values of it: zeroed, with what stands in for a missing part.
+  [[nodiscard]] virtual Reception receive() noexcept = 0;
+  /// One step of the task of the running trial, unless it is paused; its progress goes to now().
+  virtual void step() noexcept = 0;
+  /// Fills `row`, which is empty, with one value per column of the running trial.
+  virtual void write(const RowFrame& frame, TrialRow& row) noexcept = 0;
+  /// What follows from the step until the next frame: an object moves.
+  virtual void move() noexcept = 0;
+  /// Publishes now() with what the apparatus shows itself.
+  virtual void publish() noexcept = 0;
+  /// Shows a simulated person what a patient would see.
+  virtual void show() noexcept = 0;
+
+  // When it is asked for, or happens.
+  virtual void begin(Preparation& preparation) noexcept = 0;
+  virtual void begin(TrialSetup& trial) noexcept = 0;
+  virtual void end(TrialSetup& trial) noexcept = 0;
+
+  // Of the newest frame.
+  /// The acquisition writes here what it knows.
+  [[nodiscard]] virtual Moment& now() noexcept = 0;
+  [[nodiscard]] virtual ApparatusFault fault() const noexcept = 0;
+  /// From the instant of the frame to now.
+  [[nodiscard]] virtual double lateness_s() const noexcept = 0;
+  /// From the arrival of the sample that completed it to now; nothing: its time was up.
+  [[nodiscard]] virtual std::optional<double> latency_s() const noexcept = 0;
+};
+
+}  // namespace isograsp::session

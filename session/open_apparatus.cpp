@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/open_apparatus.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "device/sensors/force_device.hpp"
+#include "session/platform/force_platform.hpp"
+#include "session/simulated_person.hpp"
+
+namespace isograsp::session {
+
+namespace {
+
+/// sim:// of whatever name, replay://, and all sensors behind buses and cards.
+Result<std::unique_ptr<Apparatus>> open_platform(const ApparatusRequest& request) {
+  auto person = simulated_person(request.uri, request.library);
+  if (!person) return person.error();
+  DeviceOptions options;
+  options.source = person->get();
+  auto device = open_device(request.uri.text, options);
+  if (!device) return device.error();
+  if (const auto& mounted_for = (*device)->info().hand)
+    if (auto same = check_hand(request.uri.text, name_of(*mounted_for), request.hand); !same)
+      return same.error();
+  return std::unique_ptr<Apparatus>(std::make_unique<ForcePlatform>(
+      *std::move(device), *std::move(person),
+      PlatformOptions{request.hand, request.library, request.display_delay_s}));
+}
+
+constexpr std::array<ApparatusRow, 1> kRows{{{"", "", open_platform}}};
+
+}  // namespace
+
+std::span<const ApparatusRow> all_apparatuses() noexcept {
+  return kRows;
+}
+
+Result<std::unique_ptr<Apparatus>> open_apparatus(const ApparatusRequest& request,
+                                                  std::span<const ApparatusRow> rows) {
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ApparatusRow& one) {
+    return (one.scheme.empty() || one.scheme == request.uri.scheme) &&
+           (one.target.empty() || one.target == request.uri.target);
+  });
+  return row->open(request);
+}
+
+Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for, Hand hand) {
+  if (mounted_for == name_of(hand)) return {};
+  return refused("the device is set up for the " + std::string(mounted_for) +
+                     " hand, the session for the " + std::string(name_of(hand)),
+                 "turn the platform and choose the configuration for that hand, or choose the " +
+                     std::string(mounted_for) + " hand")
+      .at(device_uri)
+      .about("hand");
+}
+
+}  // namespace isograsp::session

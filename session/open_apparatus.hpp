@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which apparatus a device URI names.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/result.hpp"
+#include "device/config/uri.hpp"
+#include "hand/finger.hpp"
+#include "session/acquisition/apparatus.hpp"
+
+namespace isograsp::session {
+
+struct ApparatusRequest {
+  Uri uri;
+  Hand hand = Hand::right;
+  std::string library;                    ///< folder with scenes/, tasks/ and patients/
+  std::optional<double> display_delay_s;  ///< of the patient's screen; nothing: not measured
+};
+
+/// One row of the table: the first that fits a URI opens it.
+struct ApparatusRow {
+  std::string_view scheme;  ///< empty: any
+  std::string_view target;  ///< "arm" of sim://arm; empty: any
+  Result<std::unique_ptr<Apparatus>> (*open)(const ApparatusRequest& request) = nullptr;
+};
+/// The table: every apparatus that this program knows; the last row takes all that is left.
+[[nodiscard]] std::span<const ApparatusRow> all_apparatuses() noexcept;
+
+/// @pre one of the rows fits; what it refuses is refused.
+[[nodiscard]] Result<std::unique_ptr<Apparatus>> open_apparatus(
+    const ApparatusRequest& request, std::span<const ApparatusRow> rows = all_apparatuses());
+
+/// Refuses a device that is mounted for the other hand, in words for the therapist.
+[[nodiscard]] Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for,
+                                      Hand hand);
+
+}  // namespace isograsp::session

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The platform for three fingers as an apparatus: forces -> zero -> wrench -> pose -> task.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/latest.hpp"
+#include "core/time.hpp"
+#include "device/sensors/force_device.hpp"
+#include "device/sensors/frame_reader.hpp"
+#include "hand/stale.hpp"
+#include "session/acquisition/apparatus.hpp"
+#include "session/platform/instrument_zero.hpp"
+#include "session/platform/platform_trial.hpp"
+#include "session/platform/snapshot.hpp"
+#include "virtual_patient/virtual_patient.hpp"
+
+namespace isograsp::session {
+
+struct PlatformOptions {
+  Hand hand = Hand::right;
+  std::string library;                    ///< folder with scenes/
+  std::optional<double> display_delay_s;  ///< of the patient's screen; nothing: not measured
+};
+
+class ForcePlatform final : public Apparatus {
+ public:
+  static constexpr std::string_view kKind = "platform";
+
+  /// `person` presses a simulated device and watches the screen; null: nobody is simulated.
+  explicit ForcePlatform(std::unique_ptr<ForceDevice> device,
+                         std::unique_ptr<virtual_patient::VirtualPatient> person = nullptr,
+                         PlatformOptions options = {});
+
+  [[nodiscard]] const DeviceInfo& device() const noexcept { return device_->info(); }
+  /// Coarsest step of a force component; 0: the device has no counts.
+  [[nodiscard]] double resolution_N() const noexcept;
+  /// Of the same device in an earlier session. Before the first zero of this one.
+  void set_last_zero(const SixAxes& mean) noexcept { last_zero_ = mean; }
+  Latest<Snapshot>& snapshots() noexcept { return snapshots_; }  ///< acquisition -> owner
+
+  // The rest of an apparatus is for those who hold one.
+  [[nodiscard]] const ApparatusInfo& info() const noexcept override { return info_; }
+  [[nodiscard]] Result<void> start(Clock& clock) override;
+  void stop() noexcept override;
+
+ private:
+  [[nodiscard]] std::span<const PreparationStep> steps() const noexcept override;
+  void describe(storage::SessionRecord& session) const override;
+  /// An outdated zero would be subtracted from the forces of a sensor that it does not belong to.
+  /// Trials without any zero are the owner's affair.
+  [[nodiscard]] Result<void> ready() override;
+  [[nodiscard]] Result<std::unique_ptr<Preparation>> make_preparation(
+      const ZeroRequest& request) override;
+  [[nodiscard]] Result<std::unique_ptr<TrialSetup>> make_trial(
+      const tasks::TaskSpec& spec, const tasks::TaskContext& context) override;
+  [[nodiscard]] const Moment& newest() noexcept override { return snapshots_.read(); }
+
+  [[nodiscard]] bool next() noexcept override;
+  [[nodiscard]] bool measure(Preparation& preparation) noexcept override;
+  [[nodiscard]] Reception receive() noexcept override;
+  void step() noexcept override;
+  void write(const RowFrame& frame, TrialRow& row) noexcept override;
+  void move() noexcept override;
+  void publish() noexcept override;
+  void show() noexcept override;
+
+  void begin(Preparation& preparation) noexcept override;
+  void begin(TrialSetup& trial) noexcept override;
+  void end(TrialSetup& trial) noexcept override;
+
+  [[nodiscard]] Moment& now() noexcept override { return now_; }
+  [[nodiscard]] ApparatusFault fault() const noexcept override;
+  [[nodiscard]] double lateness_s() const noexcept override;
+  [[nodiscard]] std::optional<double> latency_s() const noexcept override;
+
+  void subtract_zero() noexcept;
+  /// Whether a sensor has started anew since the zero.
+  void watch_restarts() noexcept;
+  /// Applies the stale rule.
+  [[nodiscard]] Reception::Sight hold_missing() noexcept;
+  void judge(InstrumentZero& zero) noexcept;
+
+  std::unique_ptr<virtual_patient::VirtualPatient> person_;
+  std::unique_ptr<ForceDevice> device_;  ///< is pressed by the person
+  PlatformOptions options_;
+  ApparatusInfo info_;
+  const Clock* clock_ = nullptr;
+  std::optional<FrameReader> frames_;  ///< once it is started
+  bool streaming_ = false;
+  StaleRule stale_;
+  Latest<Snapshot> snapshots_;
+
+  Snapshot now_;                      ///< the state that is published
+  std::optional<SixAxes> last_zero_;  ///< of an earlier session
+  std::optional<SixAxes> zero_;       ///< in force; nothing: none yet
+  std::array<std::uint64_t, kFingerCount> restarts_at_zero_{};
+  PlatformTrial* trial_ = nullptr;
+};
+
+}  // namespace isograsp::session

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gui/library/task_groups.hpp"
+#include "session/platform/contact_threshold.hpp"
 #include "session/platform/prepare_trial.hpp"
 
 namespace isograsp::gui {
@@ -79,9 +80,9 @@ void Trials::prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskConte
   trial.preview = std::make_shared<TargetPreview>(preview_target(spec, context));
   const session::Session& session = *state_.open->session;
   // The session has just read the same file: a failure here would have been refused there.
-  auto read =
-      session::read_trial_scene(spec, session.known().record.hand,
-                                session.known().contact_thresholds_N(), state_.config.library);
+  auto read = session::read_trial_scene(spec, session.known().record.hand,
+                                        session::contact_thresholds(session.known().references),
+                                        state_.config.library);
   if (!read) return flow_.refuse(read.error());
   if (read->scene) trial.scene = std::make_shared<Scene>(*std::move(read->scene));
 }

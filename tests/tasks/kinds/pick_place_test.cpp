@@ -108,7 +108,7 @@ TEST(PickPlace, HeldForItsTimeAndThenLetGoCountsAsPlaced) {
   EXPECT_EQ(view.cue, Cue::let_go);
   view = play.at(kGoal_m, false);
   EXPECT_EQ(view.targets_reached, 1);
-  EXPECT_EQ(view.object().object().drops, 0);
+  EXPECT_EQ(view.object().drops, 0);
   view = play.wait(1);
   EXPECT_EQ(view.target_index, 1);
   EXPECT_TRUE(view.object().object_placed);
@@ -121,7 +121,7 @@ TEST(PickPlace, LettingGoTooEarlyIsNotPlacedAndTheHoldBeginsAnew) {
   TaskView view = play.at(kGoal_m, false, 5);
   EXPECT_EQ(view.targets_reached, 0);
   EXPECT_EQ(view.hold_fraction, 0.0);
-  EXPECT_EQ(view.object().object().drops, 0) << "it lies at its target";
+  EXPECT_EQ(view.object().drops, 0) << "it lies at its target";
   view = play.at(kGoal_m, true, 100);
   EXPECT_EQ(view.cue, Cue::move);
   view = play.at(kGoal_m, true);
@@ -141,12 +141,12 @@ TEST(PickPlace, ADropOnTheWayPutsTheObjectBackAndIsCountedOnce) {
   Play play(spec_of());
   play.carry();
   TaskView view = play.at(kHalfway_m, false);
-  EXPECT_EQ(view.object().object().drops, 1);
+  EXPECT_EQ(view.object().drops, 1);
   EXPECT_TRUE(view.object().object_placed);
   EXPECT_EQ(play.object().X_WO.p, kStart_m);
   EXPECT_EQ(view.target_index, 0) << "the same object again";
   view = play.wait(50);
-  EXPECT_EQ(view.object().object().drops, 1);
+  EXPECT_EQ(view.object().drops, 1);
   EXPECT_FALSE(view.object().object_placed);
   EXPECT_EQ(play.placements(), 2);
   play.wait(5, true);
@@ -178,7 +178,7 @@ TEST(PickPlace, CarriedAwayAfterTheHoldAndLetGoThereIsADropNotPlaced) {
   EXPECT_EQ(view.hold_fraction, 0.0);
   view = play.at(kHalfway_m, false);
   EXPECT_EQ(view.targets_reached, 0);
-  EXPECT_EQ(view.object().object().drops, 1);
+  EXPECT_EQ(view.object().drops, 1);
 }
 
 TEST(PickPlace, TheTimeLimitOfEachObjectMovesToTheNextAndEndsTheTask) {

@@ -178,7 +178,8 @@ TEST(Includes, TheRulesForbidWhatTheyShould) {
       "  library: Qt\n"
       "  source library: nlohmann\n"
       "  room words: texts; no widgets\n"
-      "  room facts: what is true; no Qt core\n"
+      "  room facts: what is true; no Qt\n"
+      "  room sums: numbers alone; no Qt core\n"
       "  room .: the windows\n");
   const auto says = [&](const char* file, const char* included, bool quoted,
                         bool for_its_room = false) {
@@ -192,7 +193,8 @@ TEST(Includes, TheRulesForbidWhatTheyShould) {
   EXPECT_NE(says("gui/words/texts.cpp", "gui/windows.hpp", true), "") << "the files above";
   EXPECT_NE(says("core/time.cpp", "QObject", false), "") << "a library of others";
   EXPECT_NE(says("gui/facts/true.cpp", "QString", false), "") << "no Qt";
-  EXPECT_NE(says("gui/facts/true.cpp", "core/time.hpp", true), "") << "a room without a folder";
+  EXPECT_NE(says("gui/sums/sum.cpp", "core/time.hpp", true), "") << "a room without a folder";
+  EXPECT_NE(says("gui/sums/sum.cpp", "QString", false), "") << "and without Qt";
   EXPECT_NE(says("gui/words/texts.cpp", "QWidget", false), "") << "no widgets";
   EXPECT_NE(says("gui/words/texts.cpp", "QtWidgets/QLabel", false), "") << "no widgets";
   EXPECT_NE(says("gui/words/texts.hpp", "nlohmann/json.hpp", false), "") << "in sources only";

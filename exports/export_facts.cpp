@@ -107,34 +107,39 @@ std::vector<ExportFact> session_facts(const ExportTrial& trial) {
           {"cpu_features", session.cpu_features},
           {"seed", session.seed},
           {"screening", session.allowed},
-          {"ceiling_N", known(session.ceiling_N)}};
+          {"ceiling_N", known(storage::value_of(session.references, platform::kCeiling_N))}};
 }
 
 std::vector<ExportFact> trial_facts(const ExportTrial& exported) {
   const storage::TrialRecord& trial = exported.trial;
-  std::vector<ExportFact> facts{{"number", std::int64_t{trial.number}},
-                                {"task", trial.task_name},
-                                {"task_kind", exported.place.task_kind},
-                                {"task_version", std::int64_t{trial.task_version}},
-                                {"practice", trial.practice},
-                                {"helped", trial.helped},
-                                {"status", std::string(storage::name_of(trial.status))},
-                                {"session_time_s", trial.session_time_s},
-                                {"maximum_force_N", trial.maximum_force_N},
-                                {"resting_force_N", trial.resting_force_N},
-                                {"samples", trial.samples},
-                                {"dropped", trial.dropped},
-                                {"worst_lateness_s", trial.worst_lateness_s},
-                                {"worst_compute_s", trial.worst_compute_s}};
+  const auto reference = [&](std::string_view name) {
+    return storage::value_of(trial.references, name);
+  };
+  std::vector<ExportFact> facts{
+      {"number", std::int64_t{trial.number}},
+      {"task", trial.task_name},
+      {"task_kind", exported.place.task_kind},
+      {"task_version", std::int64_t{trial.task_version}},
+      {"practice", trial.practice},
+      {"helped", trial.helped},
+      {"status", std::string(storage::name_of(trial.status))},
+      {"session_time_s", trial.session_time_s},
+      {"maximum_force_N", reference(platform::kMaximumForce_N).value_or(0)},
+      {"resting_force_N", reference(platform::kRestingForce_N).value_or(0)},
+      {"samples", trial.samples},
+      {"dropped", trial.dropped},
+      {"worst_lateness_s", trial.worst_lateness_s},
+      {"worst_compute_s", trial.worst_compute_s}};
   for (std::size_t f = 0; f < kFingerCount; ++f)
-    facts.push_back({std::string(kFingerNames[f]) + "_threshold_N", known(trial.threshold_N[f])});
-  for (auto& fact :
-       std::vector<ExportFact>{{"seed", trial.seed},
-                               {"zero_drift_N", known(trial.zero_drift_N)},
-                               {"zero_drifted", trial.zero_drifted},
-                               {"display_age_s", known(trial.display_age_s)},
-                               {"visual_gain_deg_per_N", known(trial.visual_gain_deg_per_N)},
-                               {"viewing_distance_m", known(trial.viewing_distance_m)}})
+    facts.push_back({std::string(kFingerNames[f]) + "_threshold_N",
+                     known(reference(platform::kThreshold_N[f]))});
+  for (auto& fact : std::vector<ExportFact>{
+           {"seed", trial.seed},
+           {"zero_drift_N", known(storage::value_of(trial.drift, platform::kDrift_N))},
+           {"zero_drifted", trial.drifted},
+           {"display_age_s", known(trial.display_age_s)},
+           {"visual_gain_deg_per_N", known(reference(platform::kVisualGain_deg_per_N))},
+           {"viewing_distance_m", known(trial.viewing_distance_m)}})
     facts.push_back(std::move(fact));
   return facts;
 }
@@ -154,17 +159,18 @@ std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite) {
   if (trial.zero)
     json["instrument_zero"] = {{"session_time_s", trial.zero->session_time_s},
                                {"units", "N N N Nm Nm Nm"},
-                               {"mean", as_json(trial.zero->mean)},
-                               {"sd", as_json(trial.zero->sd)}};
-  if (const auto& rest = trial.rest)
+                               {"mean", as_json(wrenches_of(*trial.zero, trial.zero->mean))},
+                               {"sd", as_json(wrenches_of(*trial.zero, trial.zero->sd))}};
+  if (const auto& rest = trial.rest) {
+    const auto since_s = storage::value_of(rest->references, platform::kSinceStrapping_s);
     json["resting_force"] = {
-        {"duration_s", rest->duration_s},
-        {"since_strapping_s",
-         rest->since_strapping_s ? Json(*rest->since_strapping_s) : Json(nullptr)},
-        {"samples", rest->samples},
+        {"duration_s", storage::value_of(rest->references, platform::kDuration_s).value_or(0.0)},
+        {"since_strapping_s", since_s ? Json(*since_s) : Json(nullptr)},
+        {"samples", rest->samples.value_or(0)},
         {"units", "N N N Nm Nm Nm"},
-        {"mean", as_json(rest->mean)},
-        {"sd", as_json(rest->sd)}};
+        {"mean", as_json(wrenches_of(*rest, rest->mean))},
+        {"sd", as_json(wrenches_of(*rest, rest->sd))}};
+  }
   json["measures"] = Json::array();
   for (const auto& measure : trial.measures) json["measures"].push_back(as_json(measure));
   json["events"] = Json::array();

@@ -61,16 +61,18 @@ void write_zero_and_rest(Hdf5Node& group, const ExportTrial& trial) {
   if (const auto& zero = trial.zero) {
     auto node = group.make_group("instrument_zero");
     node.set("session_time_s", zero->session_time_s);
-    write_wrenches(node, "mean", zero->mean);
-    write_wrenches(node, "sd", zero->sd);
+    write_wrenches(node, "mean", wrenches_of(*zero, zero->mean));
+    write_wrenches(node, "sd", wrenches_of(*zero, zero->sd));
   }
   if (const auto& rest = trial.rest) {
     auto node = group.make_group("resting_force");
-    node.set("duration_s", rest->duration_s);
-    if (rest->since_strapping_s) node.set("since_strapping_s", *rest->since_strapping_s);
-    node.set("samples", rest->samples);
-    write_wrenches(node, "mean", rest->mean);
-    write_wrenches(node, "sd", rest->sd);
+    node.set("duration_s",
+             storage::value_of(rest->references, platform::kDuration_s).value_or(0.0));
+    if (const auto since_s = storage::value_of(rest->references, platform::kSinceStrapping_s))
+      node.set("since_strapping_s", *since_s);
+    node.set("samples", rest->samples.value_or(0));
+    write_wrenches(node, "mean", wrenches_of(*rest, rest->mean));
+    write_wrenches(node, "sd", wrenches_of(*rest, rest->sd));
   }
 }
 

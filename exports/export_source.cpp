@@ -32,13 +32,12 @@ storage::SessionRecord without_identity(const storage::SessionRecord& session) {
   safe.device_uri = session.device_uri.substr(0, session.device_uri.find(':'));
   safe.provenance.clear();
   safe.protocol_text.clear();
-  safe.serial_numbers = {};
+  safe.sensors.clear();
   safe.operator_name.clear();
   return safe;
 }
 
-template <class Record>
-Record without_time(Record record) {
+storage::PreparationRecord without_time(storage::PreparationRecord record) {
   record.recorded_utc.clear();
   record.operator_name.clear();
   return record;
@@ -147,14 +146,15 @@ Result<ExportTrial> load_trial(storage::SessionStore& store, const ExportSource&
   exported.signals = *std::move(signals);
   add_forces_of_the_hand(exported);
 
-  const auto zeros = store.zeros(source.session->id);
-  if (!zeros) return zeros.error();
-  for (const auto& zero : *zeros)
-    if (zero.id == source.trial->zero_id) exported.zero = without_time(zero);
-  const auto rests = store.resting_forces(source.session->id);
-  if (!rests) return rests.error();
-  for (const auto& rest : *rests)
-    if (rest.trial_id == source.trial->id) exported.rest = without_time(rest);
+  const auto preparations = store.preparations(source.session->id);
+  if (!preparations) return preparations.error();
+  for (const auto& one : *preparations) {
+    if (!platform::six_axes_of(one.columns, one.mean)) continue;  // of another apparatus
+    const bool in_force = std::ranges::count(source.trial->preparations, one.id) > 0;
+    if (one.kind == platform::kInstrumentZero && in_force) exported.zero = without_time(one);
+    if (one.kind == platform::kRestingForce && one.trial_id == source.trial->id)
+      exported.rest = without_time(one);
+  }
   auto measures = store.measures(source.trial->id);
   if (!measures) return measures.error();
   exported.measures = *std::move(measures);

@@ -12,6 +12,7 @@
 
 #include "core/measure.hpp"
 #include "core/signals.hpp"
+#include "hand/platform_records.hpp"
 #include "storage/records/profile.hpp"
 #include "storage/records/records.hpp"
 
@@ -38,12 +39,18 @@ struct ExportTrial {
   storage::SessionRecord session;
   std::string instruction;     ///< of the task; empty: its task file cannot be read
   storage::TrialRecord trial;  ///< its groups name all columns of `signals`
-  std::optional<storage::InstrumentZeroRecord> zero;  ///< without time of day and operator
-  std::optional<storage::RestingForceRecord> rest;    ///< likewise
+  std::optional<storage::PreparationRecord> zero;  ///< without time of day and operator
+  std::optional<storage::PreparationRecord> rest;  ///< likewise; both have wrenches of the fingers
   std::vector<Measure> measures;
   std::vector<storage::EventRecord> events;  ///< without notes
   Signals signals;                           ///< as stored, and the forces in the axes of the hand
 };
+
+/// Mean or SD (`row`) of such a preparation.
+[[nodiscard]] inline SixAxes wrenches_of(const storage::PreparationRecord& of,
+                                         const std::vector<double>& row) {
+  return platform::six_axes_of(of.columns, row).value_or(SixAxes{});
+}
 
 /// One thing that is said about a session or a trial; monostate: not known.
 using ExportValue =

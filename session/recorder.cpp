@@ -20,7 +20,7 @@ std::string newtons(double force_N) {
 
 }  // namespace
 
-std::string remark_on(const storage::InstrumentZeroRecord& zero) {
+std::string remark_on(const ZeroRecord& zero) {
   std::string remark;
   if (zero.change_confirmed)
     remark += "It differs from the last empty zero by " + newtons(*zero.change_N) +
@@ -107,7 +107,7 @@ void Recorder::begin(TrialSetup& setup) {
   second_ = 0;
   samples_ = 0;
   setup.record.session_time_s = item_.session_time_s;
-  setup.record.zero_id = zero_id_;
+  if (zero_id_ != 0) setup.record.preparations = {zero_id_};
   setup.record.groups = setup.columns();
   std::vector<std::string> names;
   for (const auto& group : setup.record.groups)
@@ -156,7 +156,8 @@ void Recorder::end(const RecordItem& item) {
     const std::lock_guard lock(mutex_);
     const ScreenShown screen = std::exchange(screen_, {});
     outcome.trial.display_age_s = screen.age_s;
-    outcome.trial.visual_gain_deg_per_N = screen.gain_deg_per_N;
+    storage::set_value(outcome.trial.references, platform::kVisualGain_deg_per_N,
+                       screen.gain_deg_per_N);
     outcome.trial.viewing_distance_m = screen.distance_m;
   }
   outcome.reason = item.reason;
@@ -178,8 +179,7 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
   if (!rest) return std::nullopt;
   RestOutcome outcome;
   outcome.words = describe(*rest);
-  storage::RestingForceRecord& record = outcome.rest;
-  record.session_id = session_.id;
+  RestRecord& record = outcome.rest;
   record.trial_id = trial_id_;
   record.session_time_s = item.session_time_s;
   record.recorded_utc = utc_at(item.session_time_s);
@@ -189,7 +189,7 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
   record.samples = rest->samples;
   record.mean = rest->mean;
   record.sd = rest->sd;
-  stored(store_->add_resting_force(record, record.id));
+  stored(store_->add_preparation(as_stored(record), record.id));
   return outcome;
 }
 
@@ -201,8 +201,7 @@ void Recorder::add_preparation(const RecordItem& item) {
 void Recorder::add_zero(const RecordItem& item, const InstrumentZero& measured) {
   ZeroOutcome outcome;
   outcome.accepted = !measured.refusal.has_value();
-  storage::InstrumentZeroRecord& zero = outcome.zero;
-  zero.session_id = session_.id;
+  ZeroRecord& zero = outcome.zero;
   zero.session_time_s = item.session_time_s;
   zero.mean = measured.statistics.mean;
   zero.sd = measured.statistics.sd;
@@ -222,10 +221,10 @@ void Recorder::add_zero(const RecordItem& item, const InstrumentZero& measured) 
 
 void Recorder::take_zero(const RecordItem& item, const InstrumentZero& measured,
                          ZeroOutcome& outcome) {
-  storage::InstrumentZeroRecord& zero = outcome.zero;
+  ZeroRecord& zero = outcome.zero;
   zero.change_confirmed = measured.change_confirmed;
   outcome.remark = remark_on(zero);
-  stored(store_->add_zero(zero, zero.id));
+  stored(store_->add_preparation(as_stored(zero), zero.id));
   zero_id_ = zero.id;
   if (!outcome.remark.empty())
     stored(store_->add_event({0, item.session_time_s, "zero", outcome.remark}));

@@ -19,7 +19,7 @@
 namespace isograsp::session {
 
 /// What is to be known about an accepted zero; may be empty.
-[[nodiscard]] std::string remark_on(const storage::InstrumentZeroRecord& zero);
+[[nodiscard]] std::string remark_on(const ZeroRecord& zero);
 
 class Recorder {
  public:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/time.hpp"
+#include "hand/platform_records.hpp"
 
 namespace isograsp::session {
 
@@ -72,7 +73,7 @@ Result<EarlierWork> read_earlier_work(storage::SessionStore& store,
   work.first_id = chain->back().id;
   work.last_id = last.id;
   work.allowed = last.allowed;
-  work.ceiling_N = last.ceiling_N;
+  work.ceiling_N = storage::value_of(last.references, platform::kCeiling_N);
   for (auto earlier = chain->rbegin(); earlier != chain->rend(); ++earlier)
     if (auto added = add_trials_of(store, *earlier, session, work); !added) return added.error();
   const auto protocol = tasks::parse_protocol(session.protocol_text, session.protocol_name);

@@ -19,6 +19,7 @@
 #include "session/library/library.hpp"
 #include "session/open_apparatus.hpp"
 #include "session/platform/snapshot.hpp"
+#include "session/platform/stored_preparations.hpp"
 #include "session/resting.hpp"
 #include "session/session_knowledge.hpp"
 #include "storage/file/open_mode.hpp"
@@ -79,12 +80,12 @@ struct ZeroOutcome {
   std::string reason;         ///< why not, in words for the therapist
   bool only_changed = false;  ///< refused, but ZeroRequest::accept_changed would allow it
   std::string remark;         ///< accepted, but this is to be known; may be empty
-  storage::InstrumentZeroRecord zero;
+  ZeroRecord zero;
 };
 
 /// What each finger pressed at rest, and what that suggests.
 struct RestOutcome {
-  storage::RestingForceRecord rest;
+  RestRecord rest;
   std::string words;
 };
 

@@ -16,7 +16,7 @@ std::uint64_t trial_seed(std::uint64_t session_seed, std::size_t trials_before) 
   return session_seed * kTrialsPerSession + trials_before + 1;
 }
 
-FingerWrenches wrenches_of(const storage::RestingForceRecord& rest) {
+FingerWrenches wrenches_of(const RestRecord& rest) {
   FingerWrenches wrench_C;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     wrench_C[f].force = rest.mean[f].head<3>();
@@ -60,9 +60,9 @@ tasks::TaskContext SessionKnowledge::next_context() const {
   return context;
 }
 
-double SessionKnowledge::maximum_force_N() const noexcept {
+std::optional<double> SessionKnowledge::maximum_force_N() const noexcept {
   const double maximum_N = references.maximum({});
-  return std::isnan(maximum_N) ? 0.0 : maximum_N;
+  return std::isnan(maximum_N) ? std::nullopt : std::optional(maximum_N);
 }
 
 }  // namespace isograsp::session

@@ -46,8 +46,8 @@ struct SessionKnowledge : Lessons {
   [[nodiscard]] std::uint64_t order_seed() const noexcept;
   /// What the task of the next trial will be made with: the same task made with it is the same.
   [[nodiscard]] tasks::TaskContext next_context() const;
-  /// Maximum grip force [N]; 0: not measured yet.
-  [[nodiscard]] double maximum_force_N() const noexcept;
+  /// Maximum grip force [N]; nothing: not measured yet.
+  [[nodiscard]] std::optional<double> maximum_force_N() const noexcept;
 };
 
 }  // namespace isograsp::session

@@ -63,7 +63,7 @@ struct Session::Opening {
   /// Of the newest session of the file, if the clock of this computer is behind it.
   std::optional<std::string> latest;
   storage::PatientRecord patient;
-  std::optional<storage::InstrumentZeroRecord> last_zero;
+  std::optional<storage::PreparationRecord> last_zero;
 
   [[nodiscard]] storage::SessionRecord& record() const { return parts.known.record; }
 
@@ -199,14 +199,14 @@ Result<void> Session::Opening::describe_session() {
   session.realtime = describe(parts.known.realtime);
   parts.apparatus->describe(session);
   if (config.allowed) session.allowed = tasks::name_of(*config.allowed);
-  session.ceiling_N = config.ceiling_N;
+  storage::set_value(session.references, platform::kCeiling_N, config.ceiling_N);
   if (uri.parameters.contains("seed"))
     session.seed = std::strtoull(uri.parameters.at("seed").c_str(), nullptr, 10);
   return {};
 }
 
 Result<void> Session::Opening::read_what_is_known() {
-  auto zero = store->last_zero(record());
+  auto zero = store->last_preparation(record(), platform::kInstrumentZero);
   if (!zero) return zero.error();
   last_zero = *std::move(zero);
   auto training = Training::read(*store, record());
@@ -224,7 +224,8 @@ Result<void> Session::Opening::take_up_earlier_work() {
   known.record.resumes_id = known.earlier.last_id;
   // What the screening forbade this hand today stays forbidden, unless it was asked again.
   if (known.record.allowed.empty()) known.record.allowed = known.earlier.allowed;
-  if (!known.record.ceiling_N) known.record.ceiling_N = known.earlier.ceiling_N;
+  if (!known.record.references.contains(platform::kCeiling_N))
+    storage::set_value(known.record.references, platform::kCeiling_N, known.earlier.ceiling_N);
   return {};
 }
 
@@ -234,7 +235,7 @@ Result<void> Session::Opening::set_references() {
   references.baseline_N = known.training.baseline_N();
   references.allowed =
       tasks::effort_from_name(known.record.allowed).value_or(tasks::Effort::maximum);
-  references.ceiling_N = known.record.ceiling_N;
+  references.ceiling_N = storage::value_of(known.record.references, platform::kCeiling_N);
   if (parts.platform != nullptr) references.resolution_N = parts.platform->resolution_N();
   for (const EarlierTrial& trial : known.earlier.trials)
     if (!trial.record.helped) known.learn_maxima(trial.measures);
@@ -250,7 +251,9 @@ Result<void> Session::Opening::write_session() {
 }
 
 void Session::Opening::start_recording() {
-  if (last_zero && parts.platform != nullptr) parts.platform->set_last_zero(last_zero->mean);
+  if (last_zero && parts.platform != nullptr)
+    if (const auto mean = platform::six_axes_of(last_zero->columns, last_zero->mean))
+      parts.platform->set_last_zero(*mean);
   parts.acquisition = std::make_unique<Acquisition>(*parts.apparatus, *parts.clock);
   auto writer = std::make_unique<SessionWriter>(std::move(store), patient, record(), config.answers,
                                                 !config.scratch_database);

@@ -7,7 +7,7 @@ namespace isograsp::session {
 namespace {
 
 /// The noise of the empty device: SD of each force component.
-std::array<Vec3, kFingerCount> noise_of(const storage::InstrumentZeroRecord& zero) {
+std::array<Vec3, kFingerCount> noise_of(const ZeroRecord& zero) {
   std::array<Vec3, kFingerCount> sd_N;
   for (std::size_t f = 0; f < kFingerCount; ++f) sd_N[f] = zero.sd[f].head<3>();
   return sd_N;

@@ -164,7 +164,7 @@ Result<void> SessionWriter::begin_trial(storage::TrialRecord trial, storage::Row
                                                         Numbers& numbers) -> Result<void> {
     storage::TrialRecord here = trial;
     here.session_id = numbers.session;
-    here.zero_id = numbers.of_zero(trial.zero_id);
+    for (storage::RowId& one : here.preparations) one = numbers.of_preparation(one);
     const auto row = store.begin_trial(here);
     if (!row) return row.error();
     if (*given == 0) *given = unused(numbers.trials, *row);
@@ -267,34 +267,18 @@ Result<void> SessionWriter::mark_helped(storage::RowId trial, bool helped) {
   });
 }
 
-Result<void> SessionWriter::add_zero(const storage::InstrumentZeroRecord& zero,
-                                     storage::RowId& id) {
+Result<void> SessionWriter::add_preparation(const storage::PreparationRecord& preparation,
+                                            storage::RowId& id) {
   auto given = std::make_shared<storage::RowId>(0);
   auto done =
-      perform([zero, given](storage::SessionStore& store, Numbers& numbers) -> Result<void> {
-        storage::InstrumentZeroRecord here = zero;
+      perform([preparation, given](storage::SessionStore& store, Numbers& numbers) -> Result<void> {
+        storage::PreparationRecord here = preparation;
         here.session_id = numbers.session;
-        const auto row = store.add_zero(here);
+        here.trial_id = numbers.of_trial(preparation.trial_id);
+        const auto row = store.add_preparation(here);
         if (!row) return row.error();
-        if (*given == 0) *given = unused(numbers.zeros, *row);
-        numbers.zeros[*given] = *row;
-        return {};
-      });
-  id = *given;
-  return done;
-}
-
-Result<void> SessionWriter::add_resting_force(const storage::RestingForceRecord& rest,
-                                              storage::RowId& id) {
-  auto given = std::make_shared<storage::RowId>(0);
-  auto done =
-      perform([rest, given](storage::SessionStore& store, Numbers& numbers) -> Result<void> {
-        storage::RestingForceRecord here = rest;
-        here.session_id = numbers.session;
-        here.trial_id = numbers.of_trial(rest.trial_id);
-        const auto row = store.add_resting_force(here);
-        if (!row) return row.error();
-        if (*given == 0) *given = *row;
+        if (*given == 0) *given = unused(numbers.preparations, *row);
+        numbers.preparations[*given] = *row;
         return {};
       });
   id = *given;

@@ -46,10 +46,8 @@ class SessionWriter {
   [[nodiscard]] Result<void> correct_rating(const storage::RatingRecord& rating);
   [[nodiscard]] Result<void> add_answers(const std::vector<storage::SessionAnswer>& answers);
   [[nodiscard]] Result<void> mark_helped(storage::RowId trial, bool helped);
-  [[nodiscard]] Result<void> add_zero(const storage::InstrumentZeroRecord& zero,
-                                      storage::RowId& id);
-  [[nodiscard]] Result<void> add_resting_force(const storage::RestingForceRecord& rest,
-                                               storage::RowId& id);
+  [[nodiscard]] Result<void> add_preparation(const storage::PreparationRecord& preparation,
+                                             storage::RowId& id);
   /// Reads back every trial of the session once more. After a failure: keeps what a deleted file
   /// still holds.
   [[nodiscard]] Result<void> end_session(const std::string& ended_utc);
@@ -61,7 +59,7 @@ class SessionWriter {
   struct Numbers {
     storage::RowId session = 0;
     std::map<storage::RowId, storage::RowId> trials;
-    std::map<storage::RowId, storage::RowId> zeros;
+    std::map<storage::RowId, storage::RowId> preparations;
     std::map<storage::RowId, storage::RowId> ratings;
 
     [[nodiscard]] storage::RowId of_trial(storage::RowId given) const {
@@ -70,7 +68,9 @@ class SessionWriter {
     [[nodiscard]] storage::RowId of_rating(storage::RowId given) const {
       return here(ratings, given);
     }
-    [[nodiscard]] storage::RowId of_zero(storage::RowId given) const { return here(zeros, given); }
+    [[nodiscard]] storage::RowId of_preparation(storage::RowId given) const {
+      return here(preparations, given);
+    }
     /// 0: none; one of another session is itself.
     [[nodiscard]] static storage::RowId here(const std::map<storage::RowId, storage::RowId>& rows,
                                              storage::RowId given) {

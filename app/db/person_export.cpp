@@ -7,6 +7,7 @@
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "hand/platform_records.hpp"
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
@@ -79,6 +80,32 @@ Json wrench_rows(const std::array<Vec6, kFingerCount>& wrenches) {
   return json;
 }
 
+/// Those of three fingers as they were always given; others with the names of their columns.
+void add_preparations(const std::vector<storage::PreparationRecord>& all, Json& session) {
+  const auto add = [&](const char* list, const char* kind) {
+    for (const auto& one : all) {
+      const auto mean = platform::six_axes_of(one.columns, one.mean);
+      const auto sd = platform::six_axes_of(one.columns, one.sd);
+      if (!mean || !sd || one.kind != kind) continue;
+      Json json{{"session_time_s", one.session_time_s}};
+      if (const auto duration_s = storage::value_of(one.references, platform::kDuration_s))
+        json["duration_s"] = *duration_s;
+      json["mean_N_Nm"] = wrench_rows(*mean);
+      json["sd_N_Nm"] = wrench_rows(*sd);
+      session[list].push_back(json);
+    }
+  };
+  add("instrument_zeros", platform::kInstrumentZero);
+  add("resting_forces", platform::kRestingForce);
+  for (const auto& one : all)
+    if (!platform::six_axes_of(one.columns, one.mean))
+      session["preparations"].push_back({{"kind", one.kind},
+                                         {"session_time_s", one.session_time_s},
+                                         {"columns", one.columns},
+                                         {"mean", one.mean},
+                                         {"sd", one.sd}});
+}
+
 Json trial_of(storage::SessionStore& store, const storage::TrialRecord& trial) {
   Json json{{"number", trial.number},
             {"task", trial.task_name},
@@ -87,8 +114,10 @@ Json trial_of(storage::SessionStore& store, const storage::TrialRecord& trial) {
             {"session_time_s", trial.session_time_s},
             {"status", storage::name_of(trial.status)},
             {"samples", trial.samples},
-            {"maximum_force_N", trial.maximum_force_N},
-            {"resting_force_N", trial.resting_force_N},
+            {"maximum_force_N",
+             storage::value_of(trial.references, platform::kMaximumForce_N).value_or(0.0)},
+            {"resting_force_N",
+             storage::value_of(trial.references, platform::kRestingForce_N).value_or(0.0)},
             {"helped", trial.helped},
             {"task_text", trial.task_text},
             {"scene_text", trial.scene_text}};
@@ -103,23 +132,20 @@ Json trial_of(storage::SessionStore& store, const storage::TrialRecord& trial) {
 }
 
 Json session_of(storage::SessionStore& store, const storage::SessionRecord& session) {
-  Json json{{"started_utc", session.started_utc}, {"ended_utc", session.ended_utc},
-            {"hand", name_of(session.hand)},      {"device", session.device_description},
-            {"simulated", session.simulated},     {"recorded", session.recorded},
-            {"protocol", session.protocol_name},  {"operator", session.operator_name},
-            {"allowed", session.allowed},         {"ceiling_N", or_null(session.ceiling_N)}};
+  Json json{{"started_utc", session.started_utc},
+            {"ended_utc", session.ended_utc},
+            {"hand", name_of(session.hand)},
+            {"device", session.device_description},
+            {"simulated", session.simulated},
+            {"recorded", session.recorded},
+            {"protocol", session.protocol_name},
+            {"operator", session.operator_name},
+            {"allowed", session.allowed},
+            {"ceiling_N", or_null(storage::value_of(session.references, platform::kCeiling_N))}};
   for (const auto& answer : need(store.answers(session.id)))
     json["answers"].push_back(
         {{"topic", answer.topic}, {"item", answer.item}, {"value", answer.value}});
-  for (const auto& zero : need(store.zeros(session.id)))
-    json["instrument_zeros"].push_back({{"session_time_s", zero.session_time_s},
-                                        {"mean_N_Nm", wrench_rows(zero.mean)},
-                                        {"sd_N_Nm", wrench_rows(zero.sd)}});
-  for (const auto& rest : need(store.resting_forces(session.id)))
-    json["resting_forces"].push_back({{"session_time_s", rest.session_time_s},
-                                      {"duration_s", rest.duration_s},
-                                      {"mean_N_Nm", wrench_rows(rest.mean)},
-                                      {"sd_N_Nm", wrench_rows(rest.sd)}});
+  add_preparations(need(store.preparations(session.id)), json);
   for (const auto& rating : need(store.ratings(session.id)))
     json["ratings"].push_back({{"session_time_s", rating.session_time_s},
                                {"effort", rating.effort},

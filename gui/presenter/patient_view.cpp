@@ -36,7 +36,7 @@ PatientFacts PatientView::facts() const {
                        flow_.view().device_mood == Mood::fault;
   facts.hand = open.session->known().record.hand;
   facts.snapshot = now;
-  facts.maximum_force_N = open.session->known().maximum_force_N();
+  facts.maximum_force_N = open.session->known().maximum_force_N().value_or(0.0);
   if (const auto& trial = open.trial) {
     facts.task = trial->task;
     facts.scene = trial->scene;

@@ -40,9 +40,8 @@ TwoLines lines_of(const CourseTrial& trial) {
   QStringList words{standing_words(trial.record)};
   if (const Measure* key = key_measure(trial))
     words.insert(0, QObject::tr("%1 %2").arg(measure_title(*key), measure_value(*key)));
-  if (trial.record.zero_drifted) words << QObject::tr("zero drifted");
-  lines.doubtful =
-      trial.record.status != storage::TrialStatus::completed || trial.record.zero_drifted;
+  if (trial.record.drifted) words << QObject::tr("zero drifted");
+  lines.doubtful = trial.record.status != storage::TrialStatus::completed || trial.record.drifted;
   lines.below = words.join(QStringLiteral(" · "));
   return lines;
 }

@@ -152,7 +152,7 @@ LivePanel::LivePanel(SessionPresenter& presenter, const SettingsFile& settings, 
 double LivePanel::shown_maximum_N() const noexcept {
   const auto& open = presenter_.state().open;
   const bool wanted = settings_.now().share_of_maximum && open;
-  return wanted ? open->session->known().maximum_force_N() : 0.0;
+  return wanted ? open->session->known().maximum_force_N().value_or(0.0) : 0.0;
 }
 
 void LivePanel::refresh() {

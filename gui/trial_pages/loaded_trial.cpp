@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include "gui/words/texts.hpp"
+#include "hand/platform_records.hpp"
 
 namespace isograsp::gui {
 
@@ -41,7 +42,8 @@ PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
   facts.hand = trial.opened.session.hand;
   facts.task = trial.task;
   facts.scene = trial.scene;
-  facts.maximum_force_N = trial.opened.trial.maximum_force_N;
+  facts.maximum_force_N =
+      storage::value_of(trial.opened.trial.references, platform::kMaximumForce_N).value_or(0.0);
   session::Snapshot& now = facts.snapshot;
   now.stage = session::Stage::trial;
   now.frames = 1;

@@ -13,6 +13,7 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 #include "hand/columns.hpp"
+#include "hand/platform_records.hpp"
 
 namespace isograsp::gui {
 
@@ -187,17 +188,16 @@ std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
   add(QObject::tr("Task version"), QString::number(trial.task_version));
   add(QObject::tr("Seed"),
       trial.seed == 0 ? QObject::tr("not known") : QString::number(trial.seed));
-  if (trial.maximum_force_N > 0.0)
-    add(QObject::tr("Maximum force"), QObject::tr("%1 N").arg(short_number(trial.maximum_force_N)));
-  if (trial.zero_id == 0)
+  if (const auto maximum_N = storage::value_of(trial.references, platform::kMaximumForce_N))
+    add(QObject::tr("Maximum force"), QObject::tr("%1 N").arg(short_number(*maximum_N)));
+  if (trial.preparations.empty())
     add(QObject::tr("Zero"), QObject::tr("none in force"), !opened.session.recorded);
-  if (trial.zero_drift_N)
+  if (const auto drift_N = storage::value_of(trial.drift, platform::kDrift_N))
     add(QObject::tr("Zero drift"),
-        trial.zero_drifted
-            ? QObject::tr("%1 N: the forces are in doubt").arg(short_number(*trial.zero_drift_N))
-            : QObject::tr("%1 N").arg(short_number(*trial.zero_drift_N)),
-        trial.zero_drifted);
-  else if (trial.zero_id != 0)
+        trial.drifted ? QObject::tr("%1 N: the forces are in doubt").arg(short_number(*drift_N))
+                      : QObject::tr("%1 N").arg(short_number(*drift_N)),
+        trial.drifted);
+  else if (!trial.preparations.empty())
     add(QObject::tr("Zero drift"), QObject::tr("not known: no zero followed"));
   add_sample_facts(opened, facts);
   constexpr double kWorthSaying_s = 1e-5;  // in virtual time nothing is late

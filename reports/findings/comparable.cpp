@@ -6,8 +6,18 @@
 
 #include "core/ties.hpp"
 #include "core/time.hpp"
+#include "hand/platform_records.hpp"
 
 namespace isograsp::reports {
+
+namespace {
+
+VisualGain gain_of(const storage::References& references) {
+  return {storage::value_of(references, platform::kVisualGain_deg_per_N),
+          storage::value_of(references, platform::kMaximumForce_N)};
+}
+
+}  // namespace
 
 Source source_of(const storage::SessionRecord& session) {
   if (session.simulated) return Source::simulated;
@@ -20,23 +30,18 @@ bool same_gain(const VisualGain& a, const VisualGain& b) {
   const auto alike = [](double x, double y) {
     return std::abs(x - y) <= kVisible * std::max(std::abs(x), std::abs(y));
   };
-  return alike(*a.deg_per_N, *b.deg_per_N) ||
-         alike(*a.deg_per_N * a.maximum_force_N, *b.deg_per_N * b.maximum_force_N);
+  return alike(*a.deg_per_N, *b.deg_per_N) || alike(*a.deg_per_N * a.maximum_force_N.value_or(0.0),
+                                                    *b.deg_per_N * b.maximum_force_N.value_or(0.0));
 }
 
 Conditions conditions_of(const StoredTrial& trial) {
   const storage::SessionRecord& session = *trial.session_record;
-  return {session.rate_Hz,
-          session.device_delay_s,
-          session.display_delay_s,
-          {trial.trial.visual_gain_deg_per_N, trial.trial.maximum_force_N}};
+  return {session.rate_Hz, session.device_delay_s, session.display_delay_s,
+          gain_of(trial.trial.references)};
 }
 
 Conditions conditions_of(const storage::PooledValue& value) {
-  return {value.rate_Hz,
-          value.device_delay_s,
-          value.display_delay_s,
-          {value.visual_gain_deg_per_N, value.maximum_force_N}};
+  return {value.rate_Hz, value.device_delay_s, value.display_delay_s, gain_of(value.references)};
 }
 
 std::string difference(const Conditions& a, const Conditions& b) {

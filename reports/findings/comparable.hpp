@@ -17,7 +17,7 @@ namespace isograsp::reports {
 /// that is known: otherwise two different ones would both be equal to it.
 struct VisualGain {
   std::optional<double> deg_per_N;
-  double maximum_force_N = 0.0;
+  std::optional<double> maximum_force_N;
 };
 [[nodiscard]] bool same_gain(const VisualGain& a, const VisualGain& b);
 

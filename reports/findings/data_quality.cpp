@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hand/columns.hpp"
+#include "hand/platform_records.hpp"
 #include "tasks/score.hpp"
 
 namespace isograsp::reports {
@@ -116,15 +117,19 @@ std::int64_t lost_on_the_wire(const std::vector<storage::TrialRecord>& trials) {
 }
 
 QualityLine zero_line(const storage::SessionRecord& session,
-                      const std::vector<storage::InstrumentZeroRecord>& zeros) {
-  if (session.recorded && zeros.empty())
+                      const std::vector<storage::PreparationRecord>& preparations) {
+  std::vector<SixAxes> sd;  // of each zero
+  for (const auto& one : preparations)
+    if (const auto wrenches = platform::six_axes_of(one.columns, one.sd);
+        wrenches && one.kind == platform::kInstrumentZero)
+      sd.push_back(*wrenches);
+  if (session.recorded && sd.empty())
     return {"Instrument zero", "as in the recording; it cannot be repeated", true};
-  if (zeros.empty())
-    return {"Instrument zero", "not done: forces contain the sensor's offset", true};
+  if (sd.empty()) return {"Instrument zero", "not done: forces contain the sensor's offset", true};
   double noise_N = 0.0;
-  for (const auto& sd : zeros.back().sd) noise_N = std::max(noise_N, sd.head<3>().maxCoeff());
+  for (const Vec6& one : sd.back()) noise_N = std::max(noise_N, one.head<3>().maxCoeff());
   std::string text = "done with the device empty";
-  if (zeros.size() > 1) text += ", " + counted(static_cast<std::int64_t>(zeros.size()), "time");
+  if (sd.size() > 1) text += ", " + counted(static_cast<std::int64_t>(sd.size()), "time");
   return {"Instrument zero",
           text + "; empty noise " + printed("%.2g N", noise_N) + " (SD, largest axis)", false};
 }
@@ -205,8 +210,8 @@ Result<std::vector<QualityLine>> assess_quality(storage::SessionStore& store,
                                                 const storage::SessionRecord& session,
                                                 const std::vector<storage::TrialRecord>& trials,
                                                 const Progress& progress) {
-  const auto zeros = store.zeros(session.id);
-  if (!zeros) return zeros.error();
+  const auto preparations = store.preparations(session.id);
+  if (!preparations) return preparations.error();
   const auto events = store.events(session.id);
   if (!events) return events.error();
   const auto facts = read_signals(store, trials, progress);
@@ -224,7 +229,7 @@ Result<std::vector<QualityLine>> assess_quality(storage::SessionStore& store,
       from = end + 1;
     }
   }
-  lines.push_back(zero_line(session, *zeros));
+  lines.push_back(zero_line(session, *preparations));
   lines.push_back(trial_line(trials));
   std::int64_t dropped = 0;
   for (const auto& trial : trials) dropped += trial.dropped;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/csv.hpp"
+#include "hand/platform_records.hpp"
 #include "session/platform/contact_threshold.hpp"
 #include "session/platform/prepare_trial.hpp"
 
@@ -28,9 +29,9 @@ std::string calibration_text(const DeviceInfo& info) {
   return text;
 }
 
-/// As records say it; 0: not measured.
-double known_or_zero(double force_N) {
-  return std::isnan(force_N) ? 0.0 : force_N;
+/// Nothing: not measured.
+std::optional<double> if_measured(double force_N) {
+  return std::isnan(force_N) ? std::nullopt : std::optional(force_N);
 }
 
 }  // namespace
@@ -79,7 +80,9 @@ double ForcePlatform::resolution_N() const noexcept {
 }
 
 void ForcePlatform::describe(storage::SessionRecord& session) const {
-  session.serial_numbers = device().serial_numbers;
+  for (const Finger finger : kFingers)
+    session.sensors.push_back(
+        {std::string(name_of(finger)), device().serial_numbers[index_of(finger)]});
   session.calibration = calibration_text(device());
 }
 
@@ -105,8 +108,10 @@ Result<std::unique_ptr<TrialSetup>> ForcePlatform::make_trial(const tasks::TaskS
   trial->constants.device_delay_s = device().delay_s;
   if (options_.display_delay_s) trial->constants.display_delay_s = *options_.display_delay_s;
   if (references.resolution_N > 0.0) trial->constants.resolution_N = references.resolution_N;
-  trial->record.maximum_force_N = known_or_zero(references.maximum({}));
-  trial->record.resting_force_N = known_or_zero(references.resting({}));
+  storage::set_value(trial->record.references, platform::kMaximumForce_N,
+                     if_measured(references.maximum({})));
+  storage::set_value(trial->record.references, platform::kRestingForce_N,
+                     if_measured(references.resting({})));
   return std::unique_ptr<TrialSetup>(std::move(trial));
 }
 

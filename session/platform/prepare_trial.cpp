@@ -2,6 +2,7 @@
 #include "session/platform/prepare_trial.hpp"
 
 #include "core/files.hpp"
+#include "hand/platform_records.hpp"
 #include "session/library/library.hpp"
 #include "session/platform/contact_threshold.hpp"
 
@@ -34,7 +35,9 @@ Result<std::unique_ptr<PlatformTrial>> prepare_trial(const tasks::TaskSpec& spec
     auto plan = Plan::compile(*scene.scene, context.period_s);
     if (!plan) return plan.error();
     setup->plan = std::move(*plan);
-    record.threshold_N = thresholds_of(*scene.scene);
+    const auto threshold_N = thresholds_of(*scene.scene);
+    for (std::size_t f = 0; f < kFingerCount; ++f)
+      storage::set_value(record.references, platform::kThreshold_N[f], threshold_N[f]);
     record.scene_text = scene.text;
   }
   auto task = tasks::make_task(spec, context);

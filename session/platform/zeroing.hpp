@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "hand/finger.hpp"
+#include "hand/platform_records.hpp"
 #include "hand/stale.hpp"
 
 namespace isograsp::session {
@@ -22,8 +22,6 @@ struct ZeroLimits {
   double force_change_N = 2.0;   ///< band round the last empty zero of this device
   double force_drift_N = 0.4;    ///< between two zeros of a session: half a contact threshold
 };
-
-using SixAxes = std::array<Vec6, kFingerCount>;  ///< per finger [N, N m]
 
 /// Largest force component by which two zeros differ [N]. Real-time safe.
 [[nodiscard]] double largest_force_change_N(const SixAxes& a, const SixAxes& b) noexcept;

@@ -122,14 +122,9 @@ Result<void> GuardedStore::add_answers(RowId session, std::span<const SessionAns
   return behind().add_answers(session, answers);
 }
 
-Result<RowId> GuardedStore::add_zero(const InstrumentZeroRecord& zero) {
+Result<RowId> GuardedStore::add_preparation(const PreparationRecord& preparation) {
   if (const auto allowed = may_write(); !allowed) return allowed.error();
-  return behind().add_zero(zero);
-}
-
-Result<RowId> GuardedStore::add_resting_force(const RestingForceRecord& rest) {
-  if (const auto allowed = may_write(); !allowed) return allowed.error();
-  return behind().add_resting_force(rest);
+  return behind().add_preparation(preparation);
 }
 
 Result<RowId> GuardedStore::begin_trial(const TrialRecord& trial) {

@@ -30,8 +30,7 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
                                             std::span<const SessionAnswer> answers) override;
   [[nodiscard]] Result<void> add_answers(RowId session,
                                          std::span<const SessionAnswer> answers) override;
-  [[nodiscard]] Result<RowId> add_zero(const InstrumentZeroRecord& zero) override;
-  [[nodiscard]] Result<RowId> add_resting_force(const RestingForceRecord& rest) override;
+  [[nodiscard]] Result<RowId> add_preparation(const PreparationRecord& preparation) override;
   [[nodiscard]] Result<RowId> begin_trial(const TrialRecord& trial) override;
   [[nodiscard]] Result<RowId> add_rating(const RatingRecord& rating) override;
   [[nodiscard]] Result<void> correct_rating(const RatingRecord& rating) override;

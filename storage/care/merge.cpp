@@ -48,8 +48,12 @@ void note_hashes(soci::session& sql, const std::string& file, const Hashes& hash
 /// An emergency file holds its session whole, so nothing is lost with a poorer twin of a trial.
 void make_room(soci::session& sql, const EmergencyMerge& emergency) {
   for (const RowId trial : emergency.replaced) {
-    for (const char* table : {"ratings", "resting_forces", "events", "measures", "signal_packs",
-                              "signal_blocks", "signal_groups"})
+    sql << "DELETE FROM main.preparation_references WHERE preparation_id IN "
+           "(SELECT id FROM main.preparations WHERE trial_id = :id)",
+        soci::use(trial);
+    for (const char* table :
+         {"ratings", "trial_preparations", "trial_references", "preparations", "events", "measures",
+          "signal_packs", "signal_blocks", "signal_groups"})
       sql << "DELETE FROM main." + std::string(table) + " WHERE trial_id = :id", soci::use(trial);
     sql << "DELETE FROM main.trials WHERE id = :id", soci::use(trial);
   }
@@ -72,13 +76,14 @@ MergeReport merge(soci::session& sql, std::span<const std::string> same_patients
     number_rows(sql, table);
     find_conflicts(sql, table, emergency != nullptr, report);
   }
+  find_conflicts_of_parts(sql, report);
   find_collisions(sql, report);
   if (!report.conflicts.empty()) return report;
   for (const MergeTable& table : merge_tables()) {
     take_late_columns(sql, table);
     copy_rows(sql, table);
   }
-  copy_signals(sql);
+  copy_parts(sql);
   const auto count = [&sql](const char* which) {
     int number = 0;
     sql << "SELECT count(*) FROM temp.numbers WHERE " + std::string(which), soci::into(number);

@@ -44,19 +44,39 @@ void find_conflicts(soci::session& sql, const MergeTable& table, bool links_miss
                     MergeReport& report) {
   if (table.key.empty()) return;
   const std::string name(table.name);
+  const auto report_where = [&](const std::string& what, const std::string& differ) {
+    report_each(sql,
+                "SELECT " + place(table) + " || ' is in both files with different content (" +
+                    what + ")' FROM temp.numbers n JOIN other." + name + " o ON o." + table.id() +
+                    " = n.there JOIN main." + name + " m ON m." + table.id() +
+                    " = n.here WHERE n.name = '" + name + "' AND NOT n.added AND " + differ,
+                report);
+  };
   for (const auto& column : columns_of(sql, table.name)) {
     if (column == "id" || (links_missing && column == "resumes_id")) continue;
-    std::string differ = "m." + column + " IS NOT " + translated(table, column);
+    std::string differ = "m." + column + " IS NOT " + translated(table.references, column);
     if (column == "signals_blake2b")
       differ = content_of("m", "main") + " IS NOT " + content_of("o", "other");
     if (std::find(table.late.begin(), table.late.end(), column) != table.late.end())
       differ += " AND " + is_told(table, "m") + " AND " + is_told(table, "o");
-    report_each(sql,
-                "SELECT " + place(table) + " || ' is in both files with different content (" +
-                    column + ")' FROM temp.numbers n JOIN other." + name + " o ON o." + table.id() +
-                    " = n.there JOIN main." + name + " m ON m." + table.id() +
-                    " = n.here WHERE n.name = '" + name + "' AND NOT n.added AND " + differ,
-                report);
+    report_where(column, differ);
+  }
+}
+
+void find_conflicts_of_parts(soci::session& sql, MergeReport& report) {
+  for (const MergeTable& table : merge_tables()) {
+    if (table.key.empty() || table.id() != "id") continue;
+    for (const MergePart& part : merge_parts()) {
+      if (!part.is_content || part.owner() != table.name) continue;
+      const std::string name(table.name);
+      report_each(sql,
+                  "SELECT " + place(table) + " || ' is in both files with different content (" +
+                      std::string(part.name) + ")' FROM temp.numbers n JOIN main." + name +
+                      " m ON m.id = n.here WHERE n.name = '" + name + "' AND NOT n.added AND " +
+                      content_of_part(sql, part, "main", "n.here") + " IS NOT " +
+                      content_of_part(sql, part, "other", "n.there"),
+                  report);
+    }
   }
 }
 

@@ -10,18 +10,18 @@ namespace isograsp::storage {
 
 namespace {
 
-/// What belongs to a trial and never changes: copied with it.
-constexpr std::array<std::string_view, 3> kSignalTables{"signal_groups", "signal_blocks",
-                                                        "signal_packs"};
-
-/// All of a row but its own number, as text. quote() tells every value from every other.
-std::string content(const std::vector<std::string>& columns, const MergeTable* translate_by) {
+/// All of a row but its own number, with its parts, as text. quote() tells every value from every
+/// other.
+std::string content(soci::session& sql, const MergeTable& table, const std::string& file) {
   std::vector<std::string> parts;
-  for (const auto& column : columns)
+  for (const auto& column : columns_of(sql, table.name))
     if (column != "id")
-      parts.push_back(
-          "quote(" + (translate_by != nullptr ? translated(*translate_by, column) : "o." + column) +
-          ")");
+      parts.push_back("quote(" +
+                      (file == "other" ? translated(table.references, column) : "o." + column) +
+                      ")");
+  for (const MergePart& part : merge_parts())
+    if (part.is_content && part.owner() == table.name)
+      parts.push_back(content_of_part(sql, part, file, "o.id"));
   return joined(parts, " || ',' || ");
 }
 
@@ -33,11 +33,11 @@ std::string keyed(const std::string& file, const MergeTable& table, const std::s
          id + " AS id, " + key + " AS key FROM " + file + "." + std::string(table.name) + " o)";
 }
 
-std::pair<std::string, std::string> names_and_values(const MergeTable& table,
+std::pair<std::string, std::string> names_and_values(const MergeReferences& references,
                                                      const std::vector<std::string>& columns) {
   std::vector<std::string> values;
   for (const auto& column : columns)
-    values.push_back(column == "id" ? "n.here" : translated(table, column));
+    values.push_back(column == "id" ? "n.here" : translated(references, column));
   return {joined(columns, ", "), joined(values, ", ")};
 }
 
@@ -45,11 +45,10 @@ std::pair<std::string, std::string> names_and_values(const MergeTable& table,
 
 void number_rows(soci::session& sql, const MergeTable& table) {
   const std::string name(table.name);
-  const auto columns = columns_of(sql, table.name);
   const std::string column(table.key);
   const std::string their_key =
-      column.empty() ? content(columns, &table) : translated(table, column);
-  const std::string our_key = column.empty() ? content(columns, nullptr) : "o." + column;
+      column.empty() ? content(sql, table, "other") : translated(table.references, column);
+  const std::string our_key = column.empty() ? content(sql, table, "main") : "o." + column;
   const std::string id = table.id();
   sql << "CREATE TEMP TABLE theirs AS " + keyed("other", table, id, their_key);
   sql << "CREATE TEMP TABLE ours AS " + keyed("main", table, id, our_key);
@@ -72,7 +71,7 @@ void number_rows(soci::session& sql, const MergeTable& table) {
 
 void copy_rows(soci::session& sql, const MergeTable& table) {
   const std::string name(table.name);
-  const auto [names, values] = names_and_values(table, columns_of(sql, table.name));
+  const auto [names, values] = names_and_values(table.references, columns_of(sql, table.name));
   sql << "INSERT INTO main." + name + " (" + names + ") SELECT " + values + " FROM other." + name +
              " o JOIN temp.numbers n ON n.name = '" + name + "' AND n.there = o." + table.id() +
              " AND n.added ORDER BY o." + table.id();
@@ -90,14 +89,14 @@ void take_late_columns(soci::session& sql, const MergeTable& table) {
              is_told(table, "m");
 }
 
-void copy_signals(soci::session& sql) {
-  for (const auto table : kSignalTables) {
-    const MergeTable of_trial{table, "", {{{"trial_id", "trials"}, {}, {}}}};
-    const auto [names, values] = names_and_values(of_trial, columns_of(sql, table));
-    sql << "INSERT INTO main." + std::string(table) + " (" + names + ") SELECT " + values +
-               " FROM other." + std::string(table) +
-               " o JOIN temp.numbers n ON n.name = 'trials' AND n.there = o.trial_id AND n.added "
-               "ORDER BY o.rowid";
+void copy_parts(soci::session& sql) {
+  for (const MergePart& part : merge_parts()) {
+    const std::string name(part.name);
+    const std::string key = "o." + std::string(part.key);
+    const auto [names, values] = names_and_values(part.references, columns_of(sql, part.name));
+    sql << "INSERT INTO main." + name + " (" + names + ") SELECT " + values + " FROM other." +
+               name + " o JOIN temp.numbers n ON n.name = '" + std::string(part.owner()) +
+               "' AND n.there = " + key + " AND n.added ORDER BY " + key;
   }
 }
 

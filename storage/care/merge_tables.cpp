@@ -7,7 +7,7 @@ namespace isograsp::storage {
 
 namespace {
 
-constexpr std::array<MergeTable, 15> kTables{{
+constexpr std::array<MergeTable, 14> kTables{{
     {"patient_profiles", "patient_id", {{{"patient_id", "patients"}, {}, {}}}},
     {"treatment_marks", "", {{{"patient_id", "patients"}, {}, {}}}},
     {"clinical_scores", "", {{{"patient_id", "patients"}, {}, {}}}},
@@ -20,21 +20,38 @@ constexpr std::array<MergeTable, 15> kTables{{
      {{{"patient_id", "patients"}, {"resumes_id", "sessions"}, {}}},
      {"ended_utc"}},
     {"session_answers", "", {{{"session_id", "sessions"}, {}, {}}}},
-    {"instrument_zeros", "", {{{"session_id", "sessions"}, {}, {}}}},
-    {"trials",
-     "uuid",
-     {{{"session_id", "sessions"}, {"zero_id", "instrument_zeros"}, {}}},
-     {"zero_drift_N", "zero_drifted"}},
+    {"trials", "uuid", {{{"session_id", "sessions"}, {}, {}}}},
+    {"preparations", "", {{{"session_id", "sessions"}, {"trial_id", "trials"}, {}}}},
     {"measures", "", {{{"trial_id", "trials"}, {}, {}}}},
     {"events", "", {{{"session_id", "sessions"}, {"trial_id", "trials"}, {}}}},
-    {"resting_forces", "", {{{"session_id", "sessions"}, {"trial_id", "trials"}, {}}}},
     {"ratings", "", {{{"session_id", "sessions"}, {"trial_id", "trials"}, {}}}},
+}};
+
+constexpr std::array<MergePart, 8> kParts{{
+    {"session_sensors", "session_id", {{{"session_id", "sessions"}, {}, {}}}, true},
+    {"session_references", "session_id", {{{"session_id", "sessions"}, {}, {}}}, true},
+    {"trial_references", "trial_id", {{{"trial_id", "trials"}, {}, {}}}, true},
+    {"preparation_references",
+     "preparation_id",
+     {{{"preparation_id", "preparations"}, {}, {}}},
+     true},
+    {"trial_preparations",
+     "trial_id",
+     {{{"session_id", "sessions"}, {"trial_id", "trials"}, {"preparation_id", "preparations"}}},
+     true},
+    {"signal_groups", "trial_id", {{{"trial_id", "trials"}, {}, {}}}, false},
+    {"signal_blocks", "trial_id", {{{"trial_id", "trials"}, {}, {}}}, false},
+    {"signal_packs", "trial_id", {{{"trial_id", "trials"}, {}, {}}}, false},
 }};
 
 }  // namespace
 
 std::span<const MergeTable> merge_tables() {
   return kTables;
+}
+
+std::span<const MergePart> merge_parts() {
+  return kParts;
 }
 
 std::vector<std::string> columns_of(soci::session& sql, std::string_view table) {
@@ -59,10 +76,24 @@ std::string number_here(std::string_view table, const std::string& expression) {
          "' AND there = " + expression + ")";
 }
 
-std::string translated(const MergeTable& table, const std::string& column) {
-  for (const MergeReference& reference : table.references)
-    if (reference.column == column) return number_here(reference.table, "o." + column);
-  return "o." + column;
+std::string translated(const MergeReferences& references, const std::string& column,
+                       const std::string& row) {
+  for (const MergeReference& reference : references)
+    if (reference.column == column) return number_here(reference.table, row + "." + column);
+  return row + "." + column;
+}
+
+std::string content_of_part(soci::session& sql, const MergePart& part, const std::string& file,
+                            const std::string& id) {
+  std::vector<std::string> values;
+  for (const auto& column : columns_of(sql, part.name))
+    if (column != part.key)
+      values.push_back(
+          "quote(" +
+          (file == "other" ? translated(part.references, column, "part") : "part." + column) + ")");
+  return "coalesce((SELECT group_concat(line, char(10)) FROM (SELECT " +
+         joined(values, " || ',' || ") + " AS line FROM " + file + "." + std::string(part.name) +
+         " part WHERE part." + std::string(part.key) + " = " + id + " ORDER BY line)), '')";
 }
 
 std::string is_told(const MergeTable& table, const std::string& row) {

@@ -12,8 +12,8 @@
 
 #include "storage/access/audit_chain.hpp"
 #include "storage/crypto/content_hash.hpp"
+#include "storage/file/old_formats.hpp"
 #include "storage/file/open_mode.hpp"
-#include "storage/file/schema.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -69,6 +69,12 @@ Result<Migration> pack_all(Database database, Migration migration) {
 Result<void> change_tables(const std::string& path, const Migration& migration) {
   auto database = Database::open(path, OpenMode::existing, kOldest);
   if (!database) return database.error();
+  // Tables are replaced under the names by which others refer to them; looked at before the end.
+  const auto prepared = database->guard("migrating", [&] {
+    database->sql() << "PRAGMA foreign_keys=OFF";
+    database->sql() << "PRAGMA legacy_alter_table=ON";
+  });
+  if (!prepared) return prepared;
   const auto done = database->transact("migrating", [&] {
     soci::session& sql = database->sql();
     int format = 0;
@@ -76,9 +82,15 @@ Result<void> change_tables(const std::string& path, const Migration& migration) 
     if (format != migration.from)
       throw Refusal{failed("another program has changed the file meanwhile", "try again").at(path)};
     for (++format; format <= kDatabaseFormat; ++format) {
-      for (const char* statement : schema::statements_to(format)) sql << statement;
+      for (const std::string& statement : schema::statements_to(format)) sql << statement;
       if (format == kFirstWithUuids) give_uuids(sql);
     }
+    int orphans = 0;
+    sql << "SELECT count(*) FROM pragma_foreign_key_check", soci::into(orphans);
+    if (orphans > 0)
+      throw Refusal{failed("migrating: the database is damaged",
+                           "run isograsp db check, then restore the last backup")
+                        .at(path)};
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
     std::string id;
     int slots = 0;

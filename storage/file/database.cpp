@@ -16,6 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "storage/file/old_formats.hpp"
 #include "storage/file/open_mode.hpp"
 #include "storage/file/schema.hpp"
 
@@ -146,8 +147,7 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
     sql << "PRAGMA application_id=" + std::to_string(schema::kApplicationId);
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
     soci::transaction whole(sql);
-    for (int format = 1; format <= kDatabaseFormat; ++format)
-      for (const char* statement : schema::statements_to(format)) sql << statement;
+    for (const std::string& statement : schema::statements()) sql << statement;
     whole.commit();
   } catch (const soci::sqlite3_soci_error& why) {
     tidy();
@@ -363,7 +363,11 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
     database.scratch_ = how == OpenMode::scratch;
     const int synchronous = database.scratch_ ? kOff : kFull;
     sql << "PRAGMA synchronous=" + std::to_string(synchronous);
-    if (read_only) sql << "PRAGMA query_only=ON";
+    database.format_ = pragma<int>(sql, "user_version");
+    if (read_only) {
+      for (const std::string& view : schema::views_of(database.format_)) sql << view;
+      sql << "PRAGMA query_only=ON";
+    }
     const bool wal = read_only || pragma<std::string>(sql, "journal_mode=WAL") == "wal";
     if (!wal || pragma<int>(sql, "synchronous") != synchronous ||
         pragma<int>(sql, "foreign_keys") != 1)
@@ -372,7 +376,6 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
               .at(path)};
     if (database.scratch_ && made_now)  // the same each time; nobody's keys hang on it
       sql << "UPDATE access_settings SET database_id = lower(hex(zeroblob(16)))";
-    database.format_ = pragma<int>(sql, "user_version");
     if (!read_only && (database.format_ < oldest || database.format_ > kDatabaseFormat))
       throw Refusal{
           refused("has a format that this program does not know", "use the program that made it")

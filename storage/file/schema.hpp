@@ -2,19 +2,26 @@
 // The tables of the database (docs/file_formats.md, "Database"). SI units, named in the columns.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
-
-#include "storage/file/open_mode.hpp"
+#include <string>
+#include <vector>
 
 namespace isograsp::storage::schema {
 
 /// "IsoG": tells our files from other SQLite files.
 inline constexpr std::int32_t kApplicationId = 0x49736F47;
 
-/// Statements that make a file of format `format` of one of the format before it; those of format 1
-/// make an empty file. A new file is made by all of them in turn, so that it does not differ from
-/// one that was brought up to date. @pre 1 <= format <= kDatabaseFormat
-[[nodiscard]] std::span<const char* const> statements_to(int format);
+struct Table {
+  const char* name;
+  const char* create;
+  std::array<const char*, 4> indexes;  ///< statements that make them; null: no more
+};
+/// All but those of access (storage/file/schema_access.hpp).
+[[nodiscard]] std::span<const Table> tables();
+
+/// Statements that make a new file.
+[[nodiscard]] std::vector<std::string> statements();
 
 }  // namespace isograsp::storage::schema

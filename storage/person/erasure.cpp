@@ -23,6 +23,9 @@ constexpr const char* kOfSession = "session_id IN (SELECT id FROM sessions WHERE
 constexpr const char* kOfTrial =
     "trial_id IN (SELECT t.id FROM trials t JOIN sessions s ON s.id = t.session_id "
     "WHERE s.patient_id = :id)";
+constexpr const char* kOfPreparation =
+    "preparation_id IN (SELECT r.id FROM preparations r JOIN sessions s ON s.id = r.session_id "
+    "WHERE s.patient_id = :id)";
 
 struct PersonalTable {
   const char* name;
@@ -31,17 +34,21 @@ struct PersonalTable {
 };
 /// In an order in which nothing refers to what is gone. Tests compare it with the tables of the
 /// database. What belongs to a session has its time within it.
-constexpr std::array<PersonalTable, 21> kPersonal{{
+constexpr std::array<PersonalTable, 25> kPersonal{{
     {"ratings", kOfSession},
-    {"resting_forces", kOfSession},
+    {"trial_preparations", kOfSession},
+    {"preparation_references", kOfPreparation},
+    {"preparations", kOfSession},
     {"events", kOfSession},
     {"measures", kOfTrial},
     {"signal_packs", kOfTrial},
     {"signal_blocks", kOfTrial},
     {"signal_groups", kOfTrial},
+    {"trial_references", kOfTrial},
     {"trials", kOfSession},
-    {"instrument_zeros", kOfSession},
     {"session_answers", kOfSession},
+    {"session_references", kOfSession},
+    {"session_sensors", kOfSession},
     {"sessions", kOfPatient, "max(started_utc, ended_utc)"},
     {"stable_periods", kOfPatient, "max(until_date, judged_utc)"},
     {"primary_measures", kOfPatient, "chosen_utc"},

@@ -45,11 +45,8 @@ class ForwardingStore : public SessionStore {
   [[nodiscard]] Result<void> end_session(RowId session, const std::string& ended_utc) override {
     return store_->end_session(session, ended_utc);
   }
-  [[nodiscard]] Result<RowId> add_zero(const InstrumentZeroRecord& zero) override {
-    return store_->add_zero(zero);
-  }
-  [[nodiscard]] Result<RowId> add_resting_force(const RestingForceRecord& rest) override {
-    return store_->add_resting_force(rest);
+  [[nodiscard]] Result<RowId> add_preparation(const PreparationRecord& preparation) override {
+    return store_->add_preparation(preparation);
   }
   [[nodiscard]] Result<RowId> begin_trial(const TrialRecord& trial) override {
     return store_->begin_trial(trial);
@@ -161,15 +158,12 @@ class ForwardingStore : public SessionStore {
   [[nodiscard]] Result<std::vector<EventRecord>> events(RowId session) override {
     return store_->events(session);
   }
-  [[nodiscard]] Result<std::vector<InstrumentZeroRecord>> zeros(RowId session) override {
-    return store_->zeros(session);
+  [[nodiscard]] Result<std::vector<PreparationRecord>> preparations(RowId session) override {
+    return store_->preparations(session);
   }
-  [[nodiscard]] Result<std::optional<InstrumentZeroRecord>> last_zero(
-      const SessionRecord& session) override {
-    return store_->last_zero(session);
-  }
-  [[nodiscard]] Result<std::vector<RestingForceRecord>> resting_forces(RowId session) override {
-    return store_->resting_forces(session);
+  [[nodiscard]] Result<std::optional<PreparationRecord>> last_preparation(
+      const SessionRecord& session, const std::string& kind) override {
+    return store_->last_preparation(session, kind);
   }
   [[nodiscard]] Result<std::vector<RatingRecord>> ratings(RowId session) override {
     return store_->ratings(session);

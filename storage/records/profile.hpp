@@ -135,8 +135,7 @@ struct PooledValue {
   double rate_Hz = 0.0;
   double device_delay_s = 0.0;
   std::optional<double> display_delay_s;
-  double maximum_force_N = 0.0;
-  std::optional<double> visual_gain_deg_per_N;
+  References references;        ///< of the trial
   std::optional<double> value;  ///< nothing: the trial has none
   int measure_version = 1;      ///< of the stored value: that of the query, or an older one
 };

@@ -13,4 +13,16 @@ std::string_view name_of(TrialStatus status) noexcept {
   return "";
 }
 
+std::optional<double> value_of(const References& references, std::string_view name) {
+  const auto found = references.find(name);
+  return found == references.end() ? std::nullopt : std::optional(found->second);
+}
+
+void set_value(References& references, std::string_view name, std::optional<double> value) {
+  if (value)
+    references.insert_or_assign(std::string(name), *value);
+  else if (const auto found = references.find(name); found != references.end())
+    references.erase(found);
+}
+
 }  // namespace isograsp::storage

@@ -3,8 +3,8 @@
 // events, ratings, measures over time. Format: docs/file_formats.md.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,11 +17,25 @@ namespace isograsp::storage {
 
 using RowId = std::int64_t;
 
+/// Numbers that only some kinds of session know, by names that carry the unit: `maximum_force_N`.
+using References = std::map<std::string, double, std::less<>>;
+/// Nothing: not known.
+[[nodiscard]] std::optional<double> value_of(const References& references, std::string_view name);
+/// Nothing takes the name away.
+void set_value(References& references, std::string_view name, std::optional<double> value);
+
 struct PatientRecord {
   RowId id = 0;
   std::string code;
   std::string created_utc;  ///< ISO 8601
   std::string uuid{};       ///< the same in every file; empty: formats 1 to 5
+  bool operator==(const PatientRecord&) const = default;
+};
+
+struct SensorRecord {
+  std::string name;           ///< what it stands at or looks at
+  std::string serial_number;  ///< empty: not told
+  bool operator==(const SensorRecord&) const = default;
 };
 
 struct SessionRecord {
@@ -45,47 +59,38 @@ struct SessionRecord {
   std::string software_version;
   std::string cpu_features;  ///< libm picks code by CPU: results carry it
   std::uint64_t seed = 0;
-  std::array<std::string, kFingerCount> serial_numbers;  ///< of the sensors; empty: not told
+  std::vector<SensorRecord> sensors;  ///< in their order; empty: none told its serial number
   std::string operator_name;  ///< who runs the session, as they wish to be called; may be empty
   std::string realtime;       ///< what the acquisition thread was given; empty: not asked for
   RowId resumes_id = 0;       ///< the interrupted session whose protocol goes on here; 0: none
-  std::string allowed;  ///< by the screening: "maximum", "comfortable", "none"; empty: not asked
-  std::optional<double> ceiling_N = std::nullopt;  ///< no target exceeds it
-  std::string calibration;  ///< how counts became forces, one line a finger; empty: no counts
+  std::string allowed;    ///< by the screening: "maximum", "comfortable", "none"; empty: not asked
+  References references;  ///< "ceiling_N": no target exceeds it
+  std::string calibration;  ///< how counts became values, one line a sensor; empty: no counts
   std::string uuid;         ///< the same in every file; given when it begins
+  bool operator==(const SessionRecord&) const = default;
 };
 
-/// Device empty, one second quiet: mean and SD per finger and axis.
-struct InstrumentZeroRecord {
+/// Something that was measured before trials and that they rest on (the zero of an empty device, a
+/// still posture, the size of a hand), or beside one (the force at rest): mean and spread of
+/// columns.
+struct PreparationRecord {
   RowId id = 0;
   RowId session_id = 0;
+  std::string kind;    ///< such as "instrument_zero"
+  RowId trial_id = 0;  ///< the trial that holds its signals; 0: none
   double session_time_s = 0.0;
-  std::array<Vec6, kFingerCount> mean;  ///< [N, N m]
-  std::array<Vec6, kFingerCount> sd;    ///< [N, N m]: the empty noise
-  std::string recorded_utc;             ///< ISO 8601
-  std::string operator_name;            ///< who confirmed that the device is empty; may be empty
-  /// Largest force component by which it differs from the last empty zero of the same device, in
-  /// whichever session; nothing: there was none.
-  std::optional<double> change_N = std::nullopt;
-  bool change_confirmed = false;  ///< beyond the band: somebody said "serviced or remounted"
-  /// The same from the zero before it in this session; nothing: it is the first.
-  std::optional<double> drift_N = std::nullopt;
-  bool drifted = false;  ///< beyond the limit; kept with the trials between the two
-};
-
-/// Hand in, relaxed: what each finger presses. Never subtracted from anything.
-struct RestingForceRecord {
-  RowId id = 0;
-  RowId session_id = 0;
-  RowId trial_id = 0;  ///< its signals
-  double session_time_s = 0.0;
-  std::string recorded_utc;
-  std::string operator_name;
-  double duration_s = 0.0;
-  std::optional<double> since_strapping_s = std::nullopt;  ///< nothing: not known
-  std::int64_t samples = 0;
-  std::array<Vec6, kFingerCount> mean;  ///< [N, N m]
-  std::array<Vec6, kFingerCount> sd;    ///< [N, N m]
+  std::string recorded_utc;   ///< ISO 8601
+  std::string operator_name;  ///< who confirmed what it needs; may be empty
+  std::optional<std::int64_t> samples = std::nullopt;  ///< nothing: not told
+  std::vector<std::string> columns;                    ///< with units
+  std::vector<double> mean;                            ///< of each column
+  std::vector<double> sd;
+  /// What it is compared with, and more: "change_N" from the last one of the same device in
+  /// whichever session, "drift_N" from the one before in this session, "duration_s".
+  References references;
+  bool change_confirmed = false;  ///< too large a change: somebody said why it is right
+  bool drifted = false;  ///< beyond the limit: what was measured since the one before is in doubt
+  bool operator==(const PreparationRecord&) const = default;
 };
 
 enum class TrialStatus : std::uint8_t {
@@ -100,6 +105,7 @@ enum class TrialStatus : std::uint8_t {
 struct SignalGroup {
   std::string name;                  ///< "force", "raw", "object", "task", "timing"
   std::vector<std::string> columns;  ///< with units
+  bool operator==(const SignalGroup&) const = default;
 };
 
 /// Where in a protocol a trial belongs.
@@ -120,34 +126,32 @@ struct TrialRecord {
   bool practice = false;
   double session_time_s = 0.0;  ///< when it began
   TrialStatus status = TrialStatus::running;
-  double maximum_force_N = 0.0;  ///< context given to the task; 0: none
-  double resting_force_N = 0.0;
-  RowId zero_id = 0;  ///< instrument zero in force; 0: none
+  /// What the task was given ("maximum_force_N") and, with the end, what the screen had
+  /// ("visual_gain_deg_per_N": degrees of visual angle per newton).
+  References references;
+  std::vector<RowId> preparations;  ///< in force, by number
   std::int64_t samples = 0;
   std::int64_t dropped = 0;  ///< samples that could not be recorded: incomplete if not 0
   double worst_lateness_s = 0.0;
   double worst_compute_s = 0.0;
   std::string health_json;  ///< device counters at the end
   std::string timing_json;  ///< histograms of period, lateness and compute time
-  /// Contact thresholds that the object was moved with; nothing: no contact of that finger.
-  std::array<std::optional<double>, kFingerCount> threshold_N{};
-  /// Drift from the zero in force to the next empty zero; nothing: no zero followed.
-  std::optional<double> zero_drift_N = std::nullopt;
-  bool zero_drifted = false;  ///< beyond the limit: the forces of this trial are in doubt
-  std::uint64_t seed = 0;     ///< of its sequences and waits; 0: not known (formats 1 and 2)
+  /// What the next preparations of the same kinds showed since: "drift_N". Read only.
+  References drift;
+  bool drifted = false;    ///< beyond the limit: the signals of this trial are in doubt. Read only
+  std::uint64_t seed = 0;  ///< of its sequences and waits; 0: not known (formats 1 and 2)
   /// Place in the protocol; nothing: chosen by hand.
   std::optional<TrialPlace> place = std::nullopt;
   bool helped = false;  ///< the therapist helped: no assessment, and no level follows from it
   /// Median age of what the patient's screen showed [s]; nothing: no screen, or not measured.
   std::optional<double> display_age_s = std::nullopt;
-  /// Visual gain that the screen had: degrees of visual angle per newton; nothing: no force shown.
-  std::optional<double> visual_gain_deg_per_N = std::nullopt;
-  std::optional<double> viewing_distance_m = std::nullopt;  ///< for that angle
+  std::optional<double> viewing_distance_m = std::nullopt;  ///< from the eyes to that screen
   std::vector<SignalGroup> groups;
   std::string uuid;  ///< the same in every file; given when it begins
   /// Of its signals (docs/file_formats.md), 64 hexadecimal digits; empty: still in blocks of a
   /// second.
   std::string signals_hash;
+  bool operator==(const TrialRecord&) const = default;
 };
 
 /// What a trial that has ended gives when its stored signals are scored now.
@@ -161,6 +165,7 @@ struct EventRecord {
   double session_time_s = 0.0;
   std::string kind;  ///< "fault", "pause", "resume", "abort", "note"
   std::string text;
+  bool operator==(const EventRecord&) const = default;
 };
 
 /// What the patient says after a block of work, 0 (none) to 10.
@@ -172,6 +177,7 @@ struct RatingRecord {
   std::string recorded_utc;
   int effort = 0;
   int pain = 0;
+  bool operator==(const RatingRecord&) const = default;
 };
 
 /// One row of a progress plot.

@@ -51,20 +51,19 @@ class SessionStore {
                                                  std::span<const SessionAnswer> answers) = 0;
   [[nodiscard]] virtual Result<void> end_session(RowId session,
                                                  const std::string& ended_utc = "") = 0;
-  /// Its drift, if it has one, goes to all trials of the session since the zero before it.
-  [[nodiscard]] virtual Result<RowId> add_zero(const InstrumentZeroRecord& zero) = 0;
-  [[nodiscard]] virtual Result<RowId> add_resting_force(const RestingForceRecord& rest) = 0;
-  /// Uses all fields but id, status, samples, dropped, worst_*, zero_drift*, *_json and those of
-  /// the screen.
+  /// Uses all fields but id.
+  [[nodiscard]] virtual Result<RowId> add_preparation(const PreparationRecord& preparation) = 0;
+  /// Uses all fields but id, status, samples, dropped, worst_*, drift*, *_json and those of the
+  /// screen.
   [[nodiscard]] virtual Result<RowId> begin_trial(const TrialRecord& trial) = 0;
   /// Second number `second` of all groups at once; rows[g] is row-major, columns of group g. Blocks
   /// come in order; all but the last hold rate * 1 s rows.
   [[nodiscard]] virtual Result<void> append_blocks(RowId trial, int second,
                                                    std::span<const std::vector<double>> rows) = 0;
-  /// Closes a trial: status, counters, health, timing and screen (display_age_s, visual_gain_*,
-  /// viewing_distance_m) of `end`, and its measures. Then packs its signals, in a transaction of
-  /// its own: if that does not succeed, the trial is stored all the same, in blocks of a second,
-  /// and an event `storage` of the session says why.
+  /// Closes a trial: status, counters, health, timing, screen (display_age_s, viewing_distance_m)
+  /// of `end`, references that it did not begin with, and its measures. Then packs its signals, in
+  /// a transaction of its own: if that does not succeed, the trial is stored all the same, in
+  /// blocks of a second, and an event `storage` of the session says why.
   [[nodiscard]] virtual Result<void> end_trial(const TrialRecord& end,
                                                std::span<const Measure> measures) = 0;
   /// Results of newer definitions for trials of one person that have ended: of each measure (name,
@@ -135,13 +134,13 @@ class SessionStore {
   /// All that is stored: the results of older versions, too.
   [[nodiscard]] virtual Result<std::vector<Measure>> measures_of_all_versions(RowId trial) = 0;
   [[nodiscard]] virtual Result<std::vector<EventRecord>> events(RowId session) = 0;
-  [[nodiscard]] virtual Result<std::vector<InstrumentZeroRecord>> zeros(RowId session) = 0;
-  /// The newest empty zero of the device of `session`, whichever session it was made in: same
+  /// Of every kind.
+  [[nodiscard]] virtual Result<std::vector<PreparationRecord>> preparations(RowId session) = 0;
+  /// The newest of a kind with the device of `session`, whichever session it was made in: same
   /// serial numbers, or same URI where not all sensors tell theirs. Simulated and real devices are
   /// never the same.
-  [[nodiscard]] virtual Result<std::optional<InstrumentZeroRecord>> last_zero(
-      const SessionRecord& session) = 0;
-  [[nodiscard]] virtual Result<std::vector<RestingForceRecord>> resting_forces(RowId session) = 0;
+  [[nodiscard]] virtual Result<std::optional<PreparationRecord>> last_preparation(
+      const SessionRecord& session, const std::string& kind) = 0;
   [[nodiscard]] virtual Result<std::vector<RatingRecord>> ratings(RowId session) = 0;
   /// All groups of a trial side by side, in the order of trial.groups. Fails on a damaged block,
   /// naming it. With fewer groups or samples than the trial has: the first ones.

@@ -6,6 +6,7 @@
 #include <soci/soci.h>
 
 #include "core/time.hpp"
+#include "storage/sqlite/row.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -160,68 +161,51 @@ Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& que
   std::vector<PooledValue> all;
   const int simulated = query.simulated ? 1 : 0;
   const int recorded = query.recorded ? 1 : 0;
-  const auto done =
-      database_.guard("reading values of other people", [&] {
-        PooledValue one;
-        std::string hand;
-        std::string affected;
-        std::string dominant;
-        std::string sex;
-        std::string display;
-        int birth_year = 0;
-        double gain = 0.0;
-        double value = 0.0;
-        soci::indicator gain_present = soci::i_null;
-        soci::indicator present = soci::i_null;
-        // CROSS JOIN: from the few people down to the trials, never through all measures.
-        soci::statement select =
-            (database_.sql().prepare
-                 << "SELECT p.patient_id, p.id, s.id, t.id, m.version, s.started_utc, s.hand, "
-                    "coalesce(f.affected, ''), coalesce(f.dominant, ''), " +
-                        since(kSinceSexAndAge, "coalesce(f.sex, ''), coalesce(f.birth_year, 0)",
-                              "'', 0") +
-                        ", s.rate_Hz, s.device_delay_s, " + display_delay_query("s.id") +
-                        ", t.maximum_force_N, t.visual_gain_deg_per_N, m.value FROM " + people +
-                        "LEFT JOIN patient_profiles f ON f.patient_id = p.patient_id "
-                        "CROSS JOIN trials t ON t.session_id = s.id "
-                        "CROSS JOIN measures m ON m.trial_id = t.id "
-                        "WHERE s.simulated = :simulated AND s.recorded = :recorded "
-                        "AND t.task_name = :task AND t.task_version = :task_version "
-                        "AND t.status = 'completed' AND t.practice = 0 AND t.helped = 0 "
-                        "AND t.task_text = :text AND t.scene_text = :scene AND m.name = :measure "
-                        "AND m.channel = :channel AND m.unit = :unit AND m.version <= :version "
-                        "ORDER BY p.patient_id, s.started_utc, s.id, t.number",
-             soci::use(simulated), soci::use(recorded), soci::use(query.task_name),
-             soci::use(query.task_version), soci::use(query.task_text), soci::use(query.scene_text),
-             soci::use(query.measure), soci::use(query.channel), soci::use(query.unit),
-             soci::use(query.measure_version), soci::into(one.patient_id),
-             soci::into(one.period_id), soci::into(one.session_id), soci::into(one.trial_id),
-             soci::into(one.measure_version), soci::into(one.started_utc), soci::into(hand),
-             soci::into(affected), soci::into(dominant), soci::into(sex), soci::into(birth_year),
-             soci::into(one.rate_Hz), soci::into(one.device_delay_s), soci::into(display),
-             soci::into(one.maximum_force_N), soci::into(gain, gain_present),
-             soci::into(value, present));
-        select.execute();
-        while (select.fetch()) {
-          one.hand = hand_from_name(hand).value_or(Hand::right);
-          one.affected = side_from_name(affected);
-          one.dominant = hand_from_name(dominant);
-          one.sex = sex_from_name(sex);
-          one.birth_year = birth_year != 0 ? std::optional(birth_year) : std::nullopt;
-          one.display_delay_s = display_delay_from(display);
-          one.visual_gain_deg_per_N =
-              gain_present == soci::i_ok ? std::optional(gain) : std::nullopt;
-          one.value = present == soci::i_ok ? std::optional(value) : std::nullopt;
-          // The same trial again: its result in another version.
-          if (!all.empty() && all.back().trial_id == one.trial_id &&
-              all.back().period_id == one.period_id &&
-              all.back().measure_version != one.measure_version) {
-            if (one.measure_version > all.back().measure_version) all.back() = one;
-            continue;
-          }
-          all.push_back(one);
-        }
-      });
+  const auto done = database_.guard("reading values of other people", [&] {
+    PooledValue one;
+    Row row(database_.sql());
+    row.get("p.patient_id", one.patient_id)
+        .get("p.id", one.period_id)
+        .get("s.id", one.session_id)
+        .get("t.id", one.trial_id)
+        .get("m.version", one.measure_version)
+        .get("s.started_utc", one.started_utc)
+        .get("s.hand", one.hand,
+             [](const std::string& name) { return hand_from_name(name).value_or(Hand::right); })
+        .get("coalesce(f.affected, '')", one.affected, side_from_name)
+        .get("coalesce(f.dominant, '')", one.dominant, hand_from_name)
+        .get("coalesce(f.sex, '')", one.sex, sex_from_name)
+        .get("f.birth_year", one.birth_year)
+        .get("s.rate_Hz", one.rate_Hz)
+        .get("s.device_delay_s", one.device_delay_s)
+        .get(display_delay_query("s.id"), one.display_delay_s, display_delay_from)
+        .get("m.value", one.value);
+    // CROSS JOIN: from the few people down to the trials, never through all measures.
+    row.select("FROM " + people +
+                   "LEFT JOIN patient_profiles f ON f.patient_id = p.patient_id "
+                   "CROSS JOIN trials t ON t.session_id = s.id "
+                   "CROSS JOIN measures m ON m.trial_id = t.id "
+                   "WHERE s.simulated = :simulated AND s.recorded = :recorded "
+                   "AND t.task_name = :task AND t.task_version = :task_version "
+                   "AND t.status = 'completed' AND t.practice = 0 AND t.helped = 0 "
+                   "AND t.task_text = :text AND t.scene_text = :scene AND m.name = :measure "
+                   "AND m.channel = :channel AND m.unit = :unit AND m.version <= :version "
+                   "ORDER BY p.patient_id, s.started_utc, s.id, t.number",
+               {std::int64_t{simulated}, std::int64_t{recorded}, query.task_name,
+                query.task_version, query.task_text, query.scene_text, query.measure, query.channel,
+                query.unit, query.measure_version});
+    while (row.fetch()) {
+      // The same trial again: its result in another version.
+      if (!all.empty() && all.back().trial_id == one.trial_id &&
+          all.back().period_id == one.period_id &&
+          all.back().measure_version != one.measure_version) {
+        if (one.measure_version > all.back().measure_version) all.back() = one;
+        continue;
+      }
+      all.push_back(one);
+    }
+    for (PooledValue& value : all) value.references = references_of("trial", value.trial_id);
+  });
   if (!done) return done.error();
   return all;
 }

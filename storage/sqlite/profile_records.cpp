@@ -4,6 +4,7 @@
 
 #include "core/csv.hpp"
 #include "storage/file/schema_access.hpp"
+#include "storage/sqlite/row.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -28,21 +29,16 @@ Result<PatientProfile> SqliteStore::profile(RowId patient) {
   PatientProfile profile;
   if (database_.format() < kProfileSinceFormat) return profile;
   const auto done = database_.guard("reading a profile", [&] {
-    std::string affected;
-    std::string dominant;
-    std::string sex;
-    int birth_year = 0;
-    database_.sql() << "SELECT affected, dominant, " +
-                           since(7, "sex, coalesce(birth_year, 0)", "'', 0") +
-                           ", onset_date, notes, goals FROM patient_profiles "
-                           "WHERE patient_id = :patient",
-        soci::use(patient), soci::into(affected), soci::into(dominant), soci::into(sex),
-        soci::into(birth_year), soci::into(profile.onset_date), soci::into(profile.notes),
-        soci::into(profile.goals);
-    profile.affected = side_from_name(affected);
-    profile.dominant = hand_from_name(dominant);
-    profile.sex = sex_from_name(sex);
-    if (birth_year != 0) profile.birth_year = birth_year;
+    Row row(database_.sql());
+    row.get("affected", profile.affected, side_from_name)
+        .get("dominant", profile.dominant, hand_from_name)
+        .get("sex", profile.sex, sex_from_name)
+        .get("birth_year", profile.birth_year)
+        .get("onset_date", profile.onset_date)
+        .get("notes", profile.notes)
+        .get("goals", profile.goals);
+    row.select("FROM patient_profiles WHERE patient_id = :patient", {patient});
+    static_cast<void>(row.fetch());
   });
   if (!done) return done.error();
   return profile;

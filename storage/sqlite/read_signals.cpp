@@ -142,7 +142,7 @@ Result<Signals> SqliteStore::signals(const TrialRecord& trial) {
     std::int64_t samples = 0;
     std::size_t groups = 0;
     const std::string query = "SELECT coalesce(sample_count, 0), " +
-                              since(6, "signals_blake2b", "NULL") +
+                              std::string("signals_blake2b") +
                               ", (SELECT count(*) FROM signal_groups WHERE trial_id = trials.id) "
                               "FROM trials WHERE id = :id";
     sql << query, soci::use(trial.id), soci::into(samples), soci::into(told, packed),

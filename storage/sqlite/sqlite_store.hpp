@@ -40,8 +40,7 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<void> add_answers(RowId session,
                                          std::span<const SessionAnswer> answers) override;
   [[nodiscard]] Result<void> end_session(RowId session, const std::string& ended_utc) override;
-  [[nodiscard]] Result<RowId> add_zero(const InstrumentZeroRecord& zero) override;
-  [[nodiscard]] Result<RowId> add_resting_force(const RestingForceRecord& rest) override;
+  [[nodiscard]] Result<RowId> add_preparation(const PreparationRecord& preparation) override;
   [[nodiscard]] Result<RowId> begin_trial(const TrialRecord& trial) override;
   [[nodiscard]] Result<void> append_blocks(RowId trial, int second,
                                            std::span<const std::vector<double>> rows) override;
@@ -82,10 +81,9 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<std::vector<Measure>> measures(RowId trial) override;
   [[nodiscard]] Result<std::vector<Measure>> measures_of_all_versions(RowId trial) override;
   [[nodiscard]] Result<std::vector<EventRecord>> events(RowId session) override;
-  [[nodiscard]] Result<std::vector<InstrumentZeroRecord>> zeros(RowId session) override;
-  [[nodiscard]] Result<std::optional<InstrumentZeroRecord>> last_zero(
-      const SessionRecord& session) override;
-  [[nodiscard]] Result<std::vector<RestingForceRecord>> resting_forces(RowId session) override;
+  [[nodiscard]] Result<std::vector<PreparationRecord>> preparations(RowId session) override;
+  [[nodiscard]] Result<std::optional<PreparationRecord>> last_preparation(
+      const SessionRecord& session, const std::string& kind) override;
   [[nodiscard]] Result<std::vector<RatingRecord>> ratings(RowId session) override;
   [[nodiscard]] Result<Signals> signals(const TrialRecord& trial) override;
   [[nodiscard]] Result<std::vector<MeasurePoint>> progress(RowId patient) override;
@@ -166,13 +164,20 @@ class SqliteStore final : public SessionStore {
   void insert_answers(RowId session, std::span<const SessionAnswer> answers);
   /// `where` stands behind FROM sessions.
   [[nodiscard]] std::vector<SessionRecord> read_sessions(const std::string& where);
-  /// `expression` where the file has the columns of that format, else `instead`.
-  [[nodiscard]] std::string since(int format, const char* expression, const char* instead) const;
+  /// Those of a session, trial or preparation (`owner`).
+  [[nodiscard]] References references_of(const char* owner, RowId id);
+  /// Those that are there already stay.
+  void insert_references(const char* owner, RowId id, const References& references);
+  [[nodiscard]] std::vector<SensorRecord> sensors_of(RowId session);
+  /// All; or the one with this code.
+  [[nodiscard]] std::vector<PatientRecord> read_patients(const std::string& code);
+  /// What the trials of a session rested on, and how that has drifted since.
+  void add_preparations_of(RowId session, std::vector<TrialRecord>& trials);
   /// `people` gives patient_id and id of the period as p, joined to sessions s.
   [[nodiscard]] Result<std::vector<PooledValue>> pooled_values(const PoolQuery& query,
                                                                const std::string& people);
-  /// `where` stands behind FROM instrument_zeros z JOIN sessions s.
-  [[nodiscard]] std::vector<InstrumentZeroRecord> read_zeros(const std::string& where);
+  /// `where` stands behind FROM preparations.
+  [[nodiscard]] std::vector<PreparationRecord> read_preparations(const std::string& where);
 
   Database database_;
   std::optional<Recording> recording_;
@@ -200,8 +205,5 @@ void add_group(const SignalGroup& group, ContentHasher& whole);
 
 /// Of the row that was inserted last.
 [[nodiscard]] RowId last_id(soci::session& sql, const char* table);
-
-/// One a line: thumb, index, middle. Empty if no sensor told its own.
-[[nodiscard]] std::string serials_text(const std::array<std::string, kFingerCount>& serials);
 
 }  // namespace isograsp::storage

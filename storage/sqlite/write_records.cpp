@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writing, but for trials (write_trial.cpp). Every call is one transaction, synced to the disk
 // before it returns.
-#include <array>
 #include <ctime>
 
 #include <soci/soci.h>
@@ -10,6 +9,7 @@
 #include "storage/crypto/content_hash.hpp"
 #include "storage/records/patient_code.hpp"
 #include "storage/sqlite/nullable.hpp"
+#include "storage/sqlite/row.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -19,18 +19,6 @@ RowId last_id(soci::session& sql, const char* table) {
   if (!sql.get_last_insert_id(table, id)) throw Refusal{failed("no row id", "")};
   return id;
 }
-
-namespace {
-
-/// 18 float64, little-endian: thumb, index, middle; Fx Fy Fz Tx Ty Tz.
-std::string pack(const std::array<Vec6, kFingerCount>& wrenches) {
-  std::string bytes;
-  for (const Vec6& wrench : wrenches)
-    bytes.append(reinterpret_cast<const char*>(wrench.data()), 6 * sizeof(double));
-  return bytes;
-}
-
-}  // namespace
 
 Result<void> SqliteStore::repair() {
   std::vector<RowId> running;
@@ -87,13 +75,7 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
   RowId id = 0;
   const std::string started =
       session.started_utc.empty() ? utc_text(std::time(nullptr)) : session.started_utc;
-  const std::string hand(name_of(session.hand));
   const std::string seed = std::to_string(session.seed);  // 64 bits without a sign: no SQL type
-  const int simulated = session.simulated ? 1 : 0;
-  const int recorded = session.recorded ? 1 : 0;
-  const std::string serials = serials_text(session.serial_numbers);
-  auto resumes_present = null_if_zero(session.resumes_id);
-  NullableNumber ceiling(session.ceiling_N);
   const auto done = database_.transact("beginning a session", [&] {
     soci::session& sql = database_.sql();
     std::string patient;
@@ -103,23 +85,38 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
     const std::string uuid =
         session.uuid.empty() ? new_uuid(patient + "\n" + started + "\n" + std::to_string(before))
                              : session.uuid;
-    sql << "INSERT INTO sessions (patient_id, started_utc, hand, device_uri, device_description, "
-           "simulated, recorded, provenance, protocol_name, protocol_text, rate_Hz, "
-           "device_delay_s, software_version, cpu_features, seed, device_serials, "
-           "operator_name, realtime, resumes_id, allowed, ceiling_N, calibration, uuid) "
-           "VALUES (:patient, :started, :hand, :uri, :description, :simulated, :recorded, "
-           ":provenance, :protocol, :protocol_text, :rate, :delay, :version, :cpu, :seed, "
-           ":serials, :operator, :realtime, :resumes, :allowed, :ceiling, :calibration, :uuid)",
-        soci::use(session.patient_id), soci::use(started), soci::use(hand),
-        soci::use(session.device_uri), soci::use(session.device_description), soci::use(simulated),
-        soci::use(recorded), soci::use(session.provenance), soci::use(session.protocol_name),
-        soci::use(session.protocol_text), soci::use(session.rate_Hz),
-        soci::use(session.device_delay_s), soci::use(session.software_version),
-        soci::use(session.cpu_features), soci::use(seed), soci::use(serials),
-        soci::use(session.operator_name), soci::use(session.realtime),
-        soci::use(session.resumes_id, resumes_present), soci::use(session.allowed),
-        soci::use(ceiling.value, ceiling.present), soci::use(session.calibration), soci::use(uuid);
+    NewRow(sql, "sessions")
+        .set_row("patient_id", session.patient_id)
+        .set("uuid", uuid)
+        .set_row("resumes_id", session.resumes_id)
+        .set("started_utc", started)
+        .set("hand", name_of(session.hand))
+        .set("device_uri", session.device_uri)
+        .set("device_description", session.device_description)
+        .set("calibration", session.calibration)
+        .set("simulated", session.simulated)
+        .set("recorded", session.recorded)
+        .set("provenance", session.provenance)
+        .set("protocol_name", session.protocol_name)
+        .set("protocol_text", session.protocol_text)
+        .set("rate_Hz", session.rate_Hz)
+        .set("device_delay_s", session.device_delay_s)
+        .set("software_version", session.software_version)
+        .set("cpu_features", session.cpu_features)
+        .set("seed", seed)
+        .set("operator_name", session.operator_name)
+        .set("realtime", session.realtime)
+        .set("allowed", session.allowed)
+        .insert();
     id = last_id(sql, "sessions");
+    for (std::size_t i = 0; i < session.sensors.size(); ++i)
+      NewRow(sql, "session_sensors")
+          .set("session_id", id)
+          .set("position", static_cast<std::int64_t>(i))
+          .set("name", session.sensors[i].name)
+          .set("serial_number", session.sensors[i].serial_number)
+          .insert();
+    insert_references("session", id, session.references);
     insert_answers(id, answers);
   });
   if (!done) return done.error();
@@ -139,59 +136,25 @@ Result<void> SqliteStore::end_session(RowId session, const std::string& ended_ut
   });
 }
 
-Result<RowId> SqliteStore::add_zero(const InstrumentZeroRecord& zero) {
+Result<RowId> SqliteStore::add_preparation(const PreparationRecord& preparation) {
   RowId id = 0;
-  const auto done = database_.transact("storing an instrument zero", [&] {
-    soci::session& sql = database_.sql();
-    const std::string mean_bytes = pack(zero.mean);
-    const std::string sd_bytes = pack(zero.sd);
-    soci::blob mean(sql);
-    soci::blob sd(sql);
-    mean.append(mean_bytes.data(), mean_bytes.size());
-    sd.append(sd_bytes.data(), sd_bytes.size());
-    NullableNumber change(zero.change_N);
-    NullableNumber drift(zero.drift_N);
-    const int confirmed = zero.change_confirmed ? 1 : 0;
-    const int drifted = zero.drifted ? 1 : 0;
-    if (zero.drift_N)
-      sql << "UPDATE trials SET zero_drift_N = :drift, zero_drifted = :drifted "
-             "WHERE session_id = :session AND zero_id = "
-             "(SELECT max(id) FROM instrument_zeros WHERE session_id = :same_session)",
-          soci::use(drift.value), soci::use(drifted), soci::use(zero.session_id),
-          soci::use(zero.session_id);
-    sql << "INSERT INTO instrument_zeros (session_id, session_time_s, mean_N_Nm, sd_N_Nm, "
-           "recorded_utc, operator_name, change_N, change_confirmed, drift_N) "
-           "VALUES (:session, :time, :mean, :sd, :utc, :operator, :change, :confirmed, :drift)",
-        soci::use(zero.session_id), soci::use(zero.session_time_s), soci::use(mean), soci::use(sd),
-        soci::use(zero.recorded_utc), soci::use(zero.operator_name),
-        soci::use(change.value, change.present), soci::use(confirmed),
-        soci::use(drift.value, drift.present);
-    id = last_id(sql, "instrument_zeros");
-  });
-  if (!done) return done.error();
-  return id;
-}
-
-Result<RowId> SqliteStore::add_resting_force(const RestingForceRecord& rest) {
-  RowId id = 0;
-  const auto done = database_.transact("storing a resting force", [&] {
-    soci::session& sql = database_.sql();
-    const std::string mean_bytes = pack(rest.mean);
-    const std::string sd_bytes = pack(rest.sd);
-    soci::blob mean(sql);
-    soci::blob sd(sql);
-    mean.append(mean_bytes.data(), mean_bytes.size());
-    sd.append(sd_bytes.data(), sd_bytes.size());
-    NullableNumber since(rest.since_strapping_s);
-    sql << "INSERT INTO resting_forces (session_id, trial_id, session_time_s, recorded_utc, "
-           "operator_name, duration_s, since_strapping_s, sample_count, mean_N_Nm, sd_N_Nm) "
-           "VALUES (:session, :trial, :time, :utc, :operator, :duration, :since, :samples, "
-           ":mean, :sd)",
-        soci::use(rest.session_id), soci::use(rest.trial_id), soci::use(rest.session_time_s),
-        soci::use(rest.recorded_utc), soci::use(rest.operator_name), soci::use(rest.duration_s),
-        soci::use(since.value, since.present), soci::use(rest.samples), soci::use(mean),
-        soci::use(sd);
-    id = last_id(sql, "resting_forces");
+  const auto done = database_.transact("storing a preparation", [&] {
+    NewRow(database_.sql(), "preparations")
+        .set("session_id", preparation.session_id)
+        .set("kind", preparation.kind)
+        .set_row("trial_id", preparation.trial_id)
+        .set("session_time_s", preparation.session_time_s)
+        .set("recorded_utc", preparation.recorded_utc)
+        .set("operator_name", preparation.operator_name)
+        .set("change_confirmed", preparation.change_confirmed)
+        .set("drifted", preparation.drifted)
+        .set("sample_count", preparation.samples)
+        .set("column_names", as_lines(preparation.columns))
+        .set("mean_float64", preparation.mean)
+        .set("sd_float64", preparation.sd)
+        .insert();
+    id = last_id(database_.sql(), "preparations");
+    insert_references("preparation", id, preparation.references);
   });
   if (!done) return done.error();
   return id;

@@ -9,6 +9,7 @@
 
 #include "storage/sqlite/block_codec.hpp"
 #include "storage/sqlite/nullable.hpp"
+#include "storage/sqlite/row.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -53,14 +54,9 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
   if (!lock) return lock.error();
   recording.lock = std::move(*lock);
 
-  const int practice = trial.practice ? 1 : 0;
-  auto zero_present = null_if_zero(trial.zero_id);
-  NullableNumber thumb(trial.threshold_N[0]);
-  NullableNumber index(trial.threshold_N[1]);
-  NullableNumber middle(trial.threshold_N[2]);
   const std::string seed = trial.seed == 0 ? "" : std::to_string(trial.seed);
-  const TrialPlace place = trial.place.value_or(TrialPlace{});
-  auto place_present = trial.place ? soci::i_ok : soci::i_null;
+  const auto step = trial.place ? std::optional(trial.place->step) : std::nullopt;
+  const auto step_task = trial.place ? std::optional(trial.place->task) : std::nullopt;
   const auto done = database_.transact("beginning a trial", [&] {
     soci::session& sql = database_.sql();
     std::string of_session;
@@ -72,31 +68,36 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
     const std::string uuid = trial.uuid.empty()
                                  ? new_uuid(of_session + "\n" + std::to_string(trial.number))
                                  : trial.uuid;
-    sql << "INSERT INTO trials (session_id, number, task_name, task_version, task_text, "
-           "scene_text, practice, session_time_s, status, maximum_force_N, resting_force_N, "
-           "zero_id, thumb_threshold_N, index_threshold_N, middle_threshold_N, seed, step, "
-           "step_task, uuid) "
-           "VALUES (:session, :number, :task, :version, :task_text, :scene_text, "
-           ":practice, :time, 'running', :maximum, :resting, :zero, :thumb, :index, :middle, "
-           ":seed, :step, :step_task, :uuid)",
-        soci::use(trial.session_id), soci::use(trial.number), soci::use(trial.task_name),
-        soci::use(trial.task_version), soci::use(trial.task_text), soci::use(trial.scene_text),
-        soci::use(practice), soci::use(trial.session_time_s), soci::use(trial.maximum_force_N),
-        soci::use(trial.resting_force_N), soci::use(trial.zero_id, zero_present),
-        soci::use(thumb.value, thumb.present), soci::use(index.value, index.present),
-        soci::use(middle.value, middle.present), soci::use(seed),
-        soci::use(place.step, place_present), soci::use(place.task, place_present), soci::use(uuid);
+    NewRow(sql, "trials")
+        .set("session_id", trial.session_id)
+        .set("uuid", uuid)
+        .set("number", trial.number)
+        .set("step", step)
+        .set("step_task", step_task)
+        .set("task_name", trial.task_name)
+        .set("task_version", trial.task_version)
+        .set("task_text", trial.task_text)
+        .set("scene_text", trial.scene_text)
+        .set("seed", seed)
+        .set("practice", trial.practice)
+        .set("session_time_s", trial.session_time_s)
+        .set("status", std::string_view("running"))
+        .insert();
     recording.trial = last_id(sql, "trials");
-    for (std::size_t g = 0; g < trial.groups.size(); ++g) {
-      const int position = static_cast<int>(g);
-      std::string names;
-      for (const auto& column : trial.groups[g].columns)
-        names += (names.empty() ? "" : "\n") + column;
-      sql << "INSERT INTO signal_groups (trial_id, position, name, column_names) "
-             "VALUES (:trial, :position, :name, :names)",
-          soci::use(recording.trial), soci::use(position), soci::use(trial.groups[g].name),
-          soci::use(names);
-    }
+    insert_references("trial", recording.trial, trial.references);
+    for (const RowId preparation : trial.preparations)
+      NewRow(sql, "trial_preparations")
+          .set("session_id", trial.session_id)
+          .set("trial_id", recording.trial)
+          .set("preparation_id", preparation)
+          .insert();
+    for (std::size_t g = 0; g < trial.groups.size(); ++g)
+      NewRow(sql, "signal_groups")
+          .set("trial_id", recording.trial)
+          .set("position", static_cast<std::int64_t>(g))
+          .set("name", trial.groups[g].name)
+          .set("column_names", as_lines(trial.groups[g].columns))
+          .insert();
   });
   if (!done) return done.error();
   recording_ = std::move(recording);
@@ -202,7 +203,6 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
           .at(path());
   const std::string status(name_of(end.status));
   NullableNumber age(end.display_age_s);
-  NullableNumber gain(end.visual_gain_deg_per_N);
   NullableNumber distance(end.viewing_distance_m);
   const auto done = database_.transact("closing a trial", [&] {
     soci::session& sql = database_.sql();
@@ -210,21 +210,22 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
         (sql.prepare
              << "UPDATE trials SET status = :status, dropped_count = :dropped, "
                 "worst_lateness_s = :lateness, worst_compute_s = :compute, health_json = :health, "
-                "timing_json = :timing, display_age_s = :age, visual_gain_deg_per_N = :gain, "
+                "timing_json = :timing, display_age_s = :age, "
                 "viewing_distance_m = :distance, "
                 "sample_count = (SELECT coalesce(sum(row_count), 0) FROM signal_blocks "
                 "WHERE trial_id = trials.id AND position = 0) WHERE id = :id AND status = "
                 "'running'",
          soci::use(status), soci::use(end.dropped), soci::use(end.worst_lateness_s),
          soci::use(end.worst_compute_s), soci::use(end.health_json), soci::use(end.timing_json),
-         soci::use(age.value, age.present), soci::use(gain.value, gain.present),
-         soci::use(distance.value, distance.present), soci::use(end.id));
+         soci::use(age.value, age.present), soci::use(distance.value, distance.present),
+         soci::use(end.id));
     update.execute(true);
     if (update.get_affected_rows() != 1)
       throw Refusal{failed("closing a trial: another program has closed or removed it",
                            "let only one program record into a file")
                         .at(path())};
     require_lock();
+    insert_references("trial", end.id, end.references);
     insert_measures(end.id, measures);
   });
   if (!done) return done.error();

@@ -27,8 +27,8 @@ std::vector<std::string> quoted(const std::string& line) {
 }
 
 /// Measures, answers and facts of a trial are called like columns, too: those without a unit, and
-/// all in the files that write such facts. Traits of simulated people and the axes of foreign
-/// files, too.
+/// all in the files that write such facts; sessions have a delay of the device, too. Traits of
+/// simulated people and the axes of foreign files, too.
 TEST(Columns, NobodyReadsOneByASpelledName) {
   test::AtLeast lines(40000);
   for (const Source& source : test::every(all_sources())) {
@@ -43,7 +43,8 @@ TEST(Columns, NobodyReadsOneByASpelledName) {
       if (line.find("//") != std::string::npos) continue;
       for (const std::string& word : quoted(line)) {
         const bool spelled = columns::find(word) != nullptr && !unit_of(word).empty() &&
-                             word != columns::t_s && word != columns::display_delay_s;
+                             word != columns::t_s && word != columns::display_delay_s &&
+                             word != columns::device_delay_s;
         EXPECT_FALSE(spelled) << source.file << ":" << number << ": name the constant of \"" << word
                               << "\" (hand/columns.hpp)";
       }

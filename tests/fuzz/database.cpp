@@ -36,10 +36,22 @@ struct Sound {
       storage::SessionRecord session;
       session.patient_id = must(store->add_patient("P-1")).id;
       session.rate_Hz = static_cast<double>(kRows);
+      session.sensors = {{"thumb", "A-1"}, {"camera", ""}};
+      session.references = {{"ceiling_N", 30.0}};
       const storage::RowId session_id = must(store->begin_session(session));
+      storage::PreparationRecord zero;
+      zero.session_id = session_id;
+      zero.kind = "instrument_zero";
+      zero.columns = {"thumb_fz_N", "index_fz_N"};
+      zero.mean = {0.1, 0.2};
+      zero.sd = {0.01, 0.02};
+      zero.references = {{"drift_N", 0.5}};
+      const storage::RowId zero_id = must(store->add_preparation(zero));
       for (int number = 1; number <= 2; ++number) {
         storage::TrialRecord trial;
         trial.session_id = session_id;
+        trial.references = {{"maximum_force_N", 20.0}};
+        trial.preparations = {zero_id};
         trial.number = number;
         trial.task_name = "fuzz";
         trial.groups = {{"force", {"t_s", "thumb_fz_N"}}, {"raw", {"thumb_fz_counts"}}};
@@ -71,6 +83,7 @@ void read(storage::SessionStore& store, const std::string& hash) {
     if (!sessions) continue;
     for (const storage::SessionRecord& session : *sessions) {
       static_cast<void>(store.events(session.id).ok());
+      static_cast<void>(store.preparations(session.id).ok());
       const auto trials = store.trials(session.id);
       if (!trials) continue;
       for (const storage::TrialRecord& trial : *trials) {

@@ -273,9 +273,9 @@ TEST_F(PatientCourseTest, FactsSayWhatMakesATrialDoubtful) {
   opened.trial.status = storage::TrialStatus::interrupted;
   opened.trial.helped = true;
   opened.trial.seed = 18446744073709551615ULL;
-  opened.trial.zero_id = 1;
-  opened.trial.zero_drift_N = 0.7;
-  opened.trial.zero_drifted = true;
+  opened.trial.preparations = {1};
+  opened.trial.drift = {{"drift_N", 0.7}};
+  opened.trial.drifted = true;
   opened.trial.health_json = R"({"index": {"lost": 3, "torn": 0}, "kernel_drops": 0})";
   std::map<QString, TrialFact> facts;
   for (auto& fact : facts_of(opened)) facts[fact.what] = fact;

@@ -75,7 +75,7 @@ void add_session(Texts& texts) {
        {Why::gaps, Why::noisy_force, Why::noisy_torque, Why::drift, Why::loaded, Why::changed})
     for (const Finger finger : kFingers)
       add_sentences(texts, session::describe(session::ZeroRefusal{why, finger, 0.5, 0.25}));
-  storage::InstrumentZeroRecord zero;
+  session::ZeroRecord zero;
   zero.change_confirmed = zero.drifted = true;
   zero.change_N = zero.drift_N = 0.5;
   add_sentences(texts, session::remark_on(zero));

@@ -110,7 +110,7 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
   EXPECT_EQ(trials[0].status, storage::TrialStatus::completed);
   EXPECT_EQ(trials[1].status, storage::TrialStatus::completed);
   EXPECT_EQ(trials[2].status, storage::TrialStatus::completed);
-  EXPECT_GT(trials[2].maximum_force_N, 0.0);
+  EXPECT_GT(trials[2].references.at("maximum_force_N"), 0.0);
   EXPECT_EQ(trials[3].status, storage::TrialStatus::aborted);
   for (const auto& trial : every(trials)) EXPECT_EQ(trial.dropped, 0);
 

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hand/platform_records.hpp"
 #include "tasks/kinds/object/pose_targets.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
@@ -233,11 +234,13 @@ storage::RowId add_session(storage::SessionStore& store, const std::string& code
   session.software_version = "0.1.0";
   const auto id = store.begin_session(session);
   EXPECT_TRUE(id.ok()) << id.error().message();
-  storage::InstrumentZeroRecord zero;
+  storage::PreparationRecord zero;
   zero.session_id = *id;
-  zero.mean.fill(Vec6::Constant(0.1));
-  zero.sd.fill(Vec6::Constant(0.023));
-  EXPECT_TRUE(store.add_zero(zero).ok());
+  zero.kind = platform::kInstrumentZero;
+  zero.columns = platform::six_axes_columns();
+  zero.mean.assign(zero.columns.size(), 0.1);
+  zero.sd.assign(zero.columns.size(), 0.023);
+  EXPECT_TRUE(store.add_preparation(zero).ok());
 
   Writer writer(store, *id, demo);
   const double seed = 7.0 * demo.skill + 3.0;

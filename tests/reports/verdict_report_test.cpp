@@ -85,13 +85,13 @@ class VerdictReport : public testing::Test {
       trial.task_name = "Maximum grip";
       trial.task_version = what.task_version;
       trial.task_text = library_task_text(what.task_file) + what.task_suffix;
-      trial.maximum_force_N = what.maximum_force_N;
+      trial.references["maximum_force_N"] = what.maximum_force_N;
       trial.groups = {{"task", {"t_s", "actual_force_N"}}};
       trial.id = must(store_->begin_trial(trial));
       const std::vector<std::vector<double>> rows{{0.0, value.value_or(0.0), 0.01, 0.0}};
       must(store_->append_blocks(trial.id, 0, rows));
       trial.status = storage::TrialStatus::completed;
-      trial.visual_gain_deg_per_N = what.gain;
+      storage::set_value(trial.references, "visual_gain_deg_per_N", what.gain);
       Measure measure;
       measure.name = what.measure;
       measure.channel = "grip";

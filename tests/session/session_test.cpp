@@ -130,8 +130,8 @@ TEST(Session, LiveIsOffline) {
     const auto spec = tasks::parse_task(trials[i].task_text, "stored task").value();
     expect_same(result.trials[i].measures, tasks::score(spec, read_signals(path).value()));
     expect_same(result.trials[i].measures, store->measures(trials[i].id).value());
-    EXPECT_TRUE(trials[i].zero_drift_N.has_value()) << "the protocol ends with an empty zero";
-    EXPECT_FALSE(trials[i].zero_drifted);
+    EXPECT_TRUE(trials[i].drift.contains("drift_N")) << "the protocol ends with an empty zero";
+    EXPECT_FALSE(trials[i].drifted);
   }
 }
 
@@ -213,7 +213,7 @@ TEST(Session, WhatIsAnsweredAndShownOnTheWayStandsWithIt) {
   const auto trials = clinic.store()->trials(id).value();
   ASSERT_EQ(trials.size(), 2u);
   EXPECT_EQ(trials[0].display_age_s, 0.021);
-  EXPECT_EQ(trials[0].visual_gain_deg_per_N, 0.8);
+  EXPECT_EQ(trials[0].references.at("visual_gain_deg_per_N"), 0.8);
   EXPECT_EQ(trials[0].viewing_distance_m, 0.6);
   EXPECT_FALSE(trials[1].display_age_s) << "nobody looked at that one";
 }
@@ -273,7 +273,7 @@ TEST(Session, TheStoredSeedOfATrialTellsItsParallelFormAndGivesItsTargetAgain) {
     ASSERT_NE(outcome.trial.seed, 0u);
     const auto signals = store->signals(outcome.trial).value();
     const auto target_N = signals.column("target_force_N");
-    const double maximum_N = outcome.trial.maximum_force_N;
+    const double maximum_N = outcome.trial.references.at("maximum_force_N");
     const double start = tasks::form_of(tracking->waveform, outcome.trial.seed) == 0
                              ? tracking->least
                              : tracking->most;

@@ -88,7 +88,8 @@ const Interference kInterferences[]{
      "it is there as 'interrupted'"},
     {"it is gone",
      sql("DELETE FROM measures WHERE trial_id = 2; DELETE FROM signal_packs WHERE trial_id = 2; "
-         "DELETE FROM signal_groups WHERE trial_id = 2; DELETE FROM trials WHERE id = 2;"),
+         "DELETE FROM signal_groups WHERE trial_id = 2; DELETE FROM trial_references WHERE "
+         "trial_id = 2; DELETE FROM trials WHERE id = 2;"),
      "it is not there"},
     {"the log is overwritten", overwrite_log, "trial 2"}};
 

@@ -85,17 +85,25 @@ TEST(InstrumentZero, IsRefusedWithoutTheConfirmationThatTheDeviceIsEmpty) {
   EXPECT_FALSE(session->snapshot().zeroed);
 }
 
+/// Of the newest session, of this kind.
+std::vector<storage::PreparationRecord> kept_preparations(Clinic& clinic, const std::string& kind) {
+  auto all = clinic.store()->preparations(clinic.last_session().id).value();
+  std::erase_if(all, [&](const auto& one) { return one.kind != kind; });
+  return all;
+}
+
 TEST(InstrumentZero, IsKeptWithWhoWhenAndTheEmptyNoise) {
   Clinic clinic;
   auto session = clinic.open();
   session->let_pass(120.0);
   EXPECT_TRUE(zero(*session, kEmpty).accepted);
   session.reset();
-  const auto kept = clinic.store()->zeros(clinic.last_session().id).value().at(0);
+  const auto kept = kept_preparations(clinic, "instrument_zero").at(0);
   EXPECT_EQ(kept.operator_name, "Therapist 7");
   EXPECT_EQ(kept.recorded_utc, "2026-03-01T09:32:01Z");
-  EXPECT_FALSE(kept.change_N.has_value()) << "the first of this device";
-  for (const auto& sd : test::every(kept.sd)) {
+  EXPECT_FALSE(kept.references.contains("change_N")) << "the first of this device";
+  const auto noise = platform::six_axes_of(kept.columns, kept.sd).value();
+  for (const auto& sd : test::every(noise)) {
     EXPECT_GT(sd[2], 0.0);
     EXPECT_LT(sd[2], 0.1) << "0.4 counts of noise and 0.3 of rounding, 0.08 N each";
   }
@@ -106,13 +114,14 @@ void add_earlier_zero(Clinic& clinic, double offset_N, bool same_sensors = true)
   const auto store = clinic.store();
   storage::SessionRecord earlier = clinic.last_session();
   earlier.uuid.clear();  // another one
-  if (!same_sensors) earlier.serial_numbers = {"A", "B", "C"};
-  storage::InstrumentZeroRecord zero;
-  zero.session_id = store->begin_session(earlier).value();
+  if (!same_sensors) earlier.sensors = {{"thumb", "A"}, {"index", "B"}, {"middle", "C"}};
+  ZeroRecord zero;
   for (auto& mean : zero.mean) mean.setZero();
   for (auto& sd : zero.sd) sd.setZero();
   zero.mean[1][0] = offset_N;
-  ASSERT_TRUE(store->add_zero(zero));
+  storage::PreparationRecord record = as_stored(zero);
+  record.session_id = store->begin_session(earlier).value();
+  ASSERT_TRUE(store->add_preparation(record));
 }
 
 TEST(InstrumentZero, OutsideTheBandOfAnEarlierSessionItIsRefusedUntilServiceIsConfirmed) {
@@ -132,10 +141,10 @@ TEST(InstrumentZero, OutsideTheBandOfAnEarlierSessionItIsRefusedUntilServiceIsCo
   EXPECT_NE(accepted.remark.find("confirmed as serviced or remounted"), std::string::npos);
   EXPECT_TRUE(zero(*session, kEmpty).accepted) << "the new one is the measure from now on";
   session.reset();
-  const auto kept = clinic.store()->zeros(clinic.last_session().id).value();
+  const auto kept = kept_preparations(clinic, "instrument_zero");
   ASSERT_EQ(kept.size(), 2u);
   EXPECT_TRUE(kept[0].change_confirmed);
-  EXPECT_NEAR(kept[0].change_N.value(), 3.0, 0.1);
+  EXPECT_NEAR(kept[0].references.at("change_N"), 3.0, 0.1);
   EXPECT_FALSE(kept[1].change_confirmed);
   const auto events = clinic.store()->events(clinic.last_session().id).value();
   ASSERT_EQ(events.size(), 2u) << "never silent";
@@ -182,14 +191,13 @@ TEST(RestingForce, IsKeptPerFingerWithWhoWhenAndASentence) {
   ASSERT_TRUE(outcome.rest);
   EXPECT_EQ(outcome.rest->words.find("At rest thumb"), 0u);
   session.reset();
-  const auto kept = clinic.store()->resting_forces(clinic.last_session().id).value().at(0);
+  const auto kept = kept_preparations(clinic, "resting_force").at(0);
   EXPECT_EQ(kept.operator_name, "Therapist 7");
   EXPECT_EQ(kept.recorded_utc.substr(0, 17), "2026-03-01T09:30:");
-  EXPECT_EQ(kept.duration_s, 1.0);
+  EXPECT_EQ(kept.references, (storage::References{{"duration_s", 1.0}}));
   EXPECT_EQ(kept.samples, 100);
-  EXPECT_FALSE(kept.since_strapping_s.has_value());
-  EXPECT_EQ(kept.mean, outcome.rest->rest.mean);
-  EXPECT_EQ(kept.sd, outcome.rest->rest.sd);
+  EXPECT_EQ(kept.mean, platform::as_row(outcome.rest->rest.mean));
+  EXPECT_EQ(kept.sd, platform::as_row(outcome.rest->rest.sd));
 }
 
 TEST(RestingForce, WaitsAMinuteAfterStrappingWhereThatIsKnown) {
@@ -359,14 +367,14 @@ TEST(ZeroDrift, BeyondTheLimitMarksTheTrialsBetweenTwoZerosAndNoOthers) {
   const auto trials = bench.trials();
   ASSERT_EQ(trials.size(), 4u);
   constexpr double kRounding = 1e-12;
-  EXPECT_WITHIN(trials[0].zero_drift_N.value(), 0.3, kRounding);
-  EXPECT_FALSE(trials[0].zero_drifted);
+  EXPECT_WITHIN(trials[0].drift.at("drift_N"), 0.3, kRounding);
+  EXPECT_FALSE(trials[0].drifted);
   for (const int between : {1, 2}) {
-    EXPECT_WITHIN(trials[static_cast<std::size_t>(between)].zero_drift_N.value(), 0.6, kRounding);
-    EXPECT_TRUE(trials[static_cast<std::size_t>(between)].zero_drifted);
+    EXPECT_WITHIN(trials[static_cast<std::size_t>(between)].drift.at("drift_N"), 0.6, kRounding);
+    EXPECT_TRUE(trials[static_cast<std::size_t>(between)].drifted);
   }
-  EXPECT_FALSE(trials[3].zero_drift_N.has_value()) << "no zero followed";
-  EXPECT_FALSE(trials[3].zero_drifted);
+  EXPECT_FALSE(trials[3].drift.contains("drift_N")) << "no zero followed";
+  EXPECT_FALSE(trials[3].drifted);
 }
 
 TEST(ZeroDrift, ARefusedZeroMarksNothingAndAConfirmedOneDoes) {
@@ -375,9 +383,9 @@ TEST(ZeroDrift, ARefusedZeroMarksNothingAndAConfirmedOneDoes) {
   bench.trial();
   bench.device->wrench_C[0].force.z() = 5.0;
   EXPECT_TRUE(bench.zero().only_changed);
-  EXPECT_FALSE(bench.trials()[0].zero_drift_N.has_value());
+  EXPECT_FALSE(bench.trials()[0].drift.contains("drift_N"));
   EXPECT_TRUE(bench.zero(true).accepted);
-  EXPECT_TRUE(bench.trials()[0].zero_drifted);
+  EXPECT_TRUE(bench.trials()[0].drifted);
 }
 
 TEST(NetPush, OfASqueezeIsNothingAndOfAnArmIsItsForce) {
@@ -437,18 +445,19 @@ TEST(Thresholds, AreStoredAndTheStoredTrialMovesTheObjectAgainToTheBit) {
   zero(*session, kEmpty);
   trial(*session, short_rest());
   trial(*session, library_task("maximum_grip.toml"));
-  const double maximum_N = session->known().maximum_force_N();
+  const double maximum_N = session->known().maximum_force_N().value();
   ASSERT_GT(maximum_N, 16.0);
   trial(*session, library_task("two_target.toml"));
   session.reset();
 
   const auto store = clinic.store();
   const auto stored = store->trials(clinic.last_session().id).value().back();
-  for (const auto& threshold_N : test::every(stored.threshold_N)) EXPECT_EQ(threshold_N, 0.8);
+  for (const char* name : test::every(platform::kThreshold_N))
+    EXPECT_EQ(stored.references.at(name), 0.8);
   const auto signals = store->signals(stored).value();
   Scene scene = for_hand(parse_scene(stored.scene_text, "stored").value(), Hand::right);
   for (auto& contact : scene.contacts)
-    contact.threshold_N = stored.threshold_N[index_of(contact.finger)].value();
+    contact.threshold_N = stored.references.at(platform::kThreshold_N[index_of(contact.finger)]);
   const auto plan = Plan::compile(scene, 0.01).value();
   ObjectState state = plan.initial_state();
   const auto x_m = signals.column("actual_x_m");

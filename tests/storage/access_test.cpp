@@ -191,20 +191,13 @@ TEST_F(ProtectedClinic, AResearcherWhoTakesOverEndsTheRecordingAndWritesNothingE
   must(store->add_event(session, {trial.id, 1.0, "stop", "key"}));
   trial.status = TrialStatus::completed;
   must(store->end_trial(trial, {}));
-  RestingForceRecord rest;
-  rest.session_id = session;
-  rest.trial_id = trial.id;
-  rest.duration_s = 10.0;
-  rest.samples = 1000;
-  InstrumentZeroRecord zero;
-  zero.session_id = session;
   const std::vector<SessionAnswer> answers{{"posture", "seat", "chair"}};
   for (const std::string& why :
        {refusal(store->add_patient("P-2")), refusal(store->remove_treatment_mark(mark)),
         refusal(store->set_profile(patient, {})), refusal(store->mark_helped(trial.id, true)),
         refusal(store->begin_session(example_session(patient))),
-        refusal(store->add_answers(session, answers)), refusal(store->add_zero(zero)),
-        refusal(store->add_resting_force(rest)),
+        refusal(store->add_answers(session, answers)),
+        refusal(store->add_preparation(example_preparation(session))),
         refusal(store->begin_trial(example_trial(session, 2))),
         refusal(store->add_rating({0, session, trial.id, 2.0, "2026-03-01T10:00:00Z", 3, 1})),
         refusal(store->correct_rating({1, session, trial.id, 2.0, "", 3, 1}))})

@@ -111,7 +111,7 @@ TEST_F(ChangeRecords, WhatAnotherProgramWroteWronglyIsRefusedByTheTablesOrFoundB
        {"UPDATE stable_periods SET until_date = '2026-02-01'",
         "UPDATE stable_periods SET from_date = '2026-02-30'",
         "UPDATE stable_periods SET judged_by = ''", "UPDATE primary_measures SET chosen_by = ''",
-        "UPDATE primary_measures SET hand = 'both'"})
+        "UPDATE primary_measures SET hand = 'neither'"})
     EXPECT_THROW(sql << wrong, soci::soci_error) << wrong;
   sql << "UPDATE stable_periods SET until_date = '2026-04-06' WHERE until_date = '2026-03-20'";
   const auto problems = must(store->check());
@@ -143,7 +143,7 @@ void record(SessionStore& store, RowId patient, const Recorded& what) {
   trial.id = must(store.begin_trial(trial));
   must(store.append_blocks(trial.id, 0, example_rows(trial, 5, 1)));
   trial.status = what.status;
-  trial.visual_gain_deg_per_N = 0.5;
+  trial.references["visual_gain_deg_per_N"] = 0.5;
   Measure measure;
   measure.name = "rmse";
   measure.channel = "force";
@@ -211,7 +211,7 @@ TEST_F(ChangeRecords, OnlyAssessmentsOnStableDaysOfTheSameTaskAndSourceArePooled
   EXPECT_EQ(values[0].affected, Side::left);
   EXPECT_EQ(values[0].hand, Hand::left);
   EXPECT_EQ(values[0].value, 1.0);
-  EXPECT_EQ(values[0].visual_gain_deg_per_N, 0.5);
+  EXPECT_EQ(values[0].references.at("visual_gain_deg_per_N"), 0.5);
   EXPECT_EQ(values[2].patient_id, other);
   EXPECT_EQ(values[2].value, 3.0);
   EXPECT_FALSE(values[2].affected.has_value());

@@ -35,13 +35,11 @@ void fill(const std::string& path, const std::string& code, const std::string& m
   session.started_utc = "2020-02-28T08:00:00Z";
   const RowId session_id = must(store->begin_session(
       session, std::vector<SessionAnswer>{{"posture", "seat", "chair " + mark}}));
-  InstrumentZeroRecord zero;
-  zero.session_id = session_id;
+  PreparationRecord zero = example_preparation(session_id);
   zero.operator_name = "operator " + mark;
-  zero.mean.fill(Vec6::Constant(1.0));
-  zero.sd.fill(Vec6::Constant(0.1));
-  must(store->add_zero(zero));
+  zero.references = {{"change_N", 0.5}};
   TrialRecord trial = example_trial(session_id);
+  trial.preparations = {must(store->add_preparation(zero))};
   trial.task_name = "task " + mark;
   trial.id = must(store->begin_trial(trial));
   must(store->append_blocks(trial.id, 0, example_rows(trial, 100, seed)));
@@ -50,15 +48,11 @@ void fill(const std::string& path, const std::string& code, const std::string& m
   measure.name = "rmse";
   measure.reason = "reason " + mark;
   must(store->end_trial(trial, std::vector<Measure>{measure}));
-  RestingForceRecord rest;
-  rest.session_id = session_id;
+  PreparationRecord rest = example_preparation(session_id);
+  rest.kind = "resting_force";
   rest.trial_id = trial.id;
-  rest.duration_s = 10.0;
-  rest.samples = 1000;
   rest.operator_name = "rest " + mark;
-  rest.mean.fill(Vec6::Constant(1.0));
-  rest.sd.fill(Vec6::Constant(0.1));
-  must(store->add_resting_force(rest));
+  must(store->add_preparation(rest));
   must(store->add_event(session_id, {trial.id, 1.0, "note", "event " + mark}));
   RatingRecord rating;
   rating.session_id = session_id;

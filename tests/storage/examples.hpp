@@ -95,11 +95,11 @@ inline SessionRecord example_session(RowId patient) {
   session.software_version = "0.1.0";
   session.cpu_features = "avx2 fma";
   session.seed = std::numeric_limits<std::uint64_t>::max();
-  session.serial_numbers = {"A 1", "", "C-3"};
+  session.sensors = {{"thumb", "A 1"}, {"index", ""}, {"left camera", "C-3"}, {"fourth", "4"}};
   session.operator_name = "Therapist 7";
   session.realtime = "SCHED_FIFO 40, memory locked";
   session.allowed = "comfortable";
-  session.ceiling_N = 25.5;
+  session.references = {{"ceiling_N", 25.5}};
   session.calibration = "thumb: N or N m per count 0.01 0.01 0.01 0.0001 0.0001 0.0001\n";
   return session;
 }
@@ -114,13 +114,25 @@ inline TrialRecord example_trial(RowId session, int number = 1) {
   trial.scene_text = "format = \"isograsp-scene-1\"\n";
   trial.practice = true;
   trial.session_time_s = 12.345;
-  trial.maximum_force_N = 31.7;
-  trial.resting_force_N = -0.0;
-  trial.threshold_N = {0.5, std::nullopt, 0.8};
+  trial.references = {{"maximum_force_N", 31.7}, {"resting_force_N", -0.0}, {"reach_m", 5e-324}};
   trial.seed = std::numeric_limits<std::uint64_t>::max() - 1;
   trial.place = TrialPlace{3, 1};
   trial.groups = {{"force", {"t_s", "thumb_fz_N", "index_fz_N"}}, {"raw", {"thumb_fz_counts"}}};
   return trial;
+}
+
+/// Of two columns; `mean` is that of the first.
+inline PreparationRecord example_preparation(RowId session, double mean = 1.0) {
+  PreparationRecord preparation;
+  preparation.session_id = session;
+  preparation.kind = "instrument_zero";
+  preparation.session_time_s = 3.25;
+  preparation.recorded_utc = "2026-03-01T09:30:03Z";
+  preparation.operator_name = "Therapist 7";
+  preparation.columns = {"thumb_fz_N", "wrist_x_m"};
+  preparation.mean = {mean, 0.1 + 0.2};
+  preparation.sd = {0.1, 5e-324};
+  return preparation;
 }
 
 /// One block per group of `trial`: `rows` rows of seeded noise.

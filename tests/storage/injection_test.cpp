@@ -54,7 +54,8 @@ TEST_F(ProtectedClinic, SqlInAnyTextStaysText) {
           &session.protocol_name, &session.protocol_text, &session.software_version,
           &session.cpu_features, &session.operator_name, &session.realtime, &session.started_utc})
       *field = text;
-    session.serial_numbers = {text, text, text};
+    session.sensors = {{text, text}, {text, text}};
+    session.references = {{text, 1.0}};
     const RowId session_id =
         must(store->begin_session(session, std::vector<SessionAnswer>{{text, text, text}}));
     EXPECT_EQ(must(store->answers(session_id)).at(0).value, text);
@@ -63,7 +64,12 @@ TEST_F(ProtectedClinic, SqlInAnyTextStaysText) {
                                     [&](const auto& one) { return one.id == session_id; });
     ASSERT_NE(begun, sessions.end());
     EXPECT_EQ(begun->operator_name, text);
-    must(store->last_zero(session));
+    must(store->last_preparation(session, text));
+    PreparationRecord preparation = example_preparation(session_id);
+    preparation.kind = preparation.operator_name = preparation.recorded_utc = text;
+    preparation.references = {{text, 1.0}};
+    must(store->add_preparation(preparation));
+    EXPECT_EQ(must(store->preparations(session_id)).at(0).kind, text);
     TrialRecord trial = example_trial(session_id);
     trial.task_name = trial.task_text = trial.scene_text = text;
     trial.groups = {{text, {text}}};

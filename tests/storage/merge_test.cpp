@@ -26,14 +26,12 @@ void add_sessions(SessionStore& store, RowId patient, unsigned seed) {
         "2026-03-0" + std::to_string(1 + s) + "T09:30:" + std::to_string(10 + seed) + "Z";
     const RowId session = must(store.begin_session(
         record, std::vector<SessionAnswer>{{"screening", "seed", std::to_string(seed)}}));
-    InstrumentZeroRecord zero;
-    zero.session_id = session;
-    zero.mean.fill(Vec6::Constant(seed));
-    zero.sd.fill(Vec6::Constant(0.1));
-    const RowId zero_id = must(store.add_zero(zero));
+    PreparationRecord zero = example_preparation(session, seed);
+    zero.references = {{"change_N", 0.1 * seed}};
+    const RowId zero_id = must(store.add_preparation(zero));
     for (int t = 1; t <= 2; ++t) {
       TrialRecord trial = example_trial(session, t);
-      trial.zero_id = zero_id;
+      trial.preparations = {zero_id};
       trial.id = must(store.begin_trial(trial));
       must(store.append_blocks(trial.id, 0, example_rows(trial, 50, 100 * seed + 10 * t + s)));
       trial.status = TrialStatus::completed;
@@ -104,8 +102,14 @@ std::multiset<std::string> content_of(const std::string& path) {
       all.insert(of + session.started_utc + session.ended_utc + session.device_uri);
       for (const auto& one : must(store.answers(session.id)))
         all.insert(of + one.topic + one.item + one.value);
-      for (const auto& one : must(store.zeros(session.id)))
-        all.insert(of + "zero " + std::to_string(one.mean[0][0]));
+      for (const auto& one : session.sensors) all.insert(of + one.name + one.serial_number);
+      for (const auto& [name, value] : session.references)
+        all.insert(of + name + std::to_string(value));
+      for (const auto& one : must(store.preparations(session.id))) {
+        all.insert(of + one.kind + std::to_string(one.mean[0]));
+        for (const auto& [name, value] : one.references)
+          all.insert(of + one.kind + name + std::to_string(value));
+      }
       std::map<RowId, std::string> uuid_of_trial{{0, "none"}};
       const auto trials = must(store.trials(session.id));
       for (const auto& trial : trials) uuid_of_trial[trial.id] = trial.uuid;
@@ -114,7 +118,9 @@ std::multiset<std::string> content_of(const std::string& path) {
       for (const auto& one : must(store.ratings(session.id)))
         all.insert(of + std::to_string(one.pain) + uuid_of_trial.at(one.trial_id));
       for (const auto& trial : test::every(trials)) {
-        EXPECT_EQ(trial.zero_id, must(store.zeros(session.id)).front().id);
+        EXPECT_EQ(trial.preparations, std::vector{must(store.preparations(session.id)).front().id});
+        for (const auto& [name, value] : trial.references)
+          all.insert(of + trial.uuid + name + std::to_string(value));
         all.insert(of + trial.uuid + std::to_string(trial.number) + trial.signals_hash);
         EXPECT_EQ(must(store.signals(trial)).rows(), 50u);
         for (const auto& one : must(store.measures(trial.id)))
@@ -242,6 +248,13 @@ TEST_F(Merge, OfDifferentContentUnderOneUuidIsReportedAndNothingIsChanged) {
         {"UPDATE trials SET signals_blake2b = zeroblob(32) WHERE id = 3", "(signals_blake2b)"},
         {"UPDATE sessions SET hand = 'right' WHERE id = 1", "(hand)"},
         {"UPDATE patient_profiles SET notes = 'other'", "the profile of P-1"},
+        {"UPDATE session_sensors SET serial_number = 'X' WHERE session_id = 2 AND position = 3",
+         "(session_sensors)"},
+        {"DELETE FROM session_references WHERE session_id = 1", "(session_references)"},
+        {"UPDATE trial_references SET value = 9.5 WHERE trial_id = 2 AND name = 'maximum_force_N'",
+         "trial 2 of the session of P-1"},
+        {"INSERT INTO trial_references VALUES (3, 'more', 0.5)", "(trial_references)"},
+        {"DELETE FROM trial_preparations WHERE trial_id = 4", "(trial_preparations)"},
         {"UPDATE measures SET value = value + 1 WHERE trial_id = 1", "with different measures"},
         {"DELETE FROM measures WHERE trial_id = 4", "with different measures"},
         {"UPDATE patients SET code = 'P-2'", "their codes must agree"},
@@ -265,14 +278,11 @@ TEST_F(Merge, OfASessionThatWasStillOpenTakesItsEnd) {
     const auto store = opened(a);
     const RowId session =
         must(store->begin_session(example_session(must(store->add_patient("P-1")).id)));
-    InstrumentZeroRecord zero;
-    zero.session_id = session;
-    zero.mean.fill(Vec6::Constant(1.0));
-    zero.sd.fill(Vec6::Constant(0.1));
-    const RowId zero_id = must(store->add_zero(zero));
+    PreparationRecord zero = example_preparation(session);
+    const RowId zero_id = must(store->add_preparation(zero));
     const auto record = [&](int number) {
       TrialRecord trial = example_trial(session, number);
-      trial.zero_id = zero_id;
+      trial.preparations = {zero_id};
       trial.id = must(store->begin_trial(trial));
       must(store->append_blocks(trial.id, 0, example_rows(trial, 50, 7)));
       trial.status = TrialStatus::completed;
@@ -281,17 +291,17 @@ TEST_F(Merge, OfASessionThatWasStillOpenTakesItsEnd) {
     record(1);
     b = copy(a, "b.db");
     record(2);
-    zero.drift_N = 0.5;
+    zero.references = {{"drift_N", 0.5}};
     zero.drifted = true;
-    must(store->add_zero(zero));
+    must(store->add_preparation(zero));
     must(store->end_session(session, "2026-03-01T10:00:00Z"));
   }
   expect_laws();
   for (const char* merged : {"ab.db", "ba.db"}) {
     const auto store = opened(folder.file(merged));
     EXPECT_EQ(must(store->sessions(1)).at(0).ended_utc, "2026-03-01T10:00:00Z") << merged;
-    EXPECT_EQ(must(store->trials(1)).at(0).zero_drift_N, 0.5) << merged;
-    EXPECT_TRUE(must(store->trials(1)).at(0).zero_drifted) << merged;
+    EXPECT_EQ(must(store->trials(1)).at(0).drift.at("drift_N"), 0.5) << merged;
+    EXPECT_TRUE(must(store->trials(1)).at(0).drifted) << merged;
   }
   execute(b, "UPDATE sessions SET ended_utc = '2026-03-01T11:00:00Z'");
   const auto differ = must(merge_databases(a, b));

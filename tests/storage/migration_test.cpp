@@ -35,7 +35,9 @@ INSTANTIATE_TEST_SUITE_P(OfFormat, Migration, testing::Range(1, kDatabaseFormat)
 struct Contents {
   SessionRecord session;
   std::vector<TrialRecord> trials;
-  std::vector<InstrumentZeroRecord> zeros;
+  std::vector<PreparationRecord> preparations;
+  std::vector<EventRecord> events;
+  std::vector<RatingRecord> ratings;
   std::vector<std::vector<Measure>> measures;
   std::vector<Signals> signals;
 };
@@ -44,7 +46,9 @@ Contents contents_of(SessionStore& store) {
   Contents all;
   all.session = must(store.sessions(must(store.patients()).at(0).id)).at(0);
   all.trials = must(store.trials(all.session.id));
-  all.zeros = must(store.zeros(all.session.id));
+  all.preparations = must(store.preparations(all.session.id));
+  all.events = must(store.events(all.session.id));
+  all.ratings = must(store.ratings(all.session.id));
   for (const auto& trial : all.trials) {
     all.measures.push_back(must(store.measures(trial.id)));
     all.signals.push_back(must(store.signals(trial)));
@@ -52,19 +56,18 @@ Contents contents_of(SessionStore& store) {
   return all;
 }
 
-void expect_same(const Contents& a, const Contents& b) {
-  EXPECT_EQ(a.session.device_uri, b.session.device_uri);
-  EXPECT_EQ(a.session.seed, b.session.seed);
+/// But UUIDs and hashes, which older files do not have.
+void expect_same(const Contents& a, Contents b) {
+  b.session.uuid = a.session.uuid;
+  EXPECT_EQ(a.session, b.session);
+  EXPECT_EQ(a.preparations, b.preparations);
+  EXPECT_EQ(a.events, b.events);
+  EXPECT_EQ(a.ratings, b.ratings);
   ASSERT_EQ(a.trials.size(), b.trials.size());
-  ASSERT_EQ(a.zeros.size(), b.zeros.size());
-  for (std::size_t i = 0; i < a.zeros.size(); ++i) {
-    EXPECT_EQ(a.zeros[i].mean, b.zeros[i].mean);
-    EXPECT_EQ(a.zeros[i].sd, b.zeros[i].sd);
-  }
   for (std::size_t i = 0; i < a.trials.size(); ++i) {
-    EXPECT_EQ(a.trials[i].task_text, b.trials[i].task_text);
-    EXPECT_EQ(a.trials[i].health_json, b.trials[i].health_json);
-    EXPECT_EQ(a.trials[i].zero_id, b.trials[i].zero_id);
+    b.trials[i].uuid = a.trials[i].uuid;
+    b.trials[i].signals_hash = a.trials[i].signals_hash;
+    EXPECT_EQ(a.trials[i], b.trials[i]);
     ASSERT_EQ(a.measures[i].size(), b.measures[i].size());
     for (std::size_t m = 0; m < a.measures[i].size(); ++m)
       EXPECT_EQ(a.measures[i][m].value, b.measures[i][m].value);
@@ -112,14 +115,20 @@ TEST_P(Migration, AnOldFileIsReadAsItIs) {
   const Contents all = contents_of(*store);
   EXPECT_EQ(all.trials.size(), 2u);
   EXPECT_GT(all.signals[0].rows(), 10u);
-  EXPECT_FALSE(all.zeros.at(0).change_N.has_value());
-  EXPECT_EQ(all.zeros[0].recorded_utc.empty(), GetParam() < 2);
-  EXPECT_FALSE(all.trials[1].threshold_N[0].has_value());
-  EXPECT_EQ(must(store->resting_forces(all.session.id)).empty(), GetParam() < 2);
+  EXPECT_EQ(all.preparations.at(0).kind, "instrument_zero");
+  EXPECT_EQ(all.preparations[0].columns.size(), 18u);
+  EXPECT_EQ(all.preparations[0].mean.size(), 18u);
+  EXPECT_TRUE(all.preparations[0].references.empty());
+  EXPECT_EQ(all.preparations[0].recorded_utc.empty(), GetParam() < 2);
+  EXPECT_EQ(all.trials[1].preparations, std::vector{all.preparations[0].id});
+  EXPECT_FALSE(all.trials[1].references.contains("thumb_threshold_N"));
+  EXPECT_EQ(all.preparations.size(), GetParam() < 2 ? 1u : 2u) << "and the resting force";
+  EXPECT_EQ(all.session.sensors.size(), GetParam() < 2 ? 0u : 3u);
   EXPECT_EQ(all.session.resumes_id, 0);
   const bool three = GetParam() >= 3;
   EXPECT_EQ(all.session.allowed, three ? "maximum" : "");
-  EXPECT_EQ(all.session.ceiling_N, three ? std::optional(25.0) : std::nullopt);
+  EXPECT_EQ(value_of(all.session.references, "ceiling_N"),
+            three ? std::optional(25.0) : std::nullopt);
   EXPECT_EQ(all.trials[1].place, three ? std::optional(TrialPlace{2, 0}) : std::nullopt);
   EXPECT_EQ(all.trials[1].helped, three);
   EXPECT_EQ(must(store->ratings(all.session.id)).size(), three ? 1u : 0u);
@@ -131,7 +140,8 @@ TEST_P(Migration, AnOldFileIsReadAsItIs) {
   EXPECT_EQ(must(store->clinical_scores(patient)).size(), four ? 1u : 0u);
   EXPECT_EQ(must(store->answers(all.session.id)).size(), four ? 1u : 0u);
   EXPECT_EQ(all.trials[1].display_age_s, four ? std::optional(0.021) : std::nullopt);
-  EXPECT_EQ(all.trials[1].visual_gain_deg_per_N, four ? std::optional(0.5) : std::nullopt);
+  EXPECT_EQ(value_of(all.trials[1].references, "visual_gain_deg_per_N"),
+            four ? std::optional(0.5) : std::nullopt);
   const bool five = GetParam() >= 5;
   EXPECT_EQ(must(store->primary_measures(patient)).size(), five ? 1u : 0u);
   EXPECT_EQ(must(store->stable_periods(patient)).size(), five ? 1u : 0u);
@@ -206,14 +216,15 @@ TEST_P(Migration, GivesTheSameTablesAsANewFile) {
   EXPECT_EQ(schema_of(path), schema_of(folder.file("new.db")));
 }
 
-TEST_P(Migration, BeginsTheAuditLogWithItself) {
+TEST_P(Migration, IsAnEntryOfTheAuditLogTheFirstWhereThereWasNone) {
   must(migrate_database(path));
   const auto access = must(Access::open(path));
   EXPECT_FALSE(access->is_protected());
   const auto entries = must(read_audit(*access));
-  ASSERT_EQ(entries.size(), 1u);
-  EXPECT_EQ(entries[0].act, "migrate");
-  EXPECT_EQ(entries[0].object, "clinic.db.format-" + format);
+  const bool has_log = GetParam() >= 7;  // that file says where it came from itself
+  ASSERT_EQ(entries.size(), has_log ? 2u : 1u);
+  EXPECT_EQ(entries.back().act, "migrate");
+  EXPECT_EQ(entries.back().object, "clinic.db.format-" + format);
   EXPECT_TRUE(must(check_audit(*access)).empty());
 }
 
@@ -224,6 +235,53 @@ TEST_P(Migration, IsDoneOnceAndNeverOverwritesACopy) {
   const auto again = must(migrate_database(path));
   EXPECT_EQ(again.from, kDatabaseFormat);
   EXPECT_EQ(again.copy, "");
+}
+
+/// tests/data/format_7_session.db: two whole sessions of the last program that wrote format 7.
+struct ForceSessions : testing::Test {
+  TemporaryFolder folder;
+  std::string path = folder.file("clinic.db");
+  ForceSessions() { fs::copy_file(ISOGRASP_SOURCE_DIR "/tests/data/format_7_session.db", path); }
+};
+
+TEST_F(ForceSessions, OfFormat7KeepZeroRestReferencesSensorsAndDrift) {
+  for (const bool migrated : {false, true}) {
+    if (migrated) must(migrate_database(path));
+    const auto store = must(open_store_to_read(path));
+    const auto sessions = must(store->recent_sessions(9));
+    ASSERT_EQ(sessions.size(), 2u);
+    const SessionRecord& first = sessions[1];
+    EXPECT_EQ(first.references, (References{{"ceiling_N", 30.0}}));
+    EXPECT_EQ(first.sensors,
+              (std::vector<SensorRecord>{
+                  {"thumb", "SIM-THUMB"}, {"index", "SIM-INDEX"}, {"middle", "SIM-MIDDLE"}}));
+    const auto done = must(store->preparations(first.id));
+    ASSERT_EQ(done.size(), 3u);
+    EXPECT_EQ(done[0].kind, "instrument_zero");
+    EXPECT_EQ(done[0].columns.front(), "thumb_fx_N");
+    EXPECT_EQ(done[0].columns.back(), "middle_tz_Nm");
+    EXPECT_FALSE(done[0].drifted);
+    EXPECT_EQ(done[1].references, (References{{"change_N", 0.5}, {"drift_N", 0.5}}));
+    EXPECT_TRUE(done[1].change_confirmed);
+    EXPECT_TRUE(done[1].drifted);
+    EXPECT_EQ(done[2].kind, "resting_force");
+    EXPECT_EQ(done[2].references, (References{{"duration_s", 2.0}}));
+    EXPECT_EQ(done[2].samples, 200);
+    const auto trials = must(store->trials(first.id));
+    ASSERT_EQ(trials.size(), 3u);
+    EXPECT_EQ(done[2].trial_id, trials[0].id);
+    for (const TrialRecord& trial : trials) {
+      EXPECT_EQ(trial.preparations, std::vector{done[0].id});
+      EXPECT_EQ(trial.drift, (References{{"drift_N", 0.5}}));
+      EXPECT_TRUE(trial.drifted);
+    }
+    EXPECT_TRUE(trials[0].references.empty()) << "0 stood for what was not measured";
+    EXPECT_EQ(trials[2].references.size(), 5u);
+    EXPECT_EQ(trials[2].references.at("index_threshold_N"), 0.49318879999999954);
+    EXPECT_EQ(must(store->last_preparation(first, "instrument_zero"))->id, done[1].id);
+    EXPECT_TRUE(must(store->trials(sessions[0].id))[1].drift.empty());
+    EXPECT_TRUE(must(store->check()).empty());
+  }
 }
 
 TEST_P(Migration, IsRefusedWhileSomebodyRecords) {

@@ -24,109 +24,105 @@ struct Records : testing::Test {
 
 TEST_F(Records, SessionKeepsEveryField) {
   const auto patient_id = patient();
-  const auto written = example_session(patient_id);
-  const RowId id = must(store->begin_session(written));
-  must(store->end_session(id));
+  SessionRecord written = example_session(patient_id);
+  written.id = must(store->begin_session(written));
+  must(store->end_session(written.id, "2026-03-01T10:30:00Z"));
+  written.ended_utc = "2026-03-01T10:30:00Z";
   reopen();
   const auto all = must(store->sessions(patient_id));
   ASSERT_EQ(all.size(), 1u);
-  const auto& read = all[0];
-  EXPECT_EQ(read.id, id);
-  EXPECT_EQ(read.patient_id, patient_id);
-  EXPECT_EQ(read.started_utc, written.started_utc);
-  EXPECT_EQ(read.ended_utc.size(), std::string("2026-03-01T09:30:00Z").size());
-  EXPECT_EQ(read.hand, written.hand);
-  EXPECT_EQ(read.device_uri, written.device_uri);
-  EXPECT_EQ(read.device_description, written.device_description);
-  EXPECT_EQ(read.simulated, written.simulated);
-  EXPECT_EQ(read.recorded, written.recorded);
-  EXPECT_EQ(read.provenance, written.provenance);
-  EXPECT_EQ(read.protocol_name, written.protocol_name);
-  EXPECT_EQ(read.protocol_text, written.protocol_text);
-  EXPECT_TRUE(same_bits(read.rate_Hz, written.rate_Hz));
-  EXPECT_TRUE(same_bits(read.device_delay_s, written.device_delay_s));
-  EXPECT_EQ(read.software_version, written.software_version);
-  EXPECT_EQ(read.calibration, written.calibration);
-  EXPECT_EQ(read.uuid.size(), 36u);
-  EXPECT_EQ(read.cpu_features, written.cpu_features);
-  EXPECT_EQ(read.seed, written.seed);
-  EXPECT_EQ(read.serial_numbers, written.serial_numbers);
-  EXPECT_EQ(read.operator_name, written.operator_name);
-  EXPECT_EQ(read.realtime, written.realtime);
-  EXPECT_EQ(read.allowed, written.allowed);
-  EXPECT_EQ(read.ceiling_N, written.ceiling_N);
-  EXPECT_EQ(read.resumes_id, 0);
+  EXPECT_EQ(all[0].uuid.size(), 36u);
+  written.uuid = all[0].uuid;
+  EXPECT_EQ(all[0], written);
 }
 
-TEST_F(Records, InstrumentZeroComesBackToTheBit) {
-  InstrumentZeroRecord written;
-  written.session_id = session();
-  written.session_time_s = 3.25;
-  const auto awkward = awkward_doubles();
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    for (int a = 0; a < 6; ++a) {
-      const auto i = f * 6 + static_cast<std::size_t>(a);
-      written.mean[f][a] = awkward[i % awkward.size()];
-      written.sd[f][a] = 0.001 * static_cast<double>(i);
-    }
-  written.recorded_utc = "2026-03-01T09:30:03Z";
-  written.operator_name = "Therapist 7";
-  written.change_N = 2.5;
-  written.change_confirmed = true;
-  const RowId id = must(store->add_zero(written));
+TEST_F(Records, PreparationsOfAnyKindKeepEveryField) {
+  const RowId session_id = session();
+  PreparationRecord zero = example_preparation(session_id);
+  zero.references = {{"change_N", 2.5}, {"drift_N", 0.25}};
+  zero.change_confirmed = zero.drifted = true;
+  zero.id = must(store->add_preparation(zero));
+  PreparationRecord rest = example_preparation(session_id);
+  rest.kind = "resting_force";
+  rest.trial_id = must(store->begin_trial(example_trial(session_id)));
+  rest.references = {{"duration_s", 10.0}, {"since_strapping_s", 61.25}};
+  rest.samples = 1000;
+  rest.id = must(store->add_preparation(rest));
+  EXPECT_FALSE(store->add_preparation(rest).ok()) << "one of a kind of each trial";
+  PreparationRecord size = example_preparation(session_id);
+  size.kind = "hand_size";
+  size.columns = {"palm_width_m"};
+  size.mean = {0.081};
+  size.sd = {0.002};
+  size.operator_name = "";
+  size.id = must(store->add_preparation(size));
   reopen();
-  const auto all = must(store->zeros(written.session_id));
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].id, id);
-  EXPECT_EQ(all[0].session_time_s, 3.25);
-  EXPECT_EQ(all[0].recorded_utc, written.recorded_utc);
-  EXPECT_EQ(all[0].operator_name, written.operator_name);
-  EXPECT_EQ(all[0].change_N, written.change_N);
-  EXPECT_TRUE(all[0].change_confirmed);
-  EXPECT_FALSE(all[0].drift_N.has_value());
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    for (int a = 0; a < 6; ++a) {
-      EXPECT_TRUE(same_bits(all[0].mean[f][a], written.mean[f][a])) << f << " " << a;
-      EXPECT_TRUE(same_bits(all[0].sd[f][a], written.sd[f][a])) << f << " " << a;
-    }
+  EXPECT_EQ(must(store->preparations(session_id)), (std::vector{zero, rest, size}));
 }
 
-TEST_F(Records, RestingForceComesBackToTheBit) {
-  RestingForceRecord written;
-  written.session_id = session();
-  TrialRecord trial = example_trial(written.session_id);
-  written.trial_id = must(store->begin_trial(trial));
-  written.session_time_s = 73.5;
-  written.recorded_utc = "2026-03-01T09:31:13Z";
-  written.operator_name = "Therapist 7";
-  written.duration_s = 10.0;
-  written.since_strapping_s = 61.25;
-  written.samples = 1000;
-  const auto awkward = awkward_doubles();
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    for (int a = 0; a < 6; ++a) {
-      const auto i = f * 6 + static_cast<std::size_t>(a);
-      written.mean[f][a] = awkward[i % awkward.size()];
-      written.sd[f][a] = 0.001 * static_cast<double>(i);
-    }
-  written.id = must(store->add_resting_force(written));
-  EXPECT_FALSE(store->add_resting_force(written).ok()) << "one of each trial";
+TEST_F(Records, PreparationsComeBackToTheBit) {
+  PreparationRecord written = example_preparation(session());
+  written.mean = awkward_doubles();
+  written.sd = written.mean;
+  written.columns.clear();
+  for (std::size_t i = 0; i < written.mean.size(); ++i)
+    written.columns.push_back("column_" + std::to_string(i));
+  must(store->add_preparation(written));
   reopen();
-  const auto all = must(store->resting_forces(written.session_id));
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].id, written.id);
-  EXPECT_EQ(all[0].trial_id, written.trial_id);
-  EXPECT_EQ(all[0].session_time_s, written.session_time_s);
-  EXPECT_EQ(all[0].recorded_utc, written.recorded_utc);
-  EXPECT_EQ(all[0].operator_name, written.operator_name);
-  EXPECT_EQ(all[0].duration_s, written.duration_s);
-  EXPECT_EQ(all[0].since_strapping_s, written.since_strapping_s);
-  EXPECT_EQ(all[0].samples, written.samples);
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    for (int a = 0; a < 6; ++a) {
-      EXPECT_TRUE(same_bits(all[0].mean[f][a], written.mean[f][a])) << f << " " << a;
-      EXPECT_TRUE(same_bits(all[0].sd[f][a], written.sd[f][a])) << f << " " << a;
-    }
+  const auto read = must(store->preparations(written.session_id)).at(0);
+  ASSERT_EQ(read.mean.size(), written.mean.size());
+  ASSERT_EQ(read.sd.size(), written.sd.size());
+  for (std::size_t i = 0; i < written.mean.size(); ++i) {
+    EXPECT_TRUE(same_bits(read.mean[i], written.mean[i])) << i;
+    EXPECT_TRUE(same_bits(read.sd[i], written.sd[i])) << i;
+  }
+}
+
+TEST_F(Records, APreparationHasAMeanAndASpreadOfEachColumn) {
+  using Spoil = void (*)(PreparationRecord&);
+  const std::vector<Spoil> all{
+      [](PreparationRecord& one) { one.mean.pop_back(); },
+      [](PreparationRecord& one) { one.sd.pop_back(); },
+      [](PreparationRecord& one) { one.columns.pop_back(); },
+      [](PreparationRecord& one) { one.kind = ""; },
+      [](PreparationRecord& one) { one.references["drift_N"] = std::nan(""); },
+      [](PreparationRecord& one) { one.trial_id = 7; }};
+  const RowId session_id = session();
+  for (const Spoil spoil : test::every(all)) {
+    PreparationRecord one = example_preparation(session_id);
+    spoil(one);
+    EXPECT_FALSE(store->add_preparation(one).ok());
+    EXPECT_TRUE(must(store->preparations(session_id)).empty()) << "all or nothing";
+  }
+}
+
+TEST_F(Records, ATrialSaysHowWhatItRestsOnHasDriftedSince) {
+  const RowId session_id = session();
+  PreparationRecord zero = example_preparation(session_id);
+  PreparationRecord size = example_preparation(session_id);
+  size.kind = "hand_size";
+  const RowId first = must(store->add_preparation(zero));
+  const RowId of_hand = must(store->add_preparation(size));
+  TrialRecord trial = example_trial(session_id, 1);
+  trial.preparations = {first, of_hand};
+  trial.status = TrialStatus::completed;
+  trial.id = must(store->begin_trial(trial));
+  must(store->end_trial(trial, {}));
+  EXPECT_TRUE(must(store->trials(session_id))[0].drift.empty()) << "nothing followed";
+  zero.references = {{"drift_N", 0.5}, {"change_N", 0.1}};
+  zero.drifted = true;
+  trial.preparations = {must(store->add_preparation(zero)), of_hand};
+  trial.number = 2;
+  trial.id = must(store->begin_trial(trial));
+  must(store->end_trial(trial, {}));
+  zero.references = {{"drift_N", 0.1}};
+  zero.drifted = false;
+  must(store->add_preparation(zero));
+  const auto all = must(store->trials(session_id));
+  EXPECT_EQ(all[0].drift, (References{{"drift_N", 0.5}})) << "of the zero that followed, no other";
+  EXPECT_TRUE(all[0].drifted);
+  EXPECT_EQ(all[1].drift, (References{{"drift_N", 0.1}}));
+  EXPECT_FALSE(all[1].drifted);
 }
 
 TEST_F(Records, ACorrectedRatingIsOneRatingAndSaysWhatItWas) {
@@ -177,30 +173,35 @@ TEST_F(Records, RatingsAndHelpComeBack) {
 
 TEST_F(Records, TheLastZeroIsThatOfTheSameSensorsWhicheverSessionItWasIn) {
   const RowId patient = must(store->add_patient("P-9")).id;
-  const auto add = [&](const std::array<std::string, kFingerCount>& serials, const std::string& uri,
+  const auto sensors = [](const std::vector<std::string>& serials) {
+    std::vector<SensorRecord> all;
+    for (const std::string& serial : serials) all.push_back({"one", serial});
+    return all;
+  };
+  const auto add = [&](const std::vector<std::string>& serials, const std::string& uri,
                        bool simulated, double value) {
     SessionRecord s = example_session(patient);
     s.recorded = false;
     s.simulated = simulated;
-    s.serial_numbers = serials;
+    s.sensors = sensors(serials);
     s.device_uri = uri;
-    InstrumentZeroRecord zero;
-    zero.session_id = must(store->begin_session(s));
-    for (auto& mean : zero.mean) mean.setConstant(value);
-    for (auto& sd : zero.sd) sd.setZero();
-    must(store->add_zero(zero));
+    const RowId session_id = must(store->begin_session(s));
+    must(store->add_preparation(example_preparation(session_id, value)));
+    PreparationRecord other = example_preparation(session_id, -value);
+    other.kind = "hand_size";
+    must(store->add_preparation(other));
     return s;
   };
   const auto found = [&](const SessionRecord& s) {
-    const auto zero = must(store->last_zero(s));
-    return zero ? std::optional(zero->mean[0][0]) : std::nullopt;
+    const auto zero = must(store->last_preparation(s, "instrument_zero"));
+    return zero ? std::optional(zero->mean[0]) : std::nullopt;
   };
   const auto a = add({"1", "2", "3"}, "can://can0", false, 1.0);
   const auto a_elsewhere = add({"1", "2", "3"}, "can://can1", false, 2.0);
   const auto b = add({"1", "2", "4"}, "can://can0", false, 3.0);
   const auto simulated = add({"1", "2", "3"}, "can://can0", true, 4.0);
-  const auto silent = add({}, "can://can0", false, 5.0);
-  const auto silent_elsewhere = add({}, "can://can1", false, 6.0);
+  const auto silent = add({"", "", ""}, "can://can0", false, 5.0);
+  const auto silent_elsewhere = add({"", "", ""}, "can://can1", false, 6.0);
   EXPECT_EQ(found(a), 2.0) << "the newest of these sensors, on whichever bus";
   EXPECT_EQ(found(a_elsewhere), 2.0);
   EXPECT_EQ(found(b), 3.0);
@@ -208,18 +209,15 @@ TEST_F(Records, TheLastZeroIsThatOfTheSameSensorsWhicheverSessionItWasIn) {
   EXPECT_EQ(found(silent), 5.0) << "sensors that do not tell: the same address";
   EXPECT_EQ(found(silent_elsewhere), 6.0);
   SessionRecord other = b;
-  other.serial_numbers = {"7", "8", "9"};
+  other.sensors = sensors({"7", "8", "9"});
   EXPECT_FALSE(found(other).has_value());
 }
 
 TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
   const RowId session_id = session();
-  InstrumentZeroRecord zero;
-  zero.session_id = session_id;
-  for (auto& mean : zero.mean) mean.setZero();
-  for (auto& sd : zero.sd) sd.setZero();
   TrialRecord written = example_trial(session_id, 4);
-  written.zero_id = must(store->add_zero(zero));
+  written.preparations = {must(store->add_preparation(example_preparation(session_id))),
+                          must(store->add_preparation(example_preparation(session_id)))};
   written.id = must(store->begin_trial(written));
   must(store->append_blocks(written.id, 0, example_rows(written, 100, 1)));
   must(store->append_blocks(written.id, 1, example_rows(written, 37, 2)));
@@ -231,7 +229,7 @@ TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
   end.health_json = R"({"frames": 137})";
   end.timing_json = R"({"period": {}})";
   end.display_age_s = 0.0417;
-  end.visual_gain_deg_per_N = 0.25;
+  end.references["visual_gain_deg_per_N"] = 0.25;
   end.viewing_distance_m = 0.65;
   const std::vector<Measure> measures{{"rmse", "force", 0.1 + 0.2, "N", 2, 100, 37, ""},
                                       {"lag", "force", -0.0, "s", 1, 137, 0, ""},
@@ -243,36 +241,13 @@ TEST_F(Records, TrialAndItsMeasuresKeepEveryField) {
   const auto all = must(store->trials(session_id));
   ASSERT_EQ(all.size(), 1u);
   const auto& read = all[0];
-  EXPECT_EQ(read.id, written.id);
-  EXPECT_EQ(read.number, 4);
-  EXPECT_EQ(read.task_name, written.task_name);
-  EXPECT_EQ(read.task_version, written.task_version);
-  EXPECT_EQ(read.task_text, written.task_text);
-  EXPECT_EQ(read.scene_text, written.scene_text);
-  EXPECT_EQ(read.practice, written.practice);
-  EXPECT_EQ(read.session_time_s, written.session_time_s);
-  EXPECT_EQ(read.status, TrialStatus::completed);
-  EXPECT_EQ(read.maximum_force_N, written.maximum_force_N);
-  EXPECT_TRUE(same_bits(read.resting_force_N, written.resting_force_N));
-  EXPECT_EQ(read.zero_id, written.zero_id);
-  EXPECT_EQ(read.samples, 137);
-  EXPECT_EQ(read.dropped, 5);
-  EXPECT_EQ(read.worst_lateness_s, end.worst_lateness_s);
-  EXPECT_EQ(read.worst_compute_s, end.worst_compute_s);
-  EXPECT_EQ(read.health_json, end.health_json);
-  EXPECT_EQ(read.timing_json, end.timing_json);
-  EXPECT_EQ(read.display_age_s, end.display_age_s);
-  EXPECT_EQ(read.visual_gain_deg_per_N, end.visual_gain_deg_per_N);
-  EXPECT_EQ(read.viewing_distance_m, end.viewing_distance_m);
-  EXPECT_EQ(read.threshold_N, written.threshold_N);
-  EXPECT_EQ(read.seed, written.seed);
-  EXPECT_EQ(read.place, written.place);
-  EXPECT_FALSE(read.helped);
-  EXPECT_FALSE(read.zero_drift_N.has_value());
-  ASSERT_EQ(read.groups.size(), 2u);
-  EXPECT_EQ(read.groups[0].name, "force");
-  EXPECT_EQ(read.groups[0].columns, written.groups[0].columns);
-  EXPECT_EQ(read.groups[1].columns, written.groups[1].columns);
+  EXPECT_EQ(read.uuid.size(), 36u);
+  EXPECT_EQ(read.signals_hash.size(), 64u);
+  end.uuid = read.uuid;
+  end.signals_hash = read.signals_hash;
+  end.samples = 137;
+  EXPECT_EQ(read, end);
+  EXPECT_TRUE(same_bits(read.references.at("resting_force_N"), -0.0));
 
   const auto stored = must(store->measures(written.id));
   ASSERT_EQ(stored.size(), measures.size());
@@ -496,13 +471,8 @@ TEST_F(Records, AClockThatIsSetBackLosesNothingAndSessionsAreReadByTheirTime) {
     record.started_utc = start;
     const RowId id = must(store->begin_session(record));
     made.push_back(id);
-    InstrumentZeroRecord zero;
-    zero.session_id = id;
-    zero.mean.fill(Vec6::Zero());
-    zero.sd.fill(Vec6::Zero());
-    zero.recorded_utc = start;
     TrialRecord trial = example_trial(id);
-    trial.zero_id = must(store->add_zero(zero));
+    trial.preparations = {must(store->add_preparation(example_preparation(id)))};
     trial.id = must(store->begin_trial(trial));
     must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));
     trial.status = TrialStatus::completed;
@@ -520,7 +490,7 @@ TEST_F(Records, AClockThatIsSetBackLosesNothingAndSessionsAreReadByTheirTime) {
     const auto trials = must(store->trials(session.id));
     ASSERT_EQ(trials.size(), 1u);
     EXPECT_EQ(must(store->signals(trials[0])).rows(), 100u);
-    EXPECT_EQ(must(store->zeros(session.id)).size(), 1u);
+    EXPECT_EQ(must(store->preparations(session.id)).size(), 1u);
   }
   EXPECT_EQ(must(store->check()), std::vector<std::string>{});
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Friction limit of one contact, f_t = (fx, fy):
+//   utilisation = sqrt((|f_t| / (mu fz))^2 + (tz / (gamma_m fz))^2)
+//   passed on: fz, and (fx, fy, tz) / max(1, utilisation); nothing where fz <= 0
 #include "grasp_model/contact.hpp"
 
 #include <algorithm>

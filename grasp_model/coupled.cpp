@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// m x" + C x' + K x = F on the free axes, F constant over the hold h:
+//   d/dt (x, v, F) = rate (x, v, F),  x1 = x0 + S v0 + P (F - K x0),  v1 = Q v0 + T (F - K x0)
+//   S, P, Q and T are blocks of exp(h rate)
+// m = 0: d/dt (x, F) = rate (x, F), P a block of exp(h rate), T = C^-1 (I - K P).
 #include "grasp_model/coupled.hpp"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// An axis under a force F(t) over a panel of length h, g the motion after a unit impulse:
+//   end = (step under F(h)) + sum_n weight_n h g(h (1 - time_n)) (F(time_n h) - F(h))
 #include "grasp_model/follow.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// F_O = G f. A column of G: (d, p_OC x d) of a force along d at p_OC, (0, d) of a torque about d.
 #include "grasp_model/grasp.hpp"
 
 #include <algorithm>

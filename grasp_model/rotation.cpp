@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A turn by t = |phi| about phi; quotients that lose digits near t = 0 are series there:
+//   exp(phi) = (cos(t/2), sin(t/2) phi / t),  log(w, v) = 2 atan2(|v|, w) v / |v|
+//   Jr(phi) u = u - a phi x u + b phi x (phi x u),  a = (1 - cos t) / t^2,  b = (t - sin t) / t^3
+//   Jr^-1(phi) u = u + phi x u / 2 + d phi x (phi x u),  d = (1 - (t/2) cot(t/2)) / t^2
+//   Jr^-T(phi) u = u - phi x u / 2 + d phi x (phi x u)
+//   torque of a spring with stiffness k about each axis = -Jr^-T(phi) diag(k) phi
 #include "grasp_model/rotation.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// I w' = tau - C w - spring(q) - w x I w,  q' = q (0, w) / 2, w in body axes.
 #include "grasp_model/spin.hpp"
 
 #include <algorithm>

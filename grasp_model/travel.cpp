@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// m x" + c x' + k x = F turns where x' = 0. With alpha = c / (2 m), D = alpha^2 - k / m,
+// w = sqrt(|D|) and slope = (F - k x0) / m - alpha v0:
+//   D < 0: tan(w t) = -v0 w / slope
+//   D >= 0: tanh(w t) = -v0 w / slope
 #include "grasp_model/travel.hpp"
 
 #include <algorithm>

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of C: orthonormal contrasts; n subjects, scores = table C^T, m their mean:
+//   SS = n |m|^2,  SS_error = sum |scores - m|^2
+//   df = rows of C,  error_df = df (n - 1),  F = (SS / df) / (SS_error / error_df)
+// Sphericity, with the p eigenvalues l of the scatter of the scores:
+//   epsilon (Greenhouse, Geisser) = (sum l)^2 / (p sum l^2)
+//   w (Mauchly) = product of l / mean of l
 #include "statistics/anova.hpp"
 
 #include <algorithm>

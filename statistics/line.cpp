@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Least squares over n points (t, x) with the means t_mean and mean:
+//   slope = sum (t - t_mean) (x - mean) / sum (t - t_mean)^2
+//   residual_sd = sqrt(sum (x - mean - slope (t - t_mean))^2 / (n - 1))
 #include "statistics/line.hpp"
 
 #include <cassert>

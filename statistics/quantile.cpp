@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The quantile is the least value for which: sum of the weights of all values up to it >= share *
+// sum of all weights.
 #include "statistics/quantile.hpp"
 
 #include <algorithm>

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Friedman: n subjects, k conditions, r a rank, R_j the sum of the ranks of condition j:
+//   chi2 = (k - 1) sum_j (R_j - n (k + 1) / 2)^2 / sum (r - (k + 1) / 2)^2
+//   Kendall's W = chi2 / (n (k - 1))
+// Wilcoxon: W+ is the sum of the ranks of the positive differences; without an effect each of the
+// 2^n patterns of signs is equally likely.
+//   pseudo-median = median of the Walsh averages (d_i + d_j) / 2, i <= j
 #include "statistics/rank_tests.hpp"
 
 #include <algorithm>

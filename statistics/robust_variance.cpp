@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Differences d of pairs with weights w; h = d^2 / 2 estimates the variance of one value:
+//   first = weighted median of h / consistency.median
+//   kept are those with h <= kKeptSds^2 first
+//   variance = (sum w h / sum w, of the kept) / (consistency.kept small_sample_share(count))
+//   count = (sum w)^2 / sum w^2, of all
 #include "statistics/robust_variance.hpp"
 
 #include <algorithm>

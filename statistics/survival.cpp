@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Kaplan and Meier. At each time t_i at which somebody arrived, trying_i had not arrived or stopped
+// before, and done_i arrived then:
+//   share(t) = product of (trying_i - done_i) / trying_i over all t_i <= t
+//   median = the first t_i with share <= 1 / 2
+//   restricted mean = integral of share(t) from 0 to limit_s
 #include "statistics/survival.hpp"
 
 #include <algorithm>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// x: load, y: grip, both about their means; r(shift): Pearson's r of x[k] and y[k + shift].
+//   slope = sum x y / sum x^2,  correlation = largest r(shift) within 0.5 s
+//   lag = its shift, moved to the top of the parabola through it and its neighbours
+//   safety margin = 100 sum w (1 - needed / grip) / sum w, where there is grip
 #include "tasks/measures/coupling.hpp"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// r(shift): Pearson's r of target[k] and actual[k + shift] over the samples that both have.
+//   lag = the shift of the largest r, moved to the top of the parabola through it and its
+//   neighbours: step * (shift + (r_before - r_after) / (2 (r_before - 2 r + r_after)))
 #include "tasks/measures/delay.hpp"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// rise: mean of a digit's force in a hold less its force at the start of the hold:
+//   enslaving of i by j = mean of rise_i / rise_j over the holds of j
+//   uninstructed deviation = sqrt(sum w (force - start)^2 / sum w) over the digits not asked for
 #include "tasks/measures/digits.hpp"
 
 #include <algorithm>

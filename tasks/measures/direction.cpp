@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Forces f with weights w, direction d of length 1, f_0 the first and f_n the last force:
+//   angle = atan2(|a x b|, a . b),  direction error = sum w angle(f, d) / sum w
+//   projection ratio = sum w (f . d) / sum w |f|
+//   along = (f - f_0) . (f_n - f_0) / |f_n - f_0|^2
+//   path deviation = sum w |f - f_0 - along (f_n - f_0)| / sum w
 #include "tasks/measures/direction.hpp"
 
 #include <algorithm>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// e = actual - target, w: how long each sample lasts:
+//   RMSE = sqrt(sum w e^2 / sum w),  MAE = sum w |e| / sum w,  constant error = sum w e / sum w
+//   relative RMSE = 100 RMSE / largest |target|
+//   time in band = 100 (sum of w where |e| <= max(share |target|, 3 noise_sd)) / sum w
+//   CV = 100 (SD about the fitted line) / mean
 #include "tasks/measures/error.hpp"
 
 #include <algorithm>

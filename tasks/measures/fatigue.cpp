@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// fresh = mean force of the first 5 s:
+//   fatigue slope = 100 (slope of the fitted line) / fresh
+//   time to fatigue = when force / fresh < 0.8 begins to last for 1 s
 #include "tasks/measures/fatigue.hpp"
 
 #include <algorithm>

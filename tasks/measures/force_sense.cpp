@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// e = reproduced - target: constant error = mean of e, absolute error = mean of |e|, variable error
+// = SD of e.
 #include "tasks/measures/force_sense.hpp"
 
 #include <cassert>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Means over time of |actual - target| and of angles; over one or several paths of positions p_k:
+//   path efficiency = 100 sum |p_last - p_first| / sum |p_k - p_(k - 1)|
 #include "tasks/measures/motion.hpp"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// s: the force after a 5 Hz low-pass, forwards and backwards, step dt:
+//   rate_k = (s_(k + 1) - s_(k - 1)) / (2 dt)
+//   early rate = (force 0.2 s after the onset - force at the onset) / 0.2 s
 #include "tasks/measures/rate.hpp"
 
 #include <algorithm>

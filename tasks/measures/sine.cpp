@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Least squares: x = offset + a sin(w t) + b cos(w t), w = 2 pi frequency:
+//   amplitude = sqrt(a^2 + b^2),  phase = atan2(b, a),  gain = amplitude of actual / of target
 #include "tasks/measures/sine.hpp"
 
 #include <algorithm>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// M: spectrum of the speed v divided by its first line; from the first to the last line of at most
+// 10 Hz with M >= 0.05 are n steps:
+//   SPARC = -sum sqrt(1 / n^2 + (M_(k + 1) - M_k)^2)
+//   jerk_k = (v_(k + 1) - 2 v_k + v_(k - 1)) / dt^2
+//   LDLJ = -ln(duration^3 / (largest v)^2 * sum jerk^2 dt)
 #include "tasks/measures/smoothness.hpp"
 
 #include <algorithm>

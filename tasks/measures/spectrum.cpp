@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Welch: windows w of 4 s that overlap by half, of the signal x about its line, step dt:
+//   density = 2 dt / (number of windows * sum w^2) * sum over windows of |Fourier(w x)|^2
+//   power in a band = sum of density * width of the line inside the band
 #include "tasks/measures/spectrum.hpp"
 
 #include <algorithm>

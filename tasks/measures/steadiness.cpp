@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// With the fitted line of a force (slope, mean, SD about it):
+//   floor = 100 noise_sd / |mean|,  fall = -100 slope (t_last - t_first) / mean
 #include "tasks/measures/steadiness.hpp"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Shares of the step, from the level before (0) to the level after (1), over time:
+//   rise 10 to 90 % = t(0.9) - t(0.1),  overshoot = largest share - 1
 #include "tasks/measures/step.hpp"
 
 #include <algorithm>

@@ -179,13 +179,14 @@ Result<void> make_clinic(const std::string& database, const std::vector<DemoGrou
                          int threads) {
   std::error_code failure;
   if (fs::exists(database, failure))
-    return refused("exists already", "name a new file").at(database);
+    return refused("exists already"_text, "name a new file"_text).at(database);
   const Parts parts(database, groups.size());
   Workers workers(groups, parts, threads);
   if (auto done = put_together(groups.size(), parts, workers); !done) return done;
   fs::rename(parts.whole(), database, failure);
   if (failure)
-    return failed("could not be made: " + failure.message(), "choose another folder").at(database);
+    return failed("could not be made: %1"_text(failure.message()), "choose another folder"_text)
+        .at(database);
   return {};
 }
 

@@ -122,8 +122,10 @@ struct CommandLine::State {
   Action chosen;
 };
 
-CommandLine::CommandLine(const std::string& description, const std::string& version)
+CommandLine::CommandLine(const std::string& description, const std::string& version,
+                         const std::string& footer)
     : state_(std::make_unique<State>(description)) {
+  state_->app.footer(footer);
   state_->app.set_version_flag("--version", version);
 }
 
@@ -140,7 +142,7 @@ Result<Action> CommandLine::parse(int argc, const char* const* argv) {
     state_->app.exit(asked);
     return Action([]() -> Result<void> { return {}; });
   } catch (const CLI::ParseError& wrong) {
-    return refused(wrong.what(), "see isograsp --help");
+    return refused(Known{wrong.what()}, "see isograsp --help"_text);
   }
   return state_->chosen;
 }

@@ -102,8 +102,9 @@ class Subcommand : public OptionGroup {
 /// All subcommands of the program.
 class CommandLine {
  public:
-  /// `version` is the line that --version prints.
-  CommandLine(const std::string& description, const std::string& version);
+  /// `version` is the line that --version prints, `footer` the last of the help.
+  CommandLine(const std::string& description, const std::string& version,
+              const std::string& footer);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "app/language.hpp"
+
 namespace isograsp::app {
 
 namespace {
@@ -65,12 +67,12 @@ void print_json(const nlohmann::ordered_json& document) {
 }
 
 int print_error(const Error& error) {
-  print_aside("isograsp: error: %s\n", error.message().c_str());
+  print_aside("isograsp: error: %s\n", translated(error, spoken()).c_str());
   return error.code == Error::Code::failed ? 1 : 2;
 }
 
-void print_note(const std::string& text) {
-  print_aside("isograsp: note: %s\n", printable(text).c_str());
+void print_note(const Text& text) {
+  print_aside("isograsp: %s\n", printable(translated("note: %1"_text(text), spoken())).c_str());
 }
 
 ProgressBar::ProgressBar(std::string title)

@@ -41,10 +41,11 @@ void print_lines(const Lines& lines);
 void print_json(const nlohmann::ordered_json& document);
 /// As print(), to standard error.
 [[gnu::format(printf, 1, 2)]] void print_aside(const char* format, ...);
-/// Prints "isograsp: error: …" to standard error; returns the exit status, 1 or 2.
+/// Prints "isograsp: error: …" to standard error, what is wrong in the spoken language; returns the
+/// exit status, 1 or 2.
 int print_error(const Error& error);
-/// Prints "isograsp: note: …" to standard error.
-void print_note(const std::string& text);
+/// Prints "isograsp: note: …" to standard error, in the spoken language (app/language.hpp).
+void print_note(const Text& text);
 
 /// A bar on standard error, drawn only on a terminal; silent otherwise.
 class ProgressBar {

@@ -85,7 +85,7 @@ struct DemoOptions {
 
 Result<void> run_demo(const DemoOptions& options) {
   if (!options.at_utc.empty() && !time_of_utc(options.at_utc))
-    return refused("'" + options.at_utc + "' is no time", "write it as 2026-03-05T09:30:00Z")
+    return refused("'%1' is no time"_text(options.at_utc), "write it as 2026-03-05T09:30:00Z"_text)
         .about("--at");
   const std::string at = options.at_utc.empty() ? now_utc() : options.at_utc;
   if (!options.clinic.empty())

@@ -30,10 +30,11 @@ struct ExportOptions {
 Result<void> run_export(const ExportOptions& options) {
   const auto format = exports::export_format_from_name(options.format);
   if (!format)
-    return refused("'" + options.format + "' is not an export format",
-                   "available are: csv, hdf5, bids, fhir")
+    return refused("'%1' is not an export format"_text(options.format),
+                   "available are: csv, hdf5, bids, fhir"_text)
         .about("--format");
-  if (options.out.empty()) return refused("no folder is given", "name one").about("--out");
+  if (options.out.empty())
+    return refused("no folder is given"_text, "name one"_text).about("--out");
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
   const auto store = storage::open_store_to_read(options.database);

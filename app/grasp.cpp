@@ -153,7 +153,7 @@ Result<void> grasp(const GraspOptions& options) {
         std::tuple{options.torsion_scale_m, &scales.torsion_m, "--torsion-scale"}}) {
     if (!given) continue;
     if (!(*given > 0.0) || !std::isfinite(*given))
-      return refused("is not a positive length", "give metres").about(name);
+      return refused("is not a positive length"_text, "give metres"_text).about(name);
     *scale = *given;
   }
   const auto subsets = subsets_of(*scene, scales);

@@ -106,16 +106,18 @@ Result<Sidecar> read_sidecar(const std::string& signals) {
   const auto text = read_text(path);
   if (!text) return text.error();
   const auto json = nlohmann::json::parse(*text, nullptr, false);
-  const auto wrong = [&path](const char* field, const char* what) {
-    return refused(what, "export the trial again, or move this file away").at(path).about(field);
+  const auto wrong = [&path](const char* field, const Text& what) {
+    return refused(what, "export the trial again, or move this file away"_text)
+        .at(path)
+        .about(field);
   };
   if (!json.is_object() || !json.contains("format") || json["format"] != "isograsp-trial-2")
-    return wrong("format", "is no sidecar of an exported trial");
+    return wrong("format", "is no sidecar of an exported trial"_text);
   const auto session = json.find("session");
   if (session == json.end() || !session->is_object() || !session->contains("hand") ||
       !session->at("hand").is_string() || !session->contains("simulated") ||
       !session->at("simulated").is_boolean())
-    return wrong("session", "tells no hand or not whether the forces were simulated");
+    return wrong("session", "tells no hand or not whether the forces were simulated"_text);
   return Sidecar{session->at("hand").get<std::string>(), session->at("simulated").get<bool>()};
 }
 
@@ -123,8 +125,8 @@ Result<void> import_signals(const ImportOptions& options) {
   const auto sidecar = read_sidecar(options.signals);
   if (!sidecar) return sidecar.error();
   if (!options.hand.empty() && !sidecar->hand.empty() && options.hand != sidecar->hand)
-    return refused("these signals are of the " + sidecar->hand + " hand",
-                   "leave --hand out, or move the JSON file beside them away")
+    return refused("these signals are of the %1 hand"_text(sidecar->hand),
+                   "leave --hand out, or move the JSON file beside them away"_text)
         .at(options.signals)
         .about("--hand");
   const std::string given = options.hand.empty() ? sidecar->hand : options.hand;
@@ -158,21 +160,23 @@ Result<void> import_signals(const ImportOptions& options) {
 
 /// What has to be given with what.
 Result<void> check_import(const ImportOptions& options) {
-  const auto wrong = [](const char* field, const char* what, const char* remedy) {
+  const auto wrong = [](const char* field, const Text& what, const Text& remedy) {
     return refused(what, remedy).about(field);
   };
   const bool one = !options.forces.empty() || !options.signals.empty();
   if (one + !options.recording.empty() != 1 ||
       (!options.forces.empty() && !options.signals.empty()))
-    return wrong("", "it is not clear what to import",
-                 "give one of --recording, --forces, --signals");
+    return wrong("", "it is not clear what to import"_text,
+                 "give one of --recording, --forces, --signals"_text);
   if (!one)
-    return options.folder.empty()
-               ? Result<void>(wrong("--from", "no folder is given", "name that of the recording"))
-               : Result<void>();
+    return options.folder.empty() ? Result<void>(wrong("--from", "no folder is given"_text,
+                                                       "name that of the recording"_text))
+                                  : Result<void>();
   if (options.task.empty())
-    return wrong("--task", "no task is given", "name the task file that the trial is scored by");
-  if (options.patient.empty()) return wrong("--patient", "no patient is given", "name the code");
+    return wrong("--task", "no task is given"_text,
+                 "name the task file that the trial is scored by"_text);
+  if (options.patient.empty())
+    return wrong("--patient", "no patient is given"_text, "name the code"_text);
   return {};
 }
 

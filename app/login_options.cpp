@@ -9,12 +9,14 @@ namespace {
 
 Result<void> log_in_to(storage::Access& access, const LoginOptions& options) {
   if (options.user.empty() != options.password_file.empty())
-    return refused("a name and a password belong together", "give --user and --password-file")
+    return refused("a name and a password belong together"_text,
+                   "give --user and --password-file"_text)
         .about("--user");
   const bool by_passphrase = !options.passphrase_file.empty();
   const bool by_recovery = !options.recovery_key_file.empty();
   if (by_passphrase && by_recovery)
-    return refused("stands beside a passphrase", "give one of them").about("--recovery-key-file");
+    return refused("stands beside a passphrase"_text, "give one of them"_text)
+        .about("--recovery-key-file");
   if (by_passphrase || by_recovery) {
     const auto secret = storage::Secret::from_file(by_passphrase ? options.passphrase_file
                                                                  : options.recovery_key_file);
@@ -51,11 +53,11 @@ Result<std::unique_ptr<storage::Access>> log_in(const std::string& database,
   std::error_code ignored;
   if (options.given())
     return refused(std::filesystem::exists(database, ignored)
-                       ? "is not protected: it asks for no login"
-                       : "does not exist, and is not made with protection here",
+                       ? "is not protected: it asks for no login"_text
+                       : "does not exist, and is not made with protection here"_text,
                    std::filesystem::exists(database, ignored)
-                       ? "leave the login out, or check the name of the file"
-                       : "make it with isograsp db init --protected")
+                       ? "leave the login out, or check the name of the file"_text
+                       : "make it with isograsp db init --protected"_text)
         .at(database);
   return std::unique_ptr<storage::Access>();
 }
@@ -66,10 +68,12 @@ Result<std::unique_ptr<storage::Access>> open_access(const std::string& database
   if (!access) return access.error();
   const bool asks = (*access)->is_protected();
   if (asks && !options.given())
-    return refused("is protected", "give --passphrase-file, or --user and --password-file")
+    return refused("is protected"_text,
+                   "give --passphrase-file, or --user and --password-file"_text)
         .at(database);
   if (!asks && options.given())
-    return refused("is not protected: it asks for no login", "leave the login out").at(database);
+    return refused("is not protected: it asks for no login"_text, "leave the login out"_text)
+        .at(database);
   if (asks)
     if (const auto done = log_in_to(**access, options); !done) return done.error();
   return access;

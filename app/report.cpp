@@ -23,7 +23,7 @@ Result<void> write_report(const std::string& database, const std::string& patien
                           const std::string& path) {
   const bool as_pdf = path.ends_with(".pdf");
   if (!as_pdf && !path.ends_with(".html"))
-    return refused("reports are PDF or HTML files", "let the name end in .pdf or .html")
+    return refused("reports are PDF or HTML files"_text, "let the name end in .pdf or .html"_text)
         .at(path)
         .about("--out");
   auto store = storage::open_store_to_read(database);

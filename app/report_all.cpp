@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "app/console.hpp"
+#include "app/language.hpp"
 #include "reports/findings/progress_report.hpp"
 #include "reports/paper/qt_application.hpp"
 #include "reports/paper/report_writer.hpp"
@@ -58,7 +59,7 @@ class SharedMemory {
 void tell_error(Shared& shared, const Error& error) {
   ++shared.failed;
   if (!shared.told.exchange(true))
-    std::strncpy(shared.error, error.message().c_str(), sizeof shared.error - 1);
+    std::strncpy(shared.error, translated(error, spoken()).c_str(), sizeof shared.error - 1);
 }
 
 Result<void> write_one(storage::SessionStore& store, const std::string& code,
@@ -99,8 +100,8 @@ bool is_running(pid_t& child, Shared& shared) {
   if (waitpid(child, &status, WNOHANG) == 0) return true;
   child = 0;
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    tell_error(shared, failed("a process that writes reports ended unexpectedly",
-                              "write them again, with --threads 1"));
+    tell_error(shared, failed("a process that writes reports ended unexpectedly"_text,
+                              "write them again, with --threads 1"_text));
   return false;
 }
 
@@ -112,10 +113,11 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
   std::error_code failure;
   fs::create_directories(options.folder, failure);
   if (failure)
-    return failed("cannot be made: " + failure.message(), "choose another folder")
+    return failed("cannot be made: %1"_text(failure.message()), "choose another folder"_text)
         .at(options.folder);
   const SharedMemory memory;
-  if (memory.get() == nullptr) return failed("no memory for the processes", "close other programs");
+  if (memory.get() == nullptr)
+    return failed("no memory for the processes"_text, "close other programs"_text);
   Shared& shared = *memory.get();
   std::vector<pid_t> children;
   const pid_t parent = getpid();
@@ -130,7 +132,8 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
     }
     children.push_back(child);
   }
-  if (children.empty()) return failed("no process could be started", "close other programs");
+  if (children.empty())
+    return failed("no process could be started"_text, "close other programs"_text);
   ProgressBar bar("Reports");
   const auto count = static_cast<int>(codes->size());
   for (bool running = true; running;) {
@@ -143,10 +146,9 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
   }
   bar.end();
   if (shared.failed == 0 && shared.done == count) return {};
-  return failed(std::to_string(std::max<int>(shared.failed, count - shared.done)) + " of " +
-                    std::to_string(count) +
-                    " reports are missing; first: " + std::string(shared.error),
-                "mend the cause and write the reports again")
+  return failed("%1 of %2 reports are missing; first: %3"_text(
+                    std::max<int>(shared.failed, count - shared.done), count, shared.error),
+                "mend the cause and write the reports again"_text)
       .at(options.folder);
 }
 

@@ -20,7 +20,7 @@ namespace isograsp::app {
 
 Result<Hand> hand_option(const std::string& text) {
   if (const auto hand = hand_from_name(text)) return *hand;
-  return refused("'" + text + "' is not a hand", "write right or left").about("--hand");
+  return refused("'%1' is not a hand"_text(text), "write right or left"_text).about("--hand");
 }
 
 void print_measure(const Measure& measure) {
@@ -88,8 +88,8 @@ Result<void> run_session(const RunOptions& options) {
   if (!hand) return hand.error();
   const auto allowed = tasks::effort_from_name(options.allowed);
   if (!allowed && !options.allowed.empty())
-    return refused("'" + options.allowed + "' is no outcome of a screening",
-                   "write maximum, comfortable or none")
+    return refused("'%1' is no outcome of a screening"_text(options.allowed),
+                   "write maximum, comfortable or none"_text)
         .about("--allowed");
   const auto protocol = protocol_of(options);
   if (!protocol) return protocol.error();
@@ -117,17 +117,17 @@ Result<void> run_session(const RunOptions& options) {
   auto session = session::Session::open(config);
   if (!session) {
     Error error = session.error();
-    if (error.field == "clock") error.remedy = "set the clock, or say --clock-is-right";
+    if (error.field == "clock") error.remedy = "set the clock, or say --clock-is-right"_text;
     return error;
   }
 
   if (!options.quiet) {
     if ((*session)->known().patient_is_new)
-      print_note("patient " + options.patient + " is new and was created");
-    if (const auto got = session::describe((*session)->known().realtime); !got.empty())
-      print_note("acquisition with " + got);
+      print_note("patient %1 is new and was created"_text(options.patient));
+    if (const auto got = session::words_of((*session)->known().realtime); !got.empty())
+      print_note("acquisition with %1"_text(got));
     print("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
-          printable((*session)->known().device.description).c_str());
+          printable(english((*session)->known().device.description)).c_str());
     std::fflush(stdout);
   }
   if (!options.quiet) {
@@ -153,8 +153,8 @@ Result<void> run_session(const RunOptions& options) {
   bar.end();
   if (const auto lost = (*session)->failure()) return *lost;
   if (const auto signal = StopSignals::name(); !signal.empty() && !result)
-    return failed("the session was ended by " + signal + "; what was measured is stored",
-                  "run it again with --resume to go on")
+    return failed("the session was ended by %1; what was measured is stored"_text(signal),
+                  "run it again with --resume to go on"_text)
         .at(options.database);
   if (!result) return result.error();
   if (!ended) return ended;

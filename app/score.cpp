@@ -80,8 +80,8 @@ Result<void> run_score(const ScoreOptions& options) {
     if (!signals) return signals.error();
     measures = tasks::score_pairs(*signals);
     if (measures.empty())
-      return refused("has no column target_X with its actual_X",
-                     "name the pairs so, with units, or say which --task it was")
+      return refused("has no column target_X with its actual_X"_text,
+                     "name the pairs so, with units, or say which --task it was"_text)
           .at(options.signals);
   } else {
     const auto task = session::load_task(options.task);

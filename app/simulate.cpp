@@ -129,16 +129,13 @@ Result<void> simulate(const SimulateOptions& options) {
     row = next;
   }
   if (const auto done = trajectory.commit(); !done) return done.error();
-  const auto count = [holds](std::size_t n) {
-    return std::to_string(n) + " of " + std::to_string(holds) + " holds";
-  };
   if (frozen_holds > 0)
-    print_note("the state stood still in " + count(frozen_holds) +
-               ": no valid sample for over 50 ms");
+    print_note("the state stood still in %1 of %2 holds: no valid sample for over 50 ms"_text(
+        frozen_holds, holds));
   if (inexact_holds > 0)
-    print_note(count(inexact_holds) +
-               " were too stiff for the stated tolerance; the trajectory is "
-               "finite there but not exact");
+    print_note(
+        "%1 of %2 holds were too stiff for the stated tolerance; the trajectory is finite there "
+        "but not exact"_text(inexact_holds, holds));
   return {};
 }
 

@@ -28,11 +28,11 @@ struct StudyOptions {
 
 Result<void> check_out(const StudyOptions& options) {
   if (options.out.empty() && !options.json)
-    return refused("nothing is asked for", "give --out or --json").about("--out");
+    return refused("nothing is asked for"_text, "give --out or --json"_text).about("--out");
   for (const char* ending : {".html", ".pdf", ".csv"})
     if (options.out.empty() || options.out.ends_with(ending)) return {};
-  return refused("group reports are HTML, PDF or CSV files",
-                 "let the name end in .html, .pdf or .csv")
+  return refused("group reports are HTML, PDF or CSV files"_text,
+                 "let the name end in .html, .pdf or .csv"_text)
       .at(options.out)
       .about("--out");
 }

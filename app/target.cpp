@@ -31,27 +31,27 @@ Result<storage::TrialRecord> find_trial(storage::SessionStore& store,
   const auto patient = store.find_patient(options.patient);
   if (!patient) return patient.error();
   if (!*patient)
-    return refused("there is no patient '" + options.patient + "'", "check the code")
+    return refused("there is no patient '%1'"_text(options.patient), "check the code"_text)
         .about("--patient");
   const auto sessions = store.sessions((*patient)->id);
   if (!sessions) return sessions.error();
   if (options.session > static_cast<int>(sessions->size()))
-    return refused("this patient has " + std::to_string(sessions->size()) + " sessions",
-                   "give one of them, from 1")
+    return refused("this patient has %1 sessions"_text(sessions->size()),
+                   "give one of them, from 1"_text)
         .about("--session");
   const auto trials = store.trials((*sessions)[static_cast<std::size_t>(options.session) - 1].id);
   if (!trials) return trials.error();
   for (const storage::TrialRecord& trial : *trials)
     if (trial.number == options.trial) return trial;
-  return refused("this session has " + std::to_string(trials->size()) + " trials",
-                 "give one of them, from 1")
+  return refused("this session has %1 trials"_text(trials->size()), "give one of them, from 1"_text)
       .about("--trial");
 }
 
 Result<void> make_target(const TargetOptions& options) {
   std::error_code ignored;
   if (std::filesystem::exists(options.out, ignored))
-    return refused(options.out + " exists already", "choose another name").about("--out");
+    return refused("%1 exists already"_text(options.out), "choose another name"_text)
+        .about("--out");
   const auto access = log_in(options.database, options.login);
   if (!access) return access.error();
   const auto store = storage::open_store_to_read(options.database);

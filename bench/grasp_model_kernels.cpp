@@ -21,7 +21,7 @@ constexpr double kHold_s = 0.01;
 
 template <class T>
 T value_or_throw(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().what);
+  if (!result) throw std::runtime_error(english(result.error().what));
   return std::move(*result);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 template <class T>
 T value_or_throw(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().what);
+  if (!result) throw std::runtime_error(english(result.error().what));
   return std::move(*result);
 }
 

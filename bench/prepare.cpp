@@ -52,7 +52,8 @@ const std::vector<Entry>& entries() {
 
 template <class T>
 T value_or_throw(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().what + " (" + result.error().file + ")");
+  if (!result)
+    throw std::runtime_error(english(result.error().what) + " (" + result.error().file + ")");
   return std::move(*result);
 }
 

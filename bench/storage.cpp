@@ -203,7 +203,7 @@ void flip_bits(const std::string& path, const std::string& copy) {
       for (std::size_t t = 0; t < sound.size(); ++t) {
         const auto signals = t < trials->size()
                                  ? (*damaged)->signals((*trials)[t])
-                                 : Result<Signals>(failed("the trial is missing", ""));
+                                 : Result<Signals>(failed("the trial is missing"_text, {}));
         if (!signals)
           ++broken;
         else

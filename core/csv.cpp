@@ -17,7 +17,7 @@ namespace {
 
 /// Memory stays bounded whatever the file is; a row of 10,000 numbers is shorter.
 constexpr std::size_t kLongestLine = std::size_t{1} << 20;
-constexpr const char* kTableRemedy = "check that it is a table of numbers with line ends";
+constexpr Words kTableRemedy = "check that it is a table of numbers with line ends"_text;
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -147,7 +147,8 @@ Result<CsvReader> CsvReader::open(const std::string& path) {
     const auto more = reader.read_line();
     if (!more) return more.error();
     if (!*more)
-      return refused("holds no header line", "give a CSV file whose first line names the columns")
+      return refused("holds no header line"_text,
+                     "give a CSV file whose first line names the columns"_text)
           .at(path);
     if (reader.text_.starts_with('#'))
       reader.comments_.emplace_back(trimmed(reader.text_.substr(1)));
@@ -159,17 +160,17 @@ Result<CsvReader> CsvReader::open(const std::string& path) {
 Result<void> CsvReader::read_columns() {
   const auto count = 1 + std::count(text_.begin(), text_.end(), ',');
   if (count > static_cast<std::ptrdiff_t>(kMostColumns))
-    return error_here("", "the header names " + std::to_string(count) + " columns",
-                      "give at most " + std::to_string(kMostColumns));
+    return error_here("", "the header names %1 columns"_text(count),
+                      "give at most %1"_text(kMostColumns));
   std::unordered_set<std::string> seen;
   std::string_view rest = text_;
   for (bool more = true; more;) {
     const auto comma = rest.find(',');
     std::string name(with_formula(trimmed(rest.substr(0, comma))));
     if (name.empty())
-      return error_here("", "the header has an empty column name", "name every column");
+      return error_here("", "the header has an empty column name"_text, "name every column"_text);
     if (!seen.insert(name).second)
-      return error_here(name, "the column appears twice", "keep one of them");
+      return error_here(name, "the column appears twice"_text, "keep one of them"_text);
     columns_.push_back(std::move(name));
     more = comma != std::string_view::npos;
     if (more) rest.remove_prefix(comma + 1);
@@ -200,20 +201,20 @@ int CsvReader::find(std::string_view name) const noexcept {
   return -1;
 }
 
-Error CsvReader::error_here(std::string field, std::string what, std::string remedy) const {
+Error CsvReader::error_here(std::string field, Text what, Text remedy) const {
   return refused(std::move(what), std::move(remedy)).at(path(), line(), std::move(field));
 }
 
 Error CsvReader::too_short(std::size_t column) const {
-  return error_here(columns_[column], "the line ends before this column",
-                    "give every line " + std::to_string(columns_.size()) + " fields");
+  return error_here(columns_[column], "the line ends before this column"_text,
+                    "give every line %1 fields"_text(columns_.size()));
 }
 
 Error CsvReader::not_a_number(std::size_t column, std::string_view field) const {
-  return error_here(columns_[column],
-                    "'" + std::string(trimmed(field)) + "' is not a finite number",
-                    "write a number with '.' as the decimal sign, or leave the field empty if the "
-                    "value is missing");
+  return error_here(
+      columns_[column], "'%1' is not a finite number"_text(trimmed(field)),
+      "write a number with '.' as the decimal sign, or leave the field empty if the value is "
+      "missing"_text);
 }
 
 Result<bool> CsvReader::next(std::span<double> row) {
@@ -228,8 +229,8 @@ Result<bool> CsvReader::next(std::span<double> row) {
     const bool last = i + 1 == row.size();
     if (!last && stop == end) return too_short(i + 1);
     if (last && stop != end)
-      return error_here("", "the line has more fields than the header",
-                        "give every line " + std::to_string(row.size()) + " fields");
+      return error_here("", "the line has more fields than the header"_text,
+                        "give every line %1 fields"_text(row.size()));
     if (!plain && !read_field({at, stop}, row[i])) return not_a_number(i, {at, stop});
     if (!last) at = stop + 1;
   }
@@ -256,8 +257,8 @@ Result<Signals> read_signals(const std::string& path) {
   if (!reader) return reader.error();
   const int time = reader->find("t_s");
   if (time < 0)
-    return reader->error_here("t_s", "the column is missing",
-                              "add the time of each row in seconds");
+    return reader->error_here("t_s", "the column is missing"_text,
+                              "add the time of each row in seconds"_text);
   Signals signals(reader->columns());
   std::vector<double> row(reader->columns().size());
   double previous = -std::numeric_limits<double>::infinity();
@@ -267,15 +268,15 @@ Result<Signals> read_signals(const std::string& path) {
     if (!*more) break;
     const double t = row[static_cast<std::size_t>(time)];
     if (std::isnan(t))
-      return reader->error_here("t_s", "the time is empty", "give every row a time");
+      return reader->error_here("t_s", "the time is empty"_text, "give every row a time"_text);
     if (t <= previous)
-      return reader->error_here("t_s", "time does not increase",
-                                "sort the rows and remove repeats");
+      return reader->error_here("t_s", "time does not increase"_text,
+                                "sort the rows and remove repeats"_text);
     previous = t;
     signals.append_row(row);
   }
   if (signals.rows() < 2)
-    return reader->error_here("", "fewer than two rows", "give at least two rows");
+    return reader->error_here("", "fewer than two rows"_text, "give at least two rows"_text);
   return signals;
 }
 

@@ -60,7 +60,7 @@ class CsvReader {
   [[nodiscard]] Result<bool> next(int column, double& value);
 
   /// An error at the row read last.
-  [[nodiscard]] Error error_here(std::string field, std::string what, std::string remedy) const;
+  [[nodiscard]] Error error_here(std::string field, Text what, Text remedy) const;
 
  private:
   explicit CsvReader(LineReader lines) : lines_(std::move(lines)) {}

@@ -86,20 +86,20 @@ Descriptor::~Descriptor() {
   if (number_ >= 0) ::close(number_);
 }
 
-Error cannot_open(const std::string& path, const char* purpose) {
+Error cannot_open(const std::string& path, Purpose purpose) {
   std::error_code ignored;
-  const std::string why = fs::is_directory(path, ignored)
-                              ? "is a folder"
-                              : std::string("cannot be opened for ") + purpose;
-  const bool reading = std::string_view(purpose) == "reading";
+  const bool reading = purpose == Purpose::reading;
+  const Text why = fs::is_directory(path, ignored) ? Text("is a folder"_text)
+                   : reading                       ? Text("cannot be opened for reading"_text)
+                                                   : Text("cannot be opened for writing"_text);
   const auto error = reading ? refused : failed;
-  return error(why, "check the path and its permissions").at(path);
+  return error(why, "check the path and its permissions"_text).at(path);
 }
 
 Result<void> check_different(const std::string& in, const std::string& out) {
   std::error_code ignored;
   if (!fs::equivalent(in, out, ignored)) return {};
-  return refused("is the input: it would be lost", "give another name").at(out);
+  return refused("is the input: it would be lost"_text, "give another name"_text).at(out);
 }
 
 Result<InputFile> InputFile::open(const std::string& path) {
@@ -107,12 +107,12 @@ Result<InputFile> InputFile::open(const std::string& path) {
   // O_NONBLOCK: a pipe without a writer would let the call itself wait.
   file.file_ = Descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
-  if (!file.file_.is_open() && errno != ENXIO) return cannot_open(path, "reading");
+  if (!file.file_.is_open() && errno != ENXIO) return cannot_open(path, Purpose::reading);
   if (!file.file_.is_open() || fstat(file.file_.number(), &status) != 0 ||
       !S_ISREG(status.st_mode)) {
-    if (S_ISDIR(status.st_mode)) return cannot_open(path, "reading");
-    return refused("is not a file but a pipe, a socket or a device",
-                   "write it to a file first and name that")
+    if (S_ISDIR(status.st_mode)) return cannot_open(path, Purpose::reading);
+    return refused("is not a file but a pipe, a socket or a device"_text,
+                   "write it to a file first and name that"_text)
         .at(path);
   }
   file.size_ = static_cast<std::uint64_t>(status.st_size);
@@ -135,23 +135,23 @@ Result<FileWriter> FileWriter::create(const std::string& path) {
   FileWriter writer;
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
-  if (fs::is_directory(status)) return cannot_open(path, "writing");
+  if (fs::is_directory(status)) return cannot_open(path, Purpose::writing);
   const bool exists = fs::exists(status);
   // A link stays a link: the file it names is the one that is replaced.
   writer.path_ = exists ? fs::canonical(path, ignored) : fs::path(path);
   // A device or a pipe is written to; replacing it by a file would destroy it.
   if (exists && !fs::is_regular_file(status)) {
     writer.out_ = Descriptor(::open(writer.path_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
-    if (!writer.out_.is_open()) return cannot_open(path, "writing");
+    if (!writer.out_.is_open()) return cannot_open(path, Purpose::writing);
     return writer;
   }
   const std::string temporary = temporary_name(writer.path_);
   writer.out_ = create_exclusively(temporary);
   if (!writer.out_.is_open() && errno == EBUSY)
-    return failed("is being written by another program now",
-                  "wait until it is done, or give another name")
+    return failed("is being written by another program now"_text,
+                  "wait until it is done, or give another name"_text)
         .at(path);
-  if (!writer.out_.is_open()) return cannot_open(path, "writing");
+  if (!writer.out_.is_open()) return cannot_open(path, Purpose::writing);
   writer.temporary_ = temporary;
   struct stat old {};
   if (stat(writer.path_.c_str(), &old) == 0 && old.st_uid == geteuid())
@@ -193,12 +193,13 @@ Result<void> FileWriter::commit() {
     good_ = good_ && fsync(out_.number()) == 0 && is_named(out_.number(), temporary_) &&
             ::rename(temporary_.c_str(), path_.c_str()) == 0;
   if (!good_)
-    return failed("could not be written completely",
-                  "free some disk space and check the permissions of the folder")
+    return failed("could not be written completely"_text,
+                  "free some disk space and check the permissions of the folder"_text)
         .at(path_);
   const bool named = !std::exchange(temporary_, "").empty();
   if (named && !sync_folder_of(path_))
-    return failed("is written, but its folder cannot be synchronised", "check the disk").at(path_);
+    return failed("is written, but its folder cannot be synchronised"_text, "check the disk"_text)
+        .at(path_);
   out_ = Descriptor();
   return {};
 }
@@ -208,10 +209,10 @@ Result<std::string> read_text(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return file.error();
   if (file->size() > kLargestText)
-    return refused("is larger than 64 MiB", "check that it is the right file").at(path);
+    return refused("is larger than 64 MiB"_text, "check that it is the right file"_text).at(path);
   std::string text(file->size(), '\0');
   if (file->read(text) != static_cast<std::ptrdiff_t>(text.size()))
-    return cannot_open(path, "reading");
+    return cannot_open(path, Purpose::reading);
   return text;
 }
 

@@ -79,6 +79,7 @@ class FileWriter {
 [[nodiscard]] Result<void> check_different(const std::string& in, const std::string& out);
 
 /// An error for a file that cannot be opened for `purpose` ("reading", "writing").
-[[nodiscard]] Error cannot_open(const std::string& path, const char* purpose);
+enum class Purpose { reading, writing };
+[[nodiscard]] Error cannot_open(const std::string& path, Purpose purpose);
 
 }  // namespace isograsp

@@ -6,7 +6,7 @@
 namespace isograsp {
 
 Result<LineReader> LineReader::open(const std::string& path, std::size_t longest_line,
-                                    std::string remedy) {
+                                    Text remedy) {
   constexpr std::size_t kBlock = std::size_t{1} << 16;
   auto file = InputFile::open(path);
   if (!file) return file.error();
@@ -39,12 +39,12 @@ Result<bool> LineReader::next() {
   while (length == std::string_view::npos && !at_end_) {
     const std::size_t searched = end_ - begin_;
     if (searched > longest_line_)
-      return refused("this line is longer than " +
-                         (longest_line_ >> 20 > 0 ? std::to_string(longest_line_ >> 20) + " MiB"
-                                                  : std::to_string(longest_line_ >> 10) + " KiB"),
+      return refused("this line is longer than %1"_text((longest_line_ >> 20 > 0
+                                                             ? "%1 MiB"_text(longest_line_ >> 20)
+                                                             : "%1 KiB"_text(longest_line_ >> 10))),
                      remedy_)
           .at(path_, line_ + 1);
-    if (!fill()) return failed("cannot be read", "check the disk").at(path_, line_ + 1);
+    if (!fill()) return failed("cannot be read"_text, "check the disk"_text).at(path_, line_ + 1);
     length = rest().find('\n', searched);
   }
   text_ = rest().substr(0, length);

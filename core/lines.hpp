@@ -15,7 +15,7 @@ class LineReader {
  public:
   /// `remedy` stands in the error about a line without an end: what to do about such a file.
   [[nodiscard]] static Result<LineReader> open(const std::string& path, std::size_t longest_line,
-                                               std::string remedy);
+                                               Text remedy);
 
   /// False at the end of the file. Errors name file and line: one that is too long, a failing disk.
   [[nodiscard]] Result<bool> next();
@@ -30,7 +30,7 @@ class LineReader {
   [[nodiscard]] bool fill();
 
   std::string path_;
-  std::string remedy_;
+  Text remedy_;
   std::size_t longest_line_ = 0;
   InputFile file_;
   bool at_end_ = false;

@@ -21,7 +21,7 @@ using Progress = std::function<bool(double fraction, const std::string& words)>;
 
 /// What stopped work returns; nothing of it is kept.
 [[nodiscard]] inline Error cancelled() {
-  return failed("cancelled", "");
+  return failed("cancelled"_text, {});
 }
 
 }  // namespace isograsp

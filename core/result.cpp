@@ -7,11 +7,11 @@
 
 namespace isograsp {
 
-Error refused(std::string what, std::string remedy) {
+Error refused(Text what, Text remedy) {
   return {Error::Code::bad_input, std::move(what), std::move(remedy)};
 }
 
-Error failed(std::string what, std::string remedy) {
+Error failed(Text what, Text remedy) {
   return {Error::Code::failed, std::move(what), std::move(remedy)};
 }
 
@@ -28,16 +28,23 @@ Error Error::about(std::string in_field) && {
 }
 
 std::string Error::message() const {
-  std::string text;
-  if (!file.empty()) {
-    text += file;
-    if (line) text += ":" + std::to_string(*line);
-    text += ": ";
+  return translated(*this, Language());
+}
+
+Text words_of(const Error& error) {
+  std::string place;
+  if (!error.file.empty()) {
+    place += error.file;
+    if (error.line) place += ":" + std::to_string(*error.line);
+    place += ": ";
   }
-  if (!field.empty()) text += field + ": ";
-  text += what;
-  if (!remedy.empty()) text += "; " + remedy;
-  return printable(text);
+  if (!error.field.empty()) place += error.field + ": ";
+  if (error.remedy.empty()) return "%1%2"_text(place, error.what);
+  return "%1%2; %3"_text(place, error.what, error.remedy);
+}
+
+std::string translated(const Error& error, const Language& language) {
+  return printable(translated(words_of(error), language));
 }
 
 }  // namespace isograsp

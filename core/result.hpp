@@ -8,19 +8,21 @@
 #include <utility>
 #include <variant>
 
+#include "core/text.hpp"
+
 namespace isograsp {
 
 /// Why something could not be done, in words a user can act on. Made by refused() or failed()
 /// alone:
-///   return refused("is not a number", "write one").at(path, line, "mass_kg");
+///   return refused("is not a number"_text, "write one"_text).at(path, line, "mass_kg");
 struct Error {
   enum class Code {
     bad_input,  ///< wrong usage, file or value: exit status 2
     failed      ///< the operation failed (device, disk, permission): exit status 1
   };
   Code code;
-  std::string what;         ///< what is wrong
-  std::string remedy;       ///< what to do; may be empty
+  Text what;                ///< what is wrong
+  Text remedy;              ///< what to do; may be empty
   std::string file;         ///< path as the user gave it; empty: not about a file
   std::optional<int> line;  ///< 1-based
   std::string field;        ///< column, key or option; empty: not about a single one
@@ -31,20 +33,25 @@ struct Error {
   /// The column, key or option that is meant.
   [[nodiscard]] Error about(std::string in_field) &&;
 
-  /// "<file>:<line>: <field>: <what>; <remedy>", absent parts left out; printable().
+  /// "<file>:<line>: <field>: <what>; <remedy>", absent parts left out; printable(). In English.
   [[nodiscard]] std::string message() const;
 
  private:
-  Error(Code the_code, std::string the_what, std::string the_remedy)
+  Error(Code the_code, Text the_what, Text the_remedy)
       : code(the_code), what(std::move(the_what)), remedy(std::move(the_remedy)) {}
-  friend Error refused(std::string what, std::string remedy);
-  friend Error failed(std::string what, std::string remedy);
+  friend Error refused(Text what, Text remedy);
+  friend Error failed(Text what, Text remedy);
 };
 
 /// Wrong usage, file or value: what is wrong, and what to do about it.
-[[nodiscard]] Error refused(std::string what, std::string remedy);
+[[nodiscard]] Error refused(Text what, Text remedy);
 /// The operation failed (device, disk, permission): what went wrong, and what to do about it.
-[[nodiscard]] Error failed(std::string what, std::string remedy);
+[[nodiscard]] Error failed(Text what, Text remedy);
+
+/// message() as a text of its own.
+[[nodiscard]] Text words_of(const Error& error);
+/// message() in another language.
+[[nodiscard]] std::string translated(const Error& error, const Language& language);
 
 /// A value of T or an Error; never both. T may be void.
 template <class T>

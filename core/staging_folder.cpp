@@ -54,13 +54,13 @@ Result<StagingFolder> StagingFolder::beside(const std::string& target) {
       return made;
     }
     if (errno == EWOULDBLOCK)
-      return failed("is being written by another program now",
-                    "wait until it is done, or give another name")
+      return failed("is being written by another program now"_text,
+                    "wait until it is done, or give another name"_text)
           .at(target);
     // A link or a file in its place leads nowhere and is nobody's work.
     if (errno == ENOTDIR || errno == ELOOP) fs::remove(made.path_, failure);
   }
-  return failed("its folder is read-only", "choose a folder that you may write to").at(target);
+  return failed("its folder is read-only"_text, "choose a folder that you may write to"_text).at(target);
 }
 
 StagingFolder::~StagingFolder() {

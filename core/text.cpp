@@ -26,6 +26,27 @@ Text::Text(Known words) {
   *this = "%1"_text(std::move(words));
 }
 
+Text Text::with_names_up_to(std::size_t most) const {
+  Text shorter(english_, {});
+  for (const Argument& argument : arguments_) {
+    const auto* name = std::get_if<std::string>(&argument.value());
+    const auto* text = std::get_if<Text>(&argument.value());
+    if (name != nullptr)
+      shorter.arguments_.emplace_back(shortened(*name, most));
+    else if (text != nullptr)
+      shorter.arguments_.emplace_back(text->with_names_up_to(most));
+    else
+      shorter.arguments_.push_back(argument);
+  }
+  return shorter;
+}
+
+std::string shortened(std::string text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most) + "…";
+}
+
 bool Text::operator==(const Text& other) const {
   return english_ == other.english_ && arguments_ == other.arguments_;
 }

@@ -53,6 +53,8 @@ class Text {
   /// In the source, with the places.
   [[nodiscard]] std::string_view english() const noexcept { return english_; }
   [[nodiscard]] const std::vector<Argument>& arguments() const noexcept { return arguments_; }
+  /// With names of `most` bytes at most, '…' behind one that was longer: they may come from a file.
+  [[nodiscard]] Text with_names_up_to(std::size_t most) const;
   bool operator==(const Text& other) const;
 
  private:
@@ -152,6 +154,9 @@ template <text_detail::Literal literal>
 consteval auto operator""_text() {
   return Phrase<literal.places()>(literal.characters);
 }
+
+/// Its first `most` bytes, not cut within a character, and '…'; as it is if it has no more.
+[[nodiscard]] std::string shortened(std::string text, std::size_t most);
 
 /// The first and the rest behind it, with `between` from one to the next; empty ones are left out.
 [[nodiscard]] Text joined(const std::vector<Text>& parts, Words between = " "_text);

@@ -24,14 +24,8 @@ static_assert(TOML_LIB_MAJOR == 3 && TOML_LIB_MINOR == 3, "are both slips still 
 namespace isograsp {
 
 namespace {
-/// An error is a line to read, whatever the file holds. Not cut within a character.
-std::string shortened(std::string text) {
-  constexpr std::size_t kMost = 300;
-  if (text.size() <= kMost) return text;
-  std::size_t end = kMost;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return text.substr(0, end) + "…";
-}
+/// [bytes] An error is a line to read, whatever names the file has.
+constexpr std::size_t kLongestName = 300;
 }  // namespace
 
 struct TomlReader::Document {
@@ -40,10 +34,10 @@ struct TomlReader::Document {
   std::optional<Error> first_error;
   std::set<const toml::node*> asked;
 
-  void report(std::optional<int> line, std::string field, std::string what, std::string remedy) {
+  void report(std::optional<int> line, std::string field, const Text& what, Text remedy) {
     if (first_error) return;
-    first_error = refused(shortened(std::move(what)), std::move(remedy))
-                      .at(file, line, shortened(std::move(field)));
+    first_error = refused(what.with_names_up_to(kLongestName), std::move(remedy))
+                      .at(file, line, shortened(std::move(field), kLongestName));
   }
 };
 
@@ -60,15 +54,15 @@ std::optional<int> line_of(const toml::node& node) {
   return line > 0 ? std::optional(line) : std::nullopt;
 }
 
-std::string kind_of(const toml::node& node) {
+Words kind_of(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "an array";
-    case toml::node_type::string: return "text";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "true or false";
-    default: return "a date or time";
+    case toml::node_type::table: return "a table"_text;
+    case toml::node_type::array: return "an array"_text;
+    case toml::node_type::string: return "text"_text;
+    case toml::node_type::integer: return "an integer"_text;
+    case toml::node_type::floating_point: return "a number"_text;
+    case toml::node_type::boolean: return "true or false"_text;
+    default: return "a date or time"_text;
   }
 }
 
@@ -181,15 +175,16 @@ class KeyDepth {
 Result<TomlReader> TomlReader::parse(std::string_view text, std::string file,
                                      std::string_view format) {
   if (text.size() > kLargestText)
-    return refused("is larger than 4 MiB", "check that it is the right file").at(std::move(file));
+    return refused("is larger than 4 MiB"_text, "check that it is the right file"_text)
+        .at(std::move(file));
   if (const auto line = KeyDepth(text).first_too_deep())
-    return refused("has a key of more than " + std::to_string(kMostKeyParts) + " parts",
-                   "correct the syntax")
+    return refused("has a key of more than %1 parts"_text(kMostKeyParts), "correct the syntax"_text)
         .at(std::move(file), line);
   toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const auto& error = parsed.error();
-    return refused("not valid TOML: " + std::string(error.description()), "correct the syntax")
+    return refused("not valid TOML: %1"_text(Known{std::string(error.description())}),
+                   "correct the syntax"_text)
         .at(std::move(file), static_cast<int>(error.source().begin.line));
   }
   auto document = std::make_shared<Document>();
@@ -199,8 +194,8 @@ Result<TomlReader> TomlReader::parse(std::string_view text, std::string file,
   TomlReader reader(document, node);
   const std::string found = reader.text("format");
   if (!document->first_error && found != format)
-    reader.fail("format", "'" + found + "' is not the expected format",
-                "give a file whose first line is: format = \"" + std::string(format) + "\"");
+    reader.fail("format", "'%1' is not the expected format"_text(found),
+                "give a file whose first line is: format = \"%1\""_text(format));
   if (document->first_error) return *document->first_error;
   return reader;
 }
@@ -218,7 +213,7 @@ toml::node* take(Document& document, Node& node, std::string_view key, bool requ
     document.asked.insert(found);
   } else if (required) {
     document.report(node.table == nullptr ? 0 : line_of(*node.table), node.path + std::string(key),
-                    "is missing", "add it");
+                    "is missing"_text, "add it"_text);
   }
   return found;
 }
@@ -228,7 +223,7 @@ double TomlReader::number(std::string_view key, std::optional<double> fallback) 
   const toml::node* node = take(*document_, *node_, key, !fallback);
   if (node == nullptr) return fallback.value_or(0.0);
   if (const auto value = finite_number(*node)) return *value;
-  fail(key, "is " + kind_of(*node) + ", not a finite number", "write a number");
+  fail(key, "is %1, not a finite number"_text(kind_of(*node)), "write a number"_text);
   return fallback.value_or(0.0);
 }
 
@@ -236,7 +231,7 @@ std::int64_t TomlReader::integer(std::string_view key, std::optional<std::int64_
   const toml::node* node = take(*document_, *node_, key, !fallback);
   if (node == nullptr) return fallback.value_or(0);
   if (const auto* value = node->as_integer()) return value->get();
-  fail(key, "is " + kind_of(*node) + ", not an integer", "write a whole number");
+  fail(key, "is %1, not an integer"_text(kind_of(*node)), "write a whole number"_text);
   return fallback.value_or(0);
 }
 
@@ -244,7 +239,7 @@ bool TomlReader::boolean(std::string_view key, std::optional<bool> fallback) {
   const toml::node* node = take(*document_, *node_, key, !fallback);
   if (node == nullptr) return fallback.value_or(false);
   if (const auto* value = node->as_boolean()) return value->get();
-  fail(key, "is " + kind_of(*node) + ", not true or false", "write true or false");
+  fail(key, "is %1, not true or false"_text(kind_of(*node)), "write true or false"_text);
   return fallback.value_or(false);
 }
 
@@ -252,7 +247,7 @@ std::string TomlReader::text(std::string_view key, std::optional<std::string> fa
   const toml::node* node = take(*document_, *node_, key, !fallback);
   if (node == nullptr) return std::move(fallback).value_or("");
   if (const auto* value = node->as_string()) return value->get();
-  fail(key, "is " + kind_of(*node) + ", not text", "write it in double quotes");
+  fail(key, "is %1, not text"_text(kind_of(*node)), "write it in double quotes"_text);
   return std::move(fallback).value_or("");
 }
 
@@ -266,7 +261,7 @@ std::size_t TomlReader::choice(std::string_view key, std::span<const std::string
     if (word == name) return index;
     ++index;
   }
-  if (present) fail(key, "'" + word + "' is not known", "write one of: " + joined(names));
+  if (present) fail(key, "'%1' is not known"_text(word), "write one of: %1"_text(joined(names)));
   return 0;
 }
 
@@ -279,18 +274,16 @@ std::vector<double> TomlReader::numbers(std::string_view key, std::size_t least,
     return values;
   }
   const toml::array* array = node->as_array();
-  const std::string count =
-      least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most);
+  const Argument count = least == most ? Argument(least) : Argument("%1 to %2"_text(least, most));
   if (array == nullptr || array->size() < least || array->size() > most) {
-    const std::string found =
-        array == nullptr ? kind_of(*node) : std::to_string(array->size()) + " values";
-    fail(key, "is " + found + ", not an array of " + count + " numbers",
-         "write " + count + " numbers in brackets");
+    const Text found = array == nullptr ? kind_of(*node) : "%1 values"_text(array->size());
+    fail(key, "is %1, not an array of %2 numbers"_text(found, count),
+         "write %1 numbers in brackets"_text(count));
   } else {
     for (const auto& item : *array) {
       const auto value = finite_number(item);
       if (!value)
-        fail(key, "holds " + kind_of(item) + " that is not a finite number", "write numbers");
+        fail(key, "holds %1 that is not a finite number"_text(kind_of(item)), "write numbers"_text);
       values.push_back(value.value_or(0.0));
     }
   }
@@ -310,14 +303,14 @@ std::vector<std::string> TomlReader::texts(std::string_view key, bool required) 
   if (node == nullptr) return values;
   const toml::array* array = node->as_array();
   if (array == nullptr) {
-    fail(key, "is " + kind_of(*node) + ", not an array of texts", "write texts in brackets");
+    fail(key, "is %1, not an array of texts"_text(kind_of(*node)), "write texts in brackets"_text);
     return values;
   }
   for (const auto& item : *array) {
     if (const auto* value = item.as_string())
       values.push_back(value->get());
     else
-      fail(key, "holds " + kind_of(item) + ", not text", "write each entry in double quotes");
+      fail(key, "holds %1, not text"_text(kind_of(item)), "write each entry in double quotes"_text);
   }
   return values;
 }
@@ -326,8 +319,8 @@ TomlReader TomlReader::table(std::string_view key, bool required) {
   toml::node* node = take(*document_, *node_, key, required);
   toml::table* inner = node == nullptr ? nullptr : node->as_table();
   if (node != nullptr && inner == nullptr)
-    fail(key, "is " + kind_of(*node) + ", not a table",
-         "write it as [" + node_->path + std::string(key) + "]");
+    fail(key, "is %1, not a table"_text(kind_of(*node)),
+         "write it as [%1%2]"_text(node_->path, key));
   return {document_, std::make_shared<Node>(Node{inner, node_->path + std::string(key) + "."})};
 }
 
@@ -337,14 +330,14 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) {
   if (node == nullptr) return readers;
   toml::array* array = node->as_array();
   if (array == nullptr) {
-    fail(key, "is " + kind_of(*node) + ", not a list of tables",
-         "write each as [[" + node_->path + std::string(key) + "]]");
+    fail(key, "is %1, not a list of tables"_text(kind_of(*node)),
+         "write each as [[%1%2]]"_text(node_->path, key));
     return readers;
   }
   for (std::size_t i = 0; i < array->size(); ++i) {
     toml::table* item = array->get(i)->as_table();
     if (item == nullptr) {
-      fail(key, "holds " + kind_of(*array->get(i)) + ", not a table", "write a table");
+      fail(key, "holds %1, not a table"_text(kind_of(*array->get(i))), "write a table"_text);
       continue;
     }
     readers.push_back(TomlReader(
@@ -354,7 +347,7 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) {
   return readers;
 }
 
-void TomlReader::fail(std::string_view key, std::string what, std::string remedy) {
+void TomlReader::fail(std::string_view key, Text what, Text remedy) {
   std::optional<int> line;
   if (node_->table != nullptr) {
     const toml::node* node = node_->table->get(key);
@@ -367,8 +360,8 @@ Result<void> TomlReader::finish() const {
   if (document_->first_error) return *document_->first_error;
   std::string field;
   if (const auto* node = first_unasked(document_->root, document_->asked, "", field))
-    return refused("unknown key", "remove it or correct its spelling")
-        .at(document_->file, line_of(*node), shortened(field));
+    return refused("unknown key"_text, "remove it or correct its spelling"_text)
+        .at(document_->file, line_of(*node), shortened(field, kLongestName));
   return {};
 }
 

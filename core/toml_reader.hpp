@@ -58,7 +58,7 @@ class TomlReader {
   std::vector<TomlReader> tables(std::string_view key);
 
   /// Reports a problem of the value at `key` (or of this table if there is no such key).
-  void fail(std::string_view key, std::string what, std::string remedy);
+  void fail(std::string_view key, Text what, Text remedy);
 
   /// The first problem found in the whole document, or the first key that nobody asked for.
   [[nodiscard]] Result<void> finish() const;

@@ -103,7 +103,7 @@ class Hdf5Export final : public ExportWriter {
       work();
       return {};
     } catch (const Hdf5Error& why) {
-      return failed(why.what(), "check the disk").at(folder_ / kFile);
+      return failed(Known{why.what()}, "check the disk"_text).at(folder_ / kFile);
     }
   }
 

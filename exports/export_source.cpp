@@ -64,8 +64,8 @@ void add_forces_of_the_hand(ExportTrial& exported) {
 }  // namespace
 
 Error not_released(const std::string& code, const std::string& file, const std::string& field) {
-  return refused("the records of " + code + " are not released for research",
-                 "leave this person out, or record the consent that was given")
+  return refused("the records of %1 are not released for research"_text(code),
+                 "leave this person out, or record the consent that was given"_text)
       .at(file)
       .about(field);
 }
@@ -122,7 +122,7 @@ Result<void> for_each_trial(storage::SessionStore& store, const ExportRequest& r
     }
   }
   if (!found)
-    return refused("there is no patient '" + request.patient + "'", "check the code")
+    return refused("there is no patient '%1'"_text(request.patient), "check the code"_text)
         .at(store.path())
         .about("--patient");
   return {};

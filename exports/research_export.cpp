@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Error not_written(const fs::filesystem_error& why, const std::string& folder) {
-  return failed(why.code().message(), "check the disk and the permissions")
+  return failed(Known{why.code().message()}, "check the disk and the permissions"_text)
       .at(folder)
       .about("--out");
 }
@@ -25,7 +25,7 @@ Result<void> publish(const fs::path& from, const fs::path& to) {
     if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), from));
   for (const auto& file : files)
     if (fs::exists(fs::symlink_status(to / file)))
-      return refused("exists already", "choose an empty folder for --out").at(to / file);
+      return refused("exists already"_text, "choose an empty folder for --out"_text).at(to / file);
   std::size_t moved = 0;
   try {
     for (; moved < files.size(); ++moved) {
@@ -87,14 +87,16 @@ Result<std::size_t> write_export(storage::SessionStore& store, const ExportReque
   });
   if (!counted) return counted.error();
   if (total == 0)
-    return refused("holds no such trial",
-                   "check --patient and --session (1 is the patient's first)")
+    return refused("holds no such trial"_text,
+                   "check --patient and --session (1 is the patient's first)"_text)
         .at(store.path());
   const fs::path out = folder;
   std::error_code failure;
   const bool made = fs::create_directories(out, failure);
   if (failure || !fs::is_directory(out))
-    return refused("the folder cannot be made", "choose another one").at(folder).about("--out");
+    return refused("the folder cannot be made"_text, "choose another one"_text)
+        .at(folder)
+        .about("--out");
   const auto write_and_publish = [&]() -> Result<std::size_t> {
     const auto staging = StagingFolder::beside(folder);
     if (!staging) return Error(staging.error()).about("--out");

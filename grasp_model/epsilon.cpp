@@ -13,7 +13,7 @@ namespace isograsp {
 
 Result<double> epsilon_quality(const Eigen::MatrixXd& wrenches) {
   const Eigen::Index dimensions = wrenches.rows();
-  if (!wrenches.allFinite()) return refused("not a finite wrench", "leave it out");
+  if (!wrenches.allFinite()) return refused("not a finite wrench"_text, "leave it out"_text);
   if (wrenches.cols() <= dimensions) return 0.0;
   const Eigen::MatrixXd about_mean = wrenches.colwise() - wrenches.rowwise().mean();
   if (criteria(about_mean).rank < static_cast<int>(dimensions)) return 0.0;  // a flat hull
@@ -41,8 +41,9 @@ Result<double> epsilon_quality(const Eigen::MatrixXd& wrenches) {
   const std::string message(said, length);
   std::free(said);
   if (status != qh_ERRnone)
-    return failed("no convex hull of these wrenches: " + message.substr(0, message.find('\n')),
-                  "leave out wrenches that almost coincide");
+    return failed(
+        "no convex hull of these wrenches: %1"_text(message.substr(0, message.find('\n'))),
+        "leave out wrenches that almost coincide"_text);
   return std::max(0.0, least);
 }
 

@@ -24,20 +24,21 @@ Mat3 in_world(const Mat3& R_WA, const Vec3& values) {
 
 Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
   if (!(hold_s > 0.0) || !std::isfinite(hold_s))
-    return refused("a hold of " + std::to_string(hold_s) + " s is not possible",
-                   "give times that increase")
+    return refused("a hold of %1 s is not possible"_text(shortest(hold_s)),
+                   "give times that increase"_text)
         .at(scene.file);
   const int free_rotations = int{scene.free[3]} + int{scene.free[4]} + int{scene.free[5]};
   if (free_rotations == 2)
     return refused(
                "two free rotations are not a rotation group: what the locked one means would "
-               "depend on the order of turning",
-               "free one rotation or all three")
+               "depend on the order of turning"_text,
+               "free one rotation or all three"_text)
         .at(scene.file)
         .about("dynamics.free");
   if (free_rotations == 3 && (scene.inertia_kg_m2.array() == 0.0).count() == 2)
-    return refused("no body has one principal moment alone: each is at most the sum of the others",
-                   "give at least two moments, or none")
+    return refused(
+               "no body has one principal moment alone: each is at most the sum of the others"_text,
+               "give at least two moments, or none"_text)
         .at(scene.file)
         .about("object.inertia_kg_m2");
   Plan plan;
@@ -72,8 +73,8 @@ Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
   if (plan.coupled_ && plan.force_follows_)
     return refused(
                "the force turns with the object while springs or dampers stand at an angle to "
-               "the world's axes",
-               "align them, or write wrench_frame = \"hand\"")
+               "the world's axes"_text,
+               "align them, or write wrench_frame = \"hand\""_text)
         .at(scene.file)
         .about("dynamics.wrench_frame");
 
@@ -83,23 +84,24 @@ Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
     plan.travel_[dof] = {limit.least, limit.most};
     plan.limited_[dof] = scene.free[dof];
     if (dof >= 3 && free_rotations == 3)
-      return refused("a travel limit of " + std::string(kDofNames[dof]) +
-                         " has no meaning while all three rotations are free",
-                     "remove the limit, or free one rotation only")
+      return refused("a travel limit of %1 has no meaning while all three rotations are free"_text(
+                         kDofNames[dof]),
+                     "remove the limit, or free one rotation only"_text)
           .at(scene.file)
           .about("dynamics.limits");
     if (dof < 3 && plan.coupled_)
-      return refused("a travel limit of " + std::string(kDofNames[dof]) +
-                         " while springs or dampers at an angle couple the axes",
-                     "remove the limit, or align springs and dampers with the world")
+      return refused(
+                 "a travel limit of %1 while springs or dampers at an angle couple the axes"_text(
+                     kDofNames[dof]),
+                 "remove the limit, or align springs and dampers with the world"_text)
           .at(scene.file)
           .about("dynamics.limits");
   }
   const double angle_rad = plan.initial_state().angle_rad;
   const Travel& turn = plan.travel_[static_cast<std::size_t>(plan.axis_) + 3];
   if (free_rotations == 1 && (angle_rad < turn.least || angle_rad > turn.most))
-    return refused("starts outside the limit of the rotation",
-                   "start inside the limit, or widen it")
+    return refused("starts outside the limit of the rotation"_text,
+                   "start inside the limit, or widen it"_text)
         .at(scene.file)
         .about("initial.quaternion_wxyz");
 

@@ -27,7 +27,7 @@ Vec3 solid_inertia(Shape shape, const Vec3& size_m, double mass_kg) {
 }
 
 void require_not_negative(TomlReader& table, std::string_view key, double value) {
-  if (value < 0.0) table.fail(key, "is negative", "write a number that is not negative");
+  if (value < 0.0) table.fail(key, "is negative"_text, "write a number that is not negative"_text);
 }
 
 void read_object(TomlReader table, Scene& scene) {
@@ -54,15 +54,14 @@ void read_limits(TomlReader& dynamics, Scene& scene) {
     const std::string_view least = linear ? "min_m" : "min_rad";
     const std::string_view most = linear ? "max_m" : "max_rad";
     if (!table.has(least) && !table.has(most))
-      table.fail("", "the limit has no bound",
-                 "add " + std::string(least) + " or " + std::string(most));
+      table.fail("", "the limit has no bound"_text, "add %1 or %2"_text(least, most));
     limit.least = table.number(least, -kUnbounded);
     limit.most = table.number(most, kUnbounded);
     if (limit.least > limit.most)
-      table.fail(least, "is above " + std::string(most), "exchange the two");
+      table.fail(least, "is above %1"_text(most), "exchange the two"_text);
     for (const auto& other : scene.limits)
       if (other.dof == limit.dof)
-        table.fail("dof", "has two limits", "write both bounds in one entry");
+        table.fail("dof", "has two limits"_text, "write both bounds in one entry"_text);
     scene.limits.push_back(limit);
   }
 }
@@ -75,7 +74,7 @@ Mat3 read_axes(TomlReader& table, std::string_view key) {
   const Quat attitude(q[0], q[1], q[2], q[3]);
   const double norm = attitude.coeffs().stableNorm();
   if (!(norm > 0.0) || !std::isfinite(norm)) {
-    table.fail(key, "has no direction", "write a unit quaternion w, x, y, z");
+    table.fail(key, "has no direction"_text, "write a unit quaternion w, x, y, z"_text);
     return Mat3::Identity();
   }
   return Quat(attitude.coeffs() / norm).toRotationMatrix();
@@ -86,9 +85,9 @@ void read_dynamics(TomlReader table, Scene& scene) {
     std::size_t dof = 0;
     while (dof < kDofNames.size() && kDofNames[dof] != word) ++dof;
     if (dof == kDofNames.size())
-      table.fail("free", "'" + word + "' is not known", "write some of: x, y, z, rx, ry, rz");
+      table.fail("free", "'%1' is not known"_text(word), "write some of: x, y, z, rx, ry, rz"_text);
     else if (scene.free[dof])
-      table.fail("free", "'" + word + "' appears twice", "keep one of them");
+      table.fail("free", "'%1' appears twice"_text(word), "keep one of them"_text);
     else
       scene.free[dof] = true;
   }
@@ -103,7 +102,7 @@ void read_dynamics(TomlReader table, Scene& scene) {
   scene.R_WD = read_axes(table, "damper_quaternion_wxyz");
   scene.tolerance_rad = table.number("tolerance_rad", scene.tolerance_rad);
   if (!(scene.tolerance_rad > 0.0))
-    table.fail("tolerance_rad", "is not positive", "write an angle such as 1e-9");
+    table.fail("tolerance_rad", "is not positive"_text, "write an angle such as 1e-9"_text);
   scene.wrench_frame =
       static_cast<WrenchFrame>(table.choice("wrench_frame", {"hand", "object"}, 0));
   scene.gravity_m_s2 = table.vec3("gravity_m_s2", Vec3::Zero());
@@ -116,9 +115,9 @@ void read_dynamics(TomlReader table, Scene& scene) {
     const double inertia = i < 3 ? scene.mass_kg : scene.inertia_kg_m2[axis - 3];
     if (scene.free[i] && inertia == 0.0 && scene.damping[axis] == 0.0)
       table.fail("damping",
-                 "is 0 on the free axis " + std::string(kDofNames[i]) + " that has no " +
-                     (i < 3 ? "mass" : "inertia"),
-                 "give it damping, or the object mass");
+                 "is 0 on the free axis %1 that has no %2"_text(
+                     kDofNames[i], i < 3 ? "mass"_text : "inertia"_text),
+                 "give it damping, or the object mass"_text);
   }
 }
 
@@ -130,7 +129,8 @@ void read_attitude(TomlReader& table, Scene& scene) {
   Eigen::Vector4d wxyz(q[0], q[1], q[2], q[3]);
   const double norm = wxyz.stableNorm();
   if (!(norm > 0.0) || !std::isfinite(norm)) {
-    table.fail("quaternion_wxyz", "has no direction", "write a unit quaternion w, x, y, z");
+    table.fail("quaternion_wxyz", "has no direction"_text,
+               "write a unit quaternion w, x, y, z"_text);
     return;
   }
   wxyz /= norm;
@@ -139,8 +139,8 @@ void read_attitude(TomlReader& table, Scene& scene) {
   for (Eigen::Index axis = 0; axis < 3 && rotations < 2; ++axis) {
     if (scene.free[static_cast<std::size_t>(axis) + 3]) continue;
     if (std::abs(wxyz[axis + 1]) > kAttitudeRounding)
-      table.fail("quaternion_wxyz", "the free rotations cannot reach this attitude",
-                 "start from an attitude about the free axes, or free more rotations");
+      table.fail("quaternion_wxyz", "the free rotations cannot reach this attitude"_text,
+                 "start from an attitude about the free axes, or free more rotations"_text);
     wxyz[axis + 1] = 0.0;
   }
   wxyz /= wxyz.norm();
@@ -157,17 +157,17 @@ void read_initial(TomlReader table, Scene& scene) {
     const double speed = i < 3 ? scene.initial_v_WO_W[axis] : scene.initial_w_WO_W[axis];
     if (!scene.free[i] && speed != 0.0)
       table.fail(i < 3 ? "velocity_m_s" : "angular_velocity_rad_s",
-                 std::string(kDofNames[i]) + " is locked but has an initial velocity",
-                 "set it to 0, or free " + std::string(kDofNames[i]));
+                 "%1 is locked but has an initial velocity"_text(kDofNames[i]),
+                 "set it to 0, or free %1"_text(kDofNames[i]));
   }
   for (const auto& limit : scene.limits) {
     if (limit.dof > Dof::z) continue;
     const double start = scene.initial_X_WO.p[static_cast<Eigen::Index>(limit.dof)];
     if (start < limit.least || start > limit.most)
-      table.fail("position_m",
-                 "starts outside the limit of " +
-                     std::string(kDofNames[static_cast<std::size_t>(limit.dof)]),
-                 "start inside the limit, or widen it");
+      table.fail(
+          "position_m",
+          "starts outside the limit of %1"_text(kDofNames[static_cast<std::size_t>(limit.dof)]),
+          "start inside the limit, or widen it"_text);
   }
 }
 
@@ -175,16 +175,17 @@ void read_contact(TomlReader& table, Scene& scene) {
   Contact contact;
   contact.finger = static_cast<Finger>(table.choice("finger", {"thumb", "index", "middle"}));
   if (scene.contact_of(contact.finger) != nullptr)
-    table.fail("finger", "has two contacts", "keep one contact per finger");
+    table.fail("finger", "has two contacts"_text, "keep one contact per finger"_text);
   contact.p_OC = table.vec3("position_m");
   const Vec3 normal = table.vec3("normal").stableNormalized();
   const Vec3 given = table.vec3("tangent").stableNormalized();
   constexpr double kParallel = 1e-6;  // below this the direction would be rounding
   const Vec3 tangent = given - given.dot(normal) * normal;
   if (normal.squaredNorm() == 0.0)
-    table.fail("normal", "is zero", "write the direction into the object");
+    table.fail("normal", "is zero"_text, "write the direction into the object"_text);
   else if (tangent.norm() < kParallel)
-    table.fail("tangent", "is zero or along the normal", "write a direction across the normal");
+    table.fail("tangent", "is zero or along the normal"_text,
+               "write a direction across the normal"_text);
   contact.R_OC.col(0) = tangent.stableNormalized();
   contact.R_OC.col(1) = normal.cross(contact.R_OC.col(0));
   contact.R_OC.col(2) = normal;

@@ -9,6 +9,7 @@
 #include <xcb/xcb.h>
 
 #include "gui/clinic/background.hpp"
+#include "gui/clinic/settings.hpp"
 #include "gui/file_in_use.hpp"
 #include "gui/look/look.hpp"
 #include "gui/office_pages/rescue_question.hpp"
@@ -31,8 +32,9 @@ bool reaches_x_server() {
   return reached;
 }
 
-Error no_display(const std::string& what) {
-  return failed(what, "start it from a desktop, or run a session without windows: isograsp run");
+Error no_display(Text what) {
+  return failed(std::move(what),
+                "start it from a desktop, or run a session without windows: isograsp run"_text);
 }
 
 bool is_to_end(const ApplicationConfig& config) {
@@ -48,15 +50,19 @@ bool has_closed(Windows& windows) {
 
 }  // namespace
 
+std::string language_in_settings() {
+  return SettingsFile(SettingsFile::usual_path()).now().language;
+}
+
 Result<void> run_application(const ApplicationConfig& config) {
   const auto display = variable("DISPLAY");
   const auto platform = variable("QT_QPA_PLATFORM");
   const bool wayland = !variable("WAYLAND_DISPLAY").empty();
   if (display.empty() && !wayland && platform.empty())
-    return no_display("there is no display for the windows");
+    return no_display("there is no display for the windows"_text);
   if (platform == "xcb" || (platform.empty() && !wayland))
     if (!reaches_x_server())
-      return no_display("the display \"" + display + "\" for the windows cannot be reached");
+      return no_display("the display \"%1\" for the windows cannot be reached"_text(display));
   int argc = 1;
   char name[] = "isograsp";
   char* argv[] = {name, nullptr};

@@ -29,4 +29,7 @@ struct ApplicationConfig {
 /// thread.
 [[nodiscard]] Result<void> run_application(const ApplicationConfig& config);
 
+/// The code that the settings of this workstation have, as they stand in their file.
+[[nodiscard]] std::string language_in_settings();
+
 }  // namespace isograsp::gui

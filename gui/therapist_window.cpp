@@ -65,7 +65,7 @@ TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresen
   show_page(Page::start);
   refresh();
   const auto say_problems = [this] {
-    for (const auto& problem : presenter_.state().library.problems) say(shown(problem));
+    for (const auto& problem : presenter_.state().library.problems) say(translated(problem));
   };
   connect(&presenter_.flow(), &SessionFlow::library_changed, this, say_problems);
   say_problems();

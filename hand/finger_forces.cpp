@@ -25,8 +25,8 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
   FingerForcesReader reader(std::move(*csv));
   reader.time_ = reader.csv_.find(columns::t_s);
   if (reader.time_ < 0)
-    return reader.csv_.error_here(columns::t_s, "the column is missing",
-                                  "add the time of each row in seconds");
+    return reader.csv_.error_here(columns::t_s, "the column is missing"_text,
+                                  "add the time of each row in seconds"_text);
   reader.fields_.resize(reader.csv_.columns().size());
   for (const Finger finger : kFingers) {
     const std::size_t f = index_of(finger);
@@ -39,8 +39,8 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
       const bool needed = axis < 3 && (forces > 0 || required[f] || reader.axes_[f][3] >= 0 ||
                                        reader.axes_[f][4] >= 0 || reader.axes_[f][5] >= 0);
       if (needed && reader.axes_[f][axis] < 0)
-        return reader.csv_.error_here(column_of(finger, axis), "the column is missing",
-                                      "add the column");
+        return reader.csv_.error_here(column_of(finger, axis), "the column is missing"_text,
+                                      "add the column"_text);
     }
   }
   // Other columns may stand beside; one that looks like a finger's but is not must be a slip.
@@ -51,8 +51,8 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
     for (const auto finger : kFingerNames)
       if (name.starts_with(std::string(finger) + "_") &&
           std::find(standard.begin(), standard.end(), name) == standard.end())
-        return reader.csv_.error_here(name, "unknown column of a finger",
-                                      "name it like thumb_fx_N or thumb_tx_Nm, or remove it");
+        return reader.csv_.error_here(name, "unknown column of a finger"_text,
+                                      "name it like thumb_fx_N or thumb_tx_Nm, or remove it"_text);
   return reader;
 }
 
@@ -61,10 +61,10 @@ Result<bool> FingerForcesReader::next(FingerForcesRow& row) {
   if (!more || !*more) return more;
   row.t_s = fields_[static_cast<std::size_t>(time_)];
   if (std::isnan(row.t_s))
-    return csv_.error_here(columns::t_s, "the time is empty", "give every row a time");
+    return csv_.error_here(columns::t_s, "the time is empty"_text, "give every row a time"_text);
   if (previous_t_s_ && row.t_s <= *previous_t_s_)
-    return csv_.error_here(columns::t_s, "time does not increase",
-                           "sort the rows and remove repeats");
+    return csv_.error_here(columns::t_s, "time does not increase"_text,
+                           "sort the rows and remove repeats"_text);
   previous_t_s_ = row.t_s;
   for (const Finger finger : kFingers) {
     const std::size_t f = index_of(finger);
@@ -89,8 +89,8 @@ Result<bool> FingerForcesReader::next(FingerForcesRow& row) {
     }
     if (empty > 0 && empty < columns)
       return csv_.error_here(column_of(finger, an_empty_axis),
-                             "the field is empty while others of this finger are not",
-                             "give the value, or leave all fields of the finger empty");
+                             "the field is empty while others of this finger are not"_text,
+                             "give the value, or leave all fields of the finger empty"_text);
     row.present[f] = empty == 0;
     if (empty > 0) row.wrench_C[f] = {};
   }
@@ -105,8 +105,8 @@ Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) 
   if (!csv) return csv.error();
   const int time = csv->find(columns::t_s);
   if (time < 0)
-    return csv->error_here(columns::t_s, "the column is missing",
-                           "add the time of each row in seconds");
+    return csv->error_here(columns::t_s, "the column is missing"_text,
+                           "add the time of each row in seconds"_text);
   double previous = 0.0;
   double largest = 0.0;
   double least_step = std::numeric_limits<double>::infinity();
@@ -117,17 +117,18 @@ Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) 
     const auto more = next_time(*csv, time, t);
     if (!more) return more.error();
     if (!*more) {
-      if (row < 2) return csv->error_here("", "fewer than two rows", "give at least two rows");
+      if (row < 2)
+        return csv->error_here("", "fewer than two rows"_text, "give at least two rows"_text);
       break;
     }
     if (std::isnan(t))
-      return csv->error_here(columns::t_s, "the time is empty", "give every row a time");
+      return csv->error_here(columns::t_s, "the time is empty"_text, "give every row a time"_text);
     largest = std::max(largest, std::abs(t));
     if (row > 0) {
       const double step = t - previous;
       if (!(step > 0))
-        return csv->error_here(columns::t_s, "time does not increase",
-                               "sort the rows and remove repeats");
+        return csv->error_here(columns::t_s, "time does not increase"_text,
+                               "sort the rows and remove repeats"_text);
       if (row == 1) grid.hold_s = step;
       least_step = std::min(least_step, step);
       largest_step = std::max(largest_step, step);

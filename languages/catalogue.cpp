@@ -51,8 +51,8 @@ Result<std::vector<Translation>> read_translations(std::string_view po) {
     }
     const auto text = unquoted(line);
     if (!text || open == nullptr)
-      return refused("is no line of a file of translations",
-                     "write msgid \"…\", msgstr \"…\" or what they go on with in quotes")
+      return refused("is no line of a file of translations"_text,
+                     "write msgid \"…\", msgstr \"…\" or what they go on with in quotes"_text)
           .at("", number);
     *open += *text;
   }

@@ -250,7 +250,7 @@ bool Recorder::stored(const Result<void>& result) {
     failure_ = result.error();
   }
   SessionNews news;
-  news.failure = result.error().message();
+  news.failure = result.error();
   publish(std::move(news));
   return false;
 }

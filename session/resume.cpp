@@ -10,8 +10,8 @@ namespace isograsp::session {
 
 namespace {
 
-Error nothing_to_resume(std::string why) {
-  return refused("there is nothing to resume: " + std::move(why), "begin a new session")
+Error nothing_to_resume(Text why) {
+  return refused("there is nothing to resume: %1"_text(std::move(why)), "begin a new session"_text)
       .about("resume");
 }
 
@@ -62,13 +62,14 @@ Result<EarlierWork> read_earlier_work(storage::SessionStore& store,
                                       const storage::SessionRecord& session) {
   const auto chain = chain_before(store, session);
   if (!chain) return chain.error();
-  if (chain->empty()) return nothing_to_resume("this hand has had no session yet");
+  if (chain->empty()) return nothing_to_resume("this hand has had no session yet"_text);
   const storage::SessionRecord& last = chain->front();
   if (last.protocol_text != session.protocol_text)
-    return nothing_to_resume("the last session of this hand followed the protocol '" +
-                             last.protocol_name + "', or another version of this one");
+    return nothing_to_resume(
+        "the last session of this hand followed the protocol '%1', or another version of this one"_text(
+            last.protocol_name));
   if (seconds_between(last.started_utc, session.started_utc) > kLongestBreak_s)
-    return nothing_to_resume("the last session of this hand began more than four hours ago");
+    return nothing_to_resume("the last session of this hand began more than four hours ago"_text);
   EarlierWork work;
   work.first_id = chain->back().id;
   work.last_id = last.id;
@@ -80,7 +81,7 @@ Result<EarlierWork> read_earlier_work(storage::SessionStore& store,
   if (!protocol) return protocol.error();
   tasks::Agenda agenda(*protocol, order_seed(session, work));
   tell(agenda, *protocol, work);
-  if (!agenda.next()) return nothing_to_resume("the last session finished its protocol");
+  if (!agenda.next()) return nothing_to_resume("the last session finished its protocol"_text);
   return work;
 }
 

@@ -50,7 +50,7 @@ Result<void> Session::start_zero(const ZeroRequest& request) {
   Parts& p = *parts_;
   auto made = p.apparatus->make_preparation(request);
   if (!made) return made.error();
-  if (p.pending) return failed("a trial or a zero is still running", "wait for its end");
+  if (p.pending) return failed("a trial or a zero is still running"_text, "wait for its end"_text);
   auto sent = p.send({.kind = Command::Kind::prepare, .preparation = made->get()});
   if (!sent) return sent;
   p.preparations.push_back(*std::move(made));
@@ -62,10 +62,10 @@ Result<void> Session::start_zero(const ZeroRequest& request) {
 Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
                                   std::optional<storage::TrialPlace> place) {
   Parts& p = *parts_;
-  if (p.pending) return failed("a trial or a zero is still running", "wait for its end");
+  if (p.pending) return failed("a trial or a zero is still running"_text, "wait for its end"_text);
   if (const double wait_s = settling_s(); wait_s > 0.0 && spec.kind->rests)
-    return failed("the hand was strapped less than a minute ago and still settles",
-                  "wait another " + std::to_string(std::lround(std::ceil(wait_s))) + " s");
+    return failed("the hand was strapped less than a minute ago and still settles"_text,
+                  "wait another %1 s"_text(std::lround(std::ceil(wait_s))));
   if (auto ready = p.apparatus->ready(); !ready) return ready;
   if (auto fits = check_apparatus(spec.apparatus(), p.known.apparatus); !fits) return fits;
   auto prepared = p.apparatus->make_trial(spec, p.known.next_context());

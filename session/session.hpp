@@ -108,8 +108,8 @@ struct ScreenShown {
 struct SessionNews {
   std::optional<ZeroOutcome> zero;
   std::optional<TrialOutcome> trial;
-  std::optional<std::string> fault;    ///< the running trial was paused by the device: why
-  std::optional<std::string> failure;  ///< recording or device failed: the session cannot go on
+  std::optional<std::string> fault;  ///< the running trial was paused by the device: why
+  std::optional<Error> failure;      ///< recording or device failed: the session cannot go on
 };
 
 class Session {

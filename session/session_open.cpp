@@ -106,8 +106,8 @@ Result<void> Session::Opening::check_request() {
   for (const storage::SessionAnswer& answer : config.answers)
     if (auto good = storage::check_answer(answer); !good) return good;
   if (config.scratch_database && !config.virtual_time)
-    return refused("a session in real time is not recorded into a scratch file",
-                   "give a database that is kept")
+    return refused("a session in real time is not recorded into a scratch file"_text,
+                   "give a database that is kept"_text)
         .at(uri.text);
   return {};
 }
@@ -121,7 +121,7 @@ Result<void> Session::Opening::open_device() {
   const ApparatusInfo& info = parts.apparatus->info();
   if (auto fits = check_apparatus(config.apparatus, info); !fits) return fits;
   if (config.virtual_time && !info.simulated && !info.recorded)
-    return refused("a real device cannot run in virtual time", "leave out --fast").at(uri.text);
+    return refused("a real device cannot run in virtual time"_text, "leave out --fast"_text).at(uri.text);
   return {};
 }
 
@@ -155,9 +155,8 @@ Result<void> Session::Opening::open_file() {
   if (!newest) return newest.error();
   if (config.started_utc.empty()) latest = clock_behind(*newest);
   if (latest && !config.clock_is_right)
-    return refused("the clock of this computer says " + utc_text(std::time(nullptr)) +
-                       ", but the newest session of this file is of " + *latest,
-                   "set the clock, or say that it is right")
+    return refused("the clock of this computer says %1, but the newest session of this file is of %2"_text(utc_text(std::time(nullptr)), *latest),
+                   "set the clock, or say that it is right"_text)
         .at(config.database)
         .about("clock");
   return {};
@@ -185,7 +184,7 @@ Result<void> Session::Opening::describe_session() {
       config.started_utc.empty() ? utc_text(std::time(nullptr)) : config.started_utc;
   session.hand = config.hand;
   session.device_uri = config.device_uri;
-  session.device_description = info.description;
+  session.device_description = english(info.description);
   session.simulated = info.simulated;
   session.recorded = info.recorded;
   session.provenance = joined_lines(info.provenance);
@@ -196,7 +195,7 @@ Result<void> Session::Opening::describe_session() {
   session.software_version = config.software_version;
   session.cpu_features = cpu_features();
   session.operator_name = config.operator_name;
-  session.realtime = describe(parts.known.realtime);
+  session.realtime = english(words_of(parts.known.realtime));
   parts.apparatus->describe(session);
   if (config.allowed) session.allowed = tasks::name_of(*config.allowed);
   storage::set_value(session.references, platform::kCeiling_N, config.ceiling_N);

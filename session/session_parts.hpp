@@ -51,7 +51,7 @@ struct Session::Parts {
 
   Result<void> send(const Command& command) {
     if (acquisition->commands().push(command)) return {};
-    return failed("the session does not answer", "close it and start again");
+    return failed("the session does not answer"_text, "close it and start again"_text);
   }
 
   /// What the news say about references, zero and training. Trials that were helped are marked.

@@ -58,9 +58,9 @@ storage::RowId unused(const std::map<storage::RowId, storage::RowId>& rows, stor
 Result<void> read_back(const std::string& database, const storage::TrialRecord& ended,
                        std::span<const Measure> measures,
                        std::span<const SecondOfSignals> seconds) {
-  const auto wrong = [&](const std::string& what) {
-    return failed("reading back trial " + std::to_string(ended.number) + ": " + what,
-                  "check the disk, and restore the last backup")
+  const auto wrong = [&](const Text& what) {
+    return failed("reading back trial %1: %2"_text(ended.number, what),
+                  "check the disk, and restore the last backup"_text)
         .at(database);
   };
   const auto store = storage::open_store(database, storage::OpenMode::read_only);
@@ -70,20 +70,19 @@ Result<void> read_back(const std::string& database, const storage::TrialRecord& 
   const auto trial =
       std::find_if(trials->begin(), trials->end(),
                    [&](const storage::TrialRecord& one) { return one.uuid == ended.uuid; });
-  if (trial == trials->end()) return wrong("it is not there");
+  if (trial == trials->end()) return wrong("it is not there"_text);
   if (trial->status != ended.status || trial->samples != ended.samples)
-    return wrong("it is there as '" + std::string(storage::name_of(trial->status)) + "' with " +
-                 std::to_string(trial->samples) + " samples instead of '" +
-                 std::string(storage::name_of(ended.status)) + "' with " +
-                 std::to_string(ended.samples));
+    return wrong("it is there as '%1' with %2 samples instead of '%3' with %4"_text(
+        storage::name_of(trial->status), trial->samples, storage::name_of(ended.status),
+        ended.samples));
   const auto stored = (*store)->measures(trial->id);
   if (!stored) return wrong(stored.error().what);
   if (!std::equal(stored->begin(), stored->end(), measures.begin(), measures.end(), same_measure))
-    return wrong("its measures are not those that were stored");
+    return wrong("its measures are not those that were stored"_text);
   const auto signals = (*store)->signals(*trial);
   if (!signals) return wrong(signals.error().what);
   if (!same_signals_as(*signals, trial->groups, seconds))
-    return wrong("its signals are not those that were stored");
+    return wrong("its signals are not those that were stored"_text);
   return {};
 }
 
@@ -116,20 +115,21 @@ Error SessionWriter::go_to_emergency(const Error& why) {
   lost_ = true;
   if (!safe_) return error;
   if (left_) {
-    error.what += "; this was the emergency file";
+    error.what = "%1; this was the emergency file"_text(error.what);
     return error;
   }
-  const auto file =
-      storage::make_emergency_file({"", store_->path(), database_id_, why.what, "", "", 0});
+  const auto file = storage::make_emergency_file(
+      {"", store_->path(), database_id_, english(why.what), "", "", 0});
   const auto written = file ? write_anew(file->path) : Result<void>(file.error());
   if (!written) {
-    error.what += "; an emergency file could not be made either: " + written.error().message();
+    error.what = "%1; an emergency file could not be made either: %2"_text(
+        error.what, words_of(written.error()));
     return error;
   }
   lost_ = false;
   emergency_path_ = file->path;
-  error.remedy += "; all of this session is in " + emergency_path_ + ": isograsp db rescue " +
-                  left_->path() + " takes it in";
+  error.remedy = "%1; all of this session is in %2: isograsp db rescue %3 takes it in"_text(
+      error.remedy, emergency_path_, left_->path());
   return error;
 }
 

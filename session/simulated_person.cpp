@@ -38,22 +38,22 @@ void add_names(const std::string& library, const fs::path& folder,
 }
 
 /// The file of one of `names`; a name that is none of them opens no file, wherever it points.
-Result<std::string> chosen(const Uri& uri, const std::string& field, const std::string& what,
+Result<std::string> chosen(const Uri& uri, const std::string& field, Words what,
                            const std::string& name, const std::vector<std::string>& names,
                            const fs::path& folder) {
   if (std::find(names.begin(), names.end(), name) != names.end())
     return (folder / (name + ".toml")).string();
   std::string list;
   for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
-  return refused("there is no " + what + " '" + name + "'",
-                 list.empty() ? "this library has none" : "use one of: " + list)
+  return refused("there is no %1 '%2'"_text(what, name),
+                 list.empty() ? "this library has none"_text : "use one of: %1"_text(list))
       .at(uri.text)
       .about(field);
 }
 
 Result<virtual_patient::PatientTraits> named(const Uri& uri, const std::string& library) {
   if (const auto traits = virtual_patient::patient_traits(uri.target)) return *traits;
-  const auto path = chosen(uri, "", "simulated patient", uri.target, simulated_people(library),
+  const auto path = chosen(uri, "", "simulated patient"_text, uri.target, simulated_people(library),
                            people_folder(library));
   if (!path) return path.error();
   const auto text = read_text(*path);
@@ -65,8 +65,8 @@ Result<virtual_patient::PatientTraits> named(const Uri& uri, const std::string& 
 
 Result<virtual_patient::Course> course_of(const Uri& uri, const std::string& library,
                                           const std::string& name) {
-  const auto path =
-      chosen(uri, "course", "course", name, simulated_courses(library), courses_folder(library));
+  const auto path = chosen(uri, "course", "course"_text, name, simulated_courses(library),
+                           courses_folder(library));
   if (!path) return path.error();
   const auto text = read_text(*path);
   if (!text) return text.error();
@@ -107,12 +107,14 @@ Result<virtual_patient::PatientTraits> simulated_traits(const Uri& uri,
   const std::string course_name = uri.text_or("course", "");
   if (uri.parameters.count("day") == 0) {
     if (course_name.empty()) return traits;
-    return refused("a course needs a day", "write for example day=0").at(uri.text).about("day");
+    return refused("a course needs a day"_text, "write for example day=0"_text)
+        .at(uri.text)
+        .about("day");
   }
   const auto day = uri.number_or("day", 0.0, 0.0, kLatestDay);
   if (!day) return day.error();
   if (*day != std::floor(*day))
-    return refused("is not a whole number", "write a whole number such as day=14")
+    return refused("is not a whole number"_text, "write a whole number such as day=14"_text)
         .at(uri.text)
         .about("day");
   const auto person = static_cast<std::uint64_t>(*seed);

@@ -17,11 +17,12 @@ void read_tasks(TomlReader& table, ProtocolStep& step) {
   else
     step.tasks = {table.text("task")};
   const char* key = several ? "tasks" : "task";
-  if (several && step.tasks.empty()) table.fail(key, "is empty", "name at least one task");
+  if (several && step.tasks.empty())
+    table.fail(key, "is empty"_text, "name at least one task"_text);
   for (const std::string& name : step.tasks)
     if (table.has(key) && (name.empty() || name.find('/') != std::string::npos))
-      table.fail(key, "'" + name + "' is not the name of a task file",
-                 "write the file name without folder, e.g. \"grip_sine.toml\"");
+      table.fail(key, "'%1' is not the name of a task file"_text(name),
+                 "write the file name without folder, e.g. \"grip_sine.toml\""_text);
   if (several)
     step.order = static_cast<Order>(table.choice("order", {"ordered", "interleaved", "random"}, 0));
 }
@@ -34,9 +35,9 @@ void read_agreement(TomlReader& table, ProtocolStep& step) {
   agreement.most_repetitions =
       read_count(table, "most_repetitions", agreement.most_repetitions, kMostStepRepetitions);
   if (step.repetitions < 2)
-    table.fail("repetitions", "is below 2", "attempts can only agree with each other");
+    table.fail("repetitions", "is below 2"_text, "attempts can only agree with each other"_text);
   if (agreement.most_repetitions < step.repetitions)
-    table.fail("most_repetitions", "is below repetitions", "write a larger number");
+    table.fail("most_repetitions", "is below repetitions"_text, "write a larger number"_text);
   step.agreement = std::move(agreement);
 }
 
@@ -46,7 +47,7 @@ ProtocolStep read_step(TomlReader& table) {
       static_cast<ProtocolStep::Kind>(table.choice("kind", {"instrument_zero", "task", "pause"}));
   if (step.kind == ProtocolStep::Kind::pause) {
     step.duration_s = read_duration(table, "duration_s", 0.0);
-    if (!table.has("duration_s")) table.fail("duration_s", "is missing", "add it");
+    if (!table.has("duration_s")) table.fail("duration_s", "is missing"_text, "add it"_text);
     return step;
   }
   step.rest_s = read_wait(table, "rest_s", 0.0);
@@ -70,7 +71,7 @@ Result<ProtocolSpec> parse_protocol(std::string_view text, const std::string& fi
   spec.text = std::string(text);
   spec.name = reader->text("name");
   for (TomlReader& table : reader->tables("step")) spec.steps.push_back(read_step(table));
-  if (spec.steps.empty()) reader->fail("step", "is missing", "add at least one [[step]]");
+  if (spec.steps.empty()) reader->fail("step", "is missing"_text, "add at least one [[step]]"_text);
   if (auto done = reader->finish(); !done) return done.error();
   return spec;
 }

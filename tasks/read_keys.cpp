@@ -9,15 +9,15 @@ double read_within(TomlReader& reader, std::string_view key, double least, doubl
                    std::optional<double> fallback) {
   const double value = reader.number(key, fallback);
   if (reader.has(key) && !(value >= least && value <= most))
-    reader.fail(key, format_number(value) + " is out of range",
-                "write a number from " + format_number(least) + " to " + format_number(most));
+    reader.fail(key, "%1 is out of range"_text(shortest(value)),
+                "write a number from %1 to %2"_text(shortest(least), shortest(most)));
   return value;
 }
 
 double read_duration(TomlReader& reader, std::string_view key, double fallback) {
   const double value = read_within(reader, key, 0.0, kLongestPart_s, fallback);
   if (reader.has(key) && value == 0.0)
-    reader.fail(key, "0 is out of range", "write a number above 0");
+    reader.fail(key, "0 is out of range"_text, "write a number above 0"_text);
   return value;
 }
 
@@ -28,8 +28,8 @@ double read_wait(TomlReader& reader, std::string_view key, double fallback) {
 int read_count(TomlReader& reader, std::string_view key, int fallback, int most) {
   const auto count = reader.integer(key, fallback);
   if (count >= 1 && count <= most) return static_cast<int>(count);
-  reader.fail(key, std::to_string(count) + " is out of range",
-              "write a whole number from 1 to " + std::to_string(most));
+  reader.fail(key, "%1 is out of range"_text(count),
+              "write a whole number from 1 to %1"_text(most));
   return 1;
 }
 

@@ -56,14 +56,14 @@ class Recording {
 
   Result<std::string> text() {
     if (!(wanted_.slower > 0.0))
-      return refused("the time cannot be stretched by " + format_number(wanted_.slower),
-                     "give a number above 0")
+      return refused("the time cannot be stretched by %1"_text(shortest(wanted_.slower)),
+                     "give a number above 0"_text)
           .about(spec_.name);
     if (auto found = wanted_.force || spec_.scene().empty() ? find_force() : find_path(); !found)
       return found.error();
     cut_stillness();
     if (duration_s() < kShortest_s)
-      return refused("the movement lasted less than a second", "record it again, slower")
+      return refused("the movement lasted less than a second"_text, "record it again, slower"_text)
           .about(spec_.name);
     std::string text = spec_.scene().empty() || wanted_.force ? force_task() : pose_task();
     if (auto good = parse_task(text, wanted_.name); !good) return good.error();
@@ -93,10 +93,11 @@ class Recording {
   Result<void> find_force() {
     const Section rows =
         record_.select({Phase::active, Phase::transport, Phase::hold}, {columns::actual_force_N});
-    if (!enough(rows)) return refused("it holds no force", "record one").about(spec_.name);
+    if (!enough(rows))
+      return refused("it holds no force"_text, "record one"_text).about(spec_.name);
     auto force_N = smooth(rows, rows.values(columns::actual_force_N));
     if (range_of(force_N) < kLeast_N)
-      return refused("the force changed by less than 0.5 N", "press while it is recorded")
+      return refused("the force changed by less than 0.5 N"_text, "press while it is recorded"_text)
           .about(spec_.name);
     add("", "N", 1.0, std::move(force_N));
     return {};
@@ -107,7 +108,7 @@ class Recording {
     for (const Column& component : columns::actual_attitude) pose.emplace_back(component);
     const Section rows = record_.select({Phase::active, Phase::transport, Phase::hold}, pose);
     if (!enough(rows))
-      return refused("it holds no path of an object", "record one").about(spec_.name);
+      return refused("it holds no path of an object"_text, "record one"_text).about(spec_.name);
     int axes_turned = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string name(columns::kXyz[axis]);
@@ -119,12 +120,12 @@ class Recording {
       add("r" + name, "deg", std::numbers::pi / 180.0, std::move(turn_rad));
     }
     if (courses_.empty())
-      return refused("the object moved by less than 5 mm and 5 degrees",
-                     "move it while it is recorded")
+      return refused("the object moved by less than 5 mm and 5 degrees"_text,
+                     "move it while it is recorded"_text)
           .about(spec_.name);
     if (axes_turned > 1)
-      return refused("the object turned about more than one axis",
-                     "choose a scene in which it can turn about one alone")
+      return refused("the object turned about more than one axis"_text,
+                     "choose a scene in which it can turn about one alone"_text)
           .about(spec_.name);
     return {};
   }

@@ -11,12 +11,13 @@ constexpr std::array<std::string_view, 3> kEfforts{"none", "comfortable", "maxim
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 Result<double> measured(const std::map<ForceChannel, double>& values, ForceChannel channel,
-                        const std::string& what, const std::string& remedy) {
+                        Words what, Words remedy) {
   const auto found = values.find(channel);
   if (found != values.end() && found->second > 0.0) return found->second;
-  return refused("the target is a share of the " + what + " of '" + name_of(channel) +
-                     "', and no trial of this session measured one",
-                 remedy)
+  return refused(
+             "the target is a share of the %1 of '%2', and no trial of this session measured one"_text(
+                 what, name_of(channel)),
+             remedy)
       .about("scale");
 }
 
@@ -49,22 +50,23 @@ Result<double> ForceReferences::unit_N(Scale scale, ForceChannel channel, double
   switch (scale) {
     case Scale::newton: return 1.0;
     case Scale::of_maximum:
-      return measured(maximum_N, channel, "maximum force",
-                      "run the resting-force task and a maximum task of it first");
+      return measured(maximum_N, channel, "maximum force"_text,
+                      "run the resting-force task and a maximum task of it first"_text);
     case Scale::of_comfortable:
-      return measured(comfortable_N, channel, "comfortable force",
-                      "run the comfortable-force task of it first");
+      return measured(comfortable_N, channel, "comfortable force"_text,
+                      "run the comfortable-force task of it first"_text);
     case Scale::of_baseline: break;
   }
-  const auto load = measured(baseline_N, channel, "baseline maximum",
-                             "the fixed load begins with the second assessment");
+  const auto load = measured(baseline_N, channel, "baseline maximum"_text,
+                             "the fixed load begins with the second assessment"_text);
   if (!load) return load;
   constexpr double kMostOfToday = 0.5;
   const double today_N = maximum(channel);
   if (!(largest * *load <= kMostOfToday * today_N))
-    return refused("the fixed load of " + format_number(largest * *load) +
-                       " N is above half of today's maximum, or that was not measured",
-                   "measure today's maximum, or use the task relative to it")
+    return refused(
+               "the fixed load of %1 N is above half of today's maximum, or that was not measured"_text(
+                   shortest(largest * *load)),
+               "measure today's maximum, or use the task relative to it"_text)
         .about("scale");
   return load;
 }

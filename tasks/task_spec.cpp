@@ -117,10 +117,11 @@ void read_difficulty(TomlReader& reader, TaskSpec& spec) {
   }
   const auto multiply = spec.kind->multiply;
   if (multiply == nullptr || !multiply(spec.kind, difficulty.factor, by))
-    table.fail("factor", "is nothing that this kind of task has", "choose another factor");
+    table.fail("factor", "is nothing that this kind of task has"_text,
+               "choose another factor"_text);
   const Aim* aim = spec.aim();
   if (aim != nullptr && aim->scale != Scale::newton && spec.largest_level() > 1.0)
-    table.fail("hardest", "asks for more than the whole force", "write a smaller factor");
+    table.fail("hardest", "asks for more than the whole force"_text, "write a smaller factor"_text);
   spec.difficulty = std::move(difficulty);
 }
 
@@ -144,7 +145,8 @@ Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
   read_difficulty(*reader, spec);
   constexpr double kLongestTask_s = 7200.0;  // a trial is kept in memory while it is scored
   if (spec.duration().worst_s > kLongestTask_s)
-    reader->fail("", "takes longer than two hours", "make it shorter, or repeat it less often");
+    reader->fail("", "takes longer than two hours"_text,
+                 "make it shorter, or repeat it less often"_text);
   if (auto done = reader->finish(); !done) return done.error();
   return spec;
 }

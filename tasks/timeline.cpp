@@ -24,16 +24,17 @@ Result<void> check_effort(const TaskSpec& spec, const Timeline& timeline,
                           const ForceReferences& references) {
   if (spec.kind->rests) return {};
   if (references.allowed == Effort::none)
-    return refused("the screening allows this hand no effort",
-                   "leave the task out, or repeat the screening")
+    return refused("the screening allows this hand no effort"_text,
+                   "leave the task out, or repeat the screening"_text)
         .at(spec.file)
         .about("kind");
   if (references.allowed == Effort::maximum) return {};
   const bool squeezes = std::any_of(timeline.segments.begin(), timeline.segments.end(),
                                     [](const Segment& s) { return s.cue == Cue::squeeze; });
   if (squeezes || spec.kind->tires)
-    return refused("the screening allows this hand comfortable force only",
-                   "use the comfortable-force task, and targets in newtons or of comfortable force")
+    return refused(
+               "the screening allows this hand comfortable force only"_text,
+               "use the comfortable-force task, and targets in newtons or of comfortable force"_text)
         .at(spec.file)
         .about("kind");
   return {};
@@ -59,10 +60,10 @@ Result<void> check_resolution(const TaskSpec& spec, const Segment& segment,
   const double band = aim->band_fraction * target_N;
   constexpr double kRounding = 1e-9;
   if (band >= least_band_N * (1.0 - kRounding)) return {};
-  return refused("the target of " + newtons(target_N) + " has a band of +-" + newtons(band) +
-                     ", which the sensors cannot resolve",
-                 "choose a level of at least " + newtons(least_band_N / aim->band_fraction) +
-                     ", or a wider band")
+  return refused("the target of %1 has a band of +-%2, which the sensors cannot resolve"_text(
+                     newtons(target_N), newtons(band)),
+                 "choose a level of at least %1, or a wider band"_text(
+                     newtons(least_band_N / aim->band_fraction)))
       .at(spec.file)
       .about("band_fraction");
 }
@@ -72,9 +73,9 @@ Result<void> check(const TaskSpec& spec, const Timeline& timeline,
   if (auto allowed = check_effort(spec, timeline, references); !allowed) return allowed;
   for (const Segment& segment : timeline.segments) {
     if (references.ceiling_N && largest_N(segment) > *references.ceiling_N)
-      return refused("the target of " + newtons(largest_N(segment)) + " is above the ceiling of " +
-                         newtons(*references.ceiling_N) + " for this hand",
-                     "choose a lower level")
+      return refused("the target of %1 is above the ceiling of %2 for this hand"_text(
+                         newtons(largest_N(segment)), newtons(*references.ceiling_N)),
+                     "choose a lower level"_text)
           .at(spec.file);
     if (auto resolved = check_resolution(spec, segment, references); !resolved) return resolved;
   }
@@ -154,8 +155,8 @@ std::int64_t Timeline::frames() const noexcept {
 Result<Timeline> timeline_of(const TaskSpec& spec, const TaskContext& context) {
   if (const Waveform* wave = spec.waveform();
       wave != nullptr && wave->shape == Waveform::Shape::csv && wave->values.empty())
-    return refused("the points of " + wave->csv + " were not loaded",
-                   "put the file beside the task")
+    return refused("the points of %1 were not loaded"_text(wave->csv),
+                   "put the file beside the task"_text)
         .at(spec.file)
         .about("csv");
   std::optional<Error> problem;

@@ -17,8 +17,8 @@ double number_within(TomlReader& table, std::string_view key, double least, doub
                      std::optional<double> fallback = {}) {
   const double value = table.number(key, fallback);
   if (value < least || value > most)
-    table.fail(key, "is out of range",
-               "write a value from " + format_number(least) + " to " + format_number(most));
+    table.fail(key, "is out of range"_text,
+               "write a value from %1 to %2"_text(shortest(least), shortest(most)));
   return value;
 }
 
@@ -33,7 +33,7 @@ CourseChange read_change(TomlReader& table) {
   change.time_days =
       number_within(table, "time_days", during ? 0.0 : kShortest_days, kLongest_days);
   if (during && change.until_day <= change.from_day)
-    table.fail("until_day", "is not after from_day", "write a later day");
+    table.fail("until_day", "is not after from_day"_text, "write a later day"_text);
   change.recovery = number_within(table, "recovery", -1.0, 1.0, 0.0);
   TomlReader factors = table.table("factor", false);
   constexpr double kLeastFactor = 0.01;
@@ -43,7 +43,7 @@ CourseChange read_change(TomlReader& table) {
       change.factors.push_back(
           {field.value, number_within(factors, field.key, kLeastFactor, kMostFactor)});
   if (change.recovery == 0.0 && change.factors.empty())
-    table.fail("shape", "changes nothing", "write a recovery or a factor");
+    table.fail("shape", "changes nothing"_text, "write a recovery or a factor"_text);
   return change;
 }
 
@@ -75,7 +75,7 @@ Result<Course> parse_course(std::string_view text, const std::string& file) {
   constexpr std::size_t kMostChanges = 16;  // 100^16 is still a number to compute with
   std::vector<TomlReader> tables = root->tables("change");
   if (tables.size() > kMostChanges)
-    root->fail("change", "are too many", "write at most " + std::to_string(kMostChanges));
+    root->fail("change", "are too many"_text, "write at most %1"_text(kMostChanges));
   for (TomlReader& table : tables) course.changes.push_back(read_change(table));
   if (auto done = root->finish(); !done) return done.error();
   return course;

@@ -12,8 +12,8 @@ namespace {
 
 void check_range(TomlReader& table, std::string_view key, double value, double least, double most) {
   if (value >= least && value <= most) return;
-  table.fail(key, "is out of range",
-             "write a value from " + format_number(least) + " to " + format_number(most));
+  table.fail(key, "is out of range"_text,
+             "write a value from %1 to %2"_text(shortest(least), shortest(most)));
 }
 
 std::array<double, 3> three(TomlReader& table, std::string_view key, double least, double most) {

@@ -48,12 +48,12 @@ Result<std::unique_ptr<storage::SessionStore>> read_store(const std::string& fil
 Result<void> init(const DbOptions& options) {
   if (options.protected_file) return init_protected({options.file, options.json, options.login});
   if (options.login.given())
-    return refused("a database without protection asks for no login",
-                   "add --protected, or leave the login out")
+    return refused("a database without protection asks for no login"_text,
+                   "add --protected, or leave the login out"_text)
         .about("--passphrase-file");
   std::error_code ignored;
   if (std::filesystem::exists(options.file, ignored))
-    return refused("exists already", "name a new file").at(options.file);
+    return refused("exists already"_text, "name a new file"_text).at(options.file);
   const auto store = storage::open_store(options.file, storage::OpenMode::create);
   if (!store) return store.error();
   print_answer(options.json, {{"file", options.file}, {"format", storage::kDatabaseFormat}},
@@ -73,9 +73,9 @@ Result<void> check(const DbOptions& options) {
   for (const auto& problem : *problems) text.add(problem);
   print_answer(options.json, {{"file", options.file}, {"problems", *problems}}, text);
   if (problems->empty()) return {};
-  return failed("the check found " + std::to_string(problems->size()) +
-                    (problems->size() == 1 ? " problem" : " problems"),
-                "restore the last backup, or export what can still be read")
+  return failed(problems->size() == 1 ? Text("the check found 1 problem"_text)
+                                      : "the check found %1 problems"_text(problems->size()),
+                "restore the last backup, or export what can still be read"_text)
       .at(options.file);
 }
 
@@ -113,10 +113,9 @@ Result<void> verify(const DbOptions& options) {
                 {"problems", result.problems}},
                text);
   if (result.problems.empty()) return {};
-  return failed(std::to_string(result.problems.size()) +
-                    " stored results are not those that the stored signals give (first: " +
-                    result.problems.front() + ")",
-                "run isograsp db check; compare the software versions of the sessions")
+  return failed("%1 stored results are not those that the stored signals give (first: %2)"_text(
+                    result.problems.size(), result.problems.front()),
+                "run isograsp db check; compare the software versions of the sessions"_text)
       .at(options.file);
 }
 
@@ -140,8 +139,8 @@ Result<void> backup(const DbOptions& options) {
   if (!access) return access.error();
   if (options.scheduled) return scheduled_backup(options);
   if (options.to.empty())
-    return refused("no file for the backup is given",
-                   "name one with --to, or let --scheduled choose it")
+    return refused("no file for the backup is given"_text,
+                   "name one with --to, or let --scheduled choose it"_text)
         .about("--to");
   const auto store = read_store(options.file);
   if (!store) return store.error();
@@ -178,7 +177,7 @@ Result<void> stats(const DbOptions& options) {
     std::snprintf(text, sizeof text, "%.2f %s", value, unit);
     return std::string(text);
   };
-  const auto times = [](std::int64_t count, const char* what) {
+  const auto times = [](std::int64_t count, const std::string& what) {
     return std::to_string(count) + " " + what;
   };
   Lines text = options.file + ": format " + std::to_string(all.format) + ", " +
@@ -235,9 +234,10 @@ Result<void> merge(const DbOptions& options) {
                 {"conflicts", done->conflicts}},
                text);
   if (done->conflicts.empty()) return {};
-  return failed("nothing was merged: " + std::to_string(done->conflicts.size()) +
-                    (done->conflicts.size() == 1 ? " conflict" : " conflicts"),
-                "make both files agree, then merge again")
+  return failed(done->conflicts.size() == 1
+                    ? Text("nothing was merged: 1 conflict"_text)
+                    : "nothing was merged: %1 conflicts"_text(done->conflicts.size()),
+                "make both files agree, then merge again"_text)
       .at(options.file);
 }
 

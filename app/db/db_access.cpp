@@ -45,8 +45,8 @@ Result<void> list_users(storage::Access& access, const AccountOptions& options) 
 Result<void> add(storage::Access& access, const AccountOptions& options) {
   const auto role = storage::role_from_name(options.role);
   if (!role)
-    return refused("'" + options.role + "' is no role",
-                   "give therapist, researcher or administrator")
+    return refused("'%1' is no role"_text(options.role),
+                   "give therapist, researcher or administrator"_text)
         .about("--role");
   const auto password = storage::Secret::from_file(options.new_file);
   if (!password) return password.error();
@@ -139,7 +139,8 @@ Result<storage::AuditHead> head_in(const std::string& text) {
   constexpr std::size_t kDigits = 64;
   if (colon == std::string::npos || end != text.c_str() + colon || head.count < 1 ||
       text.size() - colon - 1 != kDigits)
-    return refused("is no head of an audit log", "give COUNT:HASH as isograsp db audit printed it")
+    return refused("is no head of an audit log"_text,
+                   "give COUNT:HASH as isograsp db audit printed it"_text)
         .about("--contains");
   head.hash = text.substr(colon + 1);
   return head;
@@ -185,8 +186,9 @@ Result<void> audit(storage::Access& access, const AuditOptions& options) {
   }
   print_answer(options.common.json, json, text);
   if (problems->empty() && contained) return {};
-  return failed(contained ? problems->front() : "the log does not hold the head that was noted",
-                "compare with the backups: isograsp db audit on each")
+  return failed(contained ? Text(Known{problems->front()})
+                          : "the log does not hold the head that was noted"_text,
+                "compare with the backups: isograsp db audit on each"_text)
       .at(options.common.file);
 }
 

@@ -30,18 +30,18 @@ struct PersonOptions {
   storage::Consent consent;
 };
 
-constexpr const char* kIdentityShape =
-    R"(give {"name": "…", "birth_date": "1950-03-05", "contact": "…"})";
+constexpr Words kIdentityShape =
+    "give {\"name\": \"…\", \"birth_date\": \"1950-03-05\", \"contact\": \"…\"}"_text;
 
 /// Errors never repeat what the file holds.
 Result<storage::Identity> read_identity_file(const std::string& path) {
   constexpr std::size_t kMost = std::size_t{64} << 10;
   auto text = read_text(path);
   if (!text) return text.error();
-  if (text->size() > kMost) return refused("is larger than 64 KiB", kIdentityShape).at(path);
+  if (text->size() > kMost) return refused("is larger than 64 KiB"_text, kIdentityShape).at(path);
   const Json json = Json::parse(*text, nullptr, false);
   (void)storage::Secret::taken_from(*text);
-  if (!json.is_object()) return refused("is no JSON object", kIdentityShape).at(path);
+  if (!json.is_object()) return refused("is no JSON object"_text, kIdentityShape).at(path);
   storage::Identity identity;
   for (const auto& [key, value] : json.items()) {
     std::string* const field = key == "name"         ? &identity.name
@@ -49,9 +49,10 @@ Result<storage::Identity> read_identity_file(const std::string& path) {
                                : key == "contact"    ? &identity.contact
                                                      : nullptr;
     if (field == nullptr)
-      return refused("has a key other than name, birth_date, contact", kIdentityShape).at(path);
+      return refused("has a key other than name, birth_date, contact"_text, kIdentityShape)
+          .at(path);
     if (!value.is_string())
-      return refused("holds something other than text", kIdentityShape).at(path);
+      return refused("holds something other than text"_text, kIdentityShape).at(path);
     *field = value.get<std::string>();
   }
   return identity;

@@ -15,8 +15,8 @@ using Json = nlohmann::ordered_json;
 
 Result<storage::Secret> passphrase_of(const AccessOptions& options, const char* field) {
   if (options.login.passphrase_file.empty())
-    return refused("no passphrase is given",
-                   "write it into a file that only you may read and give --passphrase-file")
+    return refused("no passphrase is given"_text,
+                   "write it into a file that only you may read and give --passphrase-file"_text)
         .about(field);
   return storage::Secret::from_file(options.login.passphrase_file);
 }

@@ -40,8 +40,8 @@ Result<void> take_in(const std::string& database, const storage::EmergencyFile& 
   const auto done = storage::rescue(database, file);
   if (!done) return done.error();
   if (!done->conflicts.empty())
-    return failed("nothing of " + file.path + " was taken in: " + done->conflicts.front(),
-                  "make both files agree, then rescue again; the emergency file stays")
+    return failed("nothing of %1 was taken in: %2"_text(file.path, done->conflicts.front()),
+                  "make both files agree, then rescue again; the emergency file stays"_text)
         .at(database);
   Json one = json_of(file);
   one["trials_added"] = done->trials_added;

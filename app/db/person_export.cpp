@@ -230,13 +230,13 @@ Result<int> export_person(storage::Access& access, const std::string& code,
   const auto patient = (*store)->find_patient(code);
   if (!patient) return patient.error();
   if (!*patient)
-    return refused("there is no patient of this code", "see the list of patients")
+    return refused("there is no patient of this code"_text, "see the list of patients"_text)
         .at(access.path())
         .about("--patient");
   std::error_code failure;
   if (!fs::create_directory(folder, failure))
-    return refused(failure ? "cannot be made: " + failure.message() : "exists already",
-                   "name a new folder in one that exists")
+    return refused(failure ? "cannot be made: %1"_text(failure.message()) : "exists already"_text,
+                   "name a new folder in one that exists"_text)
         .at(folder)
         .about("--out");
   fs::permissions(folder, fs::perms::owner_all, failure);
@@ -246,7 +246,7 @@ Result<int> export_person(storage::Access& access, const std::string& code,
   } catch (const Stopped& stopped) {
     done = stopped.error;
   } catch (const std::exception& why) {
-    done = failed(why.what(), "check the disk").at(folder);
+    done = failed(Known{why.what()}, "check the disk"_text).at(folder);
   }
   if (!done) fs::remove_all(folder, failure);
   if (access.can_log())

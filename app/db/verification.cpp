@@ -116,7 +116,7 @@ Result<void> check_trial(storage::SessionStore& store, Checked& one) {
   const auto signals = store.signals(one.trial);
   const auto task = tasks::parse_task(one.trial.task_text, "the task of " + one.place);
   if (!signals)
-    one.result.problems.push_back(signals.error().what);
+    one.result.problems.push_back(english(signals.error().what));
   else if (!task)
     one.result.problems.push_back(task.error().message());
   else

@@ -13,6 +13,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/device/live_device.hpp"
+#include "app/language.hpp"
 #include "device/bus/bus.hpp"
 #include "device/config/device_config.hpp"
 #include "device/config/family_facts.hpp"
@@ -110,26 +111,30 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
   const Hand hand = options.hand.value_or(info.hand.value_or(Hand::right));
   if (info.hand) {
     if (hand != *info.hand)
-      return refused("the device is set up for the " + std::string(name_of(*info.hand)) + " hand",
-                     "leave out --hand")
+      return refused("the device is set up for the %1 hand"_text(
+                         Known{std::string(name_of(*info.hand))}),
+                     "leave out --hand"_text)
           .at(device)
           .about("--hand");
   } else if (!options.hand) {
-    say("The platform is taken to stand for the right hand; add --hand left for the other one.");
+    say(translated(
+        "The platform is taken to stand for the right hand; add --hand left for the other one."_text,
+        spoken()));
   }
   DeviceCheck check(info.frame_period_s, hand, weight_N);
-  say("Take everything off the supports and do not touch them.");
+  say(translated("Take everything off the supports and do not touch them."_text, spoken()));
   bool empty_known = false;
   const auto run = live->run(0.0, [&](const FingerFrame& frame) {
     if (!empty_known) {
       empty_known = check.add_empty(frame);
-      if (empty_known) say(check.step().instruction());
+      if (empty_known) say(translated(check.step().instruction(), spoken()));
       return true;
     }
     const auto result = check.add(frame);
     if (!result) return true;
-    say("  " + result->sentence());
-    if (!check.complete()) say("Let go. " + check.step().instruction());
+    say("  " + translated(result->sentence(), spoken()));
+    if (!check.complete())
+      say(translated(joined({"Let go."_text, check.step().instruction()}), spoken()));
     return !check.complete();
   });
   if (!run) return run.error();
@@ -141,12 +146,13 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
                      {"good", r.verdict == CheckVerdict::good},
                      {"felt_by", name_of(r.felt_by)},
                      {"force_N", {r.force_N.x(), r.force_N.y(), r.force_N.z()}},
-                     {"sentence", r.sentence()}});
+                     {"sentence", english(r.sentence())}});
     if (r.verdict != CheckVerdict::good && wrong == nullptr) wrong = &r;
   }
-  if (!check.complete()) return failed("the check was not finished", "begin it again").at(device);
-  if (wrong != nullptr) return failed("the device did not pass", wrong->sentence()).at(device);
-  say("The device passed.");
+  if (!check.complete())
+    return failed("the check was not finished"_text, "begin it again"_text).at(device);
+  if (wrong != nullptr) return failed("the device did not pass"_text, wrong->sentence()).at(device);
+  say(translated("The device passed."_text, spoken()));
   return steps;
 }
 
@@ -179,7 +185,7 @@ Result<void> check_config(const DevicesOptions& options) {
 Result<void> run_devices(const DevicesOptions& options) {
   if (!options.config.empty()) return check_config(options);
   if (options.check)
-    return refused("there is nothing to check", "add --config FILE").about("--check");
+    return refused("there is nothing to check"_text, "add --config FILE"_text).about("--check");
   const auto interfaces = list_can_interfaces();
   if (options.json) {
     nlohmann::ordered_json document{{"schemes", nlohmann::ordered_json::array()},

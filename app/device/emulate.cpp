@@ -73,7 +73,8 @@ Result<FingerPlay> file_play(const std::string& path) {
     play.t_s.push_back(row.t_s - first_t_s);
     play.wrench_C.push_back(wrenches);
   }
-  if (play.t_s.empty()) return refused("the file has no rows", "give at least one").at(path);
+  if (play.t_s.empty())
+    return refused("the file has no rows"_text, "give at least one"_text).at(path);
   return play;
 }
 
@@ -85,8 +86,8 @@ Result<FingerPlay> make_play(const EmulateOptions& options, EmulatorOptions& emu
     return patient_play(*traits, options.seed);
   }
   if (!options.play.ends_with(".csv"))
-    return refused("'" + options.play + "' is neither a person nor a file",
-                   "use healthy, paretic or a finger-forces file FILE.csv")
+    return refused("'%1' is neither a person nor a file"_text(options.play),
+                   "use healthy, paretic or a finger-forces file FILE.csv"_text)
         .about("--play");
   return file_play(options.play);
 }
@@ -206,7 +207,7 @@ Result<void> run_emulate(const EmulateOptions& options) {
   constexpr std::string_view kAdapter = "slcan:";
   const bool adapter = options.on.starts_with(kAdapter);
   if (of_bus && !adapter)
-    return refused("faults of the bus need an emulated adapter", "use --on slcan:can0")
+    return refused("faults of the bus need an emulated adapter"_text, "use --on slcan:can0"_text)
         .about("--fault");
   if (config.family->open_emulated != nullptr) {
     auto opened = config.family->open_emulated(options.on, config, where);
@@ -226,8 +227,7 @@ Result<void> run_emulate(const EmulateOptions& options) {
 
   watch_for_interrupt();
   Emulator emulator(*std::move(emulated), *std::move(play));
-  if (!options.json)
-    print_note("three " + std::string(config.family->title) + " sensors play on " + where);
+  if (!options.json) print_note("three %1 sensors play on %2"_text(config.family->title, where));
   play_on(*bus, clock, emulator, options.duration_s, [&](double play_time_s) {
     if (adapter_faults) adapter_faults->strike(play_time_s);
   });

@@ -51,13 +51,13 @@ Stimulus press_hold_release(double t_s, double grip_N) {
 Result<DeviceConfig> family_config(const std::string& name, const std::string& file) {
   const FamilyFacts* family = family_named(name);
   if (family == nullptr || !family->on_wire())
-    return refused("no protocol is called '" + name + "'", "use " + family_names())
+    return refused("no protocol is called '%1'"_text(name), "use %1"_text(any_family()))
         .about("--protocol");
   if (file.empty()) return DeviceConfig::standard(*family);
   auto config = DeviceConfig::read(file);
   if (config && config->family != family)
-    return refused("the file is for " + std::string(config->family->name),
-                   "give a device file of this protocol")
+    return refused("the file is for %1"_text(config->family->name),
+                   "give a device file of this protocol"_text)
         .at(file)
         .about("protocol");
   return config;
@@ -79,8 +79,8 @@ Result<LiveDevice> LiveDevice::open(const std::string& text, const std::shared_p
 Result<void> LiveDevice::ask_for(session::Realtime wish) {
   const auto got = session::enter_realtime(wish);
   if (!got) return got.error();
-  if (const auto words = session::describe(*got); !words.empty())
-    print_note("acquisition with " + words);
+  if (const auto words = words_of(*got); !words.empty())
+    print_note("acquisition with %1"_text(words));
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/device/live_device.hpp"
+#include "app/language.hpp"
 #include "app/realtime_option.hpp"
 
 namespace isograsp::app {
@@ -47,7 +48,7 @@ nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& healt
                                const session::Timing& timing) {
   nlohmann::ordered_json document{
       {"device", info.uri},
-      {"description", info.description},
+      {"description", english(info.description)},
       {"simulated", info.simulated},
       {"duration_s", seconds},
       {"frames", frames},
@@ -55,7 +56,7 @@ nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& healt
       {"state", name_of(health.state)},
       {"fault", health.fault == DeviceFault::none ? nlohmann::ordered_json(nullptr)
                                                   : nlohmann::ordered_json(name_of(health.fault))},
-      {"fault_text", describe(health.fault, health.finger)},
+      {"fault_text", words_of(health.fault, health.finger).english()},
       {"foreign_frames", health.foreign_frames},
       {"kernel_drops", health.bus.kernel_drops},
       {"bus_overflows", health.bus.overflows},
@@ -88,9 +89,9 @@ nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& healt
 }
 
 void print_summary(const DeviceInfo& info, const DeviceHealth& health, double seconds) {
-  print("%s, %.2f s\n", printable(info.description).c_str(), seconds);
+  print("%s, %.2f s\n", printable(translated(info.description, spoken())).c_str(), seconds);
   if (health.fault != DeviceFault::none)
-    print("%s\n", std::string(describe(health.fault, health.finger)).c_str());
+    print("%s\n", translated(words_of(health.fault, health.finger), spoken()).c_str());
   print("%-7s %8s %8s %8s %8s %8s %8s %8s %9s %8s %8s\n", "", "rate/Hz", "good", "invalid", "torn",
         "late", "lost", "stale", "saturated", "overload", "restarts");
   for (std::size_t f = 0; f < kFingerCount; ++f) {

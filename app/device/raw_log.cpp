@@ -14,8 +14,8 @@ Result<std::unique_ptr<RawLog>> RawLog::open(const std::string& device, const st
   const auto uri = Uri::parse(device);
   if (!uri) return uri.error();
   if (uri->scheme != "can" && uri->scheme != "udp")
-    return refused("only devices on a CAN bus or a network have raw frames",
-                   "leave it out, or record a can:// or udp:// device")
+    return refused("only devices on a CAN bus or a network have raw frames"_text,
+                   "leave it out, or record a can:// or udp:// device"_text)
         .about("--raw");
   const auto config = config_of(*uri);
   if (!config) return config.error();
@@ -28,8 +28,8 @@ Result<std::unique_ptr<RawLog>> RawLog::open(const std::string& device, const st
     for (std::size_t f = 0; f < kFingerCount; ++f) {
       const auto endpoint = parse_endpoint(addresses[f]);
       if (!endpoint)
-        return refused("'" + addresses[f] + "' is no address in numbers",
-                       "give addresses like 192.168.1.1")
+        return refused("'%1' is no address in numbers"_text(addresses[f]),
+                       "give addresses like 192.168.1.1"_text)
             .at(uri->text);
       sensors[f] = *endpoint;
     }
@@ -77,8 +77,8 @@ Result<void> RawLog::finish() {
   stop();
   if (auto written = file_.commit(); !written) return written;
   if (const auto overrun = tap_->overrun.load(); overrun > 0)
-    return failed(std::to_string(overrun) + " frames are missing: this computer was too slow",
-                  "close other programs and record again")
+    return failed("%1 frames are missing: this computer was too slow"_text(overrun),
+                  "close other programs and record again"_text)
         .at(path_);
   return {};
 }

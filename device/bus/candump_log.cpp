@@ -14,8 +14,8 @@ namespace {
 constexpr std::uint32_t kErrorBit = 0x20000000;
 constexpr std::uint32_t kLargestExtendedId = 0x1FFFFFFF;
 constexpr std::uint32_t kLargestStandardId = 0x7FF;
-constexpr const char* kFrameLineShape =
-    "write lines as (1700000000.001000) can0 064#0C00000000000000";
+constexpr Words kFrameLineShape =
+    "write lines as (1700000000.001000) can0 064#0C00000000000000"_text;
 
 bool is_digit(char c) noexcept {
   return c >= '0' && c <= '9';
@@ -68,12 +68,13 @@ bool parse_classic(std::string_view text, BusFrame& frame) noexcept {
 Result<bool> parse_frame(std::string_view text, CandumpEntry& entry) {
   const auto hash = text.find('#');
   if (hash == std::string_view::npos)
-    return refused("a frame without '#'", kFrameLineShape).about(std::string(text));
+    return refused("a frame without '#'"_text, kFrameLineShape).about(std::string(text));
   const auto digits = text.substr(0, hash);
   std::uint32_t id = 0;
   if ((digits.size() != 3 && digits.size() != 8) ||
       !std::all_of(digits.begin(), digits.end(), is_hex_digit) || !parse_whole(digits, id, 16))
-    return refused("an identifier that has neither 3 nor 8 hexadecimal digits", kFrameLineShape)
+    return refused("an identifier that has neither 3 nor 8 hexadecimal digits"_text,
+                   kFrameLineShape)
         .about(std::string(text));
   BusFrame& frame = entry.frame;
   frame = {};
@@ -84,7 +85,8 @@ Result<bool> parse_frame(std::string_view text, CandumpEntry& entry) {
     id &= ~kErrorBit;
   }
   if (id > (digits.size() == 8 ? kLargestExtendedId : kLargestStandardId))
-    return refused("an identifier that is too large", kFrameLineShape).about(std::string(text));
+    return refused("an identifier that is too large"_text, kFrameLineShape)
+        .about(std::string(text));
   frame.id = id;
 
   auto data = text.substr(hash + 1);
@@ -93,10 +95,11 @@ Result<bool> parse_frame(std::string_view text, CandumpEntry& entry) {
     constexpr std::size_t kMostBytes = 64;
     if (data.size() < 2 || !is_hex_digit(data[1]) ||
         !parse_bytes(data.substr(2), kMostBytes, frame))
-      return refused("data of a CAN FD frame that cannot be read", kFrameLineShape)
+      return refused("data of a CAN FD frame that cannot be read"_text, kFrameLineShape)
           .about(std::string(text));
   } else if (!parse_classic(data, frame)) {
-    return refused("data that are not up to 8 bytes of two hexadecimal digits", kFrameLineShape)
+    return refused("data that are not up to 8 bytes of two hexadecimal digits"_text,
+                   kFrameLineShape)
         .about(std::string(text));
   }
   return true;
@@ -111,11 +114,11 @@ Result<std::optional<CandumpEntry>> parse_candump_line(std::string_view line) {
   CandumpEntry entry;
   const auto close = line.find(')');
   if (close == std::string_view::npos)
-    return refused("a time without ')'", kFrameLineShape).about("time");
+    return refused("a time without ')'"_text, kFrameLineShape).about("time");
   entry.time_text = line.substr(1, close - 1);
   const auto wall_time = parse_log_time(entry.time_text);
   if (!wall_time)
-    return refused("not a time in seconds with 6 or 9 fraction digits", kFrameLineShape)
+    return refused("not a time in seconds with 6 or 9 fraction digits"_text, kFrameLineShape)
         .about(entry.time_text);
   entry.wall_time = *wall_time;
   line.remove_prefix(close + 1);
@@ -123,11 +126,11 @@ Result<std::optional<CandumpEntry>> parse_candump_line(std::string_view line) {
   entry.interface = take_word(line);
   const auto frame = take_word(line);
   if (frame.empty())
-    return refused("the line ends before the frame", kFrameLineShape).about("frame");
+    return refused("the line ends before the frame"_text, kFrameLineShape).about("frame");
   if (auto parsed = parse_frame(frame, entry); !parsed) return parsed.error();
   const auto direction = take_word(line);
   if ((!direction.empty() && direction != "R" && direction != "T") || !take_word(line).empty())
-    return refused("text after the frame that is not R or T", kFrameLineShape)
+    return refused("text after the frame that is not R or T"_text, kFrameLineShape)
         .about(std::string(direction));
   return std::optional(std::move(entry));
 }

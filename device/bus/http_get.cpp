@@ -31,18 +31,19 @@ beast::error_code run_step(asio::io_context& io, Begin&& begin) {
   return outcome;
 }
 
-std::string reason(const beast::error_code& failure) {
-  if (failure == beast::error::timeout) return "it does not answer in time";
-  if (failure == asio::error::connection_refused) return "it refuses the connection";
-  return failure.message();
+Text reason(const beast::error_code& failure) {
+  if (failure == beast::error::timeout) return "it does not answer in time"_text;
+  if (failure == asio::error::connection_refused) return "it refuses the connection"_text;
+  return Known{failure.message()};
 }
 
 }  // namespace
 
 Result<std::string> http_get(const Endpoint& server, const std::string& target, Timestamp limit) {
   const std::string host = server.port == kUsualPort ? server.address_text() : server.text();
-  const auto not_answered = [&](std::string what) {
-    return failed(std::move(what), "check the device's power, its network cable and its address")
+  const auto not_answered = [&](Text what) {
+    return failed(std::move(what),
+                  "check the device's power, its network cable and its address"_text)
         .at("http://" + host + target);
   };
   try {
@@ -51,25 +52,26 @@ Result<std::string> http_get(const Endpoint& server, const std::string& target, 
     stream.expires_after(limit);
     const asio::ip::tcp::endpoint peer(asio::ip::address_v4(server.address), server.port);
     auto failure = run_step(io, [&](auto done) { stream.async_connect(peer, done); });
-    if (failure) return not_answered("the device cannot be reached: " + reason(failure));
+    if (failure) return not_answered("the device cannot be reached: %1"_text(reason(failure)));
 
     http::request<http::empty_body> request(http::verb::get, target, kHttp11);
     request.set(http::field::host, host);
     request.set(http::field::connection, "close");
     failure = run_step(io, [&](auto done) { http::async_write(stream, request, done); });
-    if (failure) return not_answered("the device cannot be asked: " + reason(failure));
+    if (failure) return not_answered("the device cannot be asked: %1"_text(reason(failure)));
 
     beast::flat_buffer buffer;
     http::response_parser<http::string_body> response;
     response.body_limit(kLargestBody);
     failure = run_step(io, [&](auto done) { http::async_read(stream, buffer, response, done); });
-    if (failure) return not_answered("the device's answer cannot be read: " + reason(failure));
+    if (failure)
+      return not_answered("the device's answer cannot be read: %1"_text(reason(failure)));
     if (response.get().result() != http::status::ok)
-      return not_answered("the device answers with HTTP status " +
-                          std::to_string(response.get().result_int()));
+      return not_answered(
+          "the device answers with HTTP status %1"_text(response.get().result_int()));
     return std::move(response.get().body());
   } catch (const std::exception& problem) {
-    return not_answered(std::string("the device cannot be asked: ") + problem.what());
+    return not_answered("the device cannot be asked: %1"_text(problem.what()));
   }
 }
 

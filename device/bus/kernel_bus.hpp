@@ -15,8 +15,8 @@ class KernelBus : public Bus {
  public:
   Result<void> start(Clock& clock) override {
     if (clock.is_virtual())
-      return refused("a real bus does not run in virtual time",
-                     "leave out --fast, or use sim:// or replay://")
+      return refused("a real bus does not run in virtual time"_text,
+                     "leave out --fast, or use sim:// or replay://"_text)
           .about(name());
     clock_ = &clock;
     return {};

@@ -33,7 +33,7 @@ class LogReader {
  public:
   [[nodiscard]] static Result<LogReader> open(const std::string& path) {
     constexpr std::size_t kLongestLine = std::size_t{256} << 10;
-    constexpr const char* kLogRemedy = "check that it is a log";
+    constexpr Words kLogRemedy = "check that it is a log"_text;
     auto lines = LineReader::open(path, kLongestLine, kLogRemedy);
     if (!lines) return lines.error();
     return LogReader(std::move(*lines));

@@ -224,7 +224,7 @@ Result<std::unique_ptr<Bus>> open_serial(const std::array<std::string, kFingerCo
   auto bus = std::make_unique<Serial>();
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     if (std::count(ports.begin(), ports.end(), ports[f]) > 1)
-      return refused("two sensors have this serial port", "give every sensor its own")
+      return refused("two sensors have this serial port"_text, "give every sensor its own"_text)
           .about(ports[f]);
     bus->port(f).set(ports[f], baud);
     try {
@@ -232,14 +232,14 @@ Result<std::unique_ptr<Bus>> open_serial(const std::array<std::string, kFingerCo
       if (!failure) continue;
       const bool no_such_port = failure == boost::system::errc::no_such_file_or_directory;
       const auto error = no_such_port ? refused : failed;
-      return error("the serial port cannot be opened: " + failure.message(),
+      return error("the serial port cannot be opened: %1"_text(failure.message()),
                    failure == boost::system::errc::permission_denied
-                       ? "ask an administrator to put you into the group dialout"
-                       : "plug in the adapter and check the name of the port")
+                       ? "ask an administrator to put you into the group dialout"_text
+                       : "plug in the adapter and check the name of the port"_text)
           .about(ports[f]);
     } catch (const std::exception& problem) {
-      return failed(std::string("the serial port cannot be opened: ") + problem.what(),
-                    "close other programs and try again")
+      return failed("the serial port cannot be opened: %1"_text(problem.what()),
+                    "close other programs and try again"_text)
           .about(ports[f]);
     }
   }

@@ -235,26 +235,27 @@ Result<std::unique_ptr<Bus>> open_socketcan(const std::string& interface,
   const auto found = std::find_if(present.begin(), present.end(),
                                   [&](const auto& i) { return i.name == interface; });
   if (found == present.end())
-    return refused("there is no such CAN interface",
-                   present.empty() ? "plug in the CAN adapter and load its driver"
-                                   : "use one of those present: " + names_of(present))
+    return refused("there is no such CAN interface"_text,
+                   present.empty() ? "plug in the CAN adapter and load its driver"_text
+                                   : "use one of those present: %1"_text(names_of(present)))
         .about(interface);
   if (!found->up)
-    return failed(
-               "the CAN interface is switched off",
-               "run: sudo ip link set " + interface + " up type can bitrate 1000000 restart-ms 100")
+    return failed("the CAN interface is switched off"_text,
+                  "run: sudo ip link set %1 up type can bitrate 1000000 restart-ms 100"_text(
+                      interface))
         .about(interface);
-  const auto not_opened = [&](const std::string& why, std::string remedy) {
-    return failed("the CAN interface cannot be opened: " + why, std::move(remedy)).about(interface);
+  const auto not_opened = [&](const Text& why, Text remedy) {
+    return failed("the CAN interface cannot be opened: %1"_text(why), std::move(remedy))
+        .about(interface);
   };
   try {
     auto bus = std::make_unique<SocketCan>(interface, ids);
     if (const int failure = bus->open(); failure != 0)
-      return not_opened(std::strerror(failure),
-                        "check that the kernel modules can and can_raw are loaded");
+      return not_opened(Known{std::strerror(failure)},
+                        "check that the kernel modules can and can_raw are loaded"_text);
     return std::unique_ptr<Bus>(std::move(bus));
   } catch (const std::exception& problem) {
-    return not_opened(problem.what(), "close other programs and try again");
+    return not_opened(Known{problem.what()}, "close other programs and try again"_text);
   }
 }
 

@@ -237,17 +237,18 @@ Result<std::unique_ptr<Bus>> open_udp(const std::array<std::string, kFingerCount
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto peer = parse_endpoint(addresses[f]);
     if (!peer)
-      return refused("this is no address in numbers with a port", "write it as 192.168.1.1:49152")
+      return refused("this is no address in numbers with a port"_text,
+                     "write it as 192.168.1.1:49152"_text)
           .about(addresses[f]);
     if (std::find(peers.begin(), peers.begin() + static_cast<std::ptrdiff_t>(f), *peer) !=
         peers.begin() + static_cast<std::ptrdiff_t>(f))
-      return refused("two sensors have this address", "give every sensor its own")
+      return refused("two sensors have this address"_text, "give every sensor its own"_text)
           .about(addresses[f]);
     peers[f] = *peer;
     if (const int failure = bus->open(f, *peer); failure != 0)
       return failed(
-                 std::string("there is no way to this address: ") + std::strerror(failure),
-                 "plug in the network cable and give this computer an address in the same network")
+                 "there is no way to this address: %1"_text(Known{std::strerror(failure)}),
+                 "plug in the network cable and give this computer an address in the same network"_text)
           .about(addresses[f]);
   }
   return std::unique_ptr<Bus>(std::move(bus));

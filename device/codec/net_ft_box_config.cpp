@@ -24,7 +24,7 @@ using Tree = boost::property_tree::ptree;
 constexpr std::size_t kLargestPage = 256 * 1024;  // bytes; a box sends four thousand
 constexpr std::ptrdiff_t kMostTags = 2000;        // keeps the parser's recursion small
 constexpr std::size_t kLongestText = 128;
-constexpr const char* kRemedy = "open the box's web page and check its configuration";
+constexpr Words kRemedy = "open the box's web page and check its configuration"_text;
 
 constexpr double kPound_N = 4.4482216152605;
 constexpr double kKilopond_N = 9.80665;
@@ -101,11 +101,11 @@ class Page {
     const auto count = root_.count(name);
     if (count == 0) return std::optional<std::string>();
     if (count > 1)
-      return refused("the box's page has this element twice", kRemedy).at(where_).about(name);
+      return refused("the box's page has this element twice"_text, kRemedy).at(where_).about(name);
     const Tree& element = root_.find(name)->second;
     const auto value = trimmed(element.data());
     if (!element.empty() || value.size() > kLongestText)
-      return refused("the box's page has more than a short text here", kRemedy)
+      return refused("the box's page has more than a short text here"_text, kRemedy)
           .at(where_)
           .about(name);
     return std::optional<std::string>(value);
@@ -114,10 +114,12 @@ class Page {
     const auto found = text(name);
     if (!found) return found.error();
     if (!*found)
-      return refused("the box's page does not have this element", kRemedy).at(where_).about(name);
+      return refused("the box's page does not have this element"_text, kRemedy)
+          .at(where_)
+          .about(name);
     double value = 0.0;
     if (!parse_quantity(**found, value) || value <= 0.0)
-      return refused("'" + **found + "' is not a positive number", kRemedy).at(where_).about(name);
+      return refused("'%1' is not a positive number"_text(**found), kRemedy).at(where_).about(name);
     return value;
   }
   template <class SizeOf>
@@ -125,10 +127,12 @@ class Page {
     const auto found = text(name);
     if (!found) return found.error();
     if (!*found)
-      return refused("the box's page does not have this element", kRemedy).at(where_).about(name);
+      return refused("the box's page does not have this element"_text, kRemedy)
+          .at(where_)
+          .about(name);
     const auto size = size_of_name(**found);
     if (!size)
-      return refused("'" + **found + "' is not a unit that is known here", kRemedy)
+      return refused("'%1' is not a unit that is known here"_text(**found), kRemedy)
           .at(where_)
           .about(name);
     return *size;
@@ -139,7 +143,7 @@ class Page {
     if (!found) return found.error();
     double value = 0.0;
     if (*found && (!parse_quantity(**found, value) || value < 0.0))
-      return refused("'" + **found + "' is not a number that makes sense here", kRemedy)
+      return refused("'%1' is not a number that makes sense here"_text(**found), kRemedy)
           .at(where_)
           .about(name);
     return value;
@@ -150,7 +154,7 @@ class Page {
     if (!*found) return std::optional<Vec6>();
     const auto values = parse_six(**found);
     if (!values)
-      return refused("'" + **found + "' is not six numbers", kRemedy).at(where_).about(name);
+      return refused("'%1' is not six numbers"_text(**found), kRemedy).at(where_).about(name);
     return values;
   }
 
@@ -232,17 +236,17 @@ std::optional<NetFtAddress> NetFtAddress::parse(std::string_view text) noexcept 
 
 Result<NetFtBoxConfig> NetFtBoxConfig::parse(std::string_view xml, const std::string& where) {
   if (xml.size() > kLargestPage || std::count(xml.begin(), xml.end(), '<') > kMostTags)
-    return refused("this is no page of a Net F/T box: it is too large", kRemedy).at(where);
+    return refused("this is no page of a Net F/T box: it is too large"_text, kRemedy).at(where);
   Tree tree;
   try {
     std::istringstream in{std::string(xml)};
     boost::property_tree::read_xml(in, tree);
   } catch (const boost::property_tree::xml_parser_error& problem) {
     // Without its line: the parser counts them in text that it has already changed.
-    return refused("this is no XML: " + problem.message(), kRemedy).at(where);
+    return refused("this is no XML: %1"_text(problem.message()), kRemedy).at(where);
   }
   if (tree.size() != 1)
-    return refused("this is no page of a Net F/T box: it has not one root element", kRemedy)
+    return refused("this is no page of a Net F/T box: it has not one root element"_text, kRemedy)
         .at(where);
   return read(Page(tree.front().second, where));
 }

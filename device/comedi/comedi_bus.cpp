@@ -84,13 +84,13 @@ Result<std::unique_ptr<Bus>> make_comedi_bus(std::unique_ptr<ComediCard> card,
                                              const std::string& path) {
   for (const unsigned subdevice : subdevices) {
     if (subdevice >= card->subdevices())
-      return failed("the card has no subdevice " + std::to_string(subdevice),
-                    "correct subdevice in the configuration: the first sensor is 0")
+      return failed("the card has no subdevice %1"_text(subdevice),
+                    "correct subdevice in the configuration: the first sensor is 0"_text)
           .at(path);
     if (card->channels(subdevice) != kJr3ComediChannels ||
         card->highest_sample(subdevice, 0) != kJr3HighestSample)
-      return failed("subdevice " + std::to_string(subdevice) + " is no JR3 sensor",
-                    "name the card that the driver jr3_pci serves")
+      return failed("subdevice %1 is no JR3 sensor"_text(subdevice),
+                    "name the card that the driver jr3_pci serves"_text)
           .at(path);
   }
   return std::unique_ptr<Bus>(std::make_unique<ComediBus>(std::move(card)));

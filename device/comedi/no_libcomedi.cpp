@@ -5,8 +5,8 @@
 namespace isograsp {
 
 Result<std::unique_ptr<ComediCard>> open_comedi_card(const std::string& path) {
-  return failed("this program was built without libcomedi",
-                "install libcomedi-dev and build it again")
+  return failed("this program was built without libcomedi"_text,
+                "install libcomedi-dev and build it again"_text)
       .at(path);
 }
 

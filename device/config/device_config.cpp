@@ -45,7 +45,7 @@ void read_range(TomlReader& sensor, std::string_view key, int first, Vec6& range
   if (!sensor.has(key)) return;
   const Vec3 values = sensor.vec3(key);
   if (values.minCoeff() <= 0.0)
-    sensor.fail(key, "a rating that is not positive", "give three numbers above 0");
+    sensor.fail(key, "a rating that is not positive"_text, "give three numbers above 0"_text);
   else
     range.segment<3>(first) = values;
 }
@@ -58,13 +58,14 @@ Mounting read_mounting(TomlReader& sensor) {
   if (!q.empty()) {
     const Quat turn(q[0], q[1], q[2], q[3]);
     if (turn.norm() < kShortest)
-      sensor.fail(kQuaternion, "a quaternion of length zero", "give w, x, y, z of a rotation");
+      sensor.fail(kQuaternion, "a quaternion of length zero"_text,
+                  "give w, x, y, z of a rotation"_text);
     else
       mounting.q_CS = turn.normalized();
   }
   mounting.p_SC_S = sensor.vec3("contact_point_m", Vec3::Zero());
   const auto sign = sensor.integer("sign", 1);
-  if (sign != 1 && sign != -1) sensor.fail("sign", "neither 1 nor -1", "give 1 or -1");
+  if (sign != 1 && sign != -1) sensor.fail("sign", "neither 1 nor -1"_text, "give 1 or -1"_text);
   mounting.sign = sign < 0 ? -1.0 : 1.0;
   return mounting;
 }
@@ -77,8 +78,8 @@ void read_support(TomlReader& sensor, Support& support) {
   constexpr double kParallel = 1e-6;  // below this the tangent says nothing
   if (z.norm() < kParallel || z.cross(tangent).norm() < kParallel * z.norm() * tangent.norm() ||
       tangent.norm() < kParallel) {
-    sensor.fail("support_tangent", "normal and tangent do not span a plane",
-                "give two directions that are not parallel");
+    sensor.fail("support_tangent", "normal and tangent do not span a plane"_text,
+                "give two directions that are not parallel"_text);
     return;
   }
   const Vec3 n = z.normalized();
@@ -94,17 +95,17 @@ std::optional<ClinicCalibration> read_calibration(TomlReader& sensor, const Sens
   const auto path = (std::filesystem::path(file).parent_path() / name).string();
   auto calibration = ClinicCalibration::read(path);
   if (!calibration) {
-    sensor.fail(kKey, calibration.error().message(), "correct or remove the calibration file");
+    sensor.fail(kKey, words_of(calibration.error()), "correct or remove the calibration file"_text);
     return std::nullopt;
   }
   if (config.serial_number.empty())
-    sensor.fail(kKey, "a calibration belongs to one sensor, and none is named here",
-                "give the sensor's serial_number too");
+    sensor.fail(kKey, "a calibration belongs to one sensor, and none is named here"_text,
+                "give the sensor's serial_number too"_text);
   else if (calibration->serial_number != config.serial_number)
     sensor.fail(kKey,
-                "the calibration was made with sensor " + calibration->serial_number +
-                    ", but this one is " + config.serial_number,
-                "use the calibration of this sensor");
+                "the calibration was made with sensor %1, but this one is %2"_text(
+                    calibration->serial_number, config.serial_number),
+                "use the calibration of this sensor"_text);
   return *std::move(calibration);
 }
 
@@ -120,7 +121,8 @@ std::vector<std::string> identities(const DeviceConfig& config) {
 void read_sensor(TomlReader& sensor, DeviceConfig& config, const std::string& file,
                  std::array<bool, kFingerCount>& seen) {
   const auto f = sensor.choice("finger", {"thumb", "index", "middle"});
-  if (seen[f]) sensor.fail("finger", "the finger has two sensors", "give each finger once");
+  if (seen[f])
+    sensor.fail("finger", "the finger has two sensors"_text, "give each finger once"_text);
   seen[f] = true;
   SensorConfig& s = config.sensors[f];
   config.family->read_sensor(sensor, s);
@@ -136,10 +138,10 @@ void read_sampling(TomlReader& root, DeviceConfig& config) {
   const FamilyFacts& family = *config.family;
   config.rate_Hz = root.number("rate_Hz", config.rate_Hz);
   if (!family.has_rate(config.rate_Hz))
-    root.fail("rate_Hz", "the sensors have no such rate", std::string(family.rate_remedy));
+    root.fail("rate_Hz", "the sensors have no such rate"_text, family.rate_remedy);
   config.filter_Hz = root.number("filter_Hz", config.filter_Hz);
   if (!family.has_filter(config.filter_Hz))
-    root.fail("filter_Hz", "the sensor has no such filter", std::string(family.filter_remedy));
+    root.fail("filter_Hz", "the sensor has no such filter"_text, family.filter_remedy);
   config.fir_cutoff_Hz = read_positive(root, "fir_cutoff_Hz", config.fir_cutoff_Hz);
   config.fir_taps = static_cast<int>(
       std::clamp<std::int64_t>(root.integer("fir_taps", 0), -1, std::numeric_limits<int>::max()));
@@ -171,8 +173,8 @@ Result<ClinicCalibration> ClinicCalibration::read(const std::string& path) {
     constexpr double kLargest = 2.0;
     const double own = out.matrix(row, row);
     if (!(own >= 1.0 / kLargest && own <= kLargest))
-      root->fail(key, "its own factor is not between 0.5 and 2: this is no correction",
-                 "give true wrench = matrix * sensor's wrench, both in N and N m");
+      root->fail(key, "its own factor is not between 0.5 and 2: this is no correction"_text,
+                 "give true wrench = matrix * sensor's wrench, both in N and N m"_text);
   }
   if (auto done = root->finish(); !done) return done.error();
   return out;
@@ -201,11 +203,13 @@ Result<DeviceConfig> DeviceConfig::parse(std::string_view text, const std::strin
   for (auto& sensor : root->tables("sensor")) read_sensor(sensor, config, file, seen);
   for (std::size_t f = 0; f < kFingerCount; ++f)
     if (!seen[f])
-      root->fail("sensor", "there is no sensor for the " + std::string(kFingerNames[f]),
-                 "add a [[sensor]] with finger = \"" + std::string(kFingerNames[f]) + "\"");
+      root->fail("sensor",
+                 "there is no sensor for the %1"_text(Known{std::string(kFingerNames[f])}),
+                 "add a [[sensor]] with finger = \"%1\""_text(kFingerNames[f]));
   const auto ids = identities(config);
   if (std::adjacent_find(ids.begin(), ids.end()) != ids.end())
-    root->fail("sensor", "two sensors share an identifier or address", "make them all different");
+    root->fail("sensor", "two sensors share an identifier or address"_text,
+               "make them all different"_text);
   if (auto done = root->finish(); !done) return done.error();
   return config;
 }

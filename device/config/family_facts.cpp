@@ -12,16 +12,19 @@ const FamilyFacts* family_named(std::string_view name) noexcept {
   return found == all.end() ? nullptr : *found;
 }
 
-std::string family_names() {
-  std::vector<std::string_view> names;
-  for (const FamilyFacts* family : all_families())
-    if (family->on_wire()) names.push_back(family->name);
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
-    text += names[i];
+Text any_family() {
+  std::string all;
+  std::string_view last;
+  for (const FamilyFacts* family : all_families()) {
+    if (!family->on_wire()) continue;
+    if (!last.empty()) all += (all.empty() ? "" : ", ") + std::string(last);
+    last = family->name;
   }
-  return text;
+  return "%1 or %2"_text(all, last);
+}
+
+std::string family_names() {
+  return english(any_family());
 }
 
 }  // namespace isograsp

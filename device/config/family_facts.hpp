@@ -102,8 +102,8 @@ struct FamilyFacts {
       nullptr;
 
   // What to do about a rate or filter that the sensors have not.
-  std::string_view rate_remedy = "use 10 to 1000";
-  std::string_view filter_remedy;
+  Words rate_remedy = "use 10 to 1000"_text;
+  Words filter_remedy = "leave filter_Hz out"_text;
 
   /// Its sensors can be emulated and their frames logged.
   [[nodiscard]] constexpr bool on_wire() const noexcept { return make_emulated != nullptr; }
@@ -115,5 +115,7 @@ struct FamilyFacts {
 [[nodiscard]] const FamilyFacts* family_named(std::string_view name) noexcept;
 /// Of those on a wire: "rft, ati-netcanoem, jr3-can or net-ft".
 [[nodiscard]] std::string family_names();
+/// The same in words.
+[[nodiscard]] Text any_family();
 
 }  // namespace isograsp

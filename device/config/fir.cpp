@@ -39,11 +39,11 @@ double fir_gain(const std::vector<double>& taps, double rate_Hz, double frequenc
 
 Result<std::vector<double>> design_fir(int taps, double rate_Hz, double cutoff_Hz) {
   if (taps < 3 || taps % 2 == 0 || taps > static_cast<int>(kMostFirTaps))
-    return refused(std::to_string(taps) + " is no possible length of the filter",
-                   "give an odd number from 3 to " + std::to_string(kMostFirTaps))
+    return refused("%1 is no possible length of the filter"_text(taps),
+                   "give an odd number from 3 to %1"_text(kMostFirTaps))
         .about("fir_taps");
   if (!(cutoff_Hz > 0.0 && cutoff_Hz < rate_Hz / 2.0))
-    return refused("the cut-off is not below half the rate", "give a lower fir_cutoff_Hz")
+    return refused("the cut-off is not below half the rate"_text, "give a lower fir_cutoff_Hz"_text)
         .about("fir_taps");
   const double half_power = std::sqrt(0.5);
   double low_Hz = 0.0;
@@ -51,8 +51,8 @@ Result<std::vector<double>> design_fir(int taps, double rate_Hz, double cutoff_H
   const double least_Hz = rate_Hz * 1e-6;  // the window alone: the lowest cut-off there is
   if (fir_gain(windowed_sinc(taps, rate_Hz, least_Hz), rate_Hz, cutoff_Hz) > half_power ||
       fir_gain(windowed_sinc(taps, rate_Hz, high_Hz), rate_Hz, cutoff_Hz) < half_power)
-    return refused(std::to_string(taps) + " taps cannot make this cut-off at this rate",
-                   "give more taps, a higher fir_cutoff_Hz or a lower rate_Hz")
+    return refused("%1 taps cannot make this cut-off at this rate"_text(taps),
+                   "give more taps, a higher fir_cutoff_Hz or a lower rate_Hz"_text)
         .about("fir_taps");
   constexpr int kHalvings = 60;  // to the last bit
   for (int i = 0; i < kHalvings; ++i) {

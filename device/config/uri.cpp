@@ -9,7 +9,7 @@ namespace isograsp {
 
 namespace {
 
-constexpr const char* kUriShape = "write scheme://target?key=value&key=value";
+constexpr Words kUriShape = "write scheme://target?key=value&key=value"_text;
 
 int hex_value(char c) noexcept {
   if (c >= '0' && c <= '9') return c - '0';
@@ -49,13 +49,13 @@ Result<Uri> Uri::parse(std::string_view text) {
   uri.text = text;
   const auto colon = text.find("://");
   if (colon == std::string_view::npos || !is_scheme(text.substr(0, colon)))
-    return refused("not a device URI", kUriShape).at(uri.text);
+    return refused("not a device URI"_text, kUriShape).at(uri.text);
   uri.scheme = text.substr(0, colon);
 
   std::string_view rest = text.substr(colon + 3);
   const auto question = rest.find('?');
   if (!decode_percent(rest.substr(0, question), uri.target))
-    return refused("a '%' without two hexadecimal digits", "write %25 for a percent sign")
+    return refused("a '%' without two hexadecimal digits"_text, "write %25 for a percent sign"_text)
         .at(uri.text);
   if (question == std::string_view::npos) return uri;
 
@@ -65,18 +65,21 @@ Result<Uri> Uri::parse(std::string_view text) {
     const auto pair = rest.substr(0, ampersand);
     const auto equals = pair.find('=');
     if (equals == std::string_view::npos || equals == 0)
-      return refused("not a parameter of the form key=value", kUriShape)
+      return refused("not a parameter of the form key=value"_text, kUriShape)
           .at(uri.text)
           .about(std::string(pair));
     std::string key;
     std::string value;
     if (!decode_percent(pair.substr(0, equals), key) ||
         !decode_percent(pair.substr(equals + 1), value))
-      return refused("a '%' without two hexadecimal digits", "write %25 for a percent sign")
+      return refused("a '%' without two hexadecimal digits"_text,
+                     "write %25 for a percent sign"_text)
           .at(uri.text)
           .about(std::string(pair));
     if (!uri.parameters.emplace(key, value).second)
-      return refused("the parameter is given twice", "give it once").at(uri.text).about(key);
+      return refused("the parameter is given twice"_text, "give it once"_text)
+          .at(uri.text)
+          .about(key);
     if (ampersand == std::string_view::npos) return uri;
     rest.remove_prefix(ampersand + 1);
   }
@@ -90,8 +93,8 @@ Result<void> Uri::require_known(std::initializer_list<std::string_view> known) c
       if (!names.empty()) names += ", ";
       names += name;
     }
-    return refused("unknown parameter of " + scheme + "://",
-                   names.empty() ? "leave it out" : "use " + names)
+    return refused("unknown parameter of %1://"_text(scheme),
+                   names.empty() ? "leave it out"_text : "use %1"_text(names))
         .at(text)
         .about(key);
   }
@@ -110,8 +113,8 @@ Result<double> Uri::number_or(const std::string& key, double fallback, double le
   if (found == parameters.end()) return fallback;
   double value = 0.0;
   if (!parse_number(found->second, value) || value < least || value > most)
-    return refused("'" + found->second + "' is not a number that this parameter takes",
-                   "give one from " + format_number(least) + " to " + format_number(most))
+    return refused("'%1' is not a number that this parameter takes"_text(found->second),
+                   "give one from %1 to %2"_text(shortest(least), shortest(most)))
         .at(text)
         .about(key);
   return value;

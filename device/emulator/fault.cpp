@@ -91,10 +91,10 @@ bool parse_fingers(std::string_view name, std::array<bool, kFingerCount>& finger
   return finger.has_value();
 }
 
-Error bad_fault(std::string_view text, std::string what) {
+Error bad_fault(std::string_view text, Text what) {
   std::string all;
   for (const auto& word : kWords) all += (all.empty() ? "" : ", ") + std::string(word.example);
-  return refused(std::move(what), "write it like one of: " + all)
+  return refused(std::move(what), "write it like one of: %1"_text(all))
       .about("--fault " + std::string(text));
 }
 
@@ -109,14 +109,15 @@ Result<Fault> Fault::parse(std::string_view text) {
   const bool has_finger = before_at.find('=') != std::string_view::npos;
   std::string name(take_until(before_at, has_finger ? '=' : ':'));
   if (has_finger && !parse_fingers(take_until(before_at, ':'), fault.fingers))
-    return bad_fault(text, "there is no such finger");
+    return bad_fault(text, "there is no such finger"_text);
   if (name == "lose") name += "=FINGER:" + std::string(take_until(before_at, ':'));
   const auto word =
       std::find_if(kWords.begin(), kWords.end(), [&](const Word& w) { return w.name == name; });
-  if (word == kWords.end()) return bad_fault(text, "there is no such fault");
+  if (word == kWords.end()) return bad_fault(text, "there is no such fault"_text);
   fault.kind = word->kind;
   if (has_finger == fault.of_bus())
-    return bad_fault(text, has_finger ? "the fault is one of the bus" : "the finger is missing");
+    return bad_fault(
+        text, has_finger ? "the fault is one of the bus"_text : "the finger is missing"_text);
 
   const Form form = word->form;
   const bool chance = form == Form::chance || form == Form::chance_delay;
@@ -125,28 +126,29 @@ Result<Fault> Fault::parse(std::string_view text) {
     const auto number = take_until(before_at, ':');
     if (!parse_number(number, fault.probability) || !(fault.probability >= 0) ||
         !(fault.probability <= 1))
-      return bad_fault(text, "'" + std::string(number) + "' is not a probability");
+      return bad_fault(text, "'%1' is not a probability"_text(number));
   }
   if (form == Form::chance_delay && !parse_seconds(take_until(before_at, ':'), fault.amount))
-    return bad_fault(text, "the delay is not a time");
+    return bad_fault(text, "the delay is not a time"_text);
   constexpr double kMostFrames = 10'000.0;
   constexpr double kSteepest_N_s = 1000.0;
   if (form == Form::count && (!parse_number(take_until(before_at, ':'), fault.amount) ||
                               !(fault.amount >= 1.0 && fault.amount <= kMostFrames)))
-    return bad_fault(text, "the number of frames is not within 1 … 10000");
+    return bad_fault(text, "the number of frames is not within 1 … 10000"_text);
   if (form == Form::slope && (!parse_number(take_until(before_at, ':'), fault.amount) ||
                               !(std::abs(fault.amount) <= kSteepest_N_s)))
-    return bad_fault(text, "the slope is not a number of newtons per second");
+    return bad_fault(text, "the slope is not a number of newtons per second"_text);
   const bool span = form == Form::span || form == Form::bus_span ||
                     (form == Form::optional_span && !before_at.empty());
   if (span && !parse_seconds(take_until(before_at, ':'), fault.duration_s))
-    return bad_fault(text, "the duration is not a time in seconds");
-  if (!before_at.empty()) return bad_fault(text, "'" + std::string(before_at) + "' is too much");
+    return bad_fault(text, "the duration is not a time in seconds"_text);
+  if (!before_at.empty()) return bad_fault(text, "'%1' is too much"_text(before_at));
   if (has_at && (chance || form == Form::finger))
-    return bad_fault(text, "the fault has no instant");
-  if (needs_at != has_at && form != Form::slope) return bad_fault(text, "the instant is missing");
+    return bad_fault(text, "the fault has no instant"_text);
+  if (needs_at != has_at && form != Form::slope)
+    return bad_fault(text, "the instant is missing"_text);
   if (has_at && !parse_seconds(at, fault.at_s))
-    return bad_fault(text, "'" + std::string(at) + "' is not a time in seconds");
+    return bad_fault(text, "'%1' is not a time in seconds"_text(at));
   return fault;
 }
 

@@ -10,8 +10,8 @@ Result<std::unique_ptr<Bus>> open_net_ft_boxes(const std::string& on, const Devi
                                                std::string& uri) {
   const auto first = NetFtAddress::parse(on);
   if (!first)
-    return refused("'" + on + "' is no address of boxes",
-                   "use --on 127.0.0.1:49152:8080 (records, web pages)")
+    return refused("'%1' is no address of boxes"_text(on),
+                   "use --on 127.0.0.1:49152:8080 (records, web pages)"_text)
         .about("--on");
   NetFtServerOptions options;
   uri = "udp://";

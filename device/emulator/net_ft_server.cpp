@@ -108,7 +108,7 @@ class OpenBoxes final : public NetFtServer {
 
   Result<void> start(Clock& clock) override {
     if (clock.is_virtual())
-      return refused("a real network does not run in virtual time", "use the real clock");
+      return refused("a real network does not run in virtual time"_text, "use the real clock"_text);
     clock_ = &clock;
     return {};
   }
@@ -143,8 +143,8 @@ class OpenBoxes final : public NetFtServer {
 
  private:
   static Error not_opened(const Endpoint& where, const beast::error_code& failure) {
-    return failed("an emulated box cannot listen here: " + failure.message(),
-                  "use another address or port, or end the program that has it")
+    return failed("an emulated box cannot listen here: %1"_text(failure.message()),
+                  "use another address or port, or end the program that has it"_text)
         .about(where.text());
   }
 
@@ -227,8 +227,8 @@ Result<std::unique_ptr<NetFtServer>> NetFtServer::open(NetFtServerOptions option
     if (const auto failure = boxes->open()) return *failure;
     return std::unique_ptr<NetFtServer>(std::move(boxes));
   } catch (const std::exception& problem) {
-    return failed(std::string("the emulated boxes cannot be opened: ") + problem.what(),
-                  "close other programs and try again");
+    return failed("the emulated boxes cannot be opened: %1"_text(problem.what()),
+                  "close other programs and try again"_text);
   }
 }
 

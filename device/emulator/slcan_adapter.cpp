@@ -26,8 +26,9 @@ constexpr int kSlcanDiscipline = 17;  // N_SLCAN
 constexpr Timestamp kLongestSwitchingOn = std::chrono::seconds(5);
 constexpr Timestamp kLookAtPort = std::chrono::milliseconds(10);
 
-Error system_error(const std::string& interface, const std::string& what) {
-  return failed(what + ": " + std::strerror(errno), "run as root on a kernel with the module slcan")
+Error system_error(const std::string& interface, const Text& what) {
+  return failed("%1: %2"_text(what, Known{std::strerror(errno)}),
+                "run as root on a kernel with the module slcan"_text)
       .about(interface);
 }
 
@@ -57,27 +58,27 @@ SlcanAdapter::~SlcanAdapter() {
 Result<std::unique_ptr<SlcanAdapter>> SlcanAdapter::open(const std::string& interface,
                                                          unsigned bit_rate) {
   if (interface.empty() || interface.size() >= IFNAMSIZ)
-    return refused("no interface can have this name", "use slcan:can0").about(interface);
+    return refused("no interface can have this name"_text, "use slcan:can0"_text).about(interface);
   std::unique_ptr<SlcanAdapter> adapter(new SlcanAdapter(interface, bit_rate));
   if (auto plugged = adapter->plug_in(); !plugged) return plugged.error();
   const Timestamp give_up_at = adapter->clock_->now() + kLongestSwitchingOn;
   ReceivedFrame ignored;
   while (adapter->switching_on_ >= 0 && adapter->clock_->now() < give_up_at)
     if (adapter->receive(adapter->clock_->now() + kLookAtPort, ignored) == BusEvent::interface_gone)
-      return failed("the interface could not be switched on",
-                    "run as root; the program ip must be installed")
+      return failed("the interface could not be switched on"_text,
+                    "run as root; the program ip must be installed"_text)
           .about(interface);
   if (!adapter->open_)
-    return failed("the kernel did not open the adapter",
-                  "use the kernel's slcan driver of Linux 6.0 or later")
+    return failed("the kernel did not open the adapter"_text,
+                  "use the kernel's slcan driver of Linux 6.0 or later"_text)
         .about(interface);
   return adapter;
 }
 
 Result<void> SlcanAdapter::plug_in() {
   if (if_nametoindex(interface_.c_str()) != 0)
-    return refused("there is an interface of this name already",
-                   "choose another name for the adapter")
+    return refused("there is an interface of this name already"_text,
+                   "choose another name for the adapter"_text)
         .about(interface_);
   auto done = attach();
   if (done) done = begin_switching_on();
@@ -90,21 +91,21 @@ Result<void> SlcanAdapter::attach() {
   char name[64];
   if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0 ||
       ptsname_r(master_, name, sizeof name) != 0)
-    return system_error(interface_, "no pseudo-terminal can be made");
+    return system_error(interface_, "no pseudo-terminal can be made"_text);
   slave_ = ::open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   termios settings{};
   if (slave_ < 0 || tcgetattr(slave_, &settings) != 0)
-    return system_error(interface_, "the pseudo-terminal cannot be opened");
+    return system_error(interface_, "the pseudo-terminal cannot be opened"_text);
   cfmakeraw(&settings);  // no echo
   if (tcsetattr(slave_, TCSANOW, &settings) != 0)
-    return system_error(interface_, "the pseudo-terminal cannot be set");
+    return system_error(interface_, "the pseudo-terminal cannot be set"_text);
   if (ioctl(slave_, TIOCSETD, &kSlcanDiscipline) != 0)
-    return system_error(interface_, "the kernel makes no CAN interface of a serial line");
+    return system_error(interface_, "the kernel makes no CAN interface of a serial line"_text);
   ifreq request{};
   if (ioctl(slave_, SIOCGIFNAME, request.ifr_name) != 0)
-    return system_error(interface_, "the kernel does not name its new interface");
+    return system_error(interface_, "the kernel does not name its new interface"_text);
   if (interface_ != request.ifr_name && !rename_interface(request.ifr_name, interface_))
-    return system_error(interface_, "the new interface cannot have this name");
+    return system_error(interface_, "the new interface cannot have this name"_text);
   return {};
 }
 
@@ -119,7 +120,7 @@ Result<void> SlcanAdapter::begin_switching_on() {
       posix_spawnp(&switching_on_, "ip", nullptr, nullptr, arguments.data(), environ);
   if (failure == 0) return {};
   switching_on_ = -1;
-  return failed(std::string("ip cannot be run: ") + std::strerror(failure), "install iproute2")
+  return failed("ip cannot be run: %1"_text(Known{std::strerror(failure)}), "install iproute2"_text)
       .about(interface_);
 }
 
@@ -178,7 +179,7 @@ void SlcanAdapter::inject(AdapterFault fault) noexcept {
 
 Result<void> SlcanAdapter::start(Clock& clock) {
   if (clock.is_virtual())
-    return refused("a real adapter does not run in virtual time", "use the real clock")
+    return refused("a real adapter does not run in virtual time"_text, "use the real clock"_text)
         .about(interface_);
   clock_ = &clock;
   return {};

@@ -73,6 +73,6 @@ constinit const FamilyFacts kAtiFamily{
         -> std::unique_ptr<SensorSession> { return std::make_unique<AtiSession>(config, finger); },
     .make_emulated = make_emulated_ati,
     .make_log_decoder = make_ati_log_decoder,
-    .filter_remedy = "this board has none: leave filter_Hz out and use fir_taps"};
+    .filter_remedy = "this board has none: leave filter_Hz out and use fir_taps"_text};
 
 }  // namespace isograsp

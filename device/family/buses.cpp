@@ -32,7 +32,8 @@ Result<void> check_addresses(const Uri& uri,
                              const std::array<std::string, kFingerCount>& addresses) {
   for (const auto& address : addresses)
     if (address.empty())
-      return refused("the address of a sensor is missing", "give address for each [[sensor]]")
+      return refused("the address of a sensor is missing"_text,
+                     "give address for each [[sensor]]"_text)
           .at(uri.text)
           .about("config");
   return {};

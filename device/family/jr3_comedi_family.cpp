@@ -54,6 +54,6 @@ constinit const FamilyFacts kJr3ComediFamily{
                        std::size_t finger) -> std::unique_ptr<SensorSession> {
       return std::make_unique<Jr3ComediSession>(config, finger);
     },
-    .filter_remedy = "use 0 (none), 500, 125, 31.25, 7.8125, 1.953125 or 0.48828125"};
+    .filter_remedy = "use 0 (none), 500, 125, 31.25, 7.8125, 1.953125 or 0.48828125"_text};
 
 }  // namespace isograsp

@@ -23,8 +23,9 @@ void read_jr3_sensor(TomlReader& keys, SensorConfig& sensor) {
   auto& s = sensor.as<Jr3Sensor>();
   s.node = read_id(keys, "node", s.node, 1, 127);
   if (!keys.text("serial_number", "").empty())
-    keys.fail("serial_number", "this adaptor tells no serial number: nothing could be compared",
-              "leave it out; the guided check finds exchanged sensors");
+    keys.fail("serial_number",
+              "this adaptor tells no serial number: nothing could be compared"_text,
+              "leave it out; the guided check finds exchanged sensors"_text);
 }
 
 std::string jr3_node(const SensorConfig& sensor) {
@@ -70,6 +71,6 @@ constinit const FamilyFacts kJr3Family{
         -> std::unique_ptr<SensorSession> { return std::make_unique<Jr3Session>(config, finger); },
     .make_emulated = make_emulated_jr3,
     .make_log_decoder = make_jr3_log_decoder,
-    .filter_remedy = "use 0 (none) to 655.35"};
+    .filter_remedy = "use 0 (none) to 655.35"_text};
 
 }  // namespace isograsp

@@ -25,7 +25,7 @@ void read_net_ft_sensor(TomlReader& keys, SensorConfig& sensor) {
   auto& s = sensor.as<NetFtSensor>();
   s.host = keys.text("address", s.host);
   if (!NetFtAddress::parse(s.host))
-    keys.fail("address", "not an address in numbers", "write it as 192.168.1.1");
+    keys.fail("address", "not an address in numbers"_text, "write it as 192.168.1.1"_text);
 }
 
 std::string net_ft_udp_address(const SensorConfig& sensor) {
@@ -68,6 +68,6 @@ constinit const FamilyFacts kNetFtFamily{
     .make_emulated = make_emulated_net_ft,
     .open_emulated = open_net_ft_boxes,
     .read_log = read_net_ft_log,
-    .filter_remedy = "set it in the box's web page, leave filter_Hz out"};
+    .filter_remedy = "set it in the box's web page, leave filter_Hz out"_text};
 
 }  // namespace isograsp

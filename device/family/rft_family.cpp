@@ -27,8 +27,8 @@ void read_rft_sensor(TomlReader& keys, SensorConfig& sensor) {
   s.ids.first = read_id(keys, "first_id", s.ids.first, 1, kLargest);
   s.ids.second = read_id(keys, "second_id", s.ids.second, 1, kLargest);
   if (s.ids.first >= s.ids.second)
-    keys.fail("second_id", "not above first_id: the bus could turn a pair of frames around",
-              "program the sensor so that first_id is the smaller one");
+    keys.fail("second_id", "not above first_id: the bus could turn a pair of frames around"_text,
+              "program the sensor so that first_id is the smaller one"_text);
   s.divisors.force_per_N = read_positive(keys, "force_divisor", s.divisors.force_per_N);
   s.divisors.torque_per_Nm = read_positive(keys, "torque_divisor", s.divisors.torque_per_Nm);
   s.address = keys.text("address", "");
@@ -42,8 +42,8 @@ void read_rft_device(TomlReader& root, DeviceConfig& config) {
   const auto baud = root.integer("baud", RftSensor{}.baud);
   const bool exists = std::find(kBauds.begin(), kBauds.end(), baud) != kBauds.end();
   if (!exists)
-    root.fail("baud", "the sensors have no such speed",
-              "use 57600, 115200, 230400, 460800 or 921600");
+    root.fail("baud", "the sensors have no such speed"_text,
+              "use 57600, 115200, 230400, 460800 or 921600"_text);
   for (auto& sensor : config.sensors) {
     auto& s = sensor.as<RftSensor>();
     s.filter_table = table;
@@ -136,7 +136,8 @@ constinit const FamilyFacts kRftFamily{
     .make_session = make_rft_session,
     .make_emulated = make_emulated_rft,
     .make_log_decoder = make_rft_log_decoder,
-    .rate_remedy = "use 10, 20, 50, 100, 200, 333, 500 or 1000",
-    .filter_remedy = "use 0 (none), 500, 300, 200, 150, 100, 50, 40, 30, 20, 10, 5, 3, 2 or 1"};
+    .rate_remedy = "use 10, 20, 50, 100, 200, 333, 500 or 1000"_text,
+    .filter_remedy =
+        "use 0 (none), 500, 300, 200, 150, 100, 50, 40, 30, 20, 10, 5, 3, 2 or 1"_text};
 
 }  // namespace isograsp

@@ -239,21 +239,21 @@ SessionCounters AtiSession::protocol_counters() const noexcept {
   return counters;
 }
 
-std::string AtiSession::refusal() const {
-  const std::string slot = "calibration slot " + std::to_string(slot_);
+Text AtiSession::refusal() const {
   switch (objection_) {
-    case Objection::none: return "";
+    case Objection::none: return {};
     case Objection::slot:
-      return slot + " was asked for, it chose slot " + std::to_string(other_slot_);
-    case Objection::unusable: return slot + " holds a matrix, counts or units that cannot be used";
-    case Objection::status: return "it says itself that " + slot + " is bad";
+      return "calibration slot %1 was asked for, it chose slot %2"_text(slot_, other_slot_);
+    case Objection::unusable:
+      return "calibration slot %1 holds a matrix, counts or units that cannot be used"_text(slot_);
+    case Objection::status: return "it says itself that calibration slot %1 is bad"_text(slot_);
   }
-  return "";
+  return {};
 }
 
-std::string AtiSession::no_answer_remedy() const {
-  return SensorSession::no_answer_remedy() +
-         ", and the bit rate of the interface: boards leave the factory at 250 kbit/s";
+Text AtiSession::no_answer_remedy() const {
+  return "check its power, its cable, the 120 ohm at both ends of the bus, and the bit rate of the "
+         "interface: boards leave the factory at 250 kbit/s"_text;
 }
 
 }  // namespace isograsp

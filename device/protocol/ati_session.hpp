@@ -46,8 +46,8 @@ class AtiSession final : public SensorSession {
   void forget() noexcept override;
   void reset_protocol_counters() noexcept override;
   [[nodiscard]] SessionCounters protocol_counters() const noexcept override;
-  [[nodiscard]] std::string refusal() const override;
-  [[nodiscard]] std::string no_answer_remedy() const override;
+  [[nodiscard]] Text refusal() const override;
+  [[nodiscard]] Text no_answer_remedy() const override;
 
   [[nodiscard]] Heard hear_answer(int step, const BusFrame& frame, Timestamp stamp,
                                   Measurement& out) noexcept;

@@ -101,12 +101,13 @@ std::optional<BusFrame> Jr3ComediSession::pace(Timestamp now) noexcept {
   return ask(Jr3ComediQuestion::Kind::samples);
 }
 
-std::string Jr3ComediSession::refusal() const {
-  return full_scale_.minCoeff() > 0.0 ? "" : "one of its full scales is not positive";
+Text Jr3ComediSession::refusal() const {
+  if (full_scale_.minCoeff() > 0.0) return {};
+  return "one of its full scales is not positive"_text;
 }
 
-std::string Jr3ComediSession::no_answer_remedy() const {
-  return "check its cable; after it was plugged in the card needs ten seconds";
+Text Jr3ComediSession::no_answer_remedy() const {
+  return "check its cable; after it was plugged in the card needs ten seconds"_text;
 }
 
 }  // namespace isograsp

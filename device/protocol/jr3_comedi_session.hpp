@@ -33,8 +33,8 @@ class Jr3ComediSession final : public SensorSession {
   [[nodiscard]] std::optional<BusFrame> start(Timestamp now) noexcept override;
   [[nodiscard]] std::optional<BusFrame> pace(Timestamp now) noexcept override;
   [[nodiscard]] Timestamp pace_due() const noexcept override;
-  [[nodiscard]] std::string refusal() const override;
-  [[nodiscard]] std::string no_answer_remedy() const override;
+  [[nodiscard]] Text refusal() const override;
+  [[nodiscard]] Text no_answer_remedy() const override;
 
   [[nodiscard]] Heard hear_identity(const Jr3ComediIdentity& identity) noexcept;
   [[nodiscard]] BusFrame ask(Jr3ComediQuestion::Kind kind) const noexcept;

@@ -158,13 +158,13 @@ SessionCounters Jr3Session::protocol_counters() const noexcept {
   return counters;
 }
 
-std::string Jr3Session::refusal() const {
+Text Jr3Session::refusal() const {
   switch (objection_) {
-    case Objection::none: return "";
-    case Objection::not_ready: return "it says that its sensor is not initialised";
-    case Objection::scales: return "one of its full scales is zero";
+    case Objection::none: return {};
+    case Objection::not_ready: return "it says that its sensor is not initialised"_text;
+    case Objection::scales: return "one of its full scales is zero"_text;
   }
-  return "";
+  return {};
 }
 
 }  // namespace isograsp

@@ -47,7 +47,7 @@ class Jr3Session final : public SensorSession {
   void forget() noexcept override;
   void reset_protocol_counters() noexcept override;
   [[nodiscard]] SessionCounters protocol_counters() const noexcept override;
-  [[nodiscard]] std::string refusal() const override;
+  [[nodiscard]] Text refusal() const override;
 
   [[nodiscard]] Heard hear_acknowledge(int step, const Jr3Acknowledge& content) noexcept;
   [[nodiscard]] Heard hear_values(const BusFrame& frame, Timestamp stamp,

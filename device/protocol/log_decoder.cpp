@@ -4,7 +4,7 @@
 namespace isograsp {
 
 Error empty_log(const std::string& path, const char* example) {
-  return refused("holds no frame", std::string("give a log with lines like ") + example).at(path);
+  return refused("holds no frame"_text, "give a log with lines like %1"_text(example)).at(path);
 }
 
 }  // namespace isograsp

@@ -36,13 +36,13 @@ Result<NetFtFingers> NetFtFingers::in_order(std::vector<Endpoint> senders, const
   std::sort(senders.begin(), senders.end());
   senders.erase(std::unique(senders.begin(), senders.end()), senders.end());
   if (senders.empty())
-    return refused("no datagram of this log holds records of a Net F/T box",
-                   "check that it is a log of this protocol")
+    return refused("no datagram of this log holds records of a Net F/T box"_text,
+                   "check that it is a log of this protocol"_text)
         .at(log);
   if (senders.size() > kFingerCount)
-    return refused(std::to_string(senders.size()) + " boxes send records, the last is " +
-                       senders.back().text(),
-                   "say with --config which three are under the fingers")
+    return refused(
+               "%1 boxes send records, the last is %2"_text(senders.size(), senders.back().text()),
+               "say with --config which three are under the fingers"_text)
         .at(log);
   NetFtFingers fingers;
   std::copy(senders.begin(), senders.end(), fingers.box.begin());
@@ -58,9 +58,9 @@ Result<NetFtFingers> NetFtFingers::of(const DeviceConfig& config) {
       if (host.find(':') == std::string::npos) fingers.box[f]->port = 0;
     }
     if (!fingers.box[f])
-      return refused("the box of the " + std::string(kFingerNames[f]) + " has the address '" +
-                         host + "', which is not in numbers",
-                     "write it as 192.168.1.1")
+      return refused("the box of the %1 has the address '%2', which is not in numbers"_text(
+                         kFingerNames[f], host),
+                     "write it as 192.168.1.1"_text)
           .about("address");
   }
   return fingers;

@@ -37,8 +37,8 @@ class NetFtSession final : public SensorSession {
   [[nodiscard]] Heard hear(int step, const BusFrame& frame, Timestamp stamp,
                            Measurement& out) noexcept override;
   [[nodiscard]] std::optional<BusFrame> start(Timestamp now) noexcept override;
-  [[nodiscard]] std::string no_answer_remedy() const override {
-    return "check its power, its cable and its address";
+  [[nodiscard]] Text no_answer_remedy() const override {
+    return "check its power, its cable and its address"_text;
   }
   void reset_protocol_counters() noexcept override;
   [[nodiscard]] SessionCounters protocol_counters() const noexcept override;

@@ -28,7 +28,9 @@ std::string number(double value) {
 class Box {
  public:
   Box(std::size_t finger, Endpoint pages, Timestamp limit)
-      : sensor_("the " + std::string(kFingerNames[finger]) + "'s sensor"),
+      : sensor_(finger == 0   ? "the thumb's sensor"_text
+                : finger == 1 ? "the index's sensor"_text
+                              : "the middle's sensor"_text),
         pages_(pages),
         until_(clock_.now() + limit) {}
 
@@ -41,11 +43,13 @@ class Box {
     auto body = http_get(pages_, target, std::max(until_ - clock_.now(), Timestamp{1}));
     if (body) return body;
     Error error = body.error();
-    error.what = sensor_ + ": " + error.what;
+    error.what = "%1: %2"_text(sensor_, error.what);
     return error;
   }
-  [[nodiscard]] Error error(std::string field, const std::string& what, std::string remedy) const {
-    return failed(sensor_ + " " + what, std::move(remedy)).at(place(kPage)).about(std::move(field));
+  [[nodiscard]] Error error(std::string field, const Text& what, Text remedy) const {
+    return failed("%1 %2"_text(sensor_, what), std::move(remedy))
+        .at(place(kPage))
+        .about(std::move(field));
   }
 
  private:
@@ -55,7 +59,7 @@ class Box {
   }
 
   SteadyClock clock_;
-  std::string sensor_;
+  Words sensor_;
   Endpoint pages_;
   Timestamp until_;
 };
@@ -72,19 +76,19 @@ Result<NetFtBoxConfig> set_up_net_ft_box(const DeviceConfig& config, std::size_t
   const std::string& host = sensor.as<NetFtSensor>().host;
   const auto address = NetFtAddress::parse(host);
   if (!address)
-    return refused("'" + host + "' is no address in numbers", "write it as 192.168.1.1")
+    return refused("'%1' is no address in numbers"_text(host), "write it as 192.168.1.1"_text)
         .about("address");
   Box box(finger, address->pages, limit);
   auto said = box.ask();
   if (!said) return said;
   if (!sensor.serial_number.empty() && said->serial_number != sensor.serial_number)
     return box.error("cfgcalsn",
-                     "has the serial number '" + said->serial_number +
-                         "', but the configuration says '" + sensor.serial_number + "'",
-                     "connect the right sensor or correct serial_number");
+                     "has the serial number '%1', but the configuration says '%2'"_text(
+                         said->serial_number, sensor.serial_number),
+                     "connect the right sensor or correct serial_number"_text);
   if (said->transformed)
-    return box.error("cfgtfx", "shifts or turns its forces before it sends them",
-                     "set the tool transformation to zero on the box's page Configurations");
+    return box.error("cfgtfx", "shifts or turns its forces before it sends them"_text,
+                     "set the tool transformation to zero on the box's page Configurations"_text);
   if (same_rate(said->rate_Hz, config.rate_Hz)) return said;
 
   if (auto set = box.get("/comm.cgi?comrdtrate=" + number(std::round(config.rate_Hz))); !set)
@@ -92,10 +96,10 @@ Result<NetFtBoxConfig> set_up_net_ft_box(const DeviceConfig& config, std::size_t
   said = box.ask();
   if (!said || same_rate(said->rate_Hz, config.rate_Hz)) return said;
   return box.error("comrdtrate",
-                   said->rate_Hz > 0.0 ? "sends at " + number(said->rate_Hz) + " Hz, not at " +
-                                             number(config.rate_Hz)
-                                       : "does not tell its rate",
-                   "use a rate that the box has: a whole fraction of 7000 Hz");
+                   said->rate_Hz > 0.0 ? "sends at %1 Hz, not at %2"_text(shortest(said->rate_Hz),
+                                                                          shortest(config.rate_Hz))
+                                       : "does not tell its rate"_text,
+                   "use a rate that the box has: a whole fraction of 7000 Hz"_text);
 }
 
 }  // namespace isograsp

@@ -153,13 +153,13 @@ SensorSession::Heard RftSession::hear_packet(int step, const RftPacket& packet, 
   }
 }
 
-std::string RftSession::refusal() const {
-  return "its error code is " + std::to_string(refusal_);
+Text RftSession::refusal() const {
+  return "its error code is %1"_text(refusal_);
 }
 
-std::string RftSession::no_answer_remedy() const {
+Text RftSession::no_answer_remedy() const {
   if (std::holds_alternative<RftIds>(way_)) return SensorSession::no_answer_remedy();
-  return "check its power, its cable, its address and the baud rate";
+  return "check its power, its cable, its address and the baud rate"_text;
 }
 
 void RftSession::forget() noexcept {

@@ -47,8 +47,8 @@ class RftSession final : public SensorSession {
   void forget() noexcept override;
   void reset_protocol_counters() noexcept override;
   [[nodiscard]] SessionCounters protocol_counters() const noexcept override;
-  [[nodiscard]] std::string refusal() const override;
-  [[nodiscard]] std::string no_answer_remedy() const override;
+  [[nodiscard]] Text refusal() const override;
+  [[nodiscard]] Text no_answer_remedy() const override;
 
   [[nodiscard]] BusFrame command(
       RftCommand command, std::initializer_list<std::uint8_t> parameters = {}) const noexcept;

@@ -167,25 +167,31 @@ void SensorSession::reset_counters() noexcept {
 }
 
 Error SensorSession::error(std::string_view finger, const std::string& place) const {
-  const std::string whose = finger == "thumb" ? "thumb's" : std::string(finger) + " finger's";
-  const std::string sensor = "the " + whose + " sensor (" + options_.address + ")";
-  Error error = failed("", "").at(place);
+  const Text sensor = finger == "thumb" ? "the thumb's sensor (%1)"_text(options_.address)
+                      : finger == "index"
+                          ? "the index finger's sensor (%1)"_text(options_.address)
+                          : "the middle finger's sensor (%1)"_text(options_.address);
+  Error error = failed({}, {}).at(place);
   switch (failure_) {
     case Failure::wrong_serial:
-      error.what = sensor + " has the serial number " + serial_number_ +
-                   ", but the configuration says " + options_.serial_number;
-      error.remedy = "connect the right sensor or correct serial_number";
+      error.what = "%1 has the serial number %2, but the configuration says %3"_text(
+          sensor, serial_number_, options_.serial_number);
+      error.remedy = "connect the right sensor or correct serial_number"_text;
       break;
     case Failure::wrong_calibration:
-      error.what = sensor + " does not have the calibration that the configuration names" +
-                   (refusal().empty() ? "" : " (" + refusal() + ")");
-      error.remedy = "do not measure with it: have the sensor checked or correct the configuration";
+      error.what =
+          refusal().empty()
+              ? "%1 does not have the calibration that the configuration names"_text(sensor)
+              : "%1 does not have the calibration that the configuration names (%2)"_text(
+                    sensor, refusal());
+      error.remedy =
+          "do not measure with it: have the sensor checked or correct the configuration"_text;
       break;
     case Failure::refused:
-      error.what = sensor + " refused a setting (" + refusal() + ")";
-      error.remedy = "check rate and filter_Hz against the sensor's model";
+      error.what = "%1 refused a setting (%2)"_text(sensor, refusal());
+      error.remedy = "check rate and filter_Hz against the sensor's model"_text;
       break;
-    default: error.what = sensor + " does not answer"; error.remedy = no_answer_remedy();
+    default: error.what = "%1 does not answer"_text(sensor); error.remedy = no_answer_remedy();
   }
   return error;
 }

@@ -134,10 +134,10 @@ class SensorSession {
   /// What the protocol's own pairing counts is added by it.
   [[nodiscard]] virtual SessionCounters protocol_counters() const noexcept { return {}; }
   /// Why a setting or calibration was refused, in a few words.
-  [[nodiscard]] virtual std::string refusal() const { return ""; }
+  [[nodiscard]] virtual Text refusal() const { return {}; }
   /// What to do about a sensor that does not answer.
-  [[nodiscard]] virtual std::string no_answer_remedy() const {
-    return "check its power, its cable and the 120 ohm at both ends of the bus";
+  [[nodiscard]] virtual Text no_answer_remedy() const {
+    return "check its power, its cable and the 120 ohm at both ends of the bus"_text;
   }
   /// Compares with what the configuration says and keeps it.
   [[nodiscard]] Heard hear_serial(std::string_view text) noexcept;

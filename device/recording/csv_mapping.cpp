@@ -28,9 +28,9 @@ struct MappedUnit {
 /// Refuses a multiple that a number cannot say in SI units.
 void require_size(TomlReader& reader, std::string_view key, double scale, double size) {
   if (scale == 0.0)
-    reader.fail(key, "is zero", "write how many units one step is");
+    reader.fail(key, "is zero"_text, "write how many units one step is"_text);
   else if (!std::isnormal(size))
-    reader.fail(key, "is out of range", "write how many units one step is");
+    reader.fail(key, "is out of range"_text, "write how many units one step is"_text);
 }
 
 /// A unit with the multiple of it that one step of the log means (1, or e.g. newtons per count).
@@ -74,24 +74,24 @@ MappedAxis read_axis(TomlReader& axes, const char* key, bool required) {
     text.erase(0, 1);
   }
   if (text.empty() && axes.has(key))
-    axes.fail(key, "names no column",
-              "write the column's name, with '-' before it to turn the sign");
+    axes.fail(key, "names no column"_text,
+              "write the column's name, with '-' before it to turn the sign"_text);
   axis.column = text;
   return axis;
 }
 
 void read_time(TomlReader& root, CsvMapping& mapping) {
   if (root.has("rate_Hz") == root.has("time_column")) {
-    root.fail("rate_Hz", "give either the rate or the column that holds the time",
-              "write rate_Hz = 100, or time_column = \"t\" and time_unit = \"s\"");
+    root.fail("rate_Hz", "give either the rate or the column that holds the time"_text,
+              "write rate_Hz = 100, or time_column = \"t\" and time_unit = \"s\""_text);
     return;
   }
   if (root.has("rate_Hz")) {
     mapping.rate_Hz = root.number("rate_Hz");
     if (!(*mapping.rate_Hz > 0.0))
-      root.fail("rate_Hz", "is not positive", "write rows per second, e.g. 120");
+      root.fail("rate_Hz", "is not positive"_text, "write rows per second, e.g. 120"_text);
     else if (*mapping.rate_Hz < kLeastRate_Hz)
-      root.fail("rate_Hz", "is out of range", "write rows per second, e.g. 120");
+      root.fail("rate_Hz", "is out of range"_text, "write rows per second, e.g. 120"_text);
     return;
   }
   constexpr std::array<double, 4> kPerSecond{1.0, 1e3, 1e6, 1e9};
@@ -114,8 +114,8 @@ Result<int> column_of(const CsvReader& reader, const std::string& name) {
   if (column >= 0) return column;
   std::string names;
   for (const auto& existing : reader.columns()) names += (names.empty() ? "" : ", ") + existing;
-  return reader.error_here(name, "the column is missing",
-                           "correct the mapping; the file has: " + names);
+  return reader.error_here(name, "the column is missing"_text,
+                           "correct the mapping; the file has: %1"_text(names));
 }
 
 Result<Log> open_log(const CsvMapping& mapping, const MappedFinger& finger,
@@ -152,8 +152,8 @@ Result<void> append_sample(std::string& text, const Log& log) {
   }
   if (empty >= 0 && given > 0)
     return log.reader.error_here(log.reader.columns()[static_cast<std::size_t>(empty)],
-                                 "the field is empty while others of this finger are not",
-                                 "give the value, or leave all fields of the finger empty");
+                                 "the field is empty while others of this finger are not"_text,
+                                 "give the value, or leave all fields of the finger empty"_text);
   for (std::size_t axis = 0; axis < 6; ++axis) {
     text += ',';
     if (empty >= 0) continue;
@@ -163,8 +163,8 @@ Result<void> append_sample(std::string& text, const Log& log) {
                                     : log.finger->axes[axis].sign * scale *
                                           log.fields[static_cast<std::size_t>(column)];
     if (!std::isfinite(value))
-      return log.reader.error_here(log.finger->axes[axis].column, "is too large in SI units",
-                                   "correct the number, or the scale of the mapping");
+      return log.reader.error_here(log.finger->axes[axis].column, "is too large in SI units"_text,
+                                   "correct the number, or the scale of the mapping"_text);
     append_number(text, value + 0.0);  // + 0: a turned sign makes no "-0"
   }
   return {};
@@ -208,12 +208,12 @@ Result<double> row_time(const CsvMapping& mapping, const std::vector<Log>& logs,
   for (const Log& log : logs) {
     const double here = log.fields[static_cast<std::size_t>(log.time)];
     if (std::isnan(here))
-      return log.reader.error_here(mapping.time_column, "the time is empty",
-                                   "give every row a time");
+      return log.reader.error_here(mapping.time_column, "the time is empty"_text,
+                                   "give every row a time"_text);
     if (here != time)
       return log.reader.error_here(mapping.time_column,
-                                   "differs from the time in " + logs.front().reader.path(),
-                                   "resample the files to one time axis first");
+                                   "differs from the time in %1"_text(logs.front().reader.path()),
+                                   "resample the files to one time axis first"_text);
   }
   return time / mapping.units_per_second;
 }
@@ -236,7 +236,7 @@ Result<CsvMapping> parse_csv_mapping(std::string_view text, const std::string& p
     finger.finger = kFingers[table.choice("finger", {"thumb", "index", "middle"})];
     for (const MappedFinger& other : mapping.fingers)
       if (other.finger == finger.finger)
-        table.fail("finger", "is mapped twice", "map every finger once");
+        table.fail("finger", "is mapped twice"_text, "map every finger once"_text);
     finger.file = table.text("file");
     const MappedUnit own_force = force_unit(table, force);
     const MappedUnit own_torque = torque_unit(table, torque);
@@ -250,7 +250,7 @@ Result<CsvMapping> parse_csv_mapping(std::string_view text, const std::string& p
     mapping.fingers.push_back(std::move(finger));
   }
   if (mapping.fingers.empty())
-    root->fail("finger", "no finger is mapped", "add a [[finger]] table for each sensor");
+    root->fail("finger", "no finger is mapped"_text, "add a [[finger]] table for each sensor"_text);
   if (auto done = root->finish(); !done) return done.error();
   return mapping;
 }
@@ -287,16 +287,15 @@ Result<ConvertedCsv> convert_csv(const CsvMapping& mapping, const std::string& f
       (*more ? going_on : ended) = &log;
     }
     if (ended != nullptr && going_on != nullptr)
-      return ended->reader.error_here("",
-                                      "ends after " + std::to_string(converted.rows) +
-                                          " rows, before " + going_on->reader.path(),
-                                      "give logs of the same length");
+      return ended->reader.error_here(
+          "", "ends after %1 rows, before %2"_text(converted.rows, going_on->reader.path()),
+          "give logs of the same length"_text);
     if (ended != nullptr) break;
     const auto t_s = row_time(mapping, logs, converted.rows);
     if (!t_s) return t_s.error();
     if (converted.rows > 0 && *t_s <= converted.last_s)
-      return logs.front().reader.error_here(mapping.time_column, "time does not increase",
-                                            "sort the rows and remove repeats");
+      return logs.front().reader.error_here(mapping.time_column, "time does not increase"_text,
+                                            "sort the rows and remove repeats"_text);
     if (converted.rows == 0) converted.first_s = *t_s;
     converted.last_s = *t_s;
     append_number(text, *t_s);
@@ -309,7 +308,8 @@ Result<ConvertedCsv> convert_csv(const CsvMapping& mapping, const std::string& f
     text.clear();
   }
   if (converted.rows < 2)
-    return logs.front().reader.error_here("", "fewer than two rows", "give at least two rows");
+    return logs.front().reader.error_here("", "fewer than two rows"_text,
+                                          "give at least two rows"_text);
   writer->write(text);
   if (auto done = writer->commit(); !done) return done.error();
   return converted;

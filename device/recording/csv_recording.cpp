@@ -37,8 +37,8 @@ Result<Recording> read_csv_recording(const std::string& path) {
   if (!reader) return reader.error();
   if (std::none_of(kFingers.begin(), kFingers.end(),
                    [&](Finger finger) { return reader->has(finger); }))
-    return refused("holds no finger's forces",
-                   "add columns such as thumb_fx_N, thumb_fy_N, thumb_fz_N")
+    return refused("holds no finger's forces"_text,
+                   "add columns such as thumb_fx_N, thumb_fy_N, thumb_fz_N"_text)
         .at(path);
 
   const bool on_grid = fits_frames(*grid);
@@ -62,7 +62,7 @@ Result<Recording> read_csv_recording(const std::string& path) {
   }
 
   DeviceInfo& info = recording.info;
-  info.description = "Recorded forces, " + path;
+  info.description = "Recorded forces, %1"_text(path);
   info.on_grid = on_grid;
   info.sample_period_s = on_grid ? grid->hold_s : median_step_s(t_s);
   info.frame_period_s = on_grid ? grid->hold_s : kFallbackFramePeriod_s;

@@ -26,8 +26,8 @@ Result<Recording> read_log_recording(const std::string& path, const DeviceConfig
   const auto read = read_log(path, config, addresses_known, take);
   if (!read) return read.error();
   if (recording.samples.empty())
-    return refused("holds no sample of these sensors",
-                   "check protocol and addresses of the device file")
+    return refused("holds no sample of these sensors"_text,
+                   "check protocol and addresses of the device file"_text)
         .at(path);
   // A log may hold a record that came late: the order of the times is the order of the play.
   auto& samples = recording.samples;
@@ -37,7 +37,7 @@ Result<Recording> read_log_recording(const std::string& path, const DeviceConfig
   for (auto& sample : samples) sample.stamp -= first;
 
   DeviceInfo& info = recording.info;
-  info.description = "Recorded frames of " + std::string(config.family->title) + ", " + path;
+  info.description = "Recorded frames of %1, %2"_text(config.family->title, path);
   info.sample_period_s = 1.0 / config.rate_Hz;
   info.hand = config.hand;
   info.platform = config.platform;

@@ -89,11 +89,13 @@ Result<std::unique_ptr<ForceDevice>> open_replay_device(const Uri& uri) {
   if (auto known = uri.require_known({"speed", "protocol", "config", "rate"}); !known)
     return known.error();
   if (uri.target.empty())
-    return refused("no file is named", "write replay://FILE.csv").at(uri.text).about("file");
+    return refused("no file is named"_text, "write replay://FILE.csv"_text)
+        .at(uri.text)
+        .about("file");
   auto speed = uri.number_or("speed", 1.0, 0.0, 1000.0);
   if (!speed) return speed.error();
   if (*speed > 0.0 && *speed < 0.01)
-    return refused("is too slow", "give 0 (never wait) or 0.01 to 1000")
+    return refused("is too slow"_text, "give 0 (never wait) or 0.01 to 1000"_text)
         .at(uri.text)
         .about("speed");
   const bool raw = uri.parameters.contains("protocol") || uri.parameters.contains("config");

@@ -14,9 +14,11 @@ namespace {
 constexpr double kEmpty_s = 1.0;
 constexpr double kLetGo = 0.5;  // of the least press: below it the supports are free again
 
-std::string the(Finger finger) {
-  return finger == Finger::thumb ? "the thumb's support"
-                                 : "the " + std::string(name_of(finger)) + " finger's support";
+/// What is said of this finger.
+template <std::size_t Places>
+Phrase<Places> of(Finger finger, Phrase<Places> thumb, Phrase<Places> index,
+                  Phrase<Places> middle) {
+  return finger == Finger::thumb ? thumb : finger == Finger::index ? index : middle;
 }
 
 /// In the contact frame.
@@ -30,10 +32,32 @@ Vec3 direction_of(const CheckStep& step) {
   return Vec3::UnitZ();
 }
 
-std::string newtons(double force_N) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f N", force_N);
-  return text;
+Number newtons(double force_N) {
+  return fixed(force_N, 1);
+}
+
+/// What was felt by another support.
+Words swapped(Finger asked, Finger felt_by) {
+  switch (felt_by) {
+    case Finger::thumb:
+      return asked == Finger::index
+                 ? "It was the thumb's support that felt this: the sensors of index and thumb "
+                   "are swapped."_text
+                 : "It was the thumb's support that felt this: the sensors of middle and thumb "
+                   "are swapped."_text;
+    case Finger::index:
+      return asked == Finger::thumb
+                 ? "It was the index finger's support that felt this: the sensors of thumb and "
+                   "index are swapped."_text
+                 : "It was the index finger's support that felt this: the sensors of middle and "
+                   "index are swapped."_text;
+    default:
+      return asked == Finger::thumb
+                 ? "It was the middle finger's support that felt this: the sensors of thumb and "
+                   "middle are swapped."_text
+                 : "It was the middle finger's support that felt this: the sensors of index and "
+                   "middle are swapped."_text;
+  }
 }
 
 bool has_value(const FingerFrame& frame, std::size_t f) {
@@ -47,39 +71,71 @@ std::string_view name_of(Press press) noexcept {
   return kNames[static_cast<std::size_t>(press)];
 }
 
-std::string CheckStep::instruction() const {
+Text CheckStep::instruction() const {
   switch (press) {
-    case Press::into: return "Press " + the(finger) + " straight in and hold.";
-    case Press::up: return "Push " + the(finger) + " upward and hold.";
-    case Press::toward_wrist: return "Push " + the(finger) + " toward the wrist and hold.";
-    case Press::weight: return "Put the reference weight on " + the(finger) + " and wait.";
+    case Press::into:
+      return of(finger, "Press the thumb's support straight in and hold."_text,
+                "Press the index finger's support straight in and hold."_text,
+                "Press the middle finger's support straight in and hold."_text);
+    case Press::up:
+      return of(finger, "Push the thumb's support upward and hold."_text,
+                "Push the index finger's support upward and hold."_text,
+                "Push the middle finger's support upward and hold."_text);
+    case Press::toward_wrist:
+      return of(finger, "Push the thumb's support toward the wrist and hold."_text,
+                "Push the index finger's support toward the wrist and hold."_text,
+                "Push the middle finger's support toward the wrist and hold."_text);
+    case Press::weight:
+      return of(finger, "Put the reference weight on the thumb's support and wait."_text,
+                "Put the reference weight on the index finger's support and wait."_text,
+                "Put the reference weight on the middle finger's support and wait."_text);
   }
-  return "";
+  return {};
 }
 
-std::string CheckResult::sentence() const {
-  const std::string asked = the(step.finger);
+Text CheckResult::sentence() const {
+  const Finger asked = step.finger;
   switch (verdict) {
-    case CheckVerdict::good: return "Good: " + asked + " felt " + newtons(force_N.norm()) + ".";
+    case CheckVerdict::good:
+      return of(asked, "Good: the thumb's support felt %1 N."_text,
+                "Good: the index finger's support felt %1 N."_text,
+                "Good: the middle finger's support felt %1 N."_text)(newtons(force_N.norm()));
     case CheckVerdict::other_finger:
-      return "It was " + the(felt_by) + " that felt this: the sensors of " +
-             std::string(name_of(step.finger)) + " and " + std::string(name_of(felt_by)) +
-             " are swapped. Exchange their cables or their entries in the device file.";
+      return joined({swapped(asked, felt_by),
+                     "Exchange their cables or their entries in the device file."_text});
     case CheckVerdict::wrong_sign:
-      return "The sensor under " + asked +
-             " shows the opposite direction. Correct quaternion_wxyz or sign in the device file.";
+      return joined(
+          {of(asked, "The sensor under the thumb's support shows the opposite direction."_text,
+              "The sensor under the index finger's support shows the opposite direction."_text,
+              "The sensor under the middle finger's support shows the opposite direction."_text),
+           "Correct quaternion_wxyz or sign in the device file."_text});
     case CheckVerdict::wrong_axis:
-      return "The sensor under " + asked + " shows another direction (" + newtons(force_N.x()) +
-             " up, " + newtons(-distal_sign(step.finger, step.hand) * force_N.y()) +
-             " toward the wrist, " + newtons(force_N.z()) +
-             " in): it is turned. Correct quaternion_wxyz in the device file.";
+      return joined(
+          {of(asked,
+              "The sensor under the thumb's support shows another direction (%1 N up, %2 N "
+              "toward the wrist, %3 N in): it is turned."_text,
+              "The sensor under the index finger's support shows another direction (%1 N up, %2 "
+              "N toward the wrist, %3 N in): it is turned."_text,
+              "The sensor under the middle finger's support shows another direction (%1 N up, %2 "
+              "N toward the wrist, %3 N in): it is turned."_text)(
+               newtons(force_N.x()), newtons(-distal_sign(step.finger, step.hand) * force_N.y()),
+               newtons(force_N.z())),
+           "Correct quaternion_wxyz in the device file."_text});
     case CheckVerdict::wrong_scale:
-      return "The sensor under " + asked + " shows " + newtons(force_N.z()) + " for a weight of " +
-             newtons(expected_N) + ". Do not measure with it: have it calibrated.";
+      return joined(
+          {of(asked, "The sensor under the thumb's support shows %1 N for a weight of %2 N."_text,
+              "The sensor under the index finger's support shows %1 N for a weight of %2 N."_text,
+              "The sensor under the middle finger's support shows %1 N for a weight of %2 N."_text)(
+               newtons(force_N.z()), newtons(expected_N)),
+           "Do not measure with it: have it calibrated."_text});
     case CheckVerdict::nothing_felt:
-      return "No sensor felt a press. Press " + asked + " more firmly, or check its cable.";
+      return joined(
+          {"No sensor felt a press."_text,
+           of(asked, "Press the thumb's support more firmly, or check its cable."_text,
+              "Press the index finger's support more firmly, or check its cable."_text,
+              "Press the middle finger's support more firmly, or check its cable."_text)});
   }
-  return "";
+  return {};
 }
 
 DeviceCheck::DeviceCheck(double frame_period_s, Hand hand, std::optional<double> weight_N,

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp {
@@ -29,7 +30,7 @@ struct CheckStep {
   Hand hand = Hand::right;  ///< for which the platform stands: it says where the wrist is
 
   /// What to do, for the therapist.
-  [[nodiscard]] std::string instruction() const;
+  [[nodiscard]] Text instruction() const;
 };
 
 enum class CheckVerdict : std::uint8_t {
@@ -49,7 +50,7 @@ struct CheckResult {
   double expected_N = 0.0;         ///< weight: what it should be
 
   /// One sentence for the therapist, with what to do.
-  [[nodiscard]] std::string sentence() const;
+  [[nodiscard]] Text sentence() const;
 };
 
 struct CheckLimits {

@@ -22,36 +22,55 @@ std::string_view name_of(DeviceFault fault) noexcept {
 namespace {
 
 /// For a sensor whose finger is not known, then for thumb, index and middle.
-using Sentences = std::array<std::string, 1 + kFingerCount>;
+using Sentences = std::array<Words, 1 + kFingerCount>;
 
-Sentences about_sensor(const std::string& end) {
-  return {"A sensor " + end, "The thumb's sensor " + end, "The index finger's sensor " + end,
-          "The middle finger's sensor " + end};
-}
-Sentences about_bus(const std::string& text) {
+constexpr Sentences about_bus(Words text) {
   return {text, text, text, text};
 }
 
-// Made when the program starts, so that describing allocates nothing. In the order of DeviceFault.
-const std::array<Sentences, kDeviceFaultCount> kSentences{
-    about_bus("The device works."),
-    about_bus("The bus adapter was unplugged: plug it in again."),
-    about_bus("The bus interface is down: switch it on."),
-    about_bus("The bus is switched off after errors: check cable and termination."),
-    about_sensor("is silent: check its cable and power."),
-    about_sensor("is not the one that belongs here: do not measure with it."),
-    about_sensor("repeats one value: switch it off and on, then zero again."),
-    about_sensor("reports that it is broken: do not measure with it."),
-    about_sensor("is overloaded: take the hand out."),
-    about_sensor("started anew: take the hand out and zero again."),
-    about_bus("The bus adapter or this computer loses frames: close other programs."),
-    about_bus("The bus counts many errors: check cable and termination."),
-    about_sensor("loses samples on the way: check the bus wiring.")};
+// In the order of DeviceFault.
+constexpr std::array<Sentences, kDeviceFaultCount> kSentences{
+    about_bus("The device works."_text),
+    about_bus("The bus adapter was unplugged: plug it in again."_text),
+    about_bus("The bus interface is down: switch it on."_text),
+    about_bus("The bus is switched off after errors: check cable and termination."_text),
+    Sentences{"A sensor is silent: check its cable and power."_text,
+              "The thumb's sensor is silent: check its cable and power."_text,
+              "The index finger's sensor is silent: check its cable and power."_text,
+              "The middle finger's sensor is silent: check its cable and power."_text},
+    Sentences{
+        "A sensor is not the one that belongs here: do not measure with it."_text,
+        "The thumb's sensor is not the one that belongs here: do not measure with it."_text,
+        "The index finger's sensor is not the one that belongs here: do not measure with it."_text,
+        "The middle finger's sensor is not the one that belongs here: do not measure with it."_text},
+    Sentences{
+        "A sensor repeats one value: switch it off and on, then zero again."_text,
+        "The thumb's sensor repeats one value: switch it off and on, then zero again."_text,
+        "The index finger's sensor repeats one value: switch it off and on, then zero again."_text,
+        "The middle finger's sensor repeats one value: switch it off and on, then zero again."_text},
+    Sentences{"A sensor reports that it is broken: do not measure with it."_text,
+              "The thumb's sensor reports that it is broken: do not measure with it."_text,
+              "The index finger's sensor reports that it is broken: do not measure with it."_text,
+              "The middle finger's sensor reports that it is broken: do not measure with it."_text},
+    Sentences{"A sensor is overloaded: take the hand out."_text,
+              "The thumb's sensor is overloaded: take the hand out."_text,
+              "The index finger's sensor is overloaded: take the hand out."_text,
+              "The middle finger's sensor is overloaded: take the hand out."_text},
+    Sentences{"A sensor started anew: take the hand out and zero again."_text,
+              "The thumb's sensor started anew: take the hand out and zero again."_text,
+              "The index finger's sensor started anew: take the hand out and zero again."_text,
+              "The middle finger's sensor started anew: take the hand out and zero again."_text},
+    about_bus("The bus adapter or this computer loses frames: close other programs."_text),
+    about_bus("The bus counts many errors: check cable and termination."_text),
+    Sentences{"A sensor loses samples on the way: check the bus wiring."_text,
+              "The thumb's sensor loses samples on the way: check the bus wiring."_text,
+              "The index finger's sensor loses samples on the way: check the bus wiring."_text,
+              "The middle finger's sensor loses samples on the way: check the bus wiring."_text}};
 
 }  // namespace
 
-const char* describe(DeviceFault fault, std::optional<Finger> finger) noexcept {
-  return kSentences[static_cast<std::size_t>(fault)][finger ? 1 + index_of(*finger) : 0].c_str();
+Words words_of(DeviceFault fault, std::optional<Finger> finger) noexcept {
+  return kSentences[static_cast<std::size_t>(fault)][finger ? 1 + index_of(*finger) : 0];
 }
 
 }  // namespace isograsp

@@ -58,7 +58,7 @@ enum class DeviceState : std::uint8_t {
 };
 [[nodiscard]] std::string_view name_of(DeviceState state) noexcept;
 
-/// Why a device is degraded or faulted; words for both screens come from describe().
+/// Why a device is degraded or faulted; words for both screens come from words_of().
 /// In the order of their weight, the gravest first.
 enum class DeviceFault : std::uint8_t {
   none,
@@ -82,9 +82,9 @@ inline constexpr std::size_t kDeviceFaultCount = 13;
 }
 /// One word for machines: "silence", "bus_off".
 [[nodiscard]] std::string_view name_of(DeviceFault fault) noexcept;
-/// One plain sentence for the therapist, with what to do. Static text: real-time safe.
-[[nodiscard]] const char* describe(DeviceFault fault,
-                                   std::optional<Finger> finger = std::nullopt) noexcept;
+/// One plain sentence for the therapist, with what to do. Real-time safe.
+[[nodiscard]] Words words_of(DeviceFault fault,
+                             std::optional<Finger> finger = std::nullopt) noexcept;
 
 struct DeviceHealth {
   DeviceState state = DeviceState::absent;
@@ -98,7 +98,7 @@ struct DeviceHealth {
 /// What the device is. Real sensors tell serial numbers and units at start(); the rest is fixed.
 struct DeviceInfo {
   std::string uri;
-  std::string description;        ///< one line for people, e.g. "Robotous RFT on can0"
+  Text description;               ///< one line for people, e.g. "Robotous RFT on can0"
   bool simulated = false;         ///< forces come from software: reports carry a watermark
   bool recorded = false;          ///< forces come from a file
   bool on_grid = false;           ///< samples lie exactly on the frame grid: never interpolate

@@ -26,10 +26,9 @@ Result<std::array<std::string, kFingerCount>> addresses_in(const Uri& uri) {
     addresses[f] = uri.target.substr(begin, end == std::string::npos ? end : end - begin);
     const bool last = f + 1 == kFingerCount;
     if (addresses[f].empty() || (end == std::string::npos) != last)
-      return refused("not the addresses of three sensors",
+      return refused("not the addresses of three sensors"_text,
                      "write thumb, index, middle separated by commas, or give them in the "
-                     "configuration and write " +
-                         uri.scheme + "://?config=FILE")
+                     "configuration and write %1://?config=FILE"_text(uri.scheme))
           .at(uri.text);
     begin = end + 1;
   }
@@ -58,12 +57,12 @@ Result<DeviceConfig> config_of(const Uri& uri) {
   const auto name = uri.text_or("protocol", "");
   const FamilyFacts* named = family_named(name);
   if (!name.empty() && named == nullptr)
-    return refused("no protocol is called '" + name + "'", "use " + family_names())
+    return refused("no protocol is called '%1'"_text(name), "use %1"_text(any_family()))
         .at(uri.text)
         .about("protocol");
   const auto file = uri.text_or("config", "");
   if (file.empty() && named == nullptr)
-    return refused("the protocol is missing", "add ?protocol=rft or ?config=FILE")
+    return refused("the protocol is missing"_text, "add ?protocol=rft or ?config=FILE"_text)
         .at(uri.text)
         .about("protocol");
   DeviceConfig config;
@@ -73,36 +72,39 @@ Result<DeviceConfig> config_of(const Uri& uri) {
     auto read = DeviceConfig::read(file);
     if (!read) return read.error();
     if (named != nullptr && named != read->family)
-      return refused("the configuration is for " + std::string(read->family->name),
-                     "leave protocol out or use another configuration")
+      return refused("the configuration is for %1"_text(read->family->name),
+                     "leave protocol out or use another configuration"_text)
           .at(uri.text)
           .about("protocol");
     config = *std::move(read);
   }
   const FamilyFacts& family = *config.family;
   if (!fits(uri.scheme, family))
-    return refused(std::string(family.title) + " sensors do not speak over " + uri.scheme + "://",
-                   "see: isograsp devices")
+    return refused("%1 sensors do not speak over %2://"_text(family.title, uri.scheme),
+                   "see: isograsp devices"_text)
         .at(uri.text)
         .about("protocol");
   const auto rate_Hz = uri.number_or("rate", config.rate_Hz, 10.0, 1000.0);
   if (!rate_Hz) return rate_Hz.error();
   if (!family.has_rate(*rate_Hz))
-    return refused("the sensors have no such rate", std::string(family.rate_remedy))
+    return refused("the sensors have no such rate"_text, family.rate_remedy)
         .at(uri.text)
         .about("rate");
   config.rate_Hz = *rate_Hz;
   const auto taps = uri.number_or("fir", config.fir_taps, 0.0, static_cast<double>(kMostFirTaps));
   if (!taps) return taps.error();
   if (*taps != std::floor(*taps))
-    return refused("is not a whole number", "give an odd number of taps").at(uri.text).about("fir");
+    return refused("is not a whole number"_text, "give an odd number of taps"_text)
+        .at(uri.text)
+        .about("fir");
   config.fir_taps = static_cast<int>(*taps);
 
   if (recorded) return config;
   if (uri.scheme == "can") {
     if (!uri.target.empty()) config.interface = uri.target;
     if (config.interface.empty())
-      return refused("no interface is named", "write can://can0?protocol=rft").at(uri.text);
+      return refused("no interface is named"_text, "write can://can0?protocol=rft"_text)
+          .at(uri.text);
   } else if (!uri.target.empty() && family.set_address != nullptr) {
     const auto addresses = addresses_in(uri);
     if (!addresses) return addresses.error();

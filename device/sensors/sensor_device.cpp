@@ -48,7 +48,7 @@ SensorDevice::SensorDevice(std::unique_ptr<Bus> bus, SensorSessions sessions,
       place_(std::move(place)),
       fir_delay_s_(fir_delay_s(fir.size(), config.rate_Hz)) {
   info_.uri = std::move(uri);
-  info_.description = std::string(config.family->title) + " on " + place_;
+  info_.description = "%1 on %2"_text(config.family->title, Known{place_});
   info_.sample_period_s = 1.0 / config.rate_Hz;
   info_.hand = config.hand;
   info_.platform = config.platform;
@@ -164,9 +164,8 @@ Result<void> SensorDevice::start(Clock& clock) {
       note(event);
     if (bus_fault_ != DeviceFault::none) {
       stop();
-      return failed("the bus failed while the sensors were started: " +
-                        std::string(describe(bus_fault_)),
-                    "check the adapter and its cable")
+      return failed("the bus failed while the sensors were started: %1"_text(words_of(bus_fault_)),
+                    "check the adapter and its cable"_text)
           .at(place_);
     }
     for (std::size_t f = 0; f < kFingerCount; ++f) {

@@ -116,19 +116,19 @@ Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const Devic
       !known)
     return known.error();
   if (uri.target.empty())
-    return refused("no patient is named", "write sim://healthy or sim://paretic")
+    return refused("no patient is named"_text, "write sim://healthy or sim://paretic"_text)
         .at(uri.text)
         .about("patient");
   constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: every whole number below is exact
   const auto seed = uri.number_or("seed", 1.0, 0.0, kLargestSeed);
   if (!seed) return seed.error();
   if (*seed != std::floor(*seed))
-    return refused("is not a whole number", "write a whole number such as seed=7")
+    return refused("is not a whole number"_text, "write a whole number such as seed=7"_text)
         .at(uri.text)
         .about("seed");
   const std::string hand = uri.text_or("hand", "right");
   if (!hand_from_name(hand))
-    return refused("'" + hand + "' is not a hand", "write hand=right or hand=left")
+    return refused("'%1' is not a hand"_text(hand), "write hand=right or hand=left"_text)
         .at(uri.text)
         .about("hand");
   const auto rate_Hz = uri.number_or("rate", 100.0, 50.0, 1000.0);
@@ -138,13 +138,13 @@ Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const Devic
   const auto step_N = uri.number_or("resolution", kSensorStep_N, 1e-4, 1.0);
   if (!step_N) return step_N.error();
   if (options.source == nullptr)
-    return refused("nobody presses the simulated device",
-                   "open it in a session, which brings the simulated patient")
+    return refused("nobody presses the simulated device"_text,
+                   "open it in a session, which brings the simulated patient"_text)
         .at(uri.text);
 
   DeviceInfo info;
   info.uri = uri.text;
-  info.description = "Simulated sensors, " + uri.target + " patient";
+  info.description = "Simulated sensors, %1 patient"_text(uri.target);
   info.simulated = true;
   info.on_grid = true;
   info.sample_period_s = 1.0 / *rate_Hz;

@@ -14,7 +14,8 @@ namespace isograsp::gui {
 Result<PatientCourse> read_course(storage::SessionStore& store, const std::string& code) {
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
-  if (!patient->has_value()) return refused("there is no patient " + code, "").at(store.path());
+  if (!patient->has_value())
+    return refused("there is no patient %1"_text(code), {}).at(store.path());
   PatientCourse course;
   course.code = (*patient)->code;
   auto points = reports::renewed_progress(store, (*patient)->id);

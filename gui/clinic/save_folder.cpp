@@ -16,15 +16,16 @@ QString proposed_folder(const std::string& database) {
 
 Result<void> check_folder_of(const std::string& path) {
   const QFileInfo folder(QFileInfo(QString::fromStdString(path)).absolutePath());
-  const auto refuse_folder = [&](const char* why, const char* what_to_do) {
+  const auto refuse_folder = [&](Words why, Words what_to_do) {
     return failed(why, what_to_do).at(folder.filePath().toStdString());
   };
   if (!folder.exists())
-    return refuse_folder("this folder does not exist", "choose another folder, or make it first");
-  if (!folder.isDir()) return refuse_folder("this is no folder", "choose another folder");
+    return refuse_folder("this folder does not exist"_text,
+                         "choose another folder, or make it first"_text);
+  if (!folder.isDir()) return refuse_folder("this is no folder"_text, "choose another folder"_text);
   if (!folder.isWritable())
-    return refuse_folder("nothing may be written into this folder",
-                         "choose another folder, or ask for the permission");
+    return refuse_folder("nothing may be written into this folder"_text,
+                         "choose another folder, or ask for the permission"_text);
   return {};
 }
 

@@ -104,13 +104,13 @@ std::string free_name(const std::string& base, const std::set<std::string>& take
   return name;
 }
 
-constexpr const char* kWriteRemedy = "check the disk and the permissions of its folder";
+constexpr Words kWriteRemedy = "check the disk and the permissions of its folder"_text;
 
 Result<void> make_own_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure)
-    return failed("the folder cannot be made: " + failure.message(), kWriteRemedy).at(folder);
+    return failed("the folder cannot be made: %1"_text(failure.message()), kWriteRemedy).at(folder);
   return {};
 }
 
@@ -161,7 +161,7 @@ std::vector<LibraryEntry> LibraryFiles::files_in(LibraryKind kind, bool own) con
       if (auto name = name_in(*text); !name.empty()) entry.name = std::move(name);
       if (kind == LibraryKind::tasks) {
         const auto spec = session::read_task(*text, entry.path);
-        if (spec && !own) entry.group = title_of(spec->kind->group);
+        if (spec && !own) entry.group = words_of(spec->kind->group).english();
       }
       entry.sound = check(kind, *text, entry.path).ok();
     }
@@ -178,7 +178,7 @@ std::vector<LibraryEntry> LibraryFiles::list(LibraryKind kind) const {
   const auto rank = [](const LibraryEntry& entry) {
     if (entry.own) return -1;
     for (int group = 0; group <= static_cast<int>(TaskGroup::object); ++group)
-      if (entry.group == title_of(static_cast<TaskGroup>(group))) return group;
+      if (entry.group == words_of(static_cast<TaskGroup>(group)).english()) return group;
     return 0;
   };
   std::stable_sort(entries.begin(), entries.end(), [&](const auto& a, const auto& b) {
@@ -227,7 +227,7 @@ Result<void> LibraryFiles::check_name(LibraryKind kind, const std::string& text,
   const int number = 1 + static_cast<int>(std::count(
                              text.begin(), text.begin() + static_cast<long>(line.begin), '\n'));
   if (name.empty())
-    return refused("is missing", "write a name, for people").at(path, number, "name");
+    return refused("is missing"_text, "write a name, for people"_text).at(path, number, "name");
   for (const auto& folder : {own_, shipped_}) {
     std::error_code absent;
     for (const auto& file : fs::directory_iterator(fs::path(folder) / folder_of(kind), absent)) {
@@ -236,7 +236,8 @@ Result<void> LibraryFiles::check_name(LibraryKind kind, const std::string& text,
         continue;
       const auto other = read_text(file.path());
       if (other && name_in(*other) == name)
-        return refused("is the name of " + file.path().filename().string(), "choose another one")
+        return refused("is the name of %1"_text(file.path().filename().string()),
+                       "choose another one"_text)
             .at(path, number, "name");
     }
   }
@@ -285,14 +286,14 @@ Result<LibraryEntry> LibraryFiles::duplicate(const LibraryEntry& entry,
 Result<LibraryFiles::Saved> LibraryFiles::save(const LibraryEntry& entry, const std::string& former,
                                                const std::string& text, const FileUse& use) const {
   if (!entry.own)
-    return refused("is shipped and stays as it is", "duplicate it first").at(entry.path);
+    return refused("is shipped and stays as it is"_text, "duplicate it first"_text).at(entry.path);
   if (auto good = check(entry.kind, text, entry.path); !good) return good.error();
   if (auto good = check_name(entry.kind, text, entry.path); !good) return good.error();
   const auto there = read_text(entry.path);
   if (!there) return there.error();
   if (*there != former)
-    return failed("another program has changed this file meanwhile",
-                  "duplicate your text, then Revert shows what stands there")
+    return failed("another program has changed this file meanwhile"_text,
+                  "duplicate your text, then Revert shows what stands there"_text)
         .at(entry.path);
   Saved saved{text, 0, false, ""};
   if (entry.kind == LibraryKind::tasks) {
@@ -305,8 +306,8 @@ Result<LibraryFiles::Saved> LibraryFiles::save(const LibraryEntry& entry, const 
       saved.text = with_version(text, saved.version);
       const auto raised = tasks::parse_task(saved.text, entry.path);
       if (!raised || raised->version != saved.version)
-        return refused("trials were recorded with this version",
-                       "write version = " + std::to_string(saved.version))
+        return refused("trials were recorded with this version"_text,
+                       "write version = %1"_text(saved.version))
             .at(entry.path)
             .about("version");
     }
@@ -337,24 +338,25 @@ Result<std::string> LibraryFiles::put_away(const LibraryEntry& entry, const char
   else
     fs::rename(entry.path, place, failure);
   if (failure)
-    return failed("the file cannot be put away: " + failure.message(), kWriteRemedy).at(entry.path);
+    return failed("the file cannot be put away: %1"_text(failure.message()), kWriteRemedy)
+        .at(entry.path);
   return place.string();
 }
 
 Result<std::string> LibraryFiles::remove(const LibraryEntry& entry) const {
-  if (!entry.own) return refused("is shipped and stays as it is", "").at(entry.path);
+  if (!entry.own) return refused("is shipped and stays as it is"_text, {}).at(entry.path);
   return put_away(entry, "removed", false);
 }
 
 Result<void> LibraryFiles::bring_back(const std::string& removed, const LibraryEntry& entry) const {
   std::error_code failure;
   if (fs::exists(entry.path, failure))
-    return failed("another file has this name now",
-                  "rename that one, or take this one from " + removed)
+    return failed("another file has this name now"_text,
+                  "rename that one, or take this one from %1"_text(removed))
         .at(entry.path);
   fs::rename(removed, entry.path, failure);
   if (failure)
-    return failed("the file cannot be brought back: " + failure.message(), kWriteRemedy)
+    return failed("the file cannot be brought back: %1"_text(failure.message()), kWriteRemedy)
         .at(entry.path);
   return {};
 }

@@ -38,27 +38,28 @@ SessionLibrary read_session_library(const std::string& shipped, const std::strin
   const auto is_free = [&](std::set<std::string>& names, const std::string& name,
                            const std::string& file) {
     if (names.insert(name).second) return true;
-    library.problems.push_back(file + ": name: '" + name +
-                               "' is the name of another file; choose another one");
+    library.problems.push_back(
+        words_of(refused("'%1' is the name of another file"_text(name), "choose another one"_text)
+                     .at(file, std::nullopt, "name")));
     return false;
   };
   for (const auto& folder : {shipped, own}) {
     for (const auto& file : files_in(fs::path(folder) / "tasks")) {
       auto spec = session::load_task(file);
       if (!spec)
-        library.problems.push_back(spec.error().message());
+        library.problems.push_back(words_of(spec.error()));
       else if (is_free(task_names, spec->name, file))
         library.tasks.push_back(*std::move(spec));
     }
     for (const auto& file : files_in(fs::path(folder) / "protocols")) {
       auto protocol = session::read_protocol(file, shipped);
       if (!protocol)
-        library.problems.push_back(protocol.error().message());
+        library.problems.push_back(words_of(protocol.error()));
       else if (is_free(protocol_names, protocol->spec.name, file))
         library.protocols.push_back(*std::move(protocol));
     }
   }
-  if (library.tasks.empty()) library.problems.push_back("No tasks in " + shipped + "/tasks.");
+  if (library.tasks.empty()) library.problems.push_back("No tasks in %1/tasks."_text(shipped));
   sort_for_list(library.tasks);
   return library;
 }

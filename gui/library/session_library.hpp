@@ -15,7 +15,7 @@ namespace isograsp::gui {
 struct SessionLibrary {
   std::vector<tasks::TaskSpec> tasks;             ///< in the order of the list
   std::vector<session::ReadyProtocol> protocols;  ///< shipped ones first, by file name
-  std::vector<std::string> problems;              ///< files that cannot be used, in words
+  std::vector<Text> problems;                     ///< files that cannot be used, in words
 };
 
 /// Reads all files; any thread. A name that two files bear belongs to the shipped one.

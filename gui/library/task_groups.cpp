@@ -21,16 +21,15 @@ bool is_free_handling(const tasks::TaskSpec& spec) {
   return spec.kind->free;
 }
 
-std::string_view title_of(TaskGroup group) noexcept {
+Words words_of(TaskGroup group) noexcept {
   switch (group) {
-    case TaskGroup::rest_and_maximum: return QT_TRANSLATE_NOOP("Texts", "Rest and maximum");
-    case TaskGroup::follow: return QT_TRANSLATE_NOOP("Texts", "Follow a force");
-    case TaskGroup::hold_and_let_go: return QT_TRANSLATE_NOOP("Texts", "Hold and let go");
-    case TaskGroup::fingers_and_directions:
-      return QT_TRANSLATE_NOOP("Texts", "Single fingers, directions");
-    case TaskGroup::object: return QT_TRANSLATE_NOOP("Texts", "Move an object");
+    case TaskGroup::rest_and_maximum: return "Rest and maximum"_text;
+    case TaskGroup::follow: return "Follow a force"_text;
+    case TaskGroup::hold_and_let_go: return "Hold and let go"_text;
+    case TaskGroup::fingers_and_directions: return "Single fingers, directions"_text;
+    case TaskGroup::object: return "Move an object"_text;
   }
-  return "";
+  return ""_text;
 }
 
 namespace {

@@ -21,7 +21,7 @@ using tasks::TaskGroup;
 /// For recordings: nobody is asked for anything.
 [[nodiscard]] bool is_free_handling(const tasks::TaskSpec& spec);
 
-[[nodiscard]] std::string_view title_of(TaskGroup group) noexcept;
+[[nodiscard]] Words words_of(TaskGroup group) noexcept;
 
 /// A text whose order is that of names as people read them: "10 %" after "5 %", small letters like
 /// large ones.

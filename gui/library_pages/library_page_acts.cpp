@@ -162,9 +162,10 @@ void LibraryPage::show_checked(const std::optional<Error>& error) {
     if (!error->field.empty())
       place += (place.isEmpty() ? QString() : QStringLiteral(", ")) +
                QString::fromStdString(error->field);
-    QString words = place.isEmpty() ? with_capital(shown(error->what))
-                                    : place + QStringLiteral(": ") + shown(error->what);
-    if (!error->remedy.empty()) words += QStringLiteral(". ") + with_capital(shown(error->remedy));
+    QString words = place.isEmpty() ? with_capital(translated(error->what))
+                                    : place + QStringLiteral(": ") + translated(error->what);
+    if (!error->remedy.empty())
+      words += QStringLiteral(". ") + with_capital(translated(error->remedy));
     words = QStringLiteral("⚠ ") + words + QStringLiteral(".");
     problem_->setText(
         line ? QStringLiteral("<a href=\"line\" style=\"color:%1;text-decoration:none\">"

@@ -92,7 +92,7 @@ void Connecting::take(Result<std::unique_ptr<session::Session>> opened,
     state_.connection.phase = Connection::none;
     Error error = opened.error();
     const bool asks_clock = error.field == "clock";
-    if (asks_clock) error.remedy = "set the clock, or connect again if it is right";
+    if (asks_clock) error.remedy = "set the clock, or connect again if it is right"_text;
     state_.connection.failure = {shown(error).toStdString(), false, asks_clock};
     room_.begin();  // perhaps the disk is full
   }
@@ -111,7 +111,7 @@ void Connecting::begin(std::unique_ptr<session::Session> session, const Presenta
   state_.connection.phase = Connection::open;
   take_earlier_work();
   if (const auto got = state_.realtime(); !got.empty() && !std::exchange(realtime_said_, true))
-    std::fprintf(stderr, "isograsp: note: acquisition with %s\n", got.c_str());
+    std::fprintf(stderr, "isograsp: note: acquisition with %s\n", english(got).c_str());
   next_.begin();
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 /// "The target is … : run …."
 std::string sentence_of(const Error& error) {
-  QString words = shown(error.what);
-  if (!error.remedy.empty()) words += QStringLiteral(": ") + shown(error.remedy);
+  QString words = translated(error.what);
+  if (!error.remedy.empty()) words += QStringLiteral(": ") + translated(error.remedy);
   words[0] = words[0].toUpper();
   return (words + QLatin1Char('.')).toStdString();
 }

@@ -50,9 +50,9 @@ void ProtocolActs::skip() {
 void ProtocolActs::leave_out(const Error& why) {
   OpenSession& open = *state_.open;
   const std::string& task = open.work.guide.act()->task->name;
-  open.session->note("Left out: " + task + ": " + why.what + "; " + why.remedy);
-  Q_EMIT flow_.failed(
-      SessionFlow::tr("Left out: %1: %2; %3").arg(shown(task), shown(why.what), shown(why.remedy)));
+  open.session->note("Left out: " + task + ": " + english("%1; %2"_text(why.what, why.remedy)));
+  Q_EMIT flow_.failed(SessionFlow::tr("Left out: %1: %2; %3")
+                          .arg(shown(task), translated(why.what), translated(why.remedy)));
   open.work.guide.skip(open.time_s());
   next_.look_at_act();
   flow_.update();

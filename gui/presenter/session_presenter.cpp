@@ -79,8 +79,7 @@ void SessionPresenter::look_at_device(const DeviceHealth& before) {
   SessionTraces& traces = state_.open->traces;
   if (now.health.fault != DeviceFault::none &&
       (now.health.fault != before.fault || now.health.finger != before.finger))
-    traces.faults.push_back(
-        {now.session_time_s, std::string(describe(now.health.fault, now.health.finger))});
+    traces.faults.push_back({now.session_time_s, words_of(now.health.fault, now.health.finger)});
   traces.forces.add(now);
   traces.worst_lateness_s = std::max(traces.worst_lateness_s, now.lateness_s);
 }

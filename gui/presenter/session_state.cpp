@@ -41,8 +41,8 @@ const DeviceInfo* SessionState::device() const noexcept {
   return open ? &open->session->known().device : nullptr;
 }
 
-std::string SessionState::realtime() const {
-  return open ? session::describe(open->session->known().realtime) : "";
+Text SessionState::realtime() const {
+  return open ? session::words_of(open->session->known().realtime) : Text();
 }
 
 const session::Snapshot& SessionState::snapshot() const noexcept {

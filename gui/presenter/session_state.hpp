@@ -71,7 +71,7 @@ struct ConnectionState {
 
 struct DeviceFaultSeen {
   double session_time_s = 0.0;
-  std::string words;
+  Words words;
 };
 
 /// What is to be seen of a session, also after its end: until the next one begins or another
@@ -200,7 +200,7 @@ struct SessionState {
   /// That is connected; null: none.
   [[nodiscard]] const DeviceInfo* device() const noexcept;
   /// What the acquisition thread was given; empty: not asked for.
-  [[nodiscard]] std::string realtime() const;
+  [[nodiscard]] Text realtime() const;
 
   // Of the session that is open; else as if nothing had happened yet.
   [[nodiscard]] const session::Snapshot& snapshot() const noexcept;

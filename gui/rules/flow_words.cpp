@@ -19,7 +19,7 @@ std::string plain(const QString& words) {
 }
 
 QString restart_words(const FlowFacts& facts) {
-  return shown(describe(DeviceFault::restarted, facts.restarted));
+  return translated(words_of(DeviceFault::restarted, facts.restarted));
 }
 
 QString device_words(const FlowFacts& facts, DeviceCondition condition) {
@@ -36,7 +36,7 @@ QString device_words(const FlowFacts& facts, DeviceCondition condition) {
     case Condition::waiting: return FlowTexts::tr("Waiting for the first forces …");
     case Condition::outdated: return restart_words(facts);
     case Condition::faulted:
-    case Condition::degraded: return shown(describe(facts.health.fault, facts.health.finger));
+    case Condition::degraded: return translated(words_of(facts.health.fault, facts.health.finger));
     case Condition::gap: return FlowTexts::tr("Connected, but samples were missing");
     case Condition::zeroing: return FlowTexts::tr("Measuring the empty device …");
     case Condition::no_zero: return FlowTexts::tr("Connected, needs its zero");
@@ -168,7 +168,7 @@ QString words_in_session(Situation situation, const FlowFacts& facts, const Flow
     case Situation::zeroing: return FlowTexts::tr("Setting the zero. Nobody touches the device.");
     case Situation::in_trial: return FlowTexts::tr("Recording: %1.").arg(shown(facts.task_name));
     case Situation::paused: return FlowTexts::tr("Paused. Resume when the patient is ready.");
-    case Situation::paused_by_fault: return shown(session::describe(facts.pause_cause));
+    case Situation::paused_by_fault: return translated(session::words_of(facts.pause_cause));
     case Situation::let_go:
       return FlowTexts::tr(
           "The device works again. The hand lets go; if Resume stays closed, stop, set the zero "

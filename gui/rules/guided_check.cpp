@@ -31,9 +31,9 @@ bool GuidedCheck::look(const session::Snapshot& snapshot) {
   return state_ != before || check_->results().size() != found;
 }
 
-std::string GuidedCheck::instruction() const {
+Text GuidedCheck::instruction() const {
   return state_ == State::empty
-             ? QT_TRANSLATE_NOOP("Texts", "Take everything off the supports and do not touch them.")
+             ? Text("Take everything off the supports and do not touch them."_text)
              : step().instruction();
 }
 
@@ -41,10 +41,10 @@ std::vector<CheckResult> GuidedCheck::results() const {
   return check_ == nullptr ? std::vector<CheckResult>{} : check_->results();
 }
 
-std::string GuidedCheck::outcome() const {
+Text GuidedCheck::outcome() const {
   for (const auto& result : check_->results())
     if (result.verdict != CheckVerdict::good) return result.sentence();
-  return QT_TRANSLATE_NOOP("Texts", "Guided check passed.");
+  return "Guided check passed."_text;
 }
 
 }  // namespace isograsp::gui

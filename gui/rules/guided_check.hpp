@@ -30,13 +30,13 @@ class GuidedCheck {
 
   [[nodiscard]] State state() const noexcept { return state_; }
   /// What to do now, for the therapist. @pre state() is empty or pressing
-  [[nodiscard]] std::string instruction() const;
+  [[nodiscard]] Text instruction() const;
   /// @pre state() == pressing
   [[nodiscard]] const CheckStep& step() const { return check_->step(); }
   [[nodiscard]] std::vector<CheckResult> results() const;
   [[nodiscard]] bool passed() const noexcept { return check_ != nullptr && check_->passed(); }
   /// "Guided check passed.", or the first thing that was wrong. @pre state() == over
-  [[nodiscard]] std::string outcome() const;
+  [[nodiscard]] Text outcome() const;
 
  private:
   State state_ = State::idle;

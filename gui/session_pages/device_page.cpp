@@ -39,7 +39,7 @@ QString title_of(const Counter& counter) {
 }
 
 QString details_of(const DeviceInfo& info) {
-  QStringList lines{shown(info.description)};
+  QStringList lines{translated(info.description)};
   lines += DevicePage::tr("%1 samples per second, delay %L2 ms")
                .arg(1.0 / info.sample_period_s, 0, 'f', 0)
                .arg(info.delay_s * 1e3, 0, 'f', 1);
@@ -177,7 +177,7 @@ void DevicePage::look() {
   if (!presenter_.flow().view().may_check) check_.stop();
   if (check_.look(presenter_.state().snapshot())) {
     if (check_.state() == GuidedCheck::State::over)
-      presenter_.remarks().note("Guided check: " + check_.outcome());
+      presenter_.remarks().note("Guided check: " + english(check_.outcome()));
     refresh_check();
   }
   // Twice a second is enough for counters.
@@ -197,8 +197,9 @@ void DevicePage::refresh() {
   if (faults_->count() != static_cast<int>(faults.size())) {
     faults_->clear();
     for (auto fault = faults.rbegin(); fault != faults.rend(); ++fault)
-      faults_->addItem(
-          tr("%L1 min: %2").arg(fault->session_time_s / 60.0, 0, 'f', 1).arg(shown(fault->words)));
+      faults_->addItem(tr("%L1 min: %2")
+                           .arg(fault->session_time_s / 60.0, 0, 'f', 1)
+                           .arg(translated(fault->words)));
   }
   faults_->setVisible(faults_->count() > 0);
   no_faults_->setVisible(faults_->count() == 0);
@@ -219,9 +220,9 @@ void DevicePage::refresh_check() {
               "axes show (Alt+K)"));
   begin_->setEnabled(running || view.may_check);
   if (running)
-    instruction_->setText(shown(check_.instruction()));
+    instruction_->setText(translated(check_.instruction()));
   else if (state == GuidedCheck::State::over)
-    instruction_->setText(shown(check_.outcome()));
+    instruction_->setText(translated(check_.outcome()));
   else
     instruction_->setText(view.may_check
                               ? tr("Take the hand out, then press each empty support as pictured.")
@@ -233,7 +234,7 @@ void DevicePage::refresh_check() {
   for (const auto& result : results) {
     const bool good = result.verdict == CheckVerdict::good;
     auto* item = new QListWidgetItem(
-        (good ? QStringLiteral("✓  ") : QStringLiteral("✗  ")) + shown(result.sentence()),
+        (good ? QStringLiteral("✓  ") : QStringLiteral("✗  ")) + translated(result.sentence()),
         results_);
     item->setForeground(good ? look::kReady : look::kFault);
   }

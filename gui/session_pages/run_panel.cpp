@@ -213,7 +213,7 @@ void RunPanel::fill_list() {
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (group != tasks[i].kind->group) {
       group = tasks[i].kind->group;
-      auto* heading = new QListWidgetItem(shown(title_of(*group)), list_);
+      auto* heading = new QListWidgetItem(translated(words_of(*group)), list_);
       QFont font = list_->font();
       font.setBold(true);
       heading->setFont(font);

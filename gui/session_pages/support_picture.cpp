@@ -52,7 +52,7 @@ SupportPicture::SupportPicture(QWidget* parent) : QWidget(parent) {
 void SupportPicture::show_step(std::optional<CheckStep> step, Hand hand) {
   step_ = step;
   hand_ = hand;
-  setAccessibleName(step ? shown(step->instruction())
+  setAccessibleName(step ? translated(step->instruction())
                          : tr("The three supports, none to be pressed"));
   update();
 }

@@ -24,7 +24,7 @@ Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::Sess
     loaded.replay = *std::move(replay);
   } else if (loaded.opened.damage.empty()) {
     loaded.why_nothing =
-        QObject::tr("There is nothing to replay: %1.").arg(shown(replay.error().what));
+        QObject::tr("There is nothing to replay: %1.").arg(translated(replay.error().what));
   }
   loaded.opened.signals = {};
   if (auto task = tasks::parse_task(trial.task_text, trial.task_name))

@@ -67,7 +67,9 @@ std::string words_for_damage(const Error& error, const Signals& left,
           : QObject::tr("Its first %1 of %2 samples can be shown.")
                 .arg(left.rows())
                 .arg(trial.samples);
-  return QObject::tr("This trial is damaged: %1. %2").arg(shown(error.what), kept).toStdString();
+  return QObject::tr("This trial is damaged: %1. %2")
+      .arg(translated(error.what), kept)
+      .toStdString();
 }
 
 /// The events of the trial, and those of the session that fall into it, e.g. notes.

@@ -54,13 +54,13 @@ tasks::Phase phase_of(double value) {
 
 Result<TrialReplay> TrialReplay::make(Signals signals) {
   const auto t_s = signals.column(columns::t_s);
-  const auto refuse = [](const std::string& what) {
-    return refused(what, "look at its measures").about(columns::t_s);
+  const auto refuse = [](Words what) {
+    return refused(what, "look at its measures"_text).about(columns::t_s);
   };
-  if (t_s.empty()) return refuse("the trial has no samples");
+  if (t_s.empty()) return refuse("the trial has no samples"_text);
   for (std::size_t row = 0; row < t_s.size(); ++row)
     if (!std::isfinite(t_s[row]) || (row > 0 && t_s[row] <= t_s[row - 1]))
-      return refuse("the times of the samples do not increase");
+      return refuse("the times of the samples do not increase"_text);
   TrialReplay replay;
   replay.period_s_ = t_s.size() < 2 ? 0.0 : median_step(t_s);
   const auto find_pose = [&](const columns::OfAxes& place, const columns::OfComponents& attitude,

@@ -2,7 +2,6 @@
 #include "gui/words/language.hpp"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
@@ -71,21 +70,6 @@ void speak(const std::string& code) {
   install(QStringLiteral("qtbase_") + language,
           QLibraryInfo::location(QLibraryInfo::TranslationsPath));
   install(QStringLiteral("isograsp_") + language, QStringLiteral(":/translations"));
-}
-
-const std::vector<TextPattern>& patterns_below() {
-  static const auto kPatterns = [] {
-    take_in_translations();
-    QFile file(QStringLiteral(":/translations/patterns.txt"));
-    std::vector<TextPattern> patterns;
-    if (file.open(QIODevice::ReadOnly))
-      for (const auto& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n')))
-        if (!line.isEmpty()) patterns.emplace_back(line);
-    std::stable_sort(patterns.begin(), patterns.end(),
-                     [](const auto& a, const auto& b) { return a.length() > b.length(); });
-    return patterns;
-  }();
-  return kPatterns;
 }
 
 const Language& spoken_language() {

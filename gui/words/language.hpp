@@ -4,9 +4,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "gui/words/text_patterns.hpp"
 #include "languages/languages.hpp"
 
 namespace isograsp::gui {
@@ -14,10 +12,6 @@ namespace isograsp::gui {
 /// Texts, numbers and dates on the screen from now on; files never change with it. A code that is
 /// not in languages::kLanguages means languages::kDesktopLanguage. Needs a QApplication.
 void speak(const std::string& code);
-
-/// What the layers below say and the languages know with places in it, the longest first
-/// (gui/translations/patterns.txt). Any thread.
-[[nodiscard]] const std::vector<TextPattern>& patterns_below();
 
 /// What the layers below say, in the language that speak() settled on; its numbers and days have
 /// the forms of the desktop's country. Main thread.

@@ -12,14 +12,12 @@
 
 namespace isograsp::gui {
 
-/// A text of the layers below in the language of the screen. Its numbers are put in by place: the
-/// translations know "Drifted by 0.2 N." as "Drifted by %1 N.". So is what a message names, such as
-/// a path (gui/words/text_patterns.hpp). A text that is not known as a whole is looked up sentence
-/// by sentence, and those by their parts; what is not known at all stays as it is.
+/// A text that a database, or the name of a file of the library, has as English words
+/// (gui/words/stored_texts.hpp).
 [[nodiscard]] QString shown(std::string_view english);
 /// A text of the layers below in the language of the screen.
 [[nodiscard]] QString translated(const Text& text);
-/// As Error::message() has it; what is fixed in it is translated.
+/// Error::message() in the language of the screen.
 [[nodiscard]] QString shown(const Error& error);
 
 /// Words that begin a sentence, in the middle of one: small, unless nouns of the language are

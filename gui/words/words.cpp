@@ -87,7 +87,7 @@ QString health_line(const session::Snapshot& snapshot, double worst_lateness_s) 
   return line;
 }
 
-QString timing_details(const session::TimingSummary& timing, const std::string& realtime) {
+QString timing_details(const session::TimingSummary& timing, const Text& realtime) {
   const auto line = [](const QString& what, const session::Quantiles& q) {
     const auto ms = [](double duration_s) { return shown_number(duration_s * 1e3, 2); };
     return QObject::tr("%1: half within %2 ms, 99 % within %3, 99.9 % within %4, longest %5\n")
@@ -97,7 +97,7 @@ QString timing_details(const session::TimingSummary& timing, const std::string& 
          line(QObject::tr("Late"), timing.lateness) +
          line(QObject::tr("Work on a frame"), timing.compute) +
          (realtime.empty() ? QObject::tr("Real time was not asked for")
-                           : QObject::tr("Acquisition with %1").arg(shown(realtime)));
+                           : QObject::tr("Acquisition with %1").arg(translated(realtime)));
 }
 
 QString push_words(const session::NetPush& push) {

@@ -25,8 +25,7 @@ namespace isograsp::gui {
 /// One line: rate is kept, gaps, losses, lateness.
 [[nodiscard]] QString health_line(const session::Snapshot& snapshot, double worst_lateness_s);
 /// Several lines: period, lateness and work of the frames so far, and what real time was given.
-[[nodiscard]] QString timing_details(const session::TimingSummary& timing,
-                                     const std::string& realtime);
+[[nodiscard]] QString timing_details(const session::TimingSummary& timing, const Text& realtime);
 /// "Push 12 %" of the grip; empty where it cannot be told.
 [[nodiscard]] QString push_words(const session::NetPush& push);
 /// How a trial ended.

@@ -17,8 +17,8 @@ Result<PatientRecords> read_about(storage::SessionStore& store, const std::strin
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!patient->has_value())
-    return refused("there is no patient \"" + code + "\" in this database",
-                   "check the code, or record a session with it first")
+    return refused("there is no patient \"%1\" in this database"_text(code),
+                   "check the code, or record a session with it first"_text)
         .at(store.path())
         .about("patient");
   auto profile = store.profile((*patient)->id);

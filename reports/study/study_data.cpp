@@ -228,9 +228,9 @@ Result<void> check_once(const std::vector<StudyCondition>& conditions, const Sub
       const auto [at, fresh] =
           seen.try_emplace({trial, conditions[c].selection.channel.value_or("")}, c);
       if (!fresh)
-        return refused("a trial of " + name + " stands in \"" + conditions[at->second].name +
-                           "\" and in \"" + conditions[c].name + "\"",
-                       "let the levels select different sessions, days, hands or tasks")
+        return refused("a trial of %1 stands in \"%2\" and in \"%3\""_text(
+                           name, conditions[at->second].name, conditions[c].name),
+                       "let the levels select different sessions, days, hands or tasks"_text)
             .at(file)
             .about("factor");
     }
@@ -297,12 +297,13 @@ Result<StudyData> gather_study(storage::SessionStore& store, const Study& study,
         }
     }
   if (!any)
-    return refused("nobody has a value of \"" + study.measure + "\" in any condition",
-                   "check task, hand, channel, sessions and source")
+    return refused("nobody has a value of \"%1\" in any condition"_text(study.measure),
+                   "check task, hand, channel, sessions and source"_text)
         .at(file)
         .about("measure");
   if (maker.units_differ())
-    return refused("the conditions have different units", "compare tasks and channels of one unit")
+    return refused("the conditions have different units"_text,
+                   "compare tasks and channels of one unit"_text)
         .at(file)
         .about("factor");
   data.unit = maker.kind()->unit;

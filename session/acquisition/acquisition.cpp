@@ -107,7 +107,7 @@ void Acquisition::tell_fault() noexcept {
   const ApparatusFault fault = apparatus_.fault();
   if (fault.number == told_fault_) return;
   told_fault_ = fault.number;
-  if (fault.number != 0) push_event(kFaultEvent, fault.words);
+  if (fault.number != 0) push_event(kFaultEvent, fault.words.english());
 }
 
 void Acquisition::begin_trial(TrialSetup& setup) noexcept {
@@ -151,7 +151,7 @@ void Acquisition::pause(PauseCause cause) noexcept {
   push_event(item_.pauses                    ? kFaultEvent
              : cause == PauseCause::occluded ? "occluded"
                                              : "pause",
-             fault.number != 0 ? fault.words : describe(cause));
+             (fault.number != 0 ? fault.words : words_of(cause)).english());
   item_.pauses = item_.told_before = false;
 }
 

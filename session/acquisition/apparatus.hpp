@@ -27,7 +27,7 @@ namespace isograsp::session {
 /// What is fixed once it was started.
 struct ApparatusInfo {
   std::string_view kind;    ///< which apparatus: "platform"; tasks say what they need
-  std::string description;  ///< one line for people, e.g. "Robotous RFT on can0"
+  Text description;  ///< one line for people, e.g. "Robotous RFT on can0"
   bool simulated = false;   ///< values come from software: reports carry a watermark
   bool recorded = false;    ///< values come from a file: nobody can be asked, no zero is needed
   double period_s = 0.01;   ///< of the grid of frames
@@ -58,7 +58,7 @@ struct Reception {
 /// What is wrong with the device; two are the same where their numbers are.
 struct ApparatusFault {
   int number = 0;          ///< 0: nothing
-  const char* words = "";  ///< for people, with what to do; static text
+  Words words = ""_text;  ///< for people, with what to do
 };
 
 /// A preparation is asked for.

@@ -11,18 +11,18 @@ std::string_view name_of(Stage stage) noexcept {
   return kNames[static_cast<std::size_t>(stage)];
 }
 
-const char* describe(PauseCause cause) noexcept {
+Words words_of(PauseCause cause) noexcept {
   switch (cause) {
-    case PauseCause::none: return "";
-    case PauseCause::therapist: return "Paused by the therapist.";
+    case PauseCause::none: break;
+    case PauseCause::therapist: return "Paused by the therapist."_text;
     case PauseCause::missing_samples:
-      return "Paused: samples are missing. Check the cables, check the zero, then resume.";
+      return "Paused: samples are missing. Check the cables, check the zero, then resume."_text;
     case PauseCause::device_fault:
-      return "Paused: the device has a fault. Mend it, check the zero, then resume.";
+      return "Paused: the device has a fault. Mend it, check the zero, then resume."_text;
     case PauseCause::occluded:
-      return "Out of sight: turn towards the cameras. The trial goes on by itself.";
+      return "Out of sight: turn towards the cameras. The trial goes on by itself."_text;
   }
-  return "";
+  return ""_text;
 }
 
 }  // namespace isograsp::session

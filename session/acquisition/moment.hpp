@@ -25,7 +25,7 @@ enum class Stage : std::uint8_t {
 /// goes on by itself. The others are resumed by the therapist.
 enum class PauseCause : std::uint8_t { none, therapist, missing_samples, device_fault, occluded };
 /// One plain sentence: why the trial stands still and what to do. Static text.
-[[nodiscard]] const char* describe(PauseCause cause) noexcept;
+[[nodiscard]] Words words_of(PauseCause cause) noexcept;
 /// The device is in the way, and the therapist is asked.
 [[nodiscard]] constexpr bool is_fault(PauseCause cause) noexcept {
   return cause == PauseCause::missing_samples || cause == PauseCause::device_fault;

@@ -42,11 +42,11 @@ bool may_lock_all() {
   return false;
 }
 
-std::string memory_lock_refusal() {
-  if (!may_lock_all()) return "the limit memlock is not unlimited";
+Text memory_lock_refusal() {
+  if (!may_lock_all()) return "the limit memlock is not unlimited"_text;
   // Pages are locked once they were used: the whole of a large program need not be read in.
-  if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) return "";
-  return std::strerror(errno);
+  if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) return {};
+  return Known{std::strerror(errno)};
 }
 
 }  // namespace
@@ -61,13 +61,15 @@ std::optional<Realtime> realtime_from_name(std::string_view name) noexcept {
   return std::nullopt;
 }
 
-std::string describe(const RealtimeGrant& grant) {
-  if (!grant.asked) return "";
-  std::string text = grant.fifo_priority > 0 ? "SCHED_FIFO " + std::to_string(grant.fifo_priority)
-                                             : "ordinary scheduling (" + grant.fifo_refusal + ")";
-  text += grant.memory_locked ? ", memory locked"
-                              : ", memory not locked (" + grant.memory_refusal + ")";
-  return text;
+Text words_of(const RealtimeGrant& grant) {
+  if (!grant.asked) return {};
+  if (grant.fifo_priority > 0)
+    return grant.memory_locked ? "SCHED_FIFO %1, memory locked"_text(grant.fifo_priority)
+                               : "SCHED_FIFO %1, memory not locked (%2)"_text(grant.fifo_priority,
+                                                                              grant.memory_refusal);
+  return grant.memory_locked ? "ordinary scheduling (%1), memory locked"_text(grant.fifo_refusal)
+                             : "ordinary scheduling (%1), memory not locked (%2)"_text(
+                                   grant.fifo_refusal, grant.memory_refusal);
 }
 
 Result<RealtimeGrant> enter_realtime(Realtime wish) {
@@ -80,15 +82,16 @@ Result<RealtimeGrant> enter_realtime(Realtime wish) {
   if (sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameters) == 0)
     grant.fifo_priority = kPriority;
   else
-    grant.fifo_refusal = errno == EPERM ? "not permitted" : std::strerror(errno);
+    grant.fifo_refusal =
+        errno == EPERM ? Text("not permitted"_text) : Text(Known{std::strerror(errno)});
   grant.memory_refusal = memory_lock_refusal();
   grant.memory_locked = grant.memory_refusal.empty();
   prefault_stack();
   if (wish == Realtime::require && (grant.fifo_priority == 0 || !grant.memory_locked))
-    return failed("real time is required, but the system gives " + describe(grant),
+    return failed("real time is required, but the system gives %1"_text(words_of(grant)),
                   "write '@isograsp - rtprio 50' and '@isograsp - memlock unlimited' to "
                   "/etc/security/limits.d/isograsp.conf, join that group and log in again (check: "
-                  "ulimit -r, ulimit -l), or use --realtime=prefer")
+                  "ulimit -r, ulimit -l), or use --realtime=prefer"_text)
         .about("--realtime");
   return grant;
 }

@@ -23,13 +23,13 @@ enum class Realtime : std::uint8_t {
 struct RealtimeGrant {
   bool asked = false;
   int fifo_priority = 0;       ///< 0: ordinary scheduling
-  std::string fifo_refusal;    ///< why, in words
+  Text fifo_refusal;           ///< why
   bool memory_locked = false;  ///< of the whole process
-  std::string memory_refusal;
+  Text memory_refusal;
 };
 /// "SCHED_FIFO 40, memory locked"; "ordinary scheduling (not permitted), memory not locked (…)".
 /// Empty if nothing was asked for.
-[[nodiscard]] std::string describe(const RealtimeGrant& grant);
+[[nodiscard]] Text words_of(const RealtimeGrant& grant);
 
 /// The calling thread asks for itself and touches the stack that it may come to use. An error only
 /// where real time is required and refused; it names the limits to raise.

@@ -37,8 +37,8 @@ Result<void> refuse_known(ImportedGroup trials, storage::SessionStore& store) {
     const auto known = store.find_patient(trial.patient_code);
     if (!known) return known.error();
     if (*known)
-      return refused("patient " + trial.patient_code + " exists already",
-                     "import into another database; nothing was written")
+      return refused("patient %1 exists already"_text(trial.patient_code),
+                     "import into another database; nothing was written"_text)
           .at(store.path())
           .about("patient_prefix");
   }
@@ -109,9 +109,8 @@ double rate_of(const Signals& signals) {
 
 /// What was stored stays: a second import into the same file would be refused.
 Error stopped_after(const Imported& imported, std::size_t trials, Error error) {
-  error.what += "; " + std::to_string(imported.trials) + " of " + std::to_string(trials) +
-                " trials are stored";
-  error.remedy += "; then import into a new database";
+  error.what = "%1; %2 of %3 trials are stored"_text(error.what, imported.trials, trials);
+  error.remedy = "%1; then import into a new database"_text(error.remedy);
   return error;
 }
 

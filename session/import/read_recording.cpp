@@ -121,8 +121,8 @@ class RecordingReader {
     std::vector<RecordedTrial> trials;
     for (Found& found : found_) {
       if (found.trial.signals.rows() < 2)
-        return refused("a trial has fewer than two rows",
-                       "complete the file, or correct the keys of the recording file")
+        return refused("a trial has fewer than two rows"_text,
+                       "complete the file, or correct the keys of the recording file"_text)
             .at(found.trial.file)
             .about(found.trial.task.name);
       trials.push_back(std::move(found.trial));
@@ -140,7 +140,8 @@ class RecordingReader {
     if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
     std::string names;
     for (const auto& existing : columns_) names += (names.empty() ? "" : ", ") + existing;
-    return refused("the column is missing", "correct the recording file; this file has: " + names)
+    return refused("the column is missing"_text,
+                   "correct the recording file; this file has: %1"_text(names))
         .at(path_, line_, name);
   }
 
@@ -176,8 +177,8 @@ class RecordingReader {
   Result<double> number(const std::vector<std::string_view>& fields, std::size_t at) const {
     double value = 0.0;
     if (parse_number(fields[at], value)) return value;
-    return refused("'" + std::string(fields[at]) + "' is not a finite number",
-                   "correct the file; a number has '.' as the decimal sign")
+    return refused("'%1' is not a finite number"_text(fields[at]),
+                   "correct the file; a number has '.' as the decimal sign"_text)
         .at(path_, line_, columns_[at]);
   }
 
@@ -197,8 +198,8 @@ class RecordingReader {
 
   Result<void> add_row(const std::vector<std::string_view>& fields, Values& values) {
     if (fields.size() != columns_.size())
-      return refused("has " + std::to_string(fields.size()) + " fields",
-                     "give every line " + std::to_string(columns_.size()) + " fields")
+      return refused("has %1 fields"_text(fields.size()),
+                     "give every line %1 fields"_text(columns_.size()))
           .at(path_, line_, "");
     for (const auto& [key, at] : key_columns_) values[key] = fields[at];
     const auto trial = trial_of(values);
@@ -211,8 +212,8 @@ class RecordingReader {
       row[0] = *t_s;
     }
     if (signals.rows() > 0 && !(row[0] > signals.column(columns::t_s).back()))
-      return refused("time does not increase",
-                     "sort the rows, or name the column that tells the trials apart")
+      return refused("time does not increase"_text,
+                     "sort the rows, or name the column that tells the trials apart"_text)
           .at(path_, line_, spec_.time_column);
     for (std::size_t c = 0; c < spec_.columns.size(); ++c) {
       const auto value = value_of(c, fields);
@@ -247,8 +248,8 @@ class RecordingReader {
       double number = 0.0;
       if (!parse_number(text, number) || number != std::floor(number) || number < 1.0 ||
           number > kMostPatients)
-        return refused("'" + text + "' is not the number of a person",
-                       "number them from 1 on: names and dates are not stored")
+        return refused("'%1' is not the number of a person"_text(text),
+                       "number them from 1 on: names and dates are not stored"_text)
             .at(path_, line_, spec_.patient_key);
       found.place.patient = static_cast<int>(number);
     }
@@ -256,8 +257,8 @@ class RecordingReader {
       const std::string& name = values.at(spec_.session_key);
       const auto at = std::find(spec_.sessions.begin(), spec_.sessions.end(), name);
       if (at == spec_.sessions.end())
-        return refused("'" + name + "' is none of the sessions",
-                       "add it to `sessions` of the recording file")
+        return refused("'%1' is none of the sessions"_text(name),
+                       "add it to `sessions` of the recording file"_text)
             .at(path_, line_, spec_.session_key);
       found.place.session = static_cast<std::size_t>(at - spec_.sessions.begin());
       found.trial.session_name = name;
@@ -306,12 +307,13 @@ Result<std::vector<RecordedTrial>> read_recording(const RecordingSpec& spec,
     files[name] = std::move(values);
   }
   if (failure)
-    return refused("cannot be listed: " + failure.message(),
-                   "name the folder that holds the recording")
+    return refused("cannot be listed: %1"_text(failure.message()),
+                   "name the folder that holds the recording"_text)
         .at(folder)
         .about("--from");
   if (files.empty())
-    return refused("holds no file " + spec.file, "name the folder that holds the recording")
+    return refused("holds no file %1"_text(spec.file),
+                   "name the folder that holds the recording"_text)
         .at(folder)
         .about("--from");
   RecordingReader reader(spec);
@@ -319,7 +321,7 @@ Result<std::vector<RecordedTrial>> read_recording(const RecordingSpec& spec,
     if (auto done = reader.read(fs::path(folder) / name, values); !done) return done.error();
   auto trials = reader.take();
   if (trials && trials->empty())
-    return refused("holds no rows", "give a file with data")
+    return refused("holds no rows"_text, "give a file with data"_text)
         .at(fs::path(folder) / files.begin()->first);
   return trials;
 }

@@ -49,7 +49,7 @@ std::vector<std::string> keys_in(TomlReader& root, const std::string& pattern) {
   for (std::size_t at = pattern.find('{'); at != std::string::npos; at = pattern.find('{', at)) {
     const auto end = pattern.find('}', at);
     if (end == std::string::npos || end == at + 1) {
-      root.fail("file", "has a brace without its key", "write e.g. \"S{person}.txt\"");
+      root.fail("file", "has a brace without its key"_text, "write e.g. \"S{person}.txt\""_text);
       return keys;
     }
     keys.push_back(pattern.substr(at + 1, end - at - 1));
@@ -67,24 +67,26 @@ RecordedColumn read_column(TomlReader& table, const RecordingSpec& spec) {
   column.unit = table.text("unit");
   const bool several = column.combine != RecordedColumn::Combine::none;
   if (table.has("from") && (column.from.empty() || (column.from.size() > 1) != several))
-    table.fail("from", "is " + std::to_string(column.from.size()) + " columns",
-               "name one column, or several and how to combine them: sum or magnitude");
+    table.fail("from", "is %1 columns"_text(column.from.size()),
+               "name one column, or several and how to combine them: sum or magnitude"_text);
   const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
                                  [&](const Unit& one) { return one.name == column.unit; });
   if (unit == kUnits.end()) {
-    table.fail("unit", "'" + column.unit + "' is not a unit",
-               "write N, mN, kgf, lbf, Nm, Nmm, lbf*in, m, mm, or 1 for a plain number");
+    table.fail("unit", "'%1' is not a unit"_text(column.unit),
+               "write N, mN, kgf, lbf, Nm, Nmm, lbf*in, m, mm, or 1 for a plain number"_text);
     return column;
   }
   column.factor = unit->factor;
   if (!column.name.ends_with(unit->ending) || column.name == columns::t_s)
-    table.fail("name", "'" + column.name + "' does not carry the SI unit of its values",
-               "let it end in " + std::string(unit->ending.empty() ? "no unit" : unit->ending));
+    table.fail(
+        "name", "'%1' does not carry the SI unit of its values"_text(column.name),
+        "let it end in %1"_text(unit->ending.empty() ? Text("no unit"_text)
+                                                     : Text(Known{std::string(unit->ending)})));
   for (const std::string& from : column.from)
     if (const auto stated = stated_unit(from);
         !stated.empty() && stated != column.unit && spec.unit_reason.empty())
-      table.fail("unit", "is not the one that '" + from + "' states",
-                 "say in unit_reason how the true unit is known");
+      table.fail("unit", "is not the one that '%1' states"_text(from),
+                 "say in unit_reason how the true unit is known"_text);
   return column;
 }
 
@@ -92,12 +94,12 @@ void read_who(TomlReader& root, RecordingSpec& spec) {
   spec.patient_prefix = root.text("patient_prefix");
   if (root.has("patient_prefix"))
     if (const auto good = storage::check_patient_code(spec.patient_prefix + "-01"); !good)
-      root.fail("patient_prefix", good.error().what, "write some letters, e.g. \"EDRAKI\"");
+      root.fail("patient_prefix", good.error().what, "write some letters, e.g. \"EDRAKI\""_text);
   spec.patient_key = root.text("patient", "");
   spec.session_key = root.text("session", "");
   spec.sessions = root.texts("sessions", !spec.session_key.empty());
   if (spec.session_key.empty() != spec.sessions.empty())
-    root.fail("sessions", "goes with the key session", "give both or neither");
+    root.fail("sessions", "goes with the key session"_text, "give both or neither"_text);
   spec.trial_keys = root.texts("trial", false);
   if (root.has("hand"))
     spec.hand = root.choice("hand", {"right", "left"}) == 0 ? Hand::right : Hand::left;
@@ -108,17 +110,18 @@ void read_layout(TomlReader& root, RecordingSpec& spec) {
   constexpr double kMostRate_Hz = 1e4;
   spec.file = root.text("file");
   if (spec.file.find('/') != std::string::npos)
-    root.fail("file", "holds a folder", "name the files only; the folder is given with --from");
+    root.fail("file", "holds a folder"_text,
+              "name the files only; the folder is given with --from"_text);
   spec.file_keys = keys_in(root, spec.file);
   spec.separator =
       static_cast<RecordingSpec::Separator>(root.choice("separator", {"comma", "tab", "space"}));
   const bool header = root.boolean("header");
   spec.file_columns = root.texts("file_columns", root.has("header") && !header);
   if (header && root.has("file_columns"))
-    root.fail("file_columns", "are named in the header", "leave them out");
+    root.fail("file_columns", "are named in the header"_text, "leave them out"_text);
   spec.rate_Hz = root.number("rate_Hz");
   if (root.has("rate_Hz") && !(spec.rate_Hz >= kLeastRate_Hz && spec.rate_Hz <= kMostRate_Hz))
-    root.fail("rate_Hz", "is out of range", "write rows per second, 1 to 10000");
+    root.fail("rate_Hz", "is out of range"_text, "write rows per second, 1 to 10000"_text);
   spec.time_column = root.text("time_column", "");
 }
 
@@ -143,10 +146,11 @@ Result<RecordingSpec> parse_recording(std::string_view text, const std::string& 
     RecordedColumn column = read_column(table, spec);
     for (const RecordedColumn& other : spec.columns)
       if (other.name == column.name)
-        table.fail("name", "appears twice", "give every column its own name");
+        table.fail("name", "appears twice"_text, "give every column its own name"_text);
     spec.columns.push_back(std::move(column));
   }
-  if (spec.columns.empty()) root->fail("column", "is missing", "add at least one [[column]]");
+  if (spec.columns.empty())
+    root->fail("column", "is missing"_text, "add at least one [[column]]"_text);
   spec.task = root->text("task");
   if (auto done = root->finish(); !done) return done.error();
   if (const auto task = tasks::parse_task(spec.task, path + ", task"); !task) return task.error();

@@ -21,7 +21,7 @@ Result<std::string> csv_table(const std::string& path) {
   std::string text = "\n[csv_data]\n";
   for (const char* column : {"t_s", "target"}) {
     if (!signals->has(column))
-      return refused("is missing", "name the columns t_s and target").at(path, 1, column);
+      return refused("is missing"_text, "name the columns t_s and target"_text).at(path, 1, column);
     text += std::string(column) + " = [";
     const char* separator = "";
     for (const double value : signals->column(column)) {
@@ -71,24 +71,25 @@ class ProtocolReader {
   /// What a task needs must have been measured by an earlier step.
   Result<void> check(const tasks::TaskSpec& task, const tasks::ProtocolStep& step) {
     if (step.adaptive && !task.difficulty)
-      return refused("'" + task.name + "' has no difficulty to adapt",
-                     "add a [difficulty] table to the task, or leave out adaptive")
+      return refused("'%1' has no difficulty to adapt"_text(task.name),
+                     "add a [difficulty] table to the task, or leave out adaptive"_text)
           .at(ready_.spec.file)
           .about(task_key());
     if (task.kind->measured != nullptr && !rested_)
       return refused(
-                 "a maximum is measured above the resting force, which no earlier step measures",
-                 "put a resting-force task before it")
+                 "a maximum is measured above the resting force, which no earlier step measures"_text,
+                 "put a resting-force task before it"_text)
           .at(ready_.spec.file)
           .about(task_key());
     for (const auto& [scale, measured, what] :
-         {std::tuple{tasks::Scale::of_maximum, &maxima_, "maximum"},
-          std::tuple{tasks::Scale::of_comfortable, &comfortable_, "comfortable force"}})
+         {std::tuple{tasks::Scale::of_maximum, &maxima_, "maximum"_text},
+          std::tuple{tasks::Scale::of_comfortable, &comfortable_, "comfortable force"_text}})
       for (const ForceChannel channel : task.channels_needed(scale))
         if (std::find(measured->begin(), measured->end(), channel) == measured->end())
-          return refused("the target is a share of the " + std::string(what) + " of '" +
-                             name_of(channel) + "' that no earlier step measures",
-                         "put a task that measures it before")
+          return refused(
+                     "the target is a share of the %1 of '%2' that no earlier step measures"_text(
+                         what, name_of(channel)),
+                     "put a task that measures it before"_text)
               .at(ready_.spec.file)
               .about(task_key());
     rested_ = rested_ || task.kind->rests;
@@ -125,8 +126,8 @@ Result<std::string> find_in_library(const std::string& library, const std::strin
   places.push_back(fs::path(library) / folder / file);
   for (const auto& path : places)
     if (fs::is_regular_file(path, ignored)) return path.lexically_normal().string();
-  return refused("there is no file of this name",
-                 "put it into " + (fs::path(library) / folder).string())
+  return refused("there is no file of this name"_text,
+                 "put it into %1"_text((fs::path(library) / folder).string()))
       .at(file);
 }
 

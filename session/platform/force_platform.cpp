@@ -66,9 +66,9 @@ Result<void> ForcePlatform::ready() {
   if (standing_of_zero(info_.recorded, now.zeroed, now.restarted.has_value()) !=
       ZeroStanding::outdated)
     return {};
-  return failed("since the zero was set a sensor started anew (" +
-                    std::string(name_of(*now.restarted)) + ")",
-                "take the hand out and set the zero again")
+  return failed("since the zero was set a sensor started anew (%1)"_text(
+                    Known{std::string(name_of(*now.restarted))}),
+                "take the hand out and set the zero again"_text)
       .about("zero");
 }
 
@@ -88,8 +88,8 @@ void ForcePlatform::describe(storage::SessionRecord& session) const {
 
 Result<std::unique_ptr<Preparation>> ForcePlatform::make_preparation(const ZeroRequest& request) {
   if (!request.device_is_empty)
-    return refused("nobody has confirmed that the device is empty",
-                   "take the hand out, let nothing touch the supports, and confirm that");
+    return refused("nobody has confirmed that the device is empty"_text,
+                   "take the hand out, let nothing touch the supports, and confirm that"_text);
   auto zero = std::make_unique<InstrumentZero>();
   zero->settle_s = request.settle_s;
   zero->accept_changed = request.accept_changed;
@@ -282,7 +282,7 @@ ApparatusFault ForcePlatform::fault() const noexcept {
   // One number for each pair of fault and finger.
   const auto finger = health.finger ? 1 + index_of(*health.finger) : 0;
   return {static_cast<int>(static_cast<std::size_t>(health.fault) * (1 + kFingerCount) + finger),
-          isograsp::describe(health.fault, health.finger)};
+          words_of(health.fault, health.finger)};
 }
 
 double ForcePlatform::lateness_s() const noexcept {

@@ -60,13 +60,13 @@ class Run {
   Result<void> may_go_on() {
     if (const auto lost = session_.failure()) return *lost;
     if (session_.is_to_stop())
-      return failed("the session was told to end", "run it again with --resume to go on");
+      return failed("the session was told to end"_text, "run it again with --resume to go on"_text);
     return {};
   }
 
   Result<void> zero() {
     std::string reason;
-    std::string remedy;
+    Text remedy;
     for (int attempt = 0; attempt < kZeroAttempts; ++attempt) {
       ZeroRequest request;
       request.device_is_empty = true;  // whoever starts a session without a window promises it
@@ -82,11 +82,12 @@ class Run {
           return {};
         }
         reason = news.zero->reason;
-        remedy =
-            news.zero->only_changed ? "after a service or remounting run it with --serviced" : "";
+        remedy = news.zero->only_changed
+                     ? Text("after a service or remounting run it with --serviced"_text)
+                     : Text();
       }
     }
-    return failed("the instrument zero was refused: " + reason, remedy);
+    return failed("the instrument zero was refused: %1"_text(Known{reason}), remedy);
   }
 
   double now_s() { return session_.snapshot().session_time_s; }
@@ -114,28 +115,29 @@ class Run {
       reason = outcome->reason;
       if (session_.snapshot().stage == Stage::finished) break;
     }
-    return failed("'" + spec->name + "' could not be completed: " + reason,
-                  "mend the device and run the protocol again");
+    return failed("'%1' could not be completed: %2"_text(Known{spec->name}, Known{reason}),
+                  "mend the device and run the protocol again"_text);
   }
 
   /// Nobody takes the hand out here: what comes next begins with a zero, and with a person.
   static Error way_on(Error error) {
     if (error.field == "zero")
       error.remedy =
-          "take the hand out, and run the protocol again with --resume: it begins with a new zero";
+          "take the hand out, and run the protocol again with --resume: it begins with a new zero"_text;
     return error;
   }
 
   void leave_out(const tasks::TaskSpec& spec, const Error& why) {
-    result_.left_out.push_back(spec.name + ": " + why.what + "; " + why.remedy);
-    session_.note("Left out: " + result_.left_out.back());
+    result_.left_out.push_back("%1: %2; %3"_text(Known{spec.name}, why.what, why.remedy));
+    session_.note("Left out: " + english(result_.left_out.back()));
   }
 
   Result<TrialOutcome> wait_for_trial() {
     for (;;) {
       const auto news = session_.wait_for_news();
       if (const auto good = may_go_on(); !good) return good.error();
-      if (news.empty()) return failed("the device gives no more data", "check the device");
+      if (news.empty())
+        return failed("the device gives no more data"_text, "check the device"_text);
       for (const auto& item : news) {
         if (item.trial) return *item.trial;
         // Resuming is a therapist's act and there is none here; recorded data go on by themselves.

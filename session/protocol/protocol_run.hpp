@@ -17,7 +17,7 @@ struct ProtocolProgress {
 
 struct ProtocolResult {
   std::vector<TrialOutcome> trials;
-  std::vector<std::string> left_out;  ///< tasks that this hand cannot be asked, and why
+  std::vector<Text> left_out;  ///< tasks that this hand cannot be asked, and why
 };
 
 /// Runs `protocol` in `session`, or what is left of it if the session resumes one; `serviced`: the

@@ -47,9 +47,9 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
                       const std::string& path) {
   const std::lock_guard lock(parts.mutex);
   if (!parts.login->is_protected())
-    return refused("asks for no login", "leave the login out").at(path);
+    return refused("asks for no login"_text, "leave the login out"_text).at(path);
   std::optional<KeySlot> slot;
-  const auto read = parts.database.guard("logging in", [&] {
+  const auto read = parts.database.guard("logging in"_text, [&] {
     soci::session& sql = parts.database.sql();
     if (owner.kind == SlotKind::user)
       if (const auto user = find_user(sql, owner.user.name)) owner.user = *user;
@@ -58,8 +58,7 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   if (!read) return read.error();
   const std::int64_t wait = slot ? seconds_to_wait(*slot, parts.clock()) : 0;
   if (wait > 0)
-    return refused("too many wrong passwords",
-                   "wait " + std::to_string(wait) + " s, then try again")
+    return refused("too many wrong passwords"_text, "wait %1 s, then try again"_text(wait))
         .at(path);
 
   auto keys = slot ? open_slot(*slot, owner, password) : std::nullopt;
@@ -70,7 +69,7 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
       // A name that nobody has could be a password in the wrong field: it is not written down.
       const std::string who = slot ? owner.user.name : "unknown user";
       const std::int64_t retry_at = parts.clock() + delay_after(failed_count);
-      const auto counted = parts.database.transact("logging in", [&] {
+      const auto counted = parts.database.transact("logging in"_text, [&] {
         soci::session& sql = parts.database.sql();
         if (slot)
           sql << "UPDATE key_slots SET failed_count = :count, retry_at_unix_s = :at WHERE id = :id",
@@ -81,8 +80,8 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
       if (!counted) return counted.error();
     }
     const std::int64_t next = delay_after(failed_count);
-    return refused("name or password is wrong",
-                   next == 0 ? "try again" : "wait " + std::to_string(next) + " s, then try again")
+    return refused("name or password is wrong"_text,
+                   next == 0 ? "try again"_text : "wait %1 s, then try again"_text(next))
         .at(path);
   }
 
@@ -91,7 +90,7 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   if (!parts.writable) return {};
   AuditEntry entry = entry_of("login", owner.user.name);
   auto logged = audited(parts.database, *parts.login, entry, [&] {
-    return parts.database.transact("logging in", [&] {
+    return parts.database.transact("logging in"_text, [&] {
       soci::session& sql = parts.database.sql();
       sql << "UPDATE key_slots SET failed_count = 0, retry_at_unix_s = 0 WHERE id = :id",
           soci::use(slot->id);
@@ -125,7 +124,7 @@ Result<std::unique_ptr<Access>> Access::open(const std::string& database, UtcClo
   if (!clock) clock = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
   const auto with = [&clock](Database opened, bool writable) -> Result<std::unique_ptr<Access>> {
     std::shared_ptr<LoginState> state;
-    const auto read = opened.guard("opening", [&] { state = login_state_of(opened); });
+    const auto read = opened.guard("opening"_text, [&] { state = login_state_of(opened); });
     if (!read) return read.error();
     auto access = std::unique_ptr<Access>(new Access);
     access->parts_ =
@@ -146,7 +145,7 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   std::error_code failure;
   const fs::path target = fs::weakly_canonical(fs::absolute(database), failure);
   if (failure || fs::exists(fs::symlink_status(target)))
-    return refused("exists already", "name a new file").at(database);
+    return refused("exists already"_text, "name a new file"_text).at(database);
   if (auto good = check_password(passphrase, "passphrase"); !good) return good.error();
   const auto staging = StagingFolder::beside(target);
   if (!staging) return staging.error();
@@ -155,7 +154,7 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   const auto made = [&]() -> Result<void> {
     auto file = Database::open(part, OpenMode::create);
     if (!file) return file.error();
-    return file->transact("protecting the database", [&] {
+    return file->transact("protecting the database"_text, [&] {
       (void)write_first_slots(file->sql(), login_state_of(*file)->database_id(), passphrase,
                               recovery_key, cost != nullptr ? *cost : KeyCost{});
     });
@@ -167,7 +166,8 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   }
   // Not with rename: a file that appeared meanwhile is kept.
   const bool named = ::link(part.c_str(), target.c_str()) == 0;
-  if (!named) return failed("could not be made", "choose another name or folder").at(database);
+  if (!named)
+    return failed("could not be made"_text, "choose another name or folder"_text).at(database);
   (void)set_aside_head_file(target);  // of a database of this name that is gone
   auto access = open(database);
   if (!access) return access.error();
@@ -192,8 +192,8 @@ bool Access::can_log() const noexcept {
 Result<std::vector<User>> Access::users() {
   const std::lock_guard lock(parts_->mutex);
   std::vector<User> all;
-  const auto done =
-      parts_->database.guard("reading accounts", [&] { all = read_users(parts_->database.sql()); });
+  const auto done = parts_->database.guard("reading accounts"_text,
+                                           [&] { all = read_users(parts_->database.sql()); });
   if (!done) return done.error();
   return all;
 }
@@ -201,7 +201,7 @@ Result<std::vector<User>> Access::users() {
 Result<AccessPolicy> Access::policy() {
   const std::lock_guard lock(parts_->mutex);
   AccessPolicy policy;
-  const auto done = parts_->database.guard("reading the policy", [&] {
+  const auto done = parts_->database.guard("reading the policy"_text, [&] {
     parts_->database.sql() << "SELECT lock_after_s, retention_years FROM access_settings",
         soci::into(policy.lock_after_s), soci::into(policy.retention_years);
   });
@@ -224,8 +224,8 @@ Result<void> Access::log_in_with_passphrase(const Secret& passphrase) {
 Result<void> Access::log_in_with_recovery_key(const Secret& key) {
   const auto digits = read_recovery_key(key);
   if (!digits)
-    return refused("is no recovery key: a digit is missing or mistyped",
-                   "copy all 56 digits from the printed page")
+    return refused("is no recovery key: a digit is missing or mistyped"_text,
+                   "copy all 56 digits from the printed page"_text)
         .at(path());
   return open_for(*parts_, holder_of(parts_->login->database_id(), SlotKind::recovery), *digits,
                   path());
@@ -273,7 +273,7 @@ bool is_protected_database(const std::string& database) {
   if (!opened) return false;
   bool found = false;
   const auto read =
-      opened->guard("opening", [&] { found = login_state_of(*opened)->is_protected(); });
+      opened->guard("opening"_text, [&] { found = login_state_of(*opened)->is_protected(); });
   return read && found;
 }
 

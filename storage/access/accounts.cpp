@@ -20,8 +20,8 @@ Result<void> check_user_name(const std::string& name) {
   });
   if (name.empty() || name.size() > kMost || !printable || name.front() == ' ' ||
       name.back() == ' ')
-    return refused("is no name of an account",
-                   "give 1 to 64 characters on one line, no blank at either end")
+    return refused("is no name of an account"_text,
+                   "give 1 to 64 characters on one line, no blank at either end"_text)
         .about("name");
   return {};
 }
@@ -32,11 +32,11 @@ Result<void> check_pin(const Secret& pin) {
   const bool good =
       digits.size() >= kLeastPin && digits.size() <= kMostPin &&
       std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!good) return refused("is not 4 to 12 digits", "choose another one").about("pin");
+  if (!good) return refused("is not 4 to 12 digits"_text, "choose another one"_text).about("pin");
   for (const int step : {-1, 0, 1}) {
     bool easy = true;
     for (std::size_t i = 1; i < digits.size(); ++i) easy &= digits[i] - digits[i - 1] == step;
-    if (easy) return refused("is too easy to guess", "choose another one").about("pin");
+    if (easy) return refused("is too easy to guess"_text, "choose another one"_text).about("pin");
   }
   return {};
 }
@@ -49,7 +49,8 @@ User required_user(soci::session& sql, const std::string& name) {
   auto user = find_user(sql, name);
   if (!user)
     throw Refusal{
-        refused("nobody has an account of this name", "see isograsp db users list").about("name")};
+        refused("nobody has an account of this name"_text, "see isograsp db users list"_text)
+            .about("name")};
   return *user;
 }
 
@@ -59,7 +60,8 @@ SlotOwner slot_of(const Access::Parts& parts, const User& user) {
 
 Result<void> manage(Access& access, const std::string& act, const std::string& object) {
   if (!access.is_protected())
-    return refused("is not protected: it has no accounts", "protect it: isograsp db protect FILE")
+    return refused("is not protected: it has no accounts"_text,
+                   "protect it: isograsp db protect FILE"_text)
         .at(access.path());
   return access.require(Right::manage, act, object);
 }
@@ -97,8 +99,8 @@ std::optional<User> find_user(soci::session& sql, const std::string& name) {
 
 Result<void> check_password(const Secret& password, const std::string& field) {
   if (password.size() < kLeastPassword)
-    return refused("has fewer than " + std::to_string(kLeastPassword) + " characters",
-                   "choose a longer one; several words are easy to keep in mind")
+    return refused("has fewer than %1 characters"_text(kLeastPassword),
+                   "choose a longer one; several words are easy to keep in mind"_text)
         .about(field);
   return {};
 }
@@ -112,14 +114,14 @@ Result<User> add_user(Access& access, const std::string& name, Role role, const 
   Access::Parts& parts = access.parts();
   const auto keys = parts.login->login().keys;
   const auto done = audited(
-      access, "adding an account", entry_of("add user", name, std::string(name_of(role))),
+      access, "adding an account"_text, entry_of("add user", name, std::string(name_of(role))),
       [&](AuditEntry&) {
         soci::session& sql = parts.database.sql();
         int there = 0;
         sql << "SELECT count(*) FROM users WHERE name = :name", soci::use(name), soci::into(there);
         if (there > 0)
-          throw Refusal{refused("is or was the name of an account",
-                                "choose another one: the audit log names people")
+          throw Refusal{refused("is or was the name of an account"_text,
+                                "choose another one: the audit log names people"_text)
                             .about("name")};
         const std::string role_name(name_of(role));
         sql << "INSERT INTO users (name, role, created_utc) VALUES (:name, :role, :utc)",
@@ -133,32 +135,34 @@ Result<User> add_user(Access& access, const std::string& name, Role role, const 
 
 Result<void> remove_user(Access& access, const std::string& name) {
   if (auto allowed = manage(access, "remove user", name); !allowed) return allowed;
-  return audited(access, "removing an account", entry_of("remove user", name), [&](AuditEntry&) {
-    soci::session& sql = access.parts().database.sql();
-    const User user = required_user(sql, name);
-    const std::string now = utc_text(std::time(nullptr));
-    sql << "DELETE FROM key_slots WHERE user_id = :id", soci::use(user.id);
-    sql << "UPDATE users SET removed_utc = :utc, pin = '' WHERE id = :id", soci::use(now),
-        soci::use(user.id);
-  });
+  return audited(access, "removing an account"_text, entry_of("remove user", name),
+                 [&](AuditEntry&) {
+                   soci::session& sql = access.parts().database.sql();
+                   const User user = required_user(sql, name);
+                   const std::string now = utc_text(std::time(nullptr));
+                   sql << "DELETE FROM key_slots WHERE user_id = :id", soci::use(user.id);
+                   sql << "UPDATE users SET removed_utc = :utc, pin = '' WHERE id = :id",
+                       soci::use(now), soci::use(user.id);
+                 });
 }
 
 Result<void> reset_password(Access& access, const std::string& name, const Secret& password,
                             const KeyCost& cost) {
   if (auto allowed = manage(access, "reset password", name); !allowed) return allowed;
   if (auto good = check_password(password, "password"); !good) return good;
-  return audited(access, "storing a password", entry_of("reset password", name), [&](AuditEntry&) {
-    soci::session& sql = access.parts().database.sql();
-    const User user = required_user(sql, name);
-    write_slot(sql, slot_of(access.parts(), user), password, cost,
-               *access.parts().login->login().keys);
-    sql << "UPDATE users SET pin_failed_count = 0 WHERE id = :id", soci::use(user.id);
-  });
+  return audited(
+      access, "storing a password"_text, entry_of("reset password", name), [&](AuditEntry&) {
+        soci::session& sql = access.parts().database.sql();
+        const User user = required_user(sql, name);
+        write_slot(sql, slot_of(access.parts(), user), password, cost,
+                   *access.parts().login->login().keys);
+        sql << "UPDATE users SET pin_failed_count = 0 WHERE id = :id", soci::use(user.id);
+      });
 }
 
 Result<void> set_policy(Access& access, const AccessPolicy& policy) {
   if (auto allowed = access.require(Right::manage, "set policy", ""); !allowed) return allowed;
-  return audited(access, "storing the policy",
+  return audited(access, "storing the policy"_text,
                  entry_of("set policy", "",
                           "lock after " + std::to_string(policy.lock_after_s) + " s, keep " +
                               std::to_string(policy.retention_years) + " years"),
@@ -173,7 +177,7 @@ Result<void> set_policy(Access& access, const AccessPolicy& policy) {
 Result<void> change_passphrase(Access& access, const Secret& passphrase, const KeyCost& cost) {
   if (auto allowed = manage(access, "change passphrase", ""); !allowed) return allowed;
   if (auto good = check_password(passphrase, "passphrase"); !good) return good;
-  return audited(access, "storing the passphrase", entry_of("change passphrase", ""),
+  return audited(access, "storing the passphrase"_text, entry_of("change passphrase", ""),
                  [&](AuditEntry&) {
                    write_slot(access.parts().database.sql(),
                               holder_of(access.parts().login->database_id(), SlotKind::passphrase),
@@ -184,8 +188,8 @@ Result<void> change_passphrase(Access& access, const Secret& passphrase, const K
 Result<Secret> new_recovery_key(Access& access) {
   if (const auto allowed = manage(access, "new recovery key", ""); !allowed) return allowed.error();
   Secret key = make_recovery_key();
-  const auto done =
-      audited(access, "storing a recovery key", entry_of("new recovery key", ""), [&](AuditEntry&) {
+  const auto done = audited(
+      access, "storing a recovery key"_text, entry_of("new recovery key", ""), [&](AuditEntry&) {
         write_slot(access.parts().database.sql(),
                    holder_of(access.parts().login->database_id(), SlotKind::recovery),
                    *read_recovery_key(key), kCheapKeyCost, *access.parts().login->login().keys);
@@ -198,11 +202,12 @@ Result<void> change_own_password(Access& access, const Secret& old_password, con
                                  const KeyCost& cost) {
   const auto user = access.user();
   if (!user || user->id == 0)
-    return refused("nobody is logged in with an account", "log in with a name").about("password");
+    return refused("nobody is logged in with an account"_text, "log in with a name"_text)
+        .about("password");
   if (auto good = check_password(password, "password"); !good) return good;
   // Counts a wrong one as every login does.
   if (auto theirs = access.log_in(user->name, old_password); !theirs) return theirs;
-  return audited(access, "storing a password", entry_of("change password", user->name),
+  return audited(access, "storing a password"_text, entry_of("change password", user->name),
                  [&](AuditEntry&) {
                    write_slot(access.parts().database.sql(), slot_of(access.parts(), *user),
                               password, cost, *access.parts().login->login().keys);
@@ -213,10 +218,11 @@ Result<void> set_own_pin(Access& access, const Secret& pin) {
   const auto user = access.user();
   const Login login = access.parts().login->login();
   if (!user || user->id == 0 || login.locked)
-    return refused("nobody is logged in with an account", "log in with a name").about("pin");
+    return refused("nobody is logged in with an account"_text, "log in with a name"_text)
+        .about("pin");
   if (!login.keys || login.keys->pin.empty())
-    return refused("the role " + std::string(name_of(user->role)) + " has no PIN",
-                   "log in with the password")
+    return refused("the role %1 has no PIN"_text(Known{std::string(name_of(user->role))}),
+                   "log in with the password"_text)
         .about("pin");
   if (auto good = check_pin(pin); !good) return good;
   std::string sealed;
@@ -225,11 +231,11 @@ Result<void> set_own_pin(Access& access, const Secret& pin) {
     if (crypto_pwhash_str(reinterpret_cast<char*>(check.data()), pin.text().data(), pin.size(),
                           crypto_pwhash_OPSLIMIT_INTERACTIVE,
                           crypto_pwhash_MEMLIMIT_INTERACTIVE) != 0)
-      return failed("not enough memory", "close other programs");
+      return failed("not enough memory"_text, "close other programs"_text);
     sealed =
         seal(login.keys->pin, pin_place(access.parts().login->database_id(), *user), check.text());
   }
-  return audited(access, "storing a PIN",
+  return audited(access, "storing a PIN"_text,
                  entry_of(pin.empty() ? "remove PIN" : "set PIN", user->name), [&](AuditEntry&) {
                    access.parts().database.sql()
                        << "UPDATE users SET pin = :pin, pin_failed_count = 0 WHERE id = :id",
@@ -241,12 +247,13 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   const std::lock_guard lock(parts_->mutex);
   const Login before = parts_->login->login();
   if (!before.keys || before.keys->pin.empty())
-    return refused("nobody has opened the database with a password yet", "log in with the password")
+    return refused("nobody has opened the database with a password yet"_text,
+                   "log in with the password"_text)
         .about("pin");
   std::optional<User> user;
   std::string sealed;
   int failed_count = 0;
-  const auto read = parts_->database.guard("changing the user", [&] {
+  const auto read = parts_->database.guard("changing the user"_text, [&] {
     soci::session& sql = parts_->database.sql();
     user = find_user(sql, name);
     if (user)
@@ -255,10 +262,10 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   });
   if (!read) return read.error();
   if (!user || sealed.empty() || failed_count >= kMostWrongPins)
-    return refused("the PIN cannot be used now", "log in with the password").about("pin");
+    return refused("the PIN cannot be used now"_text, "log in with the password"_text).about("pin");
   if (!before.keys->suffice_for(user->role))
-    return refused("whoever opened the database has fewer rights than this account",
-                   "log in with the password")
+    return refused("whoever opened the database has fewer rights than this account"_text,
+                   "log in with the password"_text)
         .about("pin");
   const auto check =
       unseal(before.keys->pin, pin_place(parts_->login->database_id(), *user), sealed);
@@ -270,7 +277,7 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   if (!right) entry.result = "refused";
   if (right) parts_->login->set({before.keys, user, false});
   auto logged = audited(parts_->database, *parts_->login, entry, [&] {
-    return parts_->database.transact("changing the user", [&] {
+    return parts_->database.transact("changing the user"_text, [&] {
       const int count = right ? 0 : failed_count + 1;
       parts_->database.sql() << "UPDATE users SET pin_failed_count = :count WHERE id = :id",
           soci::use(count), soci::use(user->id);
@@ -282,8 +289,8 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
   }
   if (right) return {};
   const int left = kMostWrongPins - failed_count - 1;
-  return refused("the PIN is wrong", left > 0 ? "try again; " + std::to_string(left) + " left"
-                                              : "log in with the password")
+  return refused("the PIN is wrong"_text,
+                 left > 0 ? "try again; %1 left"_text(left) : "log in with the password"_text)
       .about("pin");
 }
 

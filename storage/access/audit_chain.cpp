@@ -86,7 +86,7 @@ void note_head(Database& database, const LoginState& state, const AuditHead& hea
   if (there.present && !there.head) return;
   if (there.head) {
     std::string hash;
-    const auto read = database.guard("reading the audit log", [&] {
+    const auto read = database.guard("reading the audit log"_text, [&] {
       database.sql() << "SELECT hash FROM audit_log WHERE id = :id", soci::use(there.head->count),
           soci::into(hash);
     });
@@ -95,7 +95,7 @@ void note_head(Database& database, const LoginState& state, const AuditHead& hea
   write_head_file(database.real_path(), key, state.database_id(), head);
 }
 
-Result<void> audited(Access& access, const char* doing, AuditEntry entry,
+Result<void> audited(Access& access, const Text& doing, AuditEntry entry,
                      const std::function<void(AuditEntry&)>& work) {
   Access::Parts& parts = access.parts();
   const std::lock_guard lock(parts.mutex);
@@ -104,7 +104,7 @@ Result<void> audited(Access& access, const char* doing, AuditEntry entry,
 }
 
 Result<void> log_entry(Access& access, AuditEntry entry) {
-  return audited(access, "writing the audit log", std::move(entry), [](AuditEntry&) {});
+  return audited(access, "writing the audit log"_text, std::move(entry), [](AuditEntry&) {});
 }
 
 AuditEntry entry_of(std::string act, std::string object, std::string detail) {

@@ -51,7 +51,7 @@ auto audited(Database& database, const LoginState& state, AuditEntry& entry, Wor
   if (!done) {
     entry.result = done.error().code == Error::Code::bad_input ? "refused" : "failed";
     const auto logged = database.transact(
-        "writing the audit log", [&] { head = append_audit(database.sql(), state, entry); });
+        "writing the audit log"_text, [&] { head = append_audit(database.sql(), state, entry); });
     if (!logged) return done;
   }
   note_head(database, state, head);
@@ -59,7 +59,7 @@ auto audited(Database& database, const LoginState& state, AuditEntry& entry, Wor
 }
 
 /// The same with a transaction made of `work`, for Access.
-[[nodiscard]] Result<void> audited(Access& access, const char* doing, AuditEntry entry,
+[[nodiscard]] Result<void> audited(Access& access, const Text& doing, AuditEntry entry,
                                    const std::function<void(AuditEntry&)>& work);
 /// For acts that change nothing: the entry alone.
 [[nodiscard]] Result<void> log_entry(Access& access, AuditEntry entry);

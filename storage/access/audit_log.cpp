@@ -49,7 +49,7 @@ Result<std::vector<std::string>> audit_problems(Database& database, const LoginS
   AuditHead anchor;
   std::string proof;
   bool anchored = false;
-  const auto read = database.snapshot("checking the audit log", [&] {
+  const auto read = database.snapshot("checking the audit log"_text, [&] {
     entries = read_entries(database.sql());
     long long count = 0;
     database.sql() << "SELECT count, hash, proof FROM audit_anchor", soci::into(count),
@@ -105,7 +105,7 @@ Result<std::vector<AuditEntry>> read_audit(Access& access, const AuditFilter& fi
   Access::Parts& parts = access.parts();
   const std::lock_guard lock(parts.mutex);
   std::vector<AuditEntry> all;
-  const auto done = parts.database.guard("reading the audit log", [&] {
+  const auto done = parts.database.guard("reading the audit log"_text, [&] {
     for (AuditEntry& entry : read_entries(parts.database.sql()))
       if ((filter.act.empty() || entry.act == filter.act) &&
           (filter.object.empty() || entry.object == filter.object))
@@ -119,7 +119,7 @@ Result<AuditHead> audit_head(Access& access) {
   Access::Parts& parts = access.parts();
   const std::lock_guard lock(parts.mutex);
   AuditHead head;
-  const auto done = parts.database.guard("reading the audit log", [&] {
+  const auto done = parts.database.guard("reading the audit log"_text, [&] {
     long long count = 0;
     parts.database.sql() << "SELECT count, hash FROM audit_anchor", soci::into(count),
         soci::into(head.hash);
@@ -161,7 +161,7 @@ Result<bool> audit_contains(Access& access, const AuditHead& head) {
   Access::Parts& parts = access.parts();
   const std::lock_guard lock(parts.mutex);
   bool same = false;
-  const auto done = parts.database.guard("reading the audit log", [&] {
+  const auto done = parts.database.guard("reading the audit log"_text, [&] {
     std::string hash;
     parts.database.sql() << "SELECT hash FROM audit_log WHERE id = :id", soci::use(head.count),
         soci::into(hash);

@@ -18,7 +18,7 @@ using namespace sealed_column;
 
 Result<std::shared_ptr<LoginState>> login_at(Database& database, bool writable) {
   std::shared_ptr<LoginState> state;
-  const auto read = database.guard("opening", [&] { state = login_state_of(database); });
+  const auto read = database.guard("opening"_text, [&] { state = login_state_of(database); });
   if (!read) return read.error();
   if (state->is_protected()) {
     const auto user = state->login().user;
@@ -53,7 +53,7 @@ Result<void> GuardedStore::may_write() const {
 
 std::string GuardedStore::text_of(const std::string& query, RowId id) {
   std::string text;
-  const auto read = database().guard("reading a code", [&] {
+  const auto read = database().guard("reading a code"_text, [&] {
     database().sql() << query, soci::use(id), soci::into(text);
     if (!database().sql().got_data()) text.clear();
   });
@@ -84,14 +84,14 @@ Result<PatientRecord> GuardedStore::add_patient(const std::string& code,
   // What is no code may be a name: it does not reach the log.
   if (const auto allowed = check_patient_code(code); !allowed) return allowed.error();
   std::string erased;
-  const auto read = database().guard("reading erased codes", [&] {
+  const auto read = database().guard("reading erased codes"_text, [&] {
     database().sql() << "SELECT code FROM tombstones WHERE code = :code", soci::use(code),
         soci::into(erased);
   });
   if (!read) return read.error();
   if (!erased.empty())
-    return refused("patient " + erased + " was erased: the code is not given again",
-                   "choose another code")
+    return refused("patient %1 was erased: the code is not given again"_text(erased),
+                   "choose another code"_text)
         .at(behind().path());
   return logged("add patient", code, "",
                 [&] { return behind().add_patient(code, created_utc, uuid); });
@@ -103,9 +103,9 @@ Result<RowId> GuardedStore::begin_session(const SessionRecord& session,
   const std::string until =
       text_of("SELECT until_date FROM restrictions WHERE patient_id = :id", session.patient_id);
   if (!until.empty())
-    return refused("the records of " + code + " are restricted until " + until +
-                       ": the person asked for erasure",
-                   "lift the restriction if the person wishes to go on")
+    return refused("the records of %1 are restricted until %2: the person asked for erasure"_text(
+                       code, until),
+                   "lift the restriction if the person wishes to go on"_text)
         .at(behind().path());
   return logged(
       "begin session", code, "", [&] { return behind().begin_session(session, answers); },
@@ -327,8 +327,8 @@ Result<void> GuardedStore::backup(const std::string& to) {
   if (!log) return log.error();
   AuditEntry entry = entry_of("backup", std::filesystem::path(to).filename());
   if (!copied) entry.result = "failed";
-  const auto written =
-      audited(*log, *state_, entry, [&] { return log->transact("writing the audit log", [] {}); });
+  const auto written = audited(*log, *state_, entry,
+                               [&] { return log->transact("writing the audit log"_text, [] {}); });
   return copied ? written : copied;
 }
 

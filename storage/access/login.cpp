@@ -81,30 +81,31 @@ std::shared_ptr<LoginState> login_state_of(Database& database) {
 
 Error refusal_of(const LoginState& state, Right right, const std::string& path) {
   if (!state.is_protected())
-    return refused("identities are not stored in a database without protection",
-                   "protect it: isograsp db protect FILE")
+    return refused("identities are not stored in a database without protection"_text,
+                   "protect it: isograsp db protect FILE"_text)
         .at(path);
   const Login login = state.login();
   if (!login.user)
-    return refused("is protected, and nobody is logged in",
-                   "give --passphrase-file, or --user and --password-file")
+    return refused("is protected, and nobody is logged in"_text,
+                   "give --passphrase-file, or --user and --password-file"_text)
         .at(path);
-  if (login.locked) return refused("is locked", "log in again").at(path);
+  if (login.locked) return refused("is locked"_text, "log in again"_text).at(path);
   const std::string role(name_of(login.user->role));
   switch (right) {
     case Right::read_records:
     case Right::write_records:
-      return refused("the role " + role + " may not change records", "log in as a therapist")
+      return refused("the role %1 may not change records"_text(role), "log in as a therapist"_text)
           .at(path);
     case Right::read_texts:
     case Right::identities:
-      return refused("the role " + role + " may not see who people are", "log in as a therapist")
+      return refused("the role %1 may not see who people are"_text(role),
+                     "log in as a therapist"_text)
           .at(path);
     case Right::manage:
-      return refused("the role " + role + " may not do this", "log in as an administrator")
+      return refused("the role %1 may not do this"_text(role), "log in as an administrator"_text)
           .at(path);
   }
-  return refused("is not allowed", "log in as somebody else").at(path);
+  return refused("is not allowed"_text, "log in as somebody else"_text).at(path);
 }
 
 }  // namespace isograsp::storage

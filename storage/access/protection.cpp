@@ -21,15 +21,16 @@ namespace {
 /// No other program has the file open, and none can open it until this connection is closed: what
 /// it wrote would be plain text.
 Result<void> close_to_others(Database& database) {
-  return database.guard("closing the file to others", [&] {
+  return database.guard("closing the file to others"_text, [&] {
     std::string mode;
     database.sql() << "PRAGMA busy_timeout=0";  // who has it open will not be gone in seconds
     database.sql() << "PRAGMA locking_mode=EXCLUSIVE", soci::into(mode);
     database.sql() << "PRAGMA journal_mode=DELETE", soci::into(mode);
     database.watch_no_more();  // without a log nothing is as it was opened
     if (mode != "delete")
-      throw Refusal{failed("cannot be closed to other programs", "close them, then protect it")
-                        .at(database.path())};
+      throw Refusal{
+          failed("cannot be closed to other programs"_text, "close them, then protect it"_text)
+              .at(database.path())};
   });
 }
 
@@ -65,7 +66,8 @@ int seal_column(soci::session& sql, const LoginState& state, const std::string& 
 Result<RecordingLock> nobody_records(const Database& database) {
   auto recording = RecordingLock::exclusive_if_free(database.real_path());
   if (recording && !recording->held())
-    return failed("another program records into the file now", "end that session, then protect it")
+    return failed("another program records into the file now"_text,
+                  "end that session, then protect it"_text)
         .at(database.path());
   return recording;
 }
@@ -92,7 +94,7 @@ Result<Protection> sweep_again(const std::string& database, const Secret& passph
 Result<AuditHead> seal_all(Database& database, LoginState& state, const Secret& passphrase,
                            const Secret& recovery_key, const KeyCost& cost) {
   AuditHead head;
-  const auto done = database.transact("protecting the database", [&] {
+  const auto done = database.transact("protecting the database"_text, [&] {
     soci::session& sql = database.sql();
     const std::string id = state.database_id();
     Keys keys = write_first_slots(sql, id, passphrase, recovery_key, cost);
@@ -132,7 +134,7 @@ Result<Protection> protect_database(const std::string& database, const Secret& p
     const auto prepared = [&]() -> Result<void> {
       if (auto alone = close_to_others(*opened); !alone) return alone;
       if (auto wiping = overwrite_what_is_removed(*opened); !wiping) return wiping;
-      return opened->guard("reading the audit log", [&] {
+      return opened->guard("reading the audit log"_text, [&] {
         state = LoginState::of(login_state_of(*opened)->database_id(), true);
         protection.remains = remains_of(opened->sql(), "", "", utc_text(std::time(nullptr)));
       });

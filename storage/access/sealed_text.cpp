@@ -30,8 +30,8 @@ Result<void> open_text(const LoginState& state, std::string& text, const char* c
   }
   const auto opened = unseal(login.keys->text, place_of(state, column, code), text);
   if (!opened)
-    return failed(std::string(column) + " of " + code + " was changed or is damaged",
-                  "restore the last backup")
+    return failed("%1 of %2 was changed or is damaged"_text(column, code),
+                  "restore the last backup"_text)
         .at(path);
   text = opened->text();
   return {};

@@ -116,7 +116,8 @@ void write_slot(soci::session& sql, const SlotOwner& owner, const Secret& passwo
   const std::string salt = random_hex(kSaltSize);
   const auto key = key_from_password(password, salt, cost);
   if (!key)
-    throw Refusal{failed("not enough memory for the key of a password", "close other programs")};
+    throw Refusal{
+        failed("not enough memory for the key of a password"_text, "close other programs"_text)};
   const std::string wrapped = seal(*key, place_of(owner), bundle(keys, owner.user.role).text());
   const std::string kind(name_of(owner.kind));
   const auto operations = static_cast<long long>(cost.operations);

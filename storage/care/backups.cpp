@@ -76,7 +76,8 @@ Result<std::vector<BackupFile>> Backups::list() const {
     if (const auto utc = utc_of_name(entry->path().filename().string()))
       all.push_back({entry->path().string(), *utc});
   if (failure)
-    return failed("cannot be read: " + failure.message(), "check its permissions").at(folder_);
+    return failed("cannot be read: %1"_text(failure.message()), "check its permissions"_text)
+        .at(folder_);
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return a.made_utc > b.made_utc; });
   return all;
@@ -94,7 +95,8 @@ Result<Backups::Made> Backups::make(std::time_t now) const {
   std::error_code failure;
   fs::create_directory(folder_, failure);
   if (failure)
-    return failed("cannot be made: " + failure.message(), "make the folder writable").at(folder_);
+    return failed("cannot be made: %1"_text(failure.message()), "make the folder writable"_text)
+        .at(folder_);
   Made made;
   made.backup = {folder_ + "/" + name_of_backup(now), utc_text(now)};
   {
@@ -111,8 +113,8 @@ Result<Backups::Made> Backups::make(std::time_t now) const {
     const std::string& path = (*all)[i].path;
     if (kept[i] || path == made.backup.path) continue;
     if (!fs::remove(path, failure))
-      return failed("the new backup is made, but this old one cannot be removed",
-                    "check the permissions of the folder")
+      return failed("the new backup is made, but this old one cannot be removed"_text,
+                    "check the permissions of the folder"_text)
           .at(path);
     made.removed.push_back(path);
   }

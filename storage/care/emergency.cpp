@@ -37,8 +37,8 @@ Result<void> make_folder() {
   fs::create_directories(folder, failure);
   if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
   if (failure)
-    return failed("the folder cannot be made: " + failure.message(),
-                  "set XDG_STATE_HOME to a folder that you may write to")
+    return failed("the folder cannot be made: %1"_text(failure.message()),
+                  "set XDG_STATE_HOME to a folder that you may write to"_text)
         .at(folder);
   return {};
 }
@@ -48,7 +48,7 @@ Result<EmergencyFile> read_emergency(const std::string& path) {
   if (!database) return database.error();
   EmergencyFile file;
   file.path = path;
-  const auto read = database->guard("reading an emergency file", [&] {
+  const auto read = database->guard("reading an emergency file"_text, [&] {
     soci::session& sql = database->sql();
     sql << "SELECT database_path, database_id, reason FROM emergency_origin",
         soci::into(file.database), soci::into(file.database_id), soci::into(file.reason);
@@ -67,7 +67,7 @@ std::string id_of(const std::string& path) {
   auto database = Database::open(path, OpenMode::read_only);
   if (!database) return "";
   std::string id;
-  const auto read = database->guard("reading who the database is", [&] {
+  const auto read = database->guard("reading who the database is"_text, [&] {
     database->sql() << "SELECT database_id FROM access_settings", soci::into(id);
   });
   return read ? id : "";
@@ -153,8 +153,8 @@ Result<void> put_back(const std::string& database, const EmergencyFile& file) {
   std::error_code ignored;
   if (fs::exists(database, ignored)) return {};
   if (!file.has_whole)
-    return failed("is not there, so nothing can be taken into it",
-                  "put it back or restore the last backup, then rescue again")
+    return failed("is not there, so nothing can be taken into it"_text,
+                  "put it back or restore the last backup, then rescue again"_text)
         .at(database);
   const auto staging = StagingFolder::beside(database);
   if (!staging) return staging.error();
@@ -164,8 +164,8 @@ Result<void> put_back(const std::string& database, const EmergencyFile& file) {
   const bool synced = !failure && sync_path(part);
   if (!failure) fs::rename(part, database, failure);
   if (failure || !synced)
-    return failed("the copy " + file.whole() + " cannot be put back",
-                  "check the disk and the folder")
+    return failed("the copy %1 cannot be put back"_text(file.whole()),
+                  "check the disk and the folder"_text)
         .at(database);
   static_cast<void>(sync_path(fs::path(absolute(database)).parent_path()));
   return {};
@@ -197,7 +197,7 @@ Result<EmergencyFile> make_emergency_file(EmergencyFile of) {
     std::error_code ignored;
     fs::permissions(of.path + suffix, fs::perms::owner_read | fs::perms::owner_write, ignored);
   }
-  const auto done = database->transact("making an emergency file", [&] {
+  const auto done = database->transact("making an emergency file"_text, [&] {
     soci::session& sql = database->sql();
     sql << "CREATE TABLE emergency_origin (database_path TEXT NOT NULL, database_id TEXT NOT NULL, "
            "reason TEXT NOT NULL) STRICT";
@@ -241,8 +241,8 @@ Result<MergeReport> rescue(const std::string& database, const EmergencyFile& fil
   const auto after = compare(database, file.path);
   if (!after) return after.error();
   if (after->missing > 0 || !after->poorer.empty())
-    return failed("does not hold all of " + file.path + " after it was taken in",
-                  "keep that file, run isograsp db check, and rescue again")
+    return failed("does not hold all of %1 after it was taken in"_text(file.path),
+                  "keep that file, run isograsp db check, and rescue again"_text)
         .at(database);
   std::error_code ignored;
   for (const char* suffix : {"", "-wal", "-shm", "-lock", ".whole"})

@@ -108,17 +108,17 @@ Result<void> check_mergeable(const std::string& path, OpenMode how) {
   auto database = Database::open(path, OpenMode::read_only);
   if (!database) return database.error();
   if (database->format() != kDatabaseFormat)
-    return refused("has format " + std::to_string(database->format()) + " instead of " +
-                       std::to_string(kDatabaseFormat),
-                   "run isograsp db migrate on it, or on a copy of it")
+    return refused("has format %1 instead of %2"_text(database->format(), kDatabaseFormat),
+                   "run isograsp db migrate on it, or on a copy of it"_text)
         .at(path);
   int running = 0;
-  const auto read = database->guard("reading", [&] {
+  const auto read = database->guard("reading"_text, [&] {
     database->sql() << "SELECT count(*) FROM trials WHERE status = 'running'", soci::into(running);
   });
   if (!read) return read.error();
   if (running > 0)
-    return failed("a trial is being recorded into it", "end that session, then merge").at(path);
+    return failed("a trial is being recorded into it"_text, "end that session, then merge"_text)
+        .at(path);
   return {};
 }
 
@@ -129,10 +129,10 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
                                     const EmergencyMerge* emergency) {
   std::error_code ignored;
   if (std::filesystem::equivalent(into, from, ignored))
-    return refused("is the same file", "name two files").at(from).about("--from");
+    return refused("is the same file"_text, "name two files"_text).at(from).about("--from");
   if ((emergency == nullptr && is_protected_database(into)) || is_protected_database(from))
-    return refused("a protected database cannot be merged with another one: their keys differ",
-                   "export from one, or work with both")
+    return refused("a protected database cannot be merged with another one: their keys differ"_text,
+                   "export from one, or work with both"_text)
         .at(is_protected_database(into) ? into : from);
   if (const auto good = check_mergeable(into, into_how); !good) return good.error();
   if (const auto good = check_mergeable(from, OpenMode::read_only); !good) return good.error();
@@ -143,7 +143,7 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
   const auto theirs = hashes_of_unpacked(from);
   if (!theirs) return theirs.error();
   std::shared_ptr<LoginState> state;
-  const auto attached = database->guard("opening the other file", [&] {
+  const auto attached = database->guard("opening the other file"_text, [&] {
     state = login_state_of(*database);
     database->sql() << "ATTACH DATABASE :other AS other", soci::use(from);
   });
@@ -151,9 +151,10 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
   MergeReport report;
   AuditEntry entry = entry_of("merge", std::filesystem::path(from).filename());
   const auto work = [&] {
-    return database->transact("merging", [&] {
+    return database->transact("merging"_text, [&] {
       report = merge(database->sql(), same_patients, *ours, *theirs, emergency);
-      if (!report.conflicts.empty()) throw Refusal{failed("the files do not agree", "").at(from)};
+      if (!report.conflicts.empty())
+        throw Refusal{failed("the files do not agree"_text, {}).at(from)};
     });
   };
   const auto done = database->is_scratch() ? work() : audited(*database, *state, entry, work);

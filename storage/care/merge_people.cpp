@@ -63,7 +63,7 @@ class People {
     for (const std::string& code : same_patients_)
       if (!used.contains(lower(code)))
         throw Refusal{
-            refused("patient " + code + " is not in both files", "give a code that both have")
+            refused("patient %1 is not in both files"_text(code), "give a code that both have"_text)
                 .about("--same-patient")};
     take_tombstones();
   }

@@ -70,17 +70,18 @@ Result<void> change_tables(const std::string& path, const Migration& migration) 
   auto database = Database::open(path, OpenMode::existing, kOldest);
   if (!database) return database.error();
   // Tables are replaced under the names by which others refer to them; looked at before the end.
-  const auto prepared = database->guard("migrating", [&] {
+  const auto prepared = database->guard("migrating"_text, [&] {
     database->sql() << "PRAGMA foreign_keys=OFF";
     database->sql() << "PRAGMA legacy_alter_table=ON";
   });
   if (!prepared) return prepared;
-  const auto done = database->transact("migrating", [&] {
+  const auto done = database->transact("migrating"_text, [&] {
     soci::session& sql = database->sql();
     int format = 0;
     sql << "PRAGMA user_version", soci::into(format);
     if (format != migration.from)
-      throw Refusal{failed("another program has changed the file meanwhile", "try again").at(path)};
+      throw Refusal{
+          failed("another program has changed the file meanwhile"_text, "try again"_text).at(path)};
     for (++format; format <= kDatabaseFormat; ++format) {
       for (const std::string& statement : schema::statements_to(format)) sql << statement;
       if (format == kFirstWithUuids) give_uuids(sql);
@@ -88,8 +89,8 @@ Result<void> change_tables(const std::string& path, const Migration& migration) 
     int orphans = 0;
     sql << "SELECT count(*) FROM pragma_foreign_key_check", soci::into(orphans);
     if (orphans > 0)
-      throw Refusal{failed("migrating: the database is damaged",
-                           "run isograsp db check, then restore the last backup")
+      throw Refusal{failed("migrating: the database is damaged"_text,
+                           "run isograsp db check, then restore the last backup"_text)
                         .at(path)};
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
     std::string id;
@@ -102,7 +103,7 @@ Result<void> change_tables(const std::string& path, const Migration& migration) 
   });
   if (!done) return done;
   // The format is read from the file itself, not from its log; a reader may keep it there.
-  return database->guard("migrating",
+  return database->guard("migrating"_text,
                          [&] { database->sql() << "PRAGMA wal_checkpoint(TRUNCATE)"; });
 }
 
@@ -116,7 +117,8 @@ Result<Migration> migrate_database(const std::string& path) {
   const auto lock = RecordingLock::exclusive_if_free(opened->real_path());
   if (!lock) return lock.error();
   if (!lock->held())
-    return failed("another program records into the file now", "end that session, then migrate")
+    return failed("another program records into the file now"_text,
+                  "end that session, then migrate"_text)
         .at(path);
   migration.copy = free_name(path + ".format-" + std::to_string(migration.from));
   {

@@ -31,7 +31,8 @@ Result<void> close_for_all(const std::string& path) {
   } catch (const soci::sqlite3_soci_error& why) {
     const int code = why.result() & kPrimary;
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
-      return failed("another program has it open", "close that program, then restore").at(path);
+      return failed("another program has it open"_text, "close that program, then restore"_text)
+          .at(path);
     // Damaged: it is kept with its log, as it is.
   }
   return {};
@@ -88,7 +89,8 @@ Result<void> prepare(const std::string& copy, const std::string& backup, const s
     const auto problems = (*store)->check();
     if (!problems) return problems.error();
     if (!problems->empty())
-      return failed("the backup is not sound: " + problems->front(), "take an older backup")
+      return failed("the backup is not sound: %1"_text(problems->front()),
+                    "take an older backup"_text)
           .at(backup);
   }
   if (access == nullptr) return {};
@@ -101,12 +103,13 @@ Result<void> prepare(const std::string& copy, const std::string& backup, const s
 Result<void> put_in_place(const std::string& copy, const std::string& target,
                           const std::string& kept) {
   const auto not_renamed = [&](const std::error_code& why) {
-    return failed("cannot be renamed: " + why.message(), "make its folder writable").at(target);
+    return failed("cannot be renamed: %1"_text(why.message()), "make its folder writable"_text)
+        .at(target);
   };
   const auto lock = RecordingLock::exclusive_if_free(target);
   if (!lock) return lock.error();
   if (!lock->held())
-    return failed("another program records into it now", "end that session, then restore")
+    return failed("another program records into it now"_text, "end that session, then restore"_text)
         .at(target);
   Renamings renamings;
   std::error_code failure;
@@ -147,9 +150,9 @@ Result<Restored> restore_backup(const std::string& backup, const std::string& da
   std::error_code failure;
   const std::string target = fs::weakly_canonical(fs::absolute(database), failure).string();
   if (failure || database.empty())
-    return refused("cannot be reached", "check the path").at(database);
+    return refused("cannot be reached"_text, "check the path"_text).at(database);
   if (fs::equivalent(backup, target, failure))
-    return refused("is the backup itself", "name two files").at(database);
+    return refused("is the backup itself"_text, "name two files"_text).at(database);
   const auto staging = StagingFolder::beside(target);
   if (!staging) return staging.error();
   const std::string& copy = staging->file();

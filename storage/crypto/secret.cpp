@@ -47,16 +47,17 @@ Result<Secret> Secret::from_file(const std::string& path) {
   constexpr std::size_t kLongest = 1024;
   Secret all(kLongest + 2);  // with the end of the line, and one more to see that there is more
   const auto count = file->read({reinterpret_cast<char*>(all.data()), all.size()});
-  if (count < 0) return refused("cannot be read", "check the disk").at(path);
+  if (count < 0) return refused("cannot be read"_text, "check the disk"_text).at(path);
   const auto size = static_cast<std::size_t>(count);
   const auto* const end = static_cast<const unsigned char*>(std::memchr(all.data(), '\n', size));
   std::size_t length = end != nullptr ? static_cast<std::size_t>(end - all.data()) : size;
   if (length > 0 && all.data()[length - 1] == '\r') --length;
-  if (length == 0) return refused("its first line is empty", "write the secret there").at(path);
+  if (length == 0)
+    return refused("its first line is empty"_text, "write the secret there"_text).at(path);
   if (length > kLongest)
-    return refused("its first line is too long", "give at most 1024 characters").at(path);
+    return refused("its first line is too long"_text, "give at most 1024 characters"_text).at(path);
   if (std::memchr(all.data(), '\0', length) != nullptr)
-    return refused("holds a zero byte", "write the secret as text").at(path);
+    return refused("holds a zero byte"_text, "write the secret as text"_text).at(path);
   return all.part(0, length);
 }
 

@@ -34,42 +34,42 @@ bool files_are_limited() {
 }
 
 /// What SQLite's result code means to a user.
-Error explain(const std::string& path, const std::string& doing, int code,
-              const std::string& message) {
+Error explain(const std::string& path, const Text& doing, int code, const std::string& message) {
   constexpr int kPrimary = 0xFF;
   switch (code & kPrimary) {
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
-      return failed(doing + ": the database is damaged",
-                    "run isograsp db check, then restore the last backup")
+      return failed("%1: the database is damaged"_text(doing),
+                    "run isograsp db check, then restore the last backup"_text)
           .at(path);
     case SQLITE_FULL:
     case SQLITE_IOERR:
       if (files_are_limited())
-        return failed(doing +
-                          ": the file has reached the size that this program may write "
-                          "(RLIMIT_FSIZE), or the disk is full",
-                      "raise that limit (ulimit -f unlimited), or free some space; "
-                      "everything confirmed before is stored")
+        return failed(
+                   "%1: the file has reached the size that this program may write "
+                   "(RLIMIT_FSIZE), or the disk is full"_text(doing),
+                   "raise that limit (ulimit -f unlimited), or free some space; everything "
+                   "confirmed before is stored"_text)
             .at(path);
-      return failed(doing + ": the disk is full or does not answer",
-                    "free some space; everything confirmed before is stored")
+      return failed("%1: the disk is full or does not answer"_text(doing),
+                    "free some space; everything confirmed before is stored"_text)
           .at(path);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return failed(doing + ": the database is locked by another program",
-                    "close that program or wait until it is done")
+      return failed("%1: the database is locked by another program"_text(doing),
+                    "close that program or wait until it is done"_text)
           .at(path);
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
-      return failed(doing + ": the file or its folder is not writable",
-                    "check the permissions of both, or copy the file to a writable folder")
+      return failed("%1: the file or its folder is not writable"_text(doing),
+                    "check the permissions of both, or copy the file to a writable folder"_text)
           .at(path);
     case SQLITE_CONSTRAINT:
-      return refused(doing + ": refused by the database (" + message + ")",
-                     "give values as docs/file_formats.md describes them")
+      return refused("%1: refused by the database (%2)"_text(doing, message),
+                     "give values as docs/file_formats.md describes them"_text)
           .at(path);
-    default: return failed(doing + ": " + message, "run isograsp db check").at(path);
+    default:
+      return failed("%1: %2"_text(doing, Known{message}), "run isograsp db check"_text).at(path);
   }
 }
 
@@ -133,9 +133,11 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
   const fs::path folder = real_path.parent_path();
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
-    return refused("its folder does not exist", "make the folder " + folder.string()).at(path);
+    return refused("its folder does not exist"_text, "make the folder %1"_text(folder.string()))
+        .at(path);
   if (!writable(folder))
-    return failed("its folder is read-only", "choose a folder that you may write to").at(path);
+    return failed("its folder is read-only"_text, "choose a folder that you may write to"_text)
+        .at(path);
   const std::string temporary = real_path.string() + ".part" + std::to_string(getpid());
   const auto tidy = [&] {
     for (const char* suffix : {"", "-journal"}) fs::remove(temporary + suffix, ignored);
@@ -151,10 +153,10 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
     whole.commit();
   } catch (const soci::sqlite3_soci_error& why) {
     tidy();
-    return explain(path, "making the database", why.result(), why.get_error_message());
+    return explain(path, "making the database"_text, why.result(), why.get_error_message());
   } catch (const std::exception& why) {
     tidy();
-    return failed(std::string("making the database: ") + why.what(), "try again").at(path);
+    return failed("making the database: %1"_text(why.what()), "try again"_text).at(path);
   }
   const bool named = ::link(temporary.c_str(), real_path.c_str()) == 0 || errno == EEXIST;
   std::error_code failure;
@@ -162,7 +164,8 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
   tidy();
   static_cast<void>(sync_path(folder));
   if (failure)
-    return failed("could not be made: " + failure.message(), "choose another folder").at(path);
+    return failed("could not be made: %1"_text(failure.message()), "choose another folder"_text)
+        .at(path);
   return {};
 }
 
@@ -187,8 +190,8 @@ void refuse_what_computes(soci::session& sql, const std::string& path) {
            "WHERE s.type = 'table' AND c.hidden > 1",
         soci::into(computed);
   if (views + computed > 0)
-    throw Refusal{refused("holds views or computed columns, which isograsp never makes",
-                          "do not use it: take a backup that you trust")
+    throw Refusal{refused("holds views or computed columns, which isograsp never makes"_text,
+                          "do not use it: take a backup that you trust"_text)
                       .at(path)};
 }
 
@@ -198,7 +201,7 @@ Result<void> check_side_files(const std::string& real_path) {
   for (const char* suffix : {"-wal", "-shm", "-journal", "-lock", "-audit"}) {
     const auto status = fs::status(real_path + suffix, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status))
-      return refused("is not a plain file", "remove it").at(real_path + suffix);
+      return refused("is not a plain file"_text, "remove it"_text).at(real_path + suffix);
   }
   return {};
 }
@@ -207,30 +210,33 @@ Result<void> check_side_files(const std::string& real_path) {
 Result<void> check_file(const std::string& path, const std::string& real_path, OpenMode how,
                         int oldest) {
   if (faccessat(AT_FDCWD, real_path.c_str(), R_OK, AT_EACCESS) != 0)
-    return failed("may not be read", "check its permissions").at(path);
+    return failed("may not be read"_text, "check its permissions"_text).at(path);
   const auto header = read_header(real_path);
-  if (!header) return failed("cannot be read", "check the disk and the permissions").at(path);
+  if (!header)
+    return failed("cannot be read"_text, "check the disk and the permissions"_text).at(path);
   if (!header->sqlite)
-    return refused("is not a database", "give a file made by isograsp db init").at(path);
+    return refused("is not a database"_text, "give a file made by isograsp db init"_text).at(path);
   if (header->application_id != schema::kApplicationId)
-    return refused("is a database of another program", "give a file made by isograsp db init")
+    return refused("is a database of another program"_text,
+                   "give a file made by isograsp db init"_text)
         .at(path);
   if (how == OpenMode::read_only) return {};
   if (header->user_version > kDatabaseFormat)
-    return refused("was made by a newer isograsp (format " + std::to_string(header->user_version) +
-                       ", this program knows " + std::to_string(kDatabaseFormat) + ")",
-                   "install the newer program; report and export still read it if they can")
+    return refused("was made by a newer isograsp (format %1, this program knows %2)"_text(
+                       header->user_version, kDatabaseFormat),
+                   "install the newer program; report and export still read it if they can"_text)
         .at(path);
   if (header->user_version < oldest)
-    return refused("was made by an older isograsp (format " + std::to_string(header->user_version) +
-                       ", this program writes " + std::to_string(kDatabaseFormat) + ")",
-                   "run isograsp db migrate on it; a copy of the file as it is now is kept")
+    return refused("was made by an older isograsp (format %1, this program writes %2)"_text(
+                       header->user_version, kDatabaseFormat),
+                   "run isograsp db migrate on it; a copy of the file as it is now is kept"_text)
         .at(path);
   if (!writable(real_path))
-    return failed("is read-only", "make it writable, or copy it to where you may write").at(path);
+    return failed("is read-only"_text, "make it writable, or copy it to where you may write"_text)
+        .at(path);
   if (!writable(fs::path(real_path).parent_path()))
-    return failed("stands in a read-only folder",
-                  "make the folder writable, or copy the file to where you may write")
+    return failed("stands in a read-only folder"_text,
+                  "make the folder writable, or copy the file to where you may write"_text)
         .at(path);
   return {};
 }
@@ -286,8 +292,8 @@ Result<RecordingLock> RecordingLock::take(const std::string& path, int operation
     if (descriptor >= 0) give_permissions_of(path, side_file);
   }
   if (descriptor < 0)
-    return failed(std::string("cannot be opened: ") + std::strerror(errno),
-                  "check the permissions of the file and its folder")
+    return failed("cannot be opened: %1"_text(Known{std::strerror(errno)}),
+                  "check the permissions of the file and its folder"_text)
         .at(side_file);
   int done = 0;
   do done = flock(descriptor, operation);
@@ -297,8 +303,8 @@ Result<RecordingLock> RecordingLock::take(const std::string& path, int operation
   else
     close(descriptor);
   if (done != 0 && errno != EWOULDBLOCK)
-    return failed(std::string("cannot be locked: ") + std::strerror(errno),
-                  "keep the database on a local disk")
+    return failed("cannot be locked: %1"_text(Known{std::strerror(errno)}),
+                  "keep the database on a local disk"_text)
         .at(side_file);
   return lock;
 }
@@ -322,21 +328,26 @@ Database::Database(Database&&) noexcept = default;
 Database::~Database() = default;
 
 Result<Database> Database::open(const std::string& path, OpenMode how, int oldest) {
-  if (path.empty()) return refused("no database file is given", "name a file");
+  if (path.empty()) return refused("no database file is given"_text, "name a file"_text);
   if (path.find('"') != std::string::npos)
-    return refused("the name of a database may not hold a quotation mark", "rename it").at(path);
+    return refused("the name of a database may not hold a quotation mark"_text, "rename it"_text)
+        .at(path);
   std::error_code failure;
   // SQLite keeps its journal beside the file itself, not beside a link to it; so do we.
   const fs::path real_path = fs::weakly_canonical(fs::absolute(path), failure);
-  if (failure) return refused("cannot be reached: " + failure.message(), "check the path").at(path);
+  if (failure)
+    return refused("cannot be reached: %1"_text(failure.message()), "check the path"_text).at(path);
   const auto status = fs::status(real_path, failure);
-  if (fs::is_directory(status)) return refused("is a folder", "name a file in it").at(path);
+  if (fs::is_directory(status))
+    return refused("is a folder"_text, "name a file in it"_text).at(path);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    return refused("is not a plain file", "give a file made by isograsp db init").at(path);
+    return refused("is not a plain file"_text, "give a file made by isograsp db init"_text)
+        .at(path);
   const bool made_now = !fs::exists(status);
   if (made_now) {
     if (how != OpenMode::create && how != OpenMode::scratch)
-      return refused("does not exist", "make it with isograsp db init, or check the path").at(path);
+      return refused("does not exist"_text, "make it with isograsp db init, or check the path"_text)
+          .at(path);
     if (const auto made = create_file(path, real_path); !made) return made.error();
   }
   if (const auto plain = check_side_files(real_path); !plain) return plain.error();
@@ -350,7 +361,7 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
   // A reader that may write the file still opens it so (and then promises not to): SQLite can then
   // remove its journal when the last connection closes, instead of leaving it beside the file.
   const bool sealed = read_only && !may_be_written(real_path);
-  const auto opened = database.guard("opening", [&] {
+  const auto opened = database.guard("opening"_text, [&] {
     database.session_ =
         std::make_unique<soci::session>(soci::sqlite3, connection(real_path, sealed));
     soci::session& sql = *database.session_;
@@ -371,15 +382,15 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
     const bool wal = read_only || pragma<std::string>(sql, "journal_mode=WAL") == "wal";
     if (!wal || pragma<int>(sql, "synchronous") != synchronous ||
         pragma<int>(sql, "foreign_keys") != 1)
-      throw Refusal{
-          failed("the database cannot be set to durable writing", "keep it on a local disk")
-              .at(path)};
+      throw Refusal{failed("the database cannot be set to durable writing"_text,
+                           "keep it on a local disk"_text)
+                        .at(path)};
     if (database.scratch_ && made_now)  // the same each time; nobody's keys hang on it
       sql << "UPDATE access_settings SET database_id = lower(hex(zeroblob(16)))";
     if (!read_only && (database.format_ < oldest || database.format_ > kDatabaseFormat))
-      throw Refusal{
-          refused("has a format that this program does not know", "use the program that made it")
-              .at(path)};
+      throw Refusal{refused("has a format that this program does not know"_text,
+                            "use the program that made it"_text)
+                        .at(path)};
     if (!read_only && !database.scratch_)
       database.watch_ = std::make_unique<FileWatch>(sql, real_path);
   });
@@ -387,7 +398,7 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
   return database;
 }
 
-Result<void> Database::guard(const char* doing, const std::function<void()>& work) {
+Result<void> Database::guard(const Text& doing, const std::function<void()>& work) {
   try {
     work();
     return {};
@@ -396,20 +407,20 @@ Result<void> Database::guard(const char* doing, const std::function<void()>& wor
   } catch (const soci::sqlite3_soci_error& why) {
     return explain(path_, doing, why.result(), why.get_error_message());
   } catch (const std::exception& why) {
-    return failed(std::string(doing) + ": " + why.what(), "run isograsp db check").at(path_);
+    return failed("%1: %2"_text(doing, Known{why.what()}), "run isograsp db check"_text).at(path_);
   }
 }
 
-Result<void> Database::snapshot(const char* doing, const std::function<void()>& work) {
+Result<void> Database::snapshot(const Text& doing, const std::function<void()>& work) {
   return enclose("BEGIN", doing, work);
 }
 
-Result<void> Database::transact(const char* doing, const std::function<void()>& work) {
+Result<void> Database::transact(const Text& doing, const std::function<void()>& work) {
   // IMMEDIATE: waits for other writers now, instead of failing after the first read.
   return enclose("BEGIN IMMEDIATE", doing, work);
 }
 
-Result<bool> Database::transact_if_free(const char* doing, const std::function<void()>& work) {
+Result<bool> Database::transact_if_free(const Text& doing, const std::function<void()>& work) {
   const auto wait_ms = [&](int most) {
     return guard(doing, [&] { sql() << "PRAGMA busy_timeout=" + std::to_string(most); });
   };
@@ -426,9 +437,9 @@ Result<bool> Database::transact_if_free(const char* doing, const std::function<v
   return true;
 }
 
-Error Database::lost(const char* doing, const std::string& fault) const {
-  return failed(std::string(doing) + ": " + fault + " while it was open",
-                "put it back as it was, or restore the last backup")
+Error Database::lost(const Text& doing, const Text& fault) const {
+  return failed("%1: %2 while it was open"_text(doing, fault),
+                "put it back as it was, or restore the last backup"_text)
       .at(path_);
 }
 
@@ -437,10 +448,10 @@ Result<void> Database::in_place() {
   const auto& fault = watch_->fault(false);
   if (!fault) return {};
   watch_->leave();
-  return lost("looking at the database", *fault);
+  return lost("looking at the database"_text, *fault);
 }
 
-Result<void> Database::enclose(const char* begin, const char* doing,
+Result<void> Database::enclose(const char* begin, const Text& doing,
                                const std::function<void()>& work) {
   const bool writing = std::string_view(begin) != "BEGIN";
   const auto stop_if_lost = [&] {

@@ -55,14 +55,14 @@ class Database {
   [[nodiscard]] bool is_read_only() const noexcept { return read_only_; }
 
   /// Runs `work`; what it throws becomes an Error that names the file and `doing`.
-  [[nodiscard]] Result<void> guard(const char* doing, const std::function<void()>& work);
+  [[nodiscard]] Result<void> guard(const Text& doing, const std::function<void()>& work);
   /// The same, and all that is read is from one moment. @pre no transaction is open
-  [[nodiscard]] Result<void> snapshot(const char* doing, const std::function<void()>& work);
+  [[nodiscard]] Result<void> snapshot(const Text& doing, const std::function<void()>& work);
   /// The same in one transaction: durable when it returns, or nothing done. Refused, and nothing
   /// done, once the file or those beside it are not what was opened (storage/file/file_watch.hpp).
-  [[nodiscard]] Result<void> transact(const char* doing, const std::function<void()>& work);
+  [[nodiscard]] Result<void> transact(const Text& doing, const std::function<void()>& work);
   /// transact() that waits for nobody. False, and nothing done: another program writes just now.
-  [[nodiscard]] Result<bool> transact_if_free(const char* doing, const std::function<void()>& work);
+  [[nodiscard]] Result<bool> transact_if_free(const Text& doing, const std::function<void()>& work);
   /// The question of transact() outside of a transaction.
   [[nodiscard]] Result<void> in_place();
   void watch_no_more() { watch_.reset(); }
@@ -72,14 +72,14 @@ class Database {
  private:
   friend class AlsoBeforeCommit;
   Database() = default;
-  [[nodiscard]] Result<void> enclose(const char* begin, const char* doing,
+  [[nodiscard]] Result<void> enclose(const char* begin, const Text& doing,
                                      const std::function<void()>& work);
   std::string path_;
   std::string real_path_;
   int format_ = kDatabaseFormat;
   bool scratch_ = false;
   bool read_only_ = false;
-  [[nodiscard]] Error lost(const char* doing, const std::string& fault) const;
+  [[nodiscard]] Error lost(const Text& doing, const Text& fault) const;
   std::unique_ptr<soci::session> session_;
   std::unique_ptr<FileWatch> watch_;  ///< none: read only, scratch
   std::function<void()> before_commit_;

@@ -16,7 +16,7 @@ Result<FileStats> file_stats(const std::string& path) {
   FileStats stats;
   stats.format = database->format();
   const bool has_packs = stats.format >= 6;
-  const auto read = database->snapshot("counting", [&] {
+  const auto read = database->snapshot("counting"_text, [&] {
     soci::session& sql = database->sql();
     const auto number = [&sql](const std::string& query, auto& to) {
       sql << query, soci::into(to);

@@ -128,18 +128,18 @@ bool FileWatch::is_last_hold() const {
   return sound_ && fstat(before_->descriptor, &held) == 0 && held.st_nlink == 0;
 }
 
-const std::optional<std::string>& FileWatch::fault(bool writing) {
+const std::optional<Text>& FileWatch::fault(bool writing) {
   if (!fault_) fault_ = look(writing);
   return fault_;
 }
 
-std::optional<std::string> FileWatch::look(bool writing) {
+std::optional<Text> FileWatch::look(bool writing) {
   auto of_main = look_at_main();
   auto of_log = look_at_log(writing);
   return of_main ? of_main : of_log;
 }
 
-std::optional<std::string> FileWatch::look_at_main() {
+std::optional<Text> FileWatch::look_at_main() {
   Picture& p = *before_;
   sqlite_api::sqlite3_file* const file = p.file(SQLITE_FCNTL_FILE_POINTER);
   LogIndex index;
@@ -160,21 +160,21 @@ std::optional<std::string> FileWatch::look_at_main() {
       std::memcmp(header.data() + kApplication, p.header.data() + kApplication, 4) != 0) {
     sound_ = false;
     if (!replaced && now.there)
-      return now.bytes == 0 ? "the file was emptied" : "the file was overwritten";
+      return now.bytes == 0 ? "the file was emptied"_text : "the file was overwritten"_text;
   }
-  if (!now.there) return "the file was deleted or moved away";
-  if (replaced) return "another file was put in its place";
+  if (!now.there) return "the file was deleted or moved away"_text;
+  if (replaced) return "another file was put in its place"_text;
   const std::int64_t page =
       header[16] == 0 && header[17] == 1 ? 65536 : header[16] * 256 + header[17];
   if (now.bytes < p.main.bytes && now.bytes < page * big_endian_32(header.data() + kPageCount)) {
     sound_ = false;
-    return "the file was cut off";
+    return "the file was cut off"_text;
   }
   // Only checkpoints change it, and they count themselves.
   if (still && p.index_known && index.same_checkpoints(p.index) &&
       now.changed_ns != p.main.changed_ns) {
     sound_ = false;
-    return "something else wrote into the file";
+    return "something else wrote into the file"_text;
   }
   if (still || !index_read) {
     p.main = now;
@@ -184,20 +184,23 @@ std::optional<std::string> FileWatch::look_at_main() {
   return std::nullopt;
 }
 
-std::optional<std::string> FileWatch::look_at_log(bool writing) {
+std::optional<Text> FileWatch::look_at_log(bool writing) {
   Picture& p = *before_;
   const NamedFile log = named(p.path + "-wal");
   const NamedFile index_file = named(p.path + "-shm");
-  const auto gone = [&](const NamedFile& now, NamedFile& then,
-                        const char* what) -> std::optional<std::string> {
+  const auto gone = [&](const NamedFile& now, NamedFile& then, Words replaced,
+                        Words removed) -> std::optional<Text> {
     if (!then.there) then = now;  // made since
     if (now.same_file(then)) return std::nullopt;
     // Somebody else may use the new one; where there is none, the old one is complete.
     if (now.there) sound_ = false;
-    return std::string(what) + (now.there ? " was replaced" : " was deleted or moved away");
+    return now.there ? replaced : removed;
   };
-  auto found = gone(log, p.log, "the write-ahead log (-wal) beside the file");
-  if (auto shared = gone(index_file, p.index_file, "the index (-shm) beside the file");
+  auto found = gone(log, p.log, "the write-ahead log (-wal) beside the file was replaced"_text,
+                    "the write-ahead log (-wal) beside the file was deleted or moved away"_text);
+  if (auto shared =
+          gone(index_file, p.index_file, "the index (-shm) beside the file was replaced"_text,
+               "the index (-shm) beside the file was deleted or moved away"_text);
       shared && !found)
     found = std::move(shared);
   if (found) return found;
@@ -228,7 +231,7 @@ std::optional<std::string> FileWatch::look_at_log(bool writing) {
       (!p.read_index(after) || std::memcmp(index.bytes.data(), after.bytes.data(), kHeader) != 0))
     return std::nullopt;
   sound_ = false;
-  return "the write-ahead log (-wal) beside the file was cut off or overwritten";
+  return "the write-ahead log (-wal) beside the file was cut off or overwritten"_text;
 }
 
 void FileWatch::leave() {

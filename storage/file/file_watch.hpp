@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "core/text.hpp"
+
 namespace soci {
 class session;
 }
@@ -27,7 +29,7 @@ class FileWatch {
   /// Once it has found something it stays with it. `writing`: inside a write transaction, when the
   /// write-ahead log stands still and can be compared, too.
   /// Looks at names, inodes, sizes, headers and times; microseconds.
-  [[nodiscard]] const std::optional<std::string>& fault(bool writing);
+  [[nodiscard]] const std::optional<Text>& fault(bool writing);
   /// After a fault, once, outside of a transaction: what was confirmed and stands in the log is
   /// brought into the file of this connection if both are sound, so that no other file can take
   /// that log for its own; and closing the connection will remove nothing.
@@ -38,12 +40,12 @@ class FileWatch {
 
  private:
   struct Picture;
-  [[nodiscard]] std::optional<std::string> look(bool writing);
-  [[nodiscard]] std::optional<std::string> look_at_main();
-  [[nodiscard]] std::optional<std::string> look_at_log(bool writing);
+  [[nodiscard]] std::optional<Text> look(bool writing);
+  [[nodiscard]] std::optional<Text> look_at_main();
+  [[nodiscard]] std::optional<Text> look_at_log(bool writing);
 
   std::unique_ptr<Picture> before_;
-  std::optional<std::string> fault_;
+  std::optional<Text> fault_;
   bool sound_ = true;  ///< what the connection reads and writes is what it was opened with
   bool left_ = false;
 };

@@ -6,11 +6,11 @@
 namespace isograsp::storage {
 
 Result<void> overwrite_what_is_removed(Database& database) {
-  return database.guard("erasing", [&] { database.sql() << "PRAGMA secure_delete=ON"; });
+  return database.guard("erasing"_text, [&] { database.sql() << "PRAGMA secure_delete=ON"; });
 }
 
 Result<void> sweep(Database& database) {
-  return database.guard("rewriting the file", [&] {
+  return database.guard("rewriting the file"_text, [&] {
     soci::session& sql = database.sql();
     const auto checkpoint = [&] {
       int busy = 0;
@@ -19,9 +19,10 @@ Result<void> sweep(Database& database) {
           soci::into(unused);
       if (busy != 0)
         throw Refusal{
-            failed("what was removed may still stand in the file and its log: another program "
-                   "reads them",
-                   "close it, then do the same again")
+            failed(
+                "what was removed may still stand in the file and its log: another program reads "
+                "them"_text,
+                "close it, then do the same again"_text)
                 .at(database.path())};
     };
     checkpoint();

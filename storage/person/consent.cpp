@@ -19,7 +19,7 @@ Result<void> check_word(const std::string& word, const char* field, const Names&
   if (std::find(names.begin(), names.end(), word) != names.end()) return {};
   std::string listed;
   for (const auto& name : names) listed += (listed.empty() ? "" : ", ") + std::string(name);
-  return refused("'" + word + "' is not known", "give one of: " + listed).about(field);
+  return refused("'%1' is not known"_text(word), "give one of: %1"_text(listed)).about(field);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ Result<RowId> add_consent(Access& access, const std::string& code, const Consent
     return done.error();
   RowId id = 0;
   const auto done = audited(
-      access, "storing a consent",
+      access, "storing a consent"_text,
       entry_of("add consent", person->code,
                consent.purpose + ", " + consent.basis + ", " + consent.state),
       [&](AuditEntry&) {
@@ -74,7 +74,7 @@ Result<std::vector<Consent>> consents(Access& access, const std::string& code) {
   Access::Parts& parts = access.parts();
   const std::lock_guard lock(parts.mutex);
   std::vector<Consent> all;
-  const auto done = parts.database.guard("reading consents", [&] {
+  const auto done = parts.database.guard("reading consents"_text, [&] {
     Consent one;
     soci::statement select =
         (parts.database.sql().prepare

@@ -76,7 +76,7 @@ Result<std::optional<Tombstone>> tombstone_of(Access& access, const std::string&
   Access::Parts& parts = access.parts();
   const std::lock_guard lock(parts.mutex);
   std::optional<Tombstone> found;
-  const auto done = parts.database.guard("reading an erased code", [&] {
+  const auto done = parts.database.guard("reading an erased code"_text, [&] {
     Tombstone stone;  // the column makes no difference of capitals
     parts.database.sql() << "SELECT code, erased_utc, erased_by FROM tombstones WHERE code = :code",
         soci::use(code), soci::into(stone.code), soci::into(stone.erased_utc),
@@ -91,7 +91,8 @@ Result<std::optional<Tombstone>> tombstone_of(Access& access, const std::string&
 Result<RecordingLock> nobody_records(Access& access) {
   auto recording = RecordingLock::exclusive_if_free(access.parts().database.real_path());
   if (recording && !recording->held())
-    return failed("another program records into the file now", "end that session, then erase")
+    return failed("another program records into the file now"_text,
+                  "end that session, then erase"_text)
         .at(access.path());
   return recording;
 }
@@ -106,7 +107,7 @@ Result<ErasureDone> sweep_again(Access& access, const Tombstone& stone, const st
   const auto recording = nobody_records(access);
   if (!recording) return recording.error();
   const auto done = audited(
-      access, "erasing a person", entry_of("erase", stone.code, "0 rows: " + reason),
+      access, "erasing a person"_text, entry_of("erase", stone.code, "0 rows: " + reason),
       [&](AuditEntry&) {
         soci::session& sql = parts.database.sql();
         std::string since;  // of a person that came with a merge: all of the log
@@ -134,7 +135,7 @@ Result<ErasurePlan> plan_erasure(Access& access, const std::string& code) {
   plan.restricted = !person->restricted_until.empty();
   const std::lock_guard lock(access.parts().mutex);
   std::string last;
-  const auto read = access.parts().database.guard("reading the last record", [&] {
+  const auto read = access.parts().database.guard("reading the last record"_text, [&] {
     for (const PersonalTable& table : kPersonal) {
       std::string newest;
       access.parts().database.sql() << "SELECT coalesce(max(" + std::string(table.newest) +
@@ -146,8 +147,8 @@ Result<ErasurePlan> plan_erasure(Access& access, const std::string& code) {
   if (!read) return read.error();
   const auto day = date_from_iso(last.substr(0, 10));
   if (!day)
-    return failed("the day of the last record of " + person->code + " cannot be read",
-                  "run isograsp db check")
+    return failed("the day of the last record of %1 cannot be read"_text(person->code),
+                  "run isograsp db check"_text)
         .at(access.path());
   const Date keep_until = years_later(*day, policy->retention_years);
   plan.last_record_date = iso_text(*day);
@@ -178,7 +179,7 @@ Result<ErasureDone> erase_patient(Access& access, const std::string& code,
   if (!plan->may_erase) {
     const auto done =
         audited(
-            access, "restricting records",
+            access, "restricting records"_text,
             entry_of("restrict", person->code, "until " + plan->keep_until_date + ": " + reason),
             [&](AuditEntry&) {
               parts.database.sql()
@@ -198,7 +199,8 @@ Result<ErasureDone> erase_patient(Access& access, const std::string& code,
   if (!recording) return recording.error();
   if (const auto wiping = overwrite_what_is_removed(parts.database); !wiping) return wiping.error();
   const auto done = audited(
-      access, "erasing a person", entry_of("erase", person->code, reason), [&](AuditEntry& entry) {
+      access, "erasing a person"_text, entry_of("erase", person->code, reason),
+      [&](AuditEntry& entry) {
         soci::session& sql = parts.database.sql();
         erasure.remains = remains_of(sql, person->code, person->created_utc, now);
         std::int64_t all = 0;
@@ -227,7 +229,7 @@ Result<void> lift_restriction(Access& access, const std::string& code, const std
   if (auto good = check_reason(reason); !good) return good;
   const auto person = find_person(access, code);
   if (!person) return person.error();
-  return audited(access, "lifting a restriction",
+  return audited(access, "lifting a restriction"_text,
                  entry_of("lift restriction", person->code, reason), [&](AuditEntry&) {
                    access.parts().database.sql()
                        << "DELETE FROM restrictions WHERE patient_id = :id",
@@ -245,7 +247,7 @@ Result<std::vector<Tombstone>> tombstones(Access& access) {
   Access::Parts& parts = access.parts();
   const std::lock_guard lock(parts.mutex);
   std::vector<Tombstone> all;
-  const auto done = parts.database.guard("reading erased codes", [&] {
+  const auto done = parts.database.guard("reading erased codes"_text, [&] {
     Tombstone one;
     soci::statement select =
         (parts.database.sql().prepare

@@ -33,8 +33,8 @@ Result<Identity> open_identity(Access& access, const std::string& sealed, const 
   const auto opened =
       unseal(login.keys->identity, place_of(*access.parts().login, kColumn, code), sealed);
   if (!opened || std::count(opened->text().begin(), opened->text().end(), kBetween) != 2)
-    return failed("the identity of " + code + " was changed or is damaged",
-                  "restore the last backup")
+    return failed("the identity of %1 was changed or is damaged"_text(code),
+                  "restore the last backup"_text)
         .at(access.path());
   return identity_in(*opened);
 }
@@ -42,8 +42,8 @@ Result<Identity> open_identity(Access& access, const std::string& sealed, const 
 /// What cannot be logged is not shown.
 Result<void> require_log(Access& access) {
   if (access.parts().writable) return {};
-  return failed("cannot be written, so the reading of an identity could not be logged",
-                "copy the file to where you may write")
+  return failed("cannot be written, so the reading of an identity could not be logged"_text,
+                "copy the file to where you may write"_text)
       .at(access.path());
 }
 
@@ -64,16 +64,16 @@ Result<std::optional<Identity>> read_logged(Access& access, const std::string& c
   const bool closed = !person->restricted_until.empty() && !reading.though_restricted;
   if (closed) entry.result = "refused";
   std::string sealed;
-  const auto done = audited(access, "reading an identity", entry, [&](AuditEntry&) {
+  const auto done = audited(access, "reading an identity"_text, entry, [&](AuditEntry&) {
     access.parts().database.sql() << "SELECT sealed FROM identities WHERE patient_id = :id",
         soci::use(person->id), soci::into(sealed);
     if (!access.parts().database.sql().got_data()) sealed.clear();
   });
   if (!done) return done.error();
   if (closed)
-    return refused("the records of " + person->code + " are restricted until " +
-                       person->restricted_until,
-                   "in an emergency give the reason; it is logged")
+    return refused("the records of %1 are restricted until %2"_text(person->code,
+                                                                    person->restricted_until),
+                   "in an emergency give the reason; it is logged"_text)
         .about("patient code");
   if (sealed.empty()) return std::optional<Identity>();
   const auto identity = open_identity(access, sealed, person->code);
@@ -86,20 +86,21 @@ Result<std::optional<Identity>> read_logged(Access& access, const std::string& c
 Result<void> check_identity(const Identity& identity) {
   const auto check = [](const std::string& text, const char* field, bool lines) -> Result<void> {
     if (text.size() > kMostIdentityText)
-      return refused("is longer than 4096 bytes", "shorten it").about(field);
+      return refused("is longer than 4096 bytes"_text, "shorten it"_text).about(field);
     const bool printable = std::none_of(text.begin(), text.end(), [lines](char c) {
       return static_cast<unsigned char>(c) < ' ' && !(lines && c == '\n');
     });
-    if (!printable) return refused("holds a control character", "remove it").about(field);
+    if (!printable) return refused("holds a control character"_text, "remove it"_text).about(field);
     return {};
   };
-  if (identity.name.empty()) return refused("is empty", "give the person's name").about("name");
+  if (identity.name.empty())
+    return refused("is empty"_text, "give the person's name"_text).about("name");
   if (auto good = check(identity.name, "name", false); !good) return good;
   if (auto good = check(identity.contact, "contact", true); !good) return good;
   if (identity.birth_date.empty()) return {};
   if (!check_date(identity.birth_date, "birth_date"))
-    return refused("is no day of the calendar in the years 1900 to 2099",
-                   "give year, month and day, such as 1950-03-05")
+    return refused("is no day of the calendar in the years 1900 to 2099"_text,
+                   "give year, month and day, such as 1950-03-05"_text)
         .about("birth_date");
   return {};
 }
@@ -117,7 +118,7 @@ Result<void> set_identity(Access& access, const std::string& code, const Identit
     return refusal_of(*access.parts().login, Right::identities, access.path());
   const std::string sealed = seal(
       login.keys->identity, place_of(*access.parts().login, kColumn, person->code), secret.text());
-  return audited(access, "storing an identity", entry_of("change identity", person->code),
+  return audited(access, "storing an identity"_text, entry_of("change identity", person->code),
                  [&](AuditEntry&) {
                    const std::string now = utc_text(std::time(nullptr));
                    access.parts().database.sql()
@@ -144,19 +145,20 @@ Result<std::vector<std::pair<std::string, Identity>>> all_identities(Access& acc
     return allowed.error();
   if (const auto log = require_log(access); !log) return log.error();
   std::vector<std::pair<std::string, std::string>> sealed;
-  const auto done = audited(
-      access, "reading identities", entry_of("read all identities", ""), [&](AuditEntry& entry) {
-        std::pair<std::string, std::string> one;
-        soci::statement select =
-            (access.parts().database.sql().prepare
-                 << "SELECT p.code, i.sealed FROM identities i JOIN patients p "
-                    "ON p.id = i.patient_id WHERE p.id NOT IN "
-                    "(SELECT patient_id FROM restrictions) ORDER BY p.id",
-             soci::into(one.first), soci::into(one.second));
-        select.execute();
-        while (select.fetch()) sealed.push_back(one);
-        entry.detail = std::to_string(sealed.size()) + " people";
-      });
+  const auto done =
+      audited(access, "reading identities"_text, entry_of("read all identities", ""),
+              [&](AuditEntry& entry) {
+                std::pair<std::string, std::string> one;
+                soci::statement select =
+                    (access.parts().database.sql().prepare
+                         << "SELECT p.code, i.sealed FROM identities i JOIN patients p "
+                            "ON p.id = i.patient_id WHERE p.id NOT IN "
+                            "(SELECT patient_id FROM restrictions) ORDER BY p.id",
+                     soci::into(one.first), soci::into(one.second));
+                select.execute();
+                while (select.fetch()) sealed.push_back(one);
+                entry.detail = std::to_string(sealed.size()) + " people";
+              });
   if (!done) return done.error();
   std::vector<std::pair<std::string, Identity>> all;
   for (const auto& [code, text] : sealed) {

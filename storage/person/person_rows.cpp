@@ -17,7 +17,7 @@ PersonRow required_person(soci::session& sql, const std::string& code) {
       soci::use(code), soci::into(person.id), soci::into(person.code),
       soci::into(person.created_utc), soci::into(person.restricted_until);
   if (!sql.got_data())
-    throw Refusal{refused("there is no patient of this code", "see the list of patients")
+    throw Refusal{refused("there is no patient of this code"_text, "see the list of patients"_text)
                       .about("patient code")};
   return person;
 }
@@ -28,7 +28,7 @@ Result<PersonRow> find_person(Access& access, const std::string& code) {
   const std::lock_guard lock(parts.mutex);
   PersonRow person;
   const auto done = parts.database.guard(
-      "reading a patient", [&] { person = required_person(parts.database.sql(), code); });
+      "reading a patient"_text, [&] { person = required_person(parts.database.sql(), code); });
   if (!done) return done.error();
   return person;
 }
@@ -42,8 +42,9 @@ Result<void> check_reason(const std::string& reason) {
   const bool one_line = std::none_of(reason.begin(), reason.end(),
                                      [](char c) { return static_cast<unsigned char>(c) < ' '; });
   if (reason.empty() || reason.size() > kMost || !one_line)
-    return refused(reason.empty() ? "no reason is given" : "is no reason of one line of 200 bytes",
-                   "say in a few words why; it is logged, so name nobody")
+    return refused(reason.empty() ? "no reason is given"_text
+                                  : "is no reason of one line of 200 bytes"_text,
+                   "say in a few words why; it is logged, so name nobody"_text)
         .about("reason");
   return {};
 }

@@ -71,19 +71,19 @@ bool holds_date(std::string_view code) {
 }  // namespace
 
 Result<void> check_patient_code(const std::string& code) {
-  const auto refuse = [](std::string what) {
+  const auto refuse = [](Text what) {
     return refused(std::move(what),
-                   "use a generated code of letters, digits and '-', such as P-0427")
+                   "use a generated code of letters, digits and '-', such as P-0427"_text)
         .about("patient code");
   };
   if (code.size() < 2 || code.size() > 32)
-    return refuse("has " + std::to_string(code.size()) + " characters instead of 2 to 32");
+    return refuse("has %1 characters instead of 2 to 32"_text(code.size()));
   if (!std::all_of(code.begin(), code.end(),
                    [](char c) { return is_digit(c) || is_letter(c) || c == '-'; }))
-    return refuse("holds a character other than letters, digits and '-'");
+    return refuse("holds a character other than letters, digits and '-'"_text);
   if (std::none_of(code.begin(), code.end(), is_digit))
-    return refuse("'" + code + "' has no digit, so it could be a name or initials");
-  if (holds_date(code)) return refuse("'" + code + "' holds what reads as a date");
+    return refuse("'%1' has no digit, so it could be a name or initials"_text(code));
+  if (holds_date(code)) return refuse("'%1' holds what reads as a date"_text(code));
   return {};
 }
 

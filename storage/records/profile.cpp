@@ -16,21 +16,20 @@ constexpr std::array<std::string_view, 3> kSexNames{"female", "male", "other"};
 
 /// "a, b or c".
 template <class Names>
-std::string listed(const Names& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
-  return text;
+Text listed(const Names& names) {
+  std::string all;
+  for (std::size_t i = 0; i + 1 < names.size(); ++i)
+    all += (i == 0 ? "" : ", ") + std::string(names[i]);
+  return "%1 or %2"_text(all, names.back());
 }
 
 /// "0 to 57", "0 blocks or more", "more than 0 s".
-std::string range_of(const ClinicalScale& scale) {
+Text range_of(const ClinicalScale& scale) {
   const std::string unit = scale.unit.empty() ? "" : " " + std::string(scale.unit);
-  if (std::isinf(scale.least)) return "any number";
-  const std::string least = format_number(scale.least);
-  if (std::isinf(scale.most))
-    return scale.above_least ? "more than " + least + unit : least + unit + " or more";
-  return least + " to " + format_number(scale.most) + unit;
+  if (std::isinf(scale.least)) return "any number"_text;
+  const Number least = shortest(scale.least);
+  if (!std::isinf(scale.most)) return "%1 to %2%3"_text(least, shortest(scale.most), unit);
+  return scale.above_least ? "more than %1%2"_text(least, unit) : "%1%2 or more"_text(least, unit);
 }
 
 }  // namespace
@@ -63,15 +62,14 @@ const ClinicalScale* clinical_scale(std::string_view name) noexcept {
 }
 
 Result<void> check_date(const std::string& iso_date, std::string_view field) {
-  const std::string remedy = "give year, month and day, such as 2026-03-05";
+  constexpr Words remedy = "give year, month and day, such as 2026-03-05"_text;
   const auto date = date_from_iso(iso_date);
   if (!date)
-    return refused("'" + iso_date + "' is no day of the calendar", remedy)
+    return refused("'%1' is no day of the calendar"_text(iso_date), remedy)
         .about(std::string(field));
   const int year = static_cast<int>(date->year());
   if (year < kFirstYear || year > kLastYear)
-    return refused("'" + iso_date + "' is not in the years " + std::to_string(kFirstYear) + " to " +
-                       std::to_string(kLastYear),
+    return refused("'%1' is not in the years %2 to %3"_text(iso_date, kFirstYear, kLastYear),
                    remedy)
         .about(std::string(field));
   return {};
@@ -79,8 +77,8 @@ Result<void> check_date(const std::string& iso_date, std::string_view field) {
 
 Result<void> check_profile(const PatientProfile& profile) {
   if (profile.birth_year && (*profile.birth_year < kFirstYear || *profile.birth_year > kLastYear))
-    return refused(std::to_string(*profile.birth_year) + " is no year of birth",
-                   "give a year from " + std::to_string(kFirstYear) + " on")
+    return refused("%1 is no year of birth"_text(*profile.birth_year),
+                   "give a year from %1 on"_text(kFirstYear))
         .about("birth_year");
   if (profile.onset_date.empty()) return {};
   return check_date(profile.onset_date, "onset_date");
@@ -89,7 +87,8 @@ Result<void> check_profile(const PatientProfile& profile) {
 Result<void> check_treatment_mark(const TreatmentMark& mark) {
   if (auto good = check_date(mark.on_date, "on_date"); !good) return good;
   if (std::find(kTreatmentKinds.begin(), kTreatmentKinds.end(), mark.kind) == kTreatmentKinds.end())
-    return refused("'" + mark.kind + "' is no kind of treatment", "give " + listed(kTreatmentKinds))
+    return refused("'%1' is no kind of treatment"_text(mark.kind),
+                   "give %1"_text(listed(kTreatmentKinds)))
         .about("kind");
   return {};
 }
@@ -100,22 +99,25 @@ Result<void> check_clinical_score(const ClinicalScore& score) {
   if (scale == nullptr) {
     std::array<std::string_view, kClinicalScales.size()> names;
     for (std::size_t i = 0; i < names.size(); ++i) names[i] = kClinicalScales[i].name;
-    return refused("'" + score.scale + "' is no scale that is known", "give " + listed(names))
+    return refused("'%1' is no scale that is known"_text(score.scale),
+                   "give %1"_text(listed(names)))
         .about("scale");
   }
   const bool above = scale->above_least ? score.value > scale->least : score.value >= scale->least;
   if (!std::isfinite(score.value) || !above || score.value > scale->most)
-    return refused(format_number(score.value) + " is no score of the " + std::string(scale->name),
-                   "give " + range_of(*scale))
+    return refused("%1 is no score of the %2"_text(shortest(score.value), scale->name),
+                   "give %1"_text(range_of(*scale)))
         .about("value");
   return {};
 }
 
 Result<void> check_primary_measure(const PrimaryMeasure& primary) {
-  if (primary.task_name.empty()) return refused("is empty", "name the task").about("task_name");
-  if (primary.measure.empty()) return refused("is empty", "name the measure").about("measure");
+  if (primary.task_name.empty())
+    return refused("is empty"_text, "name the task"_text).about("task_name");
+  if (primary.measure.empty())
+    return refused("is empty"_text, "name the measure"_text).about("measure");
   if (primary.chosen_by.empty())
-    return refused("is empty", "say who chose the measure").about("chosen_by");
+    return refused("is empty"_text, "say who chose the measure"_text).about("chosen_by");
   return {};
 }
 
@@ -123,17 +125,19 @@ Result<void> check_stable_period(const StablePeriod& period) {
   if (auto good = check_date(period.from_date, "from_date"); !good) return good;
   if (auto good = check_date(period.until_date, "until_date"); !good) return good;
   if (period.until_date < period.from_date)  // ISO 8601 sorts as text
-    return refused("'" + period.until_date + "' is before " + period.from_date,
-                   "give the last day of that time")
+    return refused("'%1' is before %2"_text(period.until_date, period.from_date),
+                   "give the last day of that time"_text)
         .about("until_date");
   if (period.judged_by.empty())
-    return refused("is empty", "say which clinician judged the person stable").about("judged_by");
+    return refused("is empty"_text, "say which clinician judged the person stable"_text)
+        .about("judged_by");
   return {};
 }
 
 Result<void> check_answer(const SessionAnswer& answer) {
-  if (answer.topic.empty()) return refused("is empty", "say what was asked about").about("topic");
-  if (answer.item.empty()) return refused("is empty", "say what was asked").about("item");
+  if (answer.topic.empty())
+    return refused("is empty"_text, "say what was asked about"_text).about("topic");
+  if (answer.item.empty()) return refused("is empty"_text, "say what was asked"_text).about("item");
   return {};
 }
 

@@ -26,7 +26,7 @@ Result<std::vector<PrimaryMeasure>> SqliteStore::primary_measures(RowId patient)
   std::vector<PrimaryMeasure> all;
   if (database_.format() < kChangeSinceFormat) return all;
   const auto done =
-      database_.guard("reading primary measures", [&] {
+      database_.guard("reading primary measures"_text, [&] {
         PrimaryMeasure one;
         std::string hand;
         soci::statement select =
@@ -51,7 +51,7 @@ Result<RowId> SqliteStore::add_primary_measure(RowId patient, const PrimaryMeasu
   const std::string hand(name_of(primary.hand));
   const std::string chosen_utc = or_now(primary.chosen_utc);
   RowId id = 0;
-  const auto done = database_.transact("storing a primary measure", [&] {
+  const auto done = database_.transact("storing a primary measure"_text, [&] {
     require("patients", "patient", patient);
     soci::session& sql = database_.sql();
     int there = 0;
@@ -62,12 +62,13 @@ Result<RowId> SqliteStore::add_primary_measure(RowId patient, const PrimaryMeasu
         soci::use(primary.task_name), soci::use(hand), soci::use(primary.measure),
         soci::use(primary.channel), soci::use(patient), soci::into(there), soci::into(same);
     if (same > 0)
-      throw Refusal{refused(primary.measure + " of " + primary.task_name + " is a primary measure",
-                            "choose another one")
-                        .at(path())};
+      throw Refusal{
+          refused("%1 of %2 is a primary measure"_text(primary.measure, primary.task_name),
+                  "choose another one"_text)
+              .at(path())};
     if (there >= kMostPrimaryMeasures)
-      throw Refusal{refused("there are " + std::to_string(there) + " primary measures already",
-                            "remove one of them first")
+      throw Refusal{refused("there are %1 primary measures already"_text(there),
+                            "remove one of them first"_text)
                         .at(path())};
     sql << "INSERT INTO primary_measures (patient_id, task_name, hand, measure, channel, "
            "chosen_utc, chosen_by) VALUES (:patient, :task, :hand, :measure, :channel, :utc, :by)",
@@ -81,7 +82,7 @@ Result<RowId> SqliteStore::add_primary_measure(RowId patient, const PrimaryMeasu
 }
 
 Result<void> SqliteStore::remove_primary_measure(RowId id) {
-  return database_.transact("removing a primary measure", [&] {
+  return database_.transact("removing a primary measure"_text, [&] {
     require("primary_measures", "primary measure", id);
     database_.sql() << "DELETE FROM primary_measures WHERE id = :id", soci::use(id);
   });
@@ -90,7 +91,7 @@ Result<void> SqliteStore::remove_primary_measure(RowId id) {
 Result<std::vector<StablePeriod>> SqliteStore::stable_periods(RowId patient) {
   std::vector<StablePeriod> all;
   if (database_.format() < kChangeSinceFormat) return all;
-  const auto done = database_.guard("reading stable times", [&] {
+  const auto done = database_.guard("reading stable times"_text, [&] {
     StablePeriod one;
     soci::statement select =
         (database_.sql().prepare << "SELECT id, from_date, until_date, judged_utc, judged_by, text "
@@ -110,7 +111,7 @@ Result<RowId> SqliteStore::add_stable_period(RowId patient, const StablePeriod& 
   if (const auto good = check_stable_period(period); !good) return good.error();
   const std::string judged_utc = or_now(period.judged_utc);
   RowId id = 0;
-  const auto done = database_.transact("storing a stable time", [&] {
+  const auto done = database_.transact("storing a stable time"_text, [&] {
     require("patients", "patient", patient);
     soci::session& sql = database_.sql();
     std::string from;
@@ -120,8 +121,8 @@ Result<RowId> SqliteStore::add_stable_period(RowId patient, const StablePeriod& 
         soci::use(patient), soci::use(period.until_date), soci::use(period.from_date),
         soci::into(from), soci::into(until);
     if (sql.got_data())
-      throw Refusal{refused("overlaps the stable time from " + from + " to " + until,
-                            "remove that one first, or give other days")
+      throw Refusal{refused("overlaps the stable time from %1 to %2"_text(from, until),
+                            "remove that one first, or give other days"_text)
                         .at(path())};
     sql << "INSERT INTO stable_periods (patient_id, from_date, until_date, judged_utc, judged_by, "
            "text) VALUES (:patient, :from, :until, :utc, :by, :text)",
@@ -134,7 +135,7 @@ Result<RowId> SqliteStore::add_stable_period(RowId patient, const StablePeriod& 
 }
 
 Result<void> SqliteStore::remove_stable_period(RowId id) {
-  return database_.transact("removing a stable time", [&] {
+  return database_.transact("removing a stable time"_text, [&] {
     require("stable_periods", "stable time", id);
     database_.sql() << "DELETE FROM stable_periods WHERE id = :id", soci::use(id);
   });
@@ -161,7 +162,7 @@ Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& que
   std::vector<PooledValue> all;
   const int simulated = query.simulated ? 1 : 0;
   const int recorded = query.recorded ? 1 : 0;
-  const auto done = database_.guard("reading values of other people", [&] {
+  const auto done = database_.guard("reading values of other people"_text, [&] {
     PooledValue one;
     Row row(database_.sql());
     row.get("p.patient_id", one.patient_id)

@@ -19,7 +19,7 @@ Result<std::vector<std::string>> SqliteStore::check() {
 Result<std::vector<std::string>> SqliteStore::check_through(SessionStore& door) {
   std::vector<std::string> problems;
   std::vector<RowId> sessions_present;
-  const auto done = database_.guard("checking", [&] {
+  const auto done = database_.guard("checking"_text, [&] {
     soci::session& sql = database_.sql();
     std::string line;
     soci::statement integrity = (sql.prepare << "PRAGMA integrity_check", soci::into(line));
@@ -48,7 +48,7 @@ Result<std::vector<std::string>> SqliteStore::check_through(SessionStore& door) 
     if (!all) return all.error();
     for (const TrialRecord& trial : *all)
       if (const auto readable = signals(trial); !readable)
-        problems.push_back(readable.error().what);
+        problems.push_back(english(readable.error().what));
   }
   return problems;
 }
@@ -57,17 +57,17 @@ Result<void> SqliteStore::backup(const std::string& to) {
   std::error_code failure;
   const fs::path target = fs::absolute(to, failure);
   if (to.empty() || failure)
-    return refused("no file for the backup is given", "name a file").at(path());
+    return refused("no file for the backup is given"_text, "name a file"_text).at(path());
   if (fs::exists(fs::symlink_status(target)))
-    return refused("exists already", "name a new file").at(to);
+    return refused("exists already"_text, "name a new file"_text).at(to);
   if (!fs::is_directory(target.parent_path(), failure))
-    return refused("its folder does not exist", "make the folder").at(to);
+    return refused("its folder does not exist"_text, "make the folder"_text).at(to);
   const auto staging = StagingFolder::beside(target);
   if (!staging) return staging.error();
   const std::string& temporary = staging->file();
   // One read transaction: a consistent picture, while others go on writing. The copy is no WAL
   // file, so it can be read from a read-only medium.
-  const auto copied = database_.guard("copying", [&] {
+  const auto copied = database_.guard("copying"_text, [&] {
     soci::session& sql = database_.sql();
     int query_only = 0;
     sql << "PRAGMA query_only", soci::into(query_only);
@@ -82,11 +82,13 @@ Result<void> SqliteStore::backup(const std::string& to) {
   const auto problems = SqliteStore(*std::move(copy)).check();
   if (!problems) return problems.error();
   if (!problems->empty())
-    return failed("the copy is not sound: " + problems->front(), "run isograsp db check").at(to);
+    return failed("the copy is not sound: %1"_text(problems->front()), "run isograsp db check"_text)
+        .at(to);
   const bool synced = sync_path(temporary);
   fs::rename(temporary, target, failure);
   if (!synced || failure)
-    return failed("the copy could not be written", "check the disk and the folder").at(to);
+    return failed("the copy could not be written"_text, "check the disk and the folder"_text)
+        .at(to);
   static_cast<void>(sync_path(target.parent_path()));
   return {};
 }

@@ -72,7 +72,7 @@ Result<bool> SqliteStore::insert_newer_measures(
   const auto lock = RecordingLock::exclusive_if_free(database_.real_path());
   if (!lock) return lock.error();
   if (!lock->held()) return false;
-  return database_.transact_if_free("keeping results of a newer version", [&] {
+  return database_.transact_if_free("keeping results of a newer version"_text, [&] {
     Added added;
     for (const ScoredTrial& trial : trials) {
       int allowed = 0;

@@ -25,7 +25,7 @@ void add_group(const SignalGroup& group, ContentHasher& whole) {
 
 Result<std::vector<RowId>> SqliteStore::unpacked() {
   std::vector<RowId> all;
-  const auto done = database_.guard("reading trials", [&] {
+  const auto done = database_.guard("reading trials"_text, [&] {
     RowId id = 0;
     soci::statement select =
         (database_.sql().prepare << "SELECT id FROM trials WHERE signals_blake2b IS NULL "
@@ -67,7 +67,7 @@ void SqliteStore::pack_group(const TrialRecord& trial, std::size_t group, Conten
                // The only copy of a patient's work is about to be removed.
                const auto back = decompress(bytes, rows, trial.groups[group].columns.size());
                if (!back || back->bytes() != planes.bytes())
-                 throw damaged(trial, "", "the signals cannot be packed without loss");
+                 throw damaged(trial, {}, "the signals cannot be packed without loss"_text);
                const int from = kSecondsPerPart * part;
                const int until = from + kSecondsPerPart;
                const auto row_count = static_cast<long long>(rows);
@@ -99,7 +99,7 @@ std::optional<TrialRecord> SqliteStore::unpacked_trial(RowId id) {
 
 Result<std::optional<ContentHash>> SqliteStore::hash_of_blocks(RowId id) {
   std::optional<ContentHash> hash;
-  const auto done = database_.snapshot("reading signals", [&] {
+  const auto done = database_.snapshot("reading signals"_text, [&] {
     const auto trial = unpacked_trial(id);
     if (!trial) return;
     ContentHasher whole;
@@ -114,7 +114,7 @@ Result<std::optional<ContentHash>> SqliteStore::hash_of_blocks(RowId id) {
 }
 
 Result<void> SqliteStore::pack_trial(RowId id) {
-  return database_.transact("packing signals", [&] {
+  return database_.transact("packing signals"_text, [&] {
     const auto trial = unpacked_trial(id);
     if (!trial) return;  // somebody else has done it
     ContentHasher whole;
@@ -133,9 +133,10 @@ Result<void> SqliteStore::pack_trial(RowId id) {
 void SqliteStore::pack_or_say(RowId trial) {
   const auto packed = pack_trial(trial);
   if (packed) return;
-  const std::string text = "The signals stay in blocks of a second: " + packed.error().what + ".";
+  const std::string text =
+      "The signals stay in blocks of a second: " + english(packed.error().what) + ".";
   // Where even this cannot be stored, `db stats` still counts the trial.
-  static_cast<void>(database_.transact("storing an event", [&] {
+  static_cast<void>(database_.transact("storing an event"_text, [&] {
     database_.sql() << "INSERT INTO events (session_id, trial_id, session_time_s, kind, text) "
                        "SELECT session_id, id, session_time_s, 'storage', :text FROM trials "
                        "WHERE id = :id",

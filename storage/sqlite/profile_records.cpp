@@ -20,15 +20,15 @@ void SqliteStore::require(const char* table, const char* one, RowId id) {
   database_.sql() << "SELECT count(*) FROM " + std::string(table) + " WHERE id = :id",
       soci::use(id), soci::into(present);
   if (present == 0)
-    throw Refusal{refused("there is no " + std::string(one) + " number " + std::to_string(id),
-                          "read what there is again")
+    throw Refusal{refused("there is no %1 number %2"_text(std::string(one), id),
+                          "read what there is again"_text)
                       .at(path())};
 }
 
 Result<PatientProfile> SqliteStore::profile(RowId patient) {
   PatientProfile profile;
   if (database_.format() < kProfileSinceFormat) return profile;
-  const auto done = database_.guard("reading a profile", [&] {
+  const auto done = database_.guard("reading a profile"_text, [&] {
     Row row(database_.sql());
     row.get("affected", profile.affected, side_from_name)
         .get("dominant", profile.dominant, hand_from_name)
@@ -50,7 +50,7 @@ Result<void> SqliteStore::set_profile(RowId patient, const PatientProfile& profi
   const std::string dominant(profile.dominant ? name_of(*profile.dominant) : "");
   const std::string sex(profile.sex ? name_of(*profile.sex) : "");
   const int birth_year = profile.birth_year.value_or(0);
-  return database_.transact("storing a profile", [&] {
+  return database_.transact("storing a profile"_text, [&] {
     require("patients", "patient", patient);
     database_.sql()
         << "INSERT INTO patient_profiles (patient_id, affected, dominant, sex, birth_year, "
@@ -68,7 +68,7 @@ Result<void> SqliteStore::set_profile(RowId patient, const PatientProfile& profi
 Result<bool> SqliteStore::may_be_used_for_research(RowId patient) {
   if (database_.format() < schema::kAccessFormat) return true;
   bool may = true;
-  const auto done = database_.guard("reading a consent", [&] {
+  const auto done = database_.guard("reading a consent"_text, [&] {
     int restricted = 0;
     std::string state;
     database_.sql() << "SELECT (SELECT count(*) FROM restrictions WHERE patient_id = :restricted), "
@@ -84,7 +84,7 @@ Result<bool> SqliteStore::may_be_used_for_research(RowId patient) {
 Result<std::vector<TreatmentMark>> SqliteStore::treatment_marks(RowId patient) {
   std::vector<TreatmentMark> all;
   if (database_.format() < kProfileSinceFormat) return all;
-  const auto done = database_.guard("reading treatment marks", [&] {
+  const auto done = database_.guard("reading treatment marks"_text, [&] {
     TreatmentMark one;
     soci::statement select =
         (database_.sql().prepare << "SELECT id, on_date, kind, text FROM treatment_marks "
@@ -101,7 +101,7 @@ Result<std::vector<TreatmentMark>> SqliteStore::treatment_marks(RowId patient) {
 Result<RowId> SqliteStore::add_treatment_mark(RowId patient, const TreatmentMark& mark) {
   if (const auto good = check_treatment_mark(mark); !good) return good.error();
   RowId id = 0;
-  const auto done = database_.transact("storing a treatment mark", [&] {
+  const auto done = database_.transact("storing a treatment mark"_text, [&] {
     require("patients", "patient", patient);
     soci::session& sql = database_.sql();
     sql << "INSERT INTO treatment_marks (patient_id, on_date, kind, text) "
@@ -114,7 +114,7 @@ Result<RowId> SqliteStore::add_treatment_mark(RowId patient, const TreatmentMark
 }
 
 Result<void> SqliteStore::remove_treatment_mark(RowId id) {
-  return database_.transact("removing a treatment mark", [&] {
+  return database_.transact("removing a treatment mark"_text, [&] {
     require("treatment_marks", "treatment mark", id);
     database_.sql() << "DELETE FROM treatment_marks WHERE id = :id", soci::use(id);
   });
@@ -123,7 +123,7 @@ Result<void> SqliteStore::remove_treatment_mark(RowId id) {
 Result<std::vector<ClinicalScore>> SqliteStore::clinical_scores(RowId patient) {
   std::vector<ClinicalScore> all;
   if (database_.format() < kProfileSinceFormat) return all;
-  const auto done = database_.guard("reading clinical scores", [&] {
+  const auto done = database_.guard("reading clinical scores"_text, [&] {
     ClinicalScore one;
     soci::statement select =
         (database_.sql().prepare << "SELECT id, on_date, scale, value, text FROM clinical_scores "
@@ -140,7 +140,7 @@ Result<std::vector<ClinicalScore>> SqliteStore::clinical_scores(RowId patient) {
 Result<RowId> SqliteStore::add_clinical_score(RowId patient, const ClinicalScore& score) {
   if (const auto good = check_clinical_score(score); !good) return good.error();
   RowId id = 0;
-  const auto done = database_.transact("storing a clinical score", [&] {
+  const auto done = database_.transact("storing a clinical score"_text, [&] {
     require("patients", "patient", patient);
     soci::session& sql = database_.sql();
     sql << "INSERT INTO clinical_scores (patient_id, on_date, scale, value, text) "
@@ -154,7 +154,7 @@ Result<RowId> SqliteStore::add_clinical_score(RowId patient, const ClinicalScore
 }
 
 Result<void> SqliteStore::remove_clinical_score(RowId id) {
-  return database_.transact("removing a clinical score", [&] {
+  return database_.transact("removing a clinical score"_text, [&] {
     require("clinical_scores", "clinical score", id);
     database_.sql() << "DELETE FROM clinical_scores WHERE id = :id", soci::use(id);
   });
@@ -171,7 +171,7 @@ void SqliteStore::insert_answers(RowId session, std::span<const SessionAnswer> a
 }
 
 Result<void> SqliteStore::add_answers(RowId session, std::span<const SessionAnswer> answers) {
-  return database_.transact("storing answers", [&] {
+  return database_.transact("storing answers"_text, [&] {
     require("sessions", "session", session);
     insert_answers(session, answers);
   });
@@ -180,7 +180,7 @@ Result<void> SqliteStore::add_answers(RowId session, std::span<const SessionAnsw
 Result<std::vector<SessionAnswer>> SqliteStore::answers(RowId session) {
   std::vector<SessionAnswer> all;
   if (database_.format() < kProfileSinceFormat) return all;
-  const auto done = database_.guard("reading answers", [&] {
+  const auto done = database_.guard("reading answers"_text, [&] {
     SessionAnswer one;
     soci::statement select =
         (database_.sql().prepare << "SELECT topic, item, value FROM session_answers "

@@ -16,8 +16,8 @@ namespace {
 
 Hand read_hand(const std::string& name) {
   if (const auto hand = hand_from_name(name)) return *hand;
-  throw Refusal{
-      refused("has a format that this program does not know", "use the program that made it")};
+  throw Refusal{refused("has a format that this program does not know"_text,
+                        "use the program that made it"_text)};
 }
 
 TrialStatus read_status(const std::string& name) {
@@ -76,7 +76,7 @@ std::vector<PatientRecord> SqliteStore::read_patients(const std::string& code) {
 
 Result<std::vector<PatientRecord>> SqliteStore::patients() {
   std::vector<PatientRecord> all;
-  const auto done = database_.guard("reading patients", [&] { all = read_patients(""); });
+  const auto done = database_.guard("reading patients"_text, [&] { all = read_patients(""); });
   if (!done) return done.error();
   return all;
 }
@@ -84,7 +84,7 @@ Result<std::vector<PatientRecord>> SqliteStore::patients() {
 Result<std::optional<PatientRecord>> SqliteStore::find_patient(const std::string& code) {
   std::optional<PatientRecord> found;
   if (code.empty()) return found;
-  const auto done = database_.guard("reading patients", [&] {
+  const auto done = database_.guard("reading patients"_text, [&] {
     const auto all = read_patients(code);
     if (!all.empty()) found = all.front();
   });
@@ -142,7 +142,7 @@ std::vector<SessionRecord> SqliteStore::read_sessions(const std::string& where) 
 
 Result<std::vector<SessionRecord>> SqliteStore::sessions(RowId patient) {
   std::vector<SessionRecord> all;
-  const auto done = database_.guard("reading sessions", [&] {
+  const auto done = database_.guard("reading sessions"_text, [&] {
     // By time: those of another station may have been added later.
     all = read_sessions("WHERE patient_id = " + std::to_string(patient) +
                         " ORDER BY started_utc, id");
@@ -153,7 +153,7 @@ Result<std::vector<SessionRecord>> SqliteStore::sessions(RowId patient) {
 
 Result<std::vector<SessionRecord>> SqliteStore::recent_sessions(int most) {
   std::vector<SessionRecord> all;
-  const auto done = database_.guard("reading the newest sessions", [&] {
+  const auto done = database_.guard("reading the newest sessions"_text, [&] {
     all = read_sessions("ORDER BY started_utc DESC, id DESC LIMIT " +
                         std::to_string(std::max(most, 0)));
   });
@@ -196,7 +196,7 @@ void SqliteStore::add_preparations_of(RowId session, std::vector<TrialRecord>& t
 
 Result<std::vector<TrialRecord>> SqliteStore::trials(RowId session) {
   std::vector<TrialRecord> all;
-  const auto done = database_.guard("reading trials", [&] {
+  const auto done = database_.guard("reading trials"_text, [&] {
     TrialRecord one;
     std::optional<int> step;
     std::optional<int> step_task;
@@ -248,7 +248,7 @@ Result<std::vector<MeasurePoint>> SqliteStore::progress(RowId patient) {
   std::vector<MeasurePoint> trials;
   std::unordered_map<RowId, std::vector<Measure>> measures;
   std::size_t count = 0;
-  const auto done = database_.guard("reading progress", [&] {
+  const auto done = database_.guard("reading progress"_text, [&] {
     MeasurePoint one;
     Row row(database_.sql());
     row.get("s.id", one.session_id)

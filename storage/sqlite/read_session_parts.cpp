@@ -33,7 +33,7 @@ Result<std::vector<Measure>> SqliteStore::measures(RowId trial) {
 
 Result<std::vector<Measure>> SqliteStore::measures_of_all_versions(RowId trial) {
   std::vector<Measure> all;
-  const auto done = database_.guard("reading measures", [&] {
+  const auto done = database_.guard("reading measures"_text, [&] {
     Measure one;
     Row row(database_.sql());
     get_measure(row, one);
@@ -46,7 +46,7 @@ Result<std::vector<Measure>> SqliteStore::measures_of_all_versions(RowId trial) 
 
 Result<std::vector<EventRecord>> SqliteStore::events(RowId session) {
   std::vector<EventRecord> all;
-  const auto done = database_.guard("reading events", [&] {
+  const auto done = database_.guard("reading events"_text, [&] {
     EventRecord one;
     Row row(database_.sql());
     row.get("coalesce(trial_id, 0)", one.trial_id)
@@ -86,7 +86,7 @@ std::vector<PreparationRecord> SqliteStore::read_preparations(const std::string&
 
 Result<std::vector<PreparationRecord>> SqliteStore::preparations(RowId session) {
   std::vector<PreparationRecord> all;
-  const auto done = database_.guard("reading preparations", [&] {
+  const auto done = database_.guard("reading preparations"_text, [&] {
     all = read_preparations("WHERE session_id = " + std::to_string(session) + " ORDER BY id");
   });
   if (!done) return done.error();
@@ -103,7 +103,7 @@ Result<std::optional<PreparationRecord>> SqliteStore::last_preparation(const Ses
   const int simulated = session.simulated ? 1 : 0;
   const int anywhere = all_told ? 1 : 0;
   std::optional<PreparationRecord> found;
-  const auto done = database_.guard("reading the last preparation", [&] {
+  const auto done = database_.guard("reading the last preparation"_text, [&] {
     RowId id = 0;
     Row row(database_.sql());
     row.get("coalesce(max(p.id), 0)", id);
@@ -125,7 +125,7 @@ Result<std::optional<PreparationRecord>> SqliteStore::last_preparation(const Ses
 Result<std::vector<RatingRecord>> SqliteStore::ratings(RowId session) {
   std::vector<RatingRecord> all;
   if (database_.format() < 3) return all;
-  const auto done = database_.guard("reading ratings", [&] {
+  const auto done = database_.guard("reading ratings"_text, [&] {
     RatingRecord one;
     Row row(database_.sql());
     row.get("id", one.id)

@@ -28,25 +28,23 @@ std::string_view read_blob(soci::blob& blob, soci::indicator present, std::strin
 
 }  // namespace
 
-Refusal SqliteStore::damaged(const TrialRecord& trial, const std::string& where,
-                             const std::string& what) const {
-  return {failed("trial " + std::to_string(trial.number) + " of session " +
-                     std::to_string(trial.session_id) + where + ": " + what,
-                 "restore the last backup; other trials can still be read")
+Refusal SqliteStore::damaged(const TrialRecord& trial, const Text& where, const Text& what) const {
+  return {failed("trial %1 of session %2%3: %4"_text(trial.number, trial.session_id, where, what),
+                 "restore the last backup; other trials can still be read"_text)
               .at(path())};
 }
 
 std::size_t SqliteStore::most_rows(const TrialRecord& trial) const {
   std::size_t columns = 0;
   for (const SignalGroup& group : trial.groups) {
-    if (group.columns.empty()) throw damaged(trial, "", "a group of signals has no columns");
+    if (group.columns.empty()) throw damaged(trial, {}, "a group of signals has no columns"_text);
     columns += group.columns.size();
   }
   const std::size_t most = columns == 0 ? kMostTrialValues : kMostTrialValues / columns;
   if (trial.samples < 0 || static_cast<std::size_t>(trial.samples) > most)
-    throw damaged(trial, "",
-                  "it says that it has " + std::to_string(trial.samples) + " samples of " +
-                      std::to_string(columns) + " columns, more than any trial");
+    throw damaged(trial, {},
+                  "it says that it has %1 samples of %2 columns, more than any trial"_text(
+                      trial.samples, columns));
   return most;
 }
 
@@ -70,22 +68,21 @@ int SqliteStore::read_blocks(const TrialRecord& trial, std::size_t group, int fr
   select.execute();
   int expected = from;
   std::string bytes;
-  const auto refuse_block = [&](const std::string& what) {
-    return damaged(trial,
-                   ", group " + trial.groups[group].name + ", second " + std::to_string(expected),
-                   "the block is " + what);
+  const auto refuse_block = [&](const Text& what) {
+    return damaged(trial, ", group %1, second %2"_text(trial.groups[group].name, expected),
+                   "the block is %1"_text(what));
   };
   while (columns.front().size() < wanted && select.fetch()) {
-    if (second != expected) throw refuse_block("missing");
-    if (crc32(read_blob(data, bytes)) != crc) throw refuse_block("damaged (checksum)");
+    if (second != expected) throw refuse_block("missing"_text);
+    if (crc32(read_blob(data, bytes)) != crc) throw refuse_block("damaged (checksum)"_text);
     if (row_count < 0 ||
         columns.front().size() + static_cast<std::size_t>(row_count) > most_in_trial)
-      throw refuse_block("longer than any trial");
+      throw refuse_block("longer than any trial"_text);
     if (!decode_block(bytes, static_cast<std::size_t>(row_count), columns))
-      throw refuse_block("damaged (content)");
+      throw refuse_block("damaged (content)"_text);
     ++expected;
   }
-  if (expected < until && columns.front().size() < wanted) throw refuse_block("missing");
+  if (expected < until && columns.front().size() < wanted) throw refuse_block("missing"_text);
   return expected - from;
 }
 
@@ -109,33 +106,33 @@ void SqliteStore::read_packs(const TrialRecord& trial, std::size_t group,
   int expected = 0;
   std::string hash;
   std::string bytes;
-  const auto refuse_part = [&](const std::string& what) {
+  const auto refuse_part = [&](const Text& what) {
     const int from = kSecondsPerPart * expected;
     return damaged(trial,
-                   ", group " + trial.groups[group].name + ", seconds " + std::to_string(from) +
-                       " to " + std::to_string(from + kSecondsPerPart - 1),
-                   "the block is " + what);
+                   ", group %1, seconds %2 to %3"_text(trial.groups[group].name, from,
+                                                       from + kSecondsPerPart - 1),
+                   "the block is %1"_text(what));
   };
   while (columns.front().size() < wanted && select.fetch()) {
-    if (part != expected) throw refuse_part("missing");
+    if (part != expected) throw refuse_part("missing"_text);
     if (row_count < 0 || columns.front().size() + static_cast<std::size_t>(row_count) > most)
-      throw refuse_part("longer than any trial");
+      throw refuse_part("longer than any trial"_text);
     const auto rows = static_cast<std::size_t>(row_count);
     const auto planes = decompress(read_blob(data, bytes), rows, columns.size());
-    if (!planes) throw refuse_part("damaged (content)");
+    if (!planes) throw refuse_part("damaged (content)"_text);
     if (bytes_of(content_hash(planes->bytes())) != read_blob(told, hash))
-      throw refuse_part("damaged (content hash)");
+      throw refuse_part("damaged (content hash)"_text);
     unshuffle(*planes, columns);
     whole.add_number(rows);
     whole.add(hash);
     ++expected;
   }
-  if (columns.front().size() < wanted) throw refuse_part("missing");
+  if (columns.front().size() < wanted) throw refuse_part("missing"_text);
 }
 
 Result<Signals> SqliteStore::signals(const TrialRecord& trial) {
   Signals signals;
-  const auto done = database_.snapshot("reading signals", [&] {
+  const auto done = database_.snapshot("reading signals"_text, [&] {
     soci::session& sql = database_.sql();
     soci::blob told(sql);
     soci::indicator packed = soci::i_null;
@@ -171,7 +168,7 @@ Result<Signals> SqliteStore::signals(const TrialRecord& trial) {
     }
     const bool all = trial.samples == samples && trial.groups.size() == groups;
     if (in_packs && all && bytes_of(whole.hash()) != hash)
-      throw damaged(trial, "", "the signals are not those that were recorded (content hash)");
+      throw damaged(trial, {}, "the signals are not those that were recorded (content hash)"_text);
   });
   if (!done) return done.error();
   return signals;

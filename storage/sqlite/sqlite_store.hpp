@@ -133,8 +133,8 @@ class SqliteStore final : public SessionStore {
                                           std::span<const std::vector<double>> rows) const;
   /// Of a trial, in order. Throws.
   [[nodiscard]] std::vector<SignalGroup> groups_of(RowId trial);
-  [[nodiscard]] Refusal damaged(const TrialRecord& trial, const std::string& where,
-                                const std::string& what) const;
+  [[nodiscard]] Refusal damaged(const TrialRecord& trial, const Text& where,
+                                const Text& what) const;
   /// Rows that a trial of these columns may have (kMostTrialValues). Throws a refusal if it says
   /// that it has more.
   [[nodiscard]] std::size_t most_rows(const TrialRecord& trial) const;
@@ -155,7 +155,7 @@ class SqliteStore final : public SessionStore {
   /// What packing needs of a trial; nothing: it is packed, runs or does not exist.
   [[nodiscard]] std::optional<TrialRecord> unpacked_trial(RowId id);
   /// Throws a refusal if the table has no such row; `one`: what a row is called.
-  void require(const char* table, const char* one, RowId id);
+  void require(const char* table, Words one, RowId id);
   /// A new one; in a scratch file that of `name`: what is made of simulated people for a moment is
   /// the same each time.
   [[nodiscard]] std::string new_uuid(const std::string& name) const;

@@ -16,13 +16,13 @@ namespace isograsp::storage {
 
 RowId last_id(soci::session& sql, const char* table) {
   long long id = 0;
-  if (!sql.get_last_insert_id(table, id)) throw Refusal{failed("no row id", "")};
+  if (!sql.get_last_insert_id(table, id)) throw Refusal{failed("no row id"_text, {})};
   return id;
 }
 
 Result<void> SqliteStore::repair() {
   std::vector<RowId> running;
-  const auto read = database_.guard("opening", [&] {
+  const auto read = database_.guard("opening"_text, [&] {
     RowId id = 0;
     soci::statement select =
         (database_.sql().prepare << "SELECT id FROM trials WHERE status = 'running'",
@@ -35,7 +35,7 @@ Result<void> SqliteStore::repair() {
   const auto lock = RecordingLock::exclusive_if_free(database_.real_path());
   if (!lock) return lock.error();
   if (!lock->held()) return {};  // somebody records: those trials may be theirs
-  const auto marked = database_.transact("marking interrupted trials", [&] {
+  const auto marked = database_.transact("marking interrupted trials"_text, [&] {
     database_.sql() << "UPDATE trials SET status = 'interrupted', sample_count = "
                        "(SELECT coalesce(sum(row_count), 0) FROM signal_blocks "
                        "WHERE trial_id = trials.id AND position = 0) WHERE status = 'running'";
@@ -55,13 +55,13 @@ Result<PatientRecord> SqliteStore::add_patient(const std::string& code,
   if (const auto allowed = check_patient_code(code); !allowed) return allowed.error();
   PatientRecord patient{0, code, created_utc.empty() ? utc_text(std::time(nullptr)) : created_utc,
                         uuid.empty() ? new_uuid(code + "\n" + created_utc) : uuid};
-  const auto done = database_.transact("adding a patient", [&] {
+  const auto done = database_.transact("adding a patient"_text, [&] {
     soci::session& sql = database_.sql();
     std::string present;
     sql << "SELECT code FROM patients WHERE code = :code", soci::use(code), soci::into(present);
     if (sql.got_data())
-      throw Refusal{
-          refused("patient " + present + " exists already", "choose another code").at(path())};
+      throw Refusal{refused("patient %1 exists already"_text(present), "choose another code"_text)
+                        .at(path())};
     sql << "INSERT INTO patients (code, created_utc, uuid) VALUES (:code, :created, :uuid)",
         soci::use(patient.code), soci::use(patient.created_utc), soci::use(patient.uuid);
     patient.id = last_id(sql, "patients");
@@ -76,7 +76,7 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
   const std::string started =
       session.started_utc.empty() ? utc_text(std::time(nullptr)) : session.started_utc;
   const std::string seed = std::to_string(session.seed);  // 64 bits without a sign: no SQL type
-  const auto done = database_.transact("beginning a session", [&] {
+  const auto done = database_.transact("beginning a session"_text, [&] {
     soci::session& sql = database_.sql();
     std::string patient;
     int before = 0;
@@ -124,21 +124,20 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
 }
 
 Result<void> SqliteStore::end_session(RowId session, const std::string& ended_utc) {
-  return database_.transact("ending a session", [&] {
+  return database_.transact("ending a session"_text, [&] {
     const std::string ended = ended_utc.empty() ? utc_text(std::time(nullptr)) : ended_utc;
     soci::statement update =
         (database_.sql().prepare << "UPDATE sessions SET ended_utc = :ended WHERE id = :id",
          soci::use(ended), soci::use(session));
     update.execute(true);
     if (update.get_affected_rows() != 1)
-      throw Refusal{
-          refused("there is no session " + std::to_string(session), "begin one").at(path())};
+      throw Refusal{refused("there is no session %1"_text(session), "begin one"_text).at(path())};
   });
 }
 
 Result<RowId> SqliteStore::add_preparation(const PreparationRecord& preparation) {
   RowId id = 0;
-  const auto done = database_.transact("storing a preparation", [&] {
+  const auto done = database_.transact("storing a preparation"_text, [&] {
     NewRow(database_.sql(), "preparations")
         .set("session_id", preparation.session_id)
         .set("kind", preparation.kind)
@@ -170,7 +169,7 @@ Result<EventRecord> SqliteStore::as_stored(const std::string&, const EventRecord
 
 Result<std::string> SqliteStore::database_id() {
   std::string id;
-  const auto read = database_.guard("reading who the database is", [&] {
+  const auto read = database_.guard("reading who the database is"_text, [&] {
     database_.sql() << "SELECT database_id FROM access_settings", soci::into(id);
   });
   if (!read) return read.error();
@@ -179,7 +178,7 @@ Result<std::string> SqliteStore::database_id() {
 
 Result<void> SqliteStore::add_event(RowId session, const EventRecord& event) {
   auto trial_present = null_if_zero(event.trial_id);
-  return database_.transact("storing an event", [&] {
+  return database_.transact("storing an event"_text, [&] {
     database_.sql() << "INSERT INTO events (session_id, trial_id, session_time_s, kind, text) "
                        "VALUES (:session, :trial, :time, :kind, :text)",
         soci::use(session), soci::use(event.trial_id, trial_present),
@@ -190,7 +189,7 @@ Result<void> SqliteStore::add_event(RowId session, const EventRecord& event) {
 Result<RowId> SqliteStore::add_rating(const RatingRecord& rating) {
   RowId id = 0;
   auto trial_present = null_if_zero(rating.trial_id);
-  const auto done = database_.transact("storing a rating", [&] {
+  const auto done = database_.transact("storing a rating"_text, [&] {
     soci::session& sql = database_.sql();
     sql << "INSERT INTO ratings (session_id, trial_id, session_time_s, recorded_utc, effort, pain) "
            "VALUES (:session, :trial, :time, :utc, :effort, :pain)",
@@ -207,15 +206,15 @@ Result<void> SqliteStore::correct_rating(const RatingRecord& rating) {
   const auto words = [](int effort, int pain) {
     return "effort " + std::to_string(effort) + ", pain " + std::to_string(pain);
   };
-  return database_.transact("correcting a rating", [&] {
+  return database_.transact("correcting a rating"_text, [&] {
     soci::session& sql = database_.sql();
     int effort = 0;
     int pain = 0;
     sql << "SELECT effort, pain FROM ratings WHERE id = :id AND session_id = :session",
         soci::use(rating.id), soci::use(rating.session_id), soci::into(effort), soci::into(pain);
     if (!sql.got_data())
-      throw Refusal{refused("rating " + std::to_string(rating.id) + " does not exist",
-                            "check its number and that of its session")
+      throw Refusal{refused("rating %1 does not exist"_text(rating.id),
+                            "check its number and that of its session"_text)
                         .at(path())};
     sql << "UPDATE ratings SET effort = :effort, pain = :pain WHERE id = :id",
         soci::use(rating.effort), soci::use(rating.pain), soci::use(rating.id);
@@ -229,17 +228,18 @@ Result<void> SqliteStore::correct_rating(const RatingRecord& rating) {
 
 Result<void> SqliteStore::mark_helped(RowId trial, bool helped) {
   const int mark = helped ? 1 : 0;
-  return database_.transact("marking a trial", [&] {
-    soci::statement update =
-        (database_.sql().prepare
-             << "UPDATE trials SET helped = :mark WHERE id = :id AND status <> 'running'",
-         soci::use(mark), soci::use(trial));
-    update.execute(true);
-    if (update.get_affected_rows() != 1)
-      throw Refusal{refused("trial " + std::to_string(trial) + " has not ended or does not exist",
-                            "wait for its end")
-                        .at(path())};
-  });
+  return database_.transact(
+      "marking a trial"_text, [&] {
+        soci::statement update =
+            (database_.sql().prepare
+                 << "UPDATE trials SET helped = :mark WHERE id = :id AND status <> 'running'",
+             soci::use(mark), soci::use(trial));
+        update.execute(true);
+        if (update.get_affected_rows() != 1)
+          throw Refusal{refused("trial %1 has not ended or does not exist"_text(trial),
+                                "wait for its end"_text)
+                            .at(path())};
+      });
 }
 
 }  // namespace isograsp::storage

@@ -36,17 +36,18 @@ SqliteStore::~SqliteStore() = default;
 
 Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
   if (recording_)
-    return refused("a trial is being recorded", "end it before the next one begins").at(path());
+    return refused("a trial is being recorded"_text, "end it before the next one begins"_text)
+        .at(path());
   if (trial.groups.empty())
-    return refused("the trial has no signals", "give at least one group").at(path());
+    return refused("the trial has no signals"_text, "give at least one group"_text).at(path());
   Recording recording;
   for (const SignalGroup& group : trial.groups) {
     const bool nameless =
         std::any_of(group.columns.begin(), group.columns.end(),
                     [](const auto& c) { return c.empty() || c.find('\n') != std::string::npos; });
     if (group.columns.empty() || nameless)
-      return refused("signal group '" + group.name + "' has no columns or one without a name",
-                     "name every column")
+      return refused("signal group '%1' has no columns or one without a name"_text(group.name),
+                     "name every column"_text)
           .at(path());
     recording.column_counts.push_back(group.columns.size());
   }
@@ -57,14 +58,14 @@ Result<RowId> SqliteStore::begin_trial(const TrialRecord& trial) {
   const std::string seed = trial.seed == 0 ? "" : std::to_string(trial.seed);
   const auto step = trial.place ? std::optional(trial.place->step) : std::nullopt;
   const auto step_task = trial.place ? std::optional(trial.place->task) : std::nullopt;
-  const auto done = database_.transact("beginning a trial", [&] {
+  const auto done = database_.transact("beginning a trial"_text, [&] {
     soci::session& sql = database_.sql();
     std::string of_session;
     sql << "SELECT rate_Hz, uuid FROM sessions WHERE id = :id", soci::use(trial.session_id),
         soci::into(recording.rate_Hz), soci::into(of_session);
     if (!sql.got_data())
-      throw Refusal{refused("there is no session " + std::to_string(trial.session_id), "begin one")
-                        .at(path())};
+      throw Refusal{
+          refused("there is no session %1"_text(trial.session_id), "begin one"_text).at(path())};
     const std::string uuid = trial.uuid.empty()
                                  ? new_uuid(of_session + "\n" + std::to_string(trial.number))
                                  : trial.uuid;
@@ -108,36 +109,34 @@ Result<void> SqliteStore::check_blocks(int second,
                                        std::span<const std::vector<double>> rows) const {
   const Recording& now = *recording_;
   if (second != now.next_second)
-    return refused("second " + std::to_string(second) + " came instead of " +
-                       std::to_string(now.next_second),
-                   "append the seconds in order")
+    return refused("second %1 came instead of %2"_text(second, now.next_second),
+                   "append the seconds in order"_text)
         .at(path());
   if (now.short_block_seen)
-    return refused("a second follows one that was not full", "end the trial after the last second")
+    return refused("a second follows one that was not full"_text,
+                   "end the trial after the last second"_text)
         .at(path());
   if (rows.size() != now.column_counts.size())
-    return refused("blocks for " + std::to_string(rows.size()) + " instead of " +
-                       std::to_string(now.column_counts.size()) + " groups",
-                   "give all groups of the trial at once")
+    return refused("blocks for %1 instead of %2 groups"_text(rows.size(), now.column_counts.size()),
+                   "give all groups of the trial at once"_text)
         .at(path());
   const std::size_t row_count = rows[0].size() / now.column_counts[0];
   for (std::size_t g = 0; g < rows.size(); ++g)
     if (row_count == 0 || rows[g].size() != row_count * now.column_counts[g])
-      return refused("the groups of second " + std::to_string(second) +
-                         " do not hold the same number of whole rows",
-                     "give every group one row per sample")
+      return refused(
+                 "the groups of second %1 do not hold the same number of whole rows"_text(second),
+                 "give every group one row per sample"_text)
           .at(path());
   if (static_cast<double>(row_count) > std::ceil(now.rate_Hz))
-    return refused("second " + std::to_string(second) + " holds " + std::to_string(row_count) +
-                       " rows, more than one second",
-                   "append one second at a time")
+    return refused("second %1 holds %2 rows, more than one second"_text(second, row_count),
+                   "append one second at a time"_text)
         .at(path());
   const auto columns =
       std::accumulate(now.column_counts.begin(), now.column_counts.end(), std::size_t{0});
   const double rows_then = second * std::ceil(now.rate_Hz) + static_cast<double>(row_count);
   if (rows_then * static_cast<double>(columns) > static_cast<double>(kMostTrialValues))
-    return refused("the trial holds more values than can be read again",
-                   "end it and go on with another one")
+    return refused("the trial holds more values than can be read again"_text,
+                   "end it and go on with another one"_text)
         .at(path());
   return {};
 }
@@ -145,15 +144,16 @@ Result<void> SqliteStore::check_blocks(int second,
 void SqliteStore::require_lock() const {
   if (recording_->lock.in_place(database_.real_path())) return;
   throw Refusal{
-      failed("the lock (-lock) beside the file was deleted or replaced while it was recorded "
-             "into: other programs take the running trial for an interrupted one",
-             "leave the file -lock where it is while a program records")
+      failed(
+          "the lock (-lock) beside the file was deleted or replaced while it was recorded "
+          "into: other programs take the running trial for an interrupted one"_text,
+          "leave the file -lock where it is while a program records"_text)
           .at(path())};
 }
 
 Result<void> SqliteStore::in_place() {
   if (auto there = database_.in_place(); !there) return there;
-  return database_.guard("recording", [this] {
+  return database_.guard("recording"_text, [this] {
     if (recording_) require_lock();
   });
 }
@@ -161,11 +161,10 @@ Result<void> SqliteStore::in_place() {
 Result<void> SqliteStore::append_blocks(RowId trial, int second,
                                         std::span<const std::vector<double>> rows) {
   if (!recording_ || recording_->trial != trial)
-    return refused("trial " + std::to_string(trial) + " is not being recorded", "begin it first")
-        .at(path());
+    return refused("trial %1 is not being recorded"_text(trial), "begin it first"_text).at(path());
   if (const auto sound = check_blocks(second, rows); !sound) return sound.error();
   const auto row_count = static_cast<long long>(rows[0].size() / recording_->column_counts[0]);
-  const auto done = database_.transact("storing a second of signals", [&] {
+  const auto done = database_.transact("storing a second of signals"_text, [&] {
     if (!block_insert_) block_insert_ = std::make_unique<BlockInsert>(database_.sql());
     BlockInsert& insert = *block_insert_;
     insert.trial = trial;
@@ -192,19 +191,19 @@ Result<void> SqliteStore::append_blocks(RowId trial, int second,
 
 Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Measure> measures) {
   if (!recording_ || recording_->trial != end.id)
-    return refused("trial " + std::to_string(end.id) + " is not being recorded", "begin it first")
-        .at(path());
+    return refused("trial %1 is not being recorded"_text(end.id), "begin it first"_text).at(path());
   if (end.status == TrialStatus::running)
-    return refused("a trial cannot end as running", "say completed or aborted").at(path());
+    return refused("a trial cannot end as running"_text, "say completed or aborted"_text)
+        .at(path());
   for (const Measure& measure : measures)
     if (measure.value && !std::isfinite(*measure.value))
-      return refused("measure " + measure.name + " is not a finite number",
-                     "leave the value out and give the reason")
+      return refused("measure %1 is not a finite number"_text(measure.name),
+                     "leave the value out and give the reason"_text)
           .at(path());
   const std::string status(name_of(end.status));
   NullableNumber age(end.display_age_s);
   NullableNumber distance(end.viewing_distance_m);
-  const auto done = database_.transact("closing a trial", [&] {
+  const auto done = database_.transact("closing a trial"_text, [&] {
     soci::session& sql = database_.sql();
     soci::statement update =
         (sql.prepare
@@ -221,8 +220,8 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
          soci::use(end.id));
     update.execute(true);
     if (update.get_affected_rows() != 1)
-      throw Refusal{failed("closing a trial: another program has closed or removed it",
-                           "let only one program record into a file")
+      throw Refusal{failed("closing a trial: another program has closed or removed it"_text,
+                           "let only one program record into a file"_text)
                         .at(path())};
     require_lock();
     insert_references("trial", end.id, end.references);

@@ -156,11 +156,12 @@ TEST(InputFile, APipeADeviceAndAFolderAreRefusedAtOnce) {
     for (const Error& error :
          {read_text(path).error(), CsvReader::open(path).error(), read_signals(path).error()}) {
       EXPECT_EQ(error.file, path);
-      EXPECT_NE(error.what.find(path == "/dev/tty" ? "" : "is not a file"), std::string::npos)
+      EXPECT_NE(english(error.what).find(path == "/dev/tty" ? "" : "is not a file"),
+                std::string::npos)
           << error.message();
     }
-  EXPECT_EQ(read_text(folder.path()).error().what, "is a folder");
-  EXPECT_EQ(CsvReader::open(folder.path()).error().what, "is a folder");
+  EXPECT_EQ(english(read_text(folder.path()).error().what), "is a folder");
+  EXPECT_EQ(english(CsvReader::open(folder.path()).error().what), "is a folder");
   EXPECT_TRUE(CsvReader::open(folder.write("a.csv", "t_s\n")));
 }
 

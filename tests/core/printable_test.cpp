@@ -45,7 +45,8 @@ TEST(Printable, BytesThatAreNoUtf8AreWrittenOut) {
 }
 
 TEST(ErrorMessage, IsOneLineWhateverTheFileIsCalledAndHolds) {
-  const Error error = refused("'\x1b[31m' is not a number", "write one").at("a\nb.csv", 3, "x\ry");
+  const Error error =
+      refused("'%1' is not a number"_text("\x1b[31m"), "write one"_text).at("a\nb.csv", 3, "x\ry");
   EXPECT_EQ(error.message(), "a\\nb.csv:3: x\\ry: '\\x1b[31m' is not a number; write one");
 }
 

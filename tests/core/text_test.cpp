@@ -80,6 +80,13 @@ TEST(Text, JoinedLeavesOutWhatSaysNothing) {
   EXPECT_TRUE(Text(Known{}).empty());
 }
 
+TEST(Text, NamesOfAFileCanBeCutOffWithoutTheWords) {
+  const Text text = "'%1' of %2"_text("a\u00e4b", "%1 to %2"_text(1, "abcd"));
+  EXPECT_EQ(english(text.with_names_up_to(2)), "'a…' of 1 to ab…") << "not within a character";
+  EXPECT_EQ(text.with_names_up_to(4), text);
+  EXPECT_EQ(shortened("abc", 3), "abc");
+}
+
 TEST(Text, IsEqualWithTheSameWordsAndValues) {
   EXPECT_EQ("holds %1"_text(3), "holds %1"_text(3));
   EXPECT_NE("holds %1"_text(3), "holds %1"_text("3"));

@@ -71,12 +71,12 @@ TEST(DeviceCheck, ADeviceThatIsAsItShouldBePasses) {
   const auto results = walk([](auto forces) { return forces; }, kPush_N);
   ASSERT_EQ(results.size(), 12u);
   for (const auto& r : test::every(results))
-    EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
+    EXPECT_EQ(r.verdict, CheckVerdict::good) << english(r.sentence());
 }
 
 TEST(DeviceCheck, APlatformThatStandsForTheLeftHandPassesAndNotAsOneForTheRight) {
   const auto good = walk([](auto forces) { return forces; }, {}, Hand::left);
-  for (const auto& r : test::every(good)) EXPECT_EQ(r.verdict, CheckVerdict::good) << r.sentence();
+  for (const auto& r : test::every(good)) EXPECT_EQ(r.verdict, CheckVerdict::good) << english(r.sentence());
   const auto turned = walk(
       [](auto forces) {
         for (auto& force : forces) force.y() = -force.y();
@@ -97,7 +97,7 @@ TEST(DeviceCheck, FindsSwappedSensors) {
     EXPECT_EQ(r.verdict,
               r.step.finger == Finger::index ? CheckVerdict::good : CheckVerdict::other_finger);
   }
-  EXPECT_NE(results.front().sentence().find("the sensors of thumb and middle are swapped"),
+  EXPECT_NE(english(results.front().sentence()).find("the sensors of thumb and middle are swapped"),
             std::string::npos);
 }
 
@@ -148,9 +148,9 @@ TEST(DeviceCheck, SaysWhenNobodyPresses) {
 }
 
 TEST(DeviceCheck, TellsTheTherapistWhatToDo) {
-  EXPECT_EQ((CheckStep{Finger::thumb, Press::into}).instruction(),
+  EXPECT_EQ(english((CheckStep{Finger::thumb, Press::into}).instruction()),
             "Press the thumb's support straight in and hold.");
-  EXPECT_EQ((CheckStep{Finger::index, Press::up}).instruction(),
+  EXPECT_EQ(english((CheckStep{Finger::index, Press::up}).instruction()),
             "Push the index finger's support upward and hold.");
 }
 

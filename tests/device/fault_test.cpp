@@ -40,7 +40,7 @@ TEST(Fault, SaysWhatHappensToWhomAndWhen) {
 TEST(Fault, EveryExampleInTheListIsOne) {
   const auto bad = Fault::parse("nonsense");
   ASSERT_FALSE(bad.ok());
-  std::string list = bad.error().remedy;
+  std::string list = english(bad.error().remedy);
   list = list.substr(list.find(": ") + 2);
   int examples = 0;
   for (std::size_t begin = 0; begin < list.size();) {

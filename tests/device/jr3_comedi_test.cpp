@@ -170,8 +170,9 @@ TEST(Jr3ComediDevice, RefusesAWrongSerialNumber) {
   bench.config.sensors[1].serial_number = "4711";
   const auto started = bench.start();
   ASSERT_FALSE(started.ok());
-  EXPECT_NE(started.error().what.find("1001"), std::string::npos) << started.error().message();
-  EXPECT_NE(started.error().what.find("4711"), std::string::npos);
+  EXPECT_NE(english(started.error().what).find("1001"), std::string::npos)
+      << started.error().message();
+  EXPECT_NE(english(started.error().what).find("4711"), std::string::npos);
   ComediBench right;
   right.config.sensors[1].serial_number = "1001";
   EXPECT_TRUE(right.start().ok());
@@ -182,7 +183,7 @@ TEST(Jr3ComediDevice, ASensorThatIsNotReadyIsRefusedWithAWordAboutTheWait) {
   bench.hardware.sensors[0].state = ComediCard::Reading::not_ready;
   const auto started = bench.start();
   ASSERT_FALSE(started.ok());
-  EXPECT_NE(started.error().remedy.find("ten seconds"), std::string::npos);
+  EXPECT_NE(english(started.error().remedy).find("ten seconds"), std::string::npos);
 }
 
 TEST(Jr3ComediDevice, ReturnsByItselfWhenTheDriverTrustsTheSensorAgain) {
@@ -276,7 +277,7 @@ TEST(Jr3ComediDevice, AClippedSampleIsSaturatedAndInvalid) {
 TEST(Jr3ComediDevice, NamesWhatIsWrongWithTheCard) {
   ComediBench bench;
   bench.hardware.channels = 16;
-  EXPECT_NE(bench.start().error().what.find("no JR3 sensor"), std::string::npos);
+  EXPECT_NE(english(bench.start().error().what).find("no JR3 sensor"), std::string::npos);
   ComediBench twelve_bits;
   twelve_bits.hardware.highest = 4095;
   EXPECT_FALSE(twelve_bits.start().ok());
@@ -285,7 +286,7 @@ TEST(Jr3ComediDevice, NamesWhatIsWrongWithTheCard) {
                                        std::array{0U, 3U}, "/dev/comedi1");
   ASSERT_FALSE(missing.ok());
   EXPECT_NE(missing.error().message().find("/dev/comedi1"), std::string::npos);
-  EXPECT_NE(missing.error().what.find("subdevice 3"), std::string::npos);
+  EXPECT_NE(english(missing.error().what).find("subdevice 3"), std::string::npos);
   const auto absent = open_comedi_card("/nonexistent/comedi0");
   ASSERT_FALSE(absent.ok());
   EXPECT_EQ(absent.error().file, "/nonexistent/comedi0");

@@ -80,14 +80,15 @@ TEST(HttpGet, ErrorsNameThePage) {
   const auto missing = http_get(boxes.server->pages(0), "/other.xml", kPatience);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().file, "http://" + boxes.server->pages(0).text() + "/other.xml");
-  EXPECT_NE(missing.error().what.find("404"), std::string::npos);
+  EXPECT_NE(english(missing.error().what).find("404"), std::string::npos);
 
   const Endpoint nobody = [] {
     return Boxes().server->pages(0);  // closed again
   }();
   const auto refused = http_get(nobody, "/netftapi2.xml", kPatience);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().what.find("refuses"), std::string::npos) << refused.error().what;
+  EXPECT_NE(english(refused.error().what).find("refuses"), std::string::npos)
+      << english(refused.error().what);
 }
 
 TEST(HttpGet, DoesNotWaitForADeviceThatSaysNothing) {
@@ -101,7 +102,8 @@ TEST(HttpGet, DoesNotWaitForADeviceThatSaysNothing) {
   ASSERT_EQ(::getsockname(silent, reinterpret_cast<sockaddr*>(&address), &size), 0);
   const auto page = http_get({kLoopback, ntohs(address.sin_port)}, "/netftapi2.xml", 50ms);
   ASSERT_FALSE(page);
-  EXPECT_NE(page.error().what.find("in time"), std::string::npos) << page.error().what;
+  EXPECT_NE(english(page.error().what).find("in time"), std::string::npos)
+      << english(page.error().what);
   ::close(silent);
 }
 
@@ -139,7 +141,7 @@ TEST(NetFtSetup, RefusesABoxThatKeepsItsRate) {
   const Boxes boxes;
   const auto said = set_up_net_ft_box(boxes.device(500.0), 0, kPatience);
   ASSERT_FALSE(said);
-  EXPECT_NE(said.error().what.find("thumb"), std::string::npos);
+  EXPECT_NE(english(said.error().what).find("thumb"), std::string::npos);
 }
 
 TEST(NetFtSetup, RefusesTheWrongSensorInPlainWords) {
@@ -149,17 +151,17 @@ TEST(NetFtSetup, RefusesTheWrongSensorInPlainWords) {
   EXPECT_TRUE(set_up_net_ft_box(config, 0, kPatience));
   const auto said = set_up_net_ft_box(config, 1, kPatience);
   ASSERT_FALSE(said);
-  EXPECT_EQ(said.error().what,
+  EXPECT_EQ(english(said.error().what),
             "the index's sensor has the serial number 'FT00001', but the configuration says "
             "'FT27462'");
-  EXPECT_EQ(said.error().remedy, "connect the right sensor or correct serial_number");
+  EXPECT_EQ(english(said.error().remedy), "connect the right sensor or correct serial_number");
 }
 
 TEST(NetFtSetup, NamesTheFingerOfABoxThatIsNotThere) {
   auto config = Boxes().device();  // closed again
   const auto said = set_up_net_ft_box(config, 2, kPatience);
   ASSERT_FALSE(said);
-  EXPECT_NE(said.error().what.find("the middle's sensor"), std::string::npos);
+  EXPECT_NE(english(said.error().what).find("the middle's sensor"), std::string::npos);
   config.sensors[2].way = NetFtSensor{"box.clinic"};
   const auto named = set_up_net_ft_box(config, 2, kPatience);
   ASSERT_FALSE(named);

@@ -186,7 +186,7 @@ TEST(SensorDevice, RefusesASensorWithAnotherSerialNumber) {
   test::SensorBench bench({}, config);
   const auto started = bench.device->start(bench.clock);
   ASSERT_FALSE(started.ok());
-  EXPECT_EQ(started.error().what,
+  EXPECT_EQ(english(started.error().what),
             "the middle finger's sensor (identifier 0x66) has the serial number EMUL-3, but the "
             "configuration says A-17");
 }
@@ -338,7 +338,7 @@ TEST_P(EveryProtocol, RefusesToStartWithASilentSensorAndNamesIt) {
     again = bench.device->start(bench.clock);
   }
   ASSERT_FALSE(again.ok());
-  EXPECT_NE(again.error().what.find("the middle finger's sensor"), std::string::npos)
+  EXPECT_NE(english(again.error().what).find("the middle finger's sensor"), std::string::npos)
       << again.error().message();
 }
 
@@ -373,10 +373,11 @@ TEST(SensorDevice, RefusesTheWrongSensorOfEveryFamilyThatTellsItsNumber) {
     test::SensorBench bench(options, options.config);
     const auto started = bench.device->start(bench.clock);
     ASSERT_FALSE(started.ok());
-    EXPECT_NE(started.error().what.find("has the serial number WRONG-1, but the configuration says "
-                                        "FT100"),
+    EXPECT_NE(english(started.error().what)
+                  .find("has the serial number WRONG-1, but the configuration says "
+                        "FT100"),
               std::string::npos)
-        << started.error().what;
+        << english(started.error().what);
   }
 }
 

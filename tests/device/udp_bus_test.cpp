@@ -296,7 +296,7 @@ TEST(UdpBusErrors, NameTheAddress) {
   const auto refused = [](const std::array<std::string, kFingerCount>& addresses) {
     const auto opened = open_udp(addresses);
     EXPECT_FALSE(opened);
-    return opened ? failed("", "") : opened.error();
+    return opened ? failed({}, {}) : opened.error();
   };
   EXPECT_EQ(refused({"127.0.0.1:1", "box:2", "127.0.0.1:3"}).field, "box:2");
   EXPECT_EQ(refused({"127.0.0.1", "127.0.0.1:2", "127.0.0.1:3"}).field, "127.0.0.1");

@@ -16,12 +16,10 @@
 #include "grasp_model/scene.hpp"
 #include "gui/library/library_files.hpp"
 #include "gui/words/texts.hpp"
-#include "message_texts.hpp"
 #include "reports/findings/progress_report.hpp"
 #include "session/library/library.hpp"
 #include "session/resume.hpp"
 #include "session/simulated_person.hpp"
-#include "source_messages.hpp"
 #include "spoken.hpp"
 #include "storage/access/accounts.hpp"
 #include "storage/access/open_store.hpp"
@@ -52,9 +50,8 @@ class FailuresInEachLanguage : public QtTest, public ::testing::WithParamInterfa
     error.file = folder_.path();  // names of files and keys are as somebody gave them
     error.field = "key";
     EXPECT_EQ(english_in(shown(error)), "") << shown(error).toStdString();
-    EXPECT_EQ(english_in(shown(error.message())), "") << "as one line: " << error.message();
-    EXPECT_EQ(english_in(shown(error.what)), "") << error.what;
-    EXPECT_EQ(english_in(shown(error.remedy)), "") << error.remedy;
+    EXPECT_EQ(english_in(translated(error.what)), "") << english(error.what);
+    EXPECT_EQ(english_in(translated(error.remedy)), "") << english(error.remedy);
   }
   /// The first word that stands in English sentences only; not in what somebody wrote.
   [[nodiscard]] std::string english_in(QString text) const {
@@ -240,27 +237,6 @@ TEST_P(FailuresInEachLanguage, OfABackup) {
   const auto path = folder_.write("clinic.db", "no database");
   expect_translated(storage::Backups(path).make(0));
   expect_translated(storage::restore_backup(folder_.path("none.db"), path));
-}
-
-TEST_P(FailuresInEachLanguage, HaveTheirPatternsInTheFileOfTheWindows) {
-  QFile file(QStringLiteral(ISOGRASP_SOURCE_DIR "/gui/translations/patterns.txt"));
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  std::set<std::string> lines;
-  for (const auto& line : QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts))
-    lines.insert(line.toStdString());
-  EXPECT_EQ(lines, patterns_of_messages(ISOGRASP_SOURCE_DIR)) << "run scripts/translations";
-}
-
-TEST(SourceMessages, AreTheSumsOfFixedWordsAndOthersInWhatRefuses) {
-  EXPECT_EQ(messages_in("return fail(key, \"is \" + kind_of(*node) + \", not a \" \"table\", "
-                        "\"write it as [\" + path + std::string(key) + \"]\");"),
-            (std::set<std::string>{"is %1, not a table", "write it as [%1%2]"}));
-  EXPECT_EQ(messages_in("// fail(\"not this one\")\n"
-                        "error.what = sensor + \" does not answer\"; log(\"nor this\");"),
-            (std::set<std::string>{"%1 does not answer"}));
-  EXPECT_EQ(messages_in("return refused(name, good ? \"has no sign\" : std::string(\"is zero \") + "
-                        "std::to_string(n), \"\");"),
-            (std::set<std::string>{"has no sign", "is zero %1"}));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST_F(GuidedCheckTest, LeadsThroughNinePressesAndPasses) {
     }
     EXPECT_EQ(presses, 9);
     EXPECT_EQ(check_.state(), GuidedCheck::State::over);
-    EXPECT_TRUE(check_.passed()) << check_.outcome();
+    EXPECT_TRUE(check_.passed()) << english(check_.outcome());
   }
 }
 
@@ -67,7 +67,8 @@ TEST_F(GuidedCheckTest, SaysWhatIsWrongAtItsEnd) {
   show(1.5);
   while (check_.state() == GuidedCheck::State::pressing) press(check_.step(), Hand::left);
   EXPECT_FALSE(check_.passed());
-  EXPECT_NE(check_.outcome().find("opposite direction"), std::string::npos) << check_.outcome();
+  EXPECT_NE(english(check_.outcome()).find("opposite direction"), std::string::npos)
+      << english(check_.outcome());
 }
 
 TEST_F(GuidedCheckTest, HearsNothingBeforeItBeginsAndAfterItWasStopped) {

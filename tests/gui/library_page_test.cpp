@@ -179,7 +179,8 @@ TEST_F(LibraryPageTest, TheReadersOwnErrorIsShownWithItsLineAsOneTypes) {
   EXPECT_FALSE(button("library_save")) << "a text that cannot be read is no file";
   const auto spec = tasks::parse_task(editor().toPlainText().toStdString(), "x");
   ASSERT_FALSE(spec.ok());
-  EXPECT_TRUE(problem().contains(QString::fromStdString(spec.error().what).toHtmlEscaped()));
+  EXPECT_TRUE(
+      problem().contains(QString::fromStdString(english(spec.error().what)).toHtmlEscaped()));
   type("knd = ", "kind = ");
   ASSERT_TRUE(wait_until([&] { return problem().contains("✓"); }));
   EXPECT_FALSE(editor().marked_line());

@@ -84,7 +84,7 @@ TEST(TaskGroups, EveryGroupStandsTogetherUnderItsOwnHeading) {
   sort_for_list(tasks);
   int headings = 1;
   for (std::size_t i = 1; i < tasks.size(); ++i)
-    headings += title_of(tasks[i].kind->group) != title_of(tasks[i - 1].kind->group) ? 1 : 0;
+    headings += words_of(tasks[i].kind->group) != words_of(tasks[i - 1].kind->group) ? 1 : 0;
   EXPECT_EQ(headings, 3);
 }
 

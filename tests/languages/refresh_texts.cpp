@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Brings languages/*.po up to date (scripts/translations): new texts come in without words. With
+// Brings languages/*.po up to date (scripts/translations): new texts come in without words, what
+// nobody says any more goes. With
 // --missing it lists what has no words and fails if there is any.
 #include <cstdio>
 #include <fstream>
@@ -44,9 +45,7 @@ int main(int argc, char** argv) {
     std::map<std::string, std::string> words;
     for (const auto& entry : *before) words[entry.english] = entry.words;
     std::string now = po->substr(0, po->find("\n\n") + 1);  // its head
-    std::set<std::string> kept = texts;
-    for (const auto& entry : *before) kept.insert(entry.english);
-    for (const auto& text : kept) {
+    for (const auto& text : texts) {
       now += "\nmsgid " + in_quotes(text) + "\nmsgstr " + in_quotes(words[text]) + "\n";
       if (!words[text].empty()) continue;
       missing = true;

@@ -11,6 +11,7 @@
 #include "core/files.hpp"
 #include "session/library/library.hpp"
 #include "tasks/task_spec.hpp"
+#include "tests/languages/sentence_texts.hpp"
 
 namespace isograsp::languages {
 
@@ -98,7 +99,11 @@ std::set<std::string> all_texts(const std::string& source_folder) {
       if (!code) throw std::runtime_error(entry.path().string() + " cannot be read");
       texts.merge(texts_in_code(*code));
     }
+  texts.merge(sentence_texts(source_folder));
   add_library(texts, source_folder + "/library");
+  // Names that stand in sentences as Known.
+  texts.insert({"right", "left", "thumb", "index", "middle", "therapist", "researcher",
+                "administrator", "the network", "serial lines"});
   for (const int failure :
        {EACCES,       EADDRINUSE,   EADDRNOTAVAIL, EBUSY,  ECONNREFUSED, ECONNRESET, EDQUOT,
         EEXIST,       EHOSTUNREACH, EINVAL,        EIO,    EISDIR,       ELOOP,      EMFILE,

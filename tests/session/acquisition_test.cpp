@@ -154,9 +154,9 @@ TEST_F(Ailment, EveryFaultIsRecordedOnceAlsoBetweenTrials) {
   suffer(DeviceFault::none, std::nullopt);
   suffer(DeviceFault::overload, Finger::thumb);
   EXPECT_EQ(told(), (std::vector<std::string>{
-                        std::string(describe(DeviceFault::silence, Finger::index)),
-                        std::string(describe(DeviceFault::restarted, Finger::index)),
-                        std::string(describe(DeviceFault::overload, Finger::thumb))}));
+                        std::string(words_of(DeviceFault::silence, Finger::index).english()),
+                        std::string(words_of(DeviceFault::restarted, Finger::index).english()),
+                        std::string(words_of(DeviceFault::overload, Finger::thumb).english())}));
   const auto setup = bench_.setup("two_target", 0.0);
   bench_.begin(*setup);
   suffer(DeviceFault::overload, Finger::middle);

@@ -61,7 +61,7 @@ std::vector<PlayedTrial> sessions_of_a_simulated_hand() {
                                  "sim://moderate?seed=5&drop=0.001&resolution=0.005", path};
   const auto result = run_whole(whole);
   constexpr std::size_t kNeedFormerDays = 1;  // the load of the first days
-  EXPECT_LE(result.left_out.size(), kNeedFormerDays) << result.left_out.back();
+  EXPECT_LE(result.left_out.size(), kNeedFormerDays) << english(result.left_out.back());
   std::vector<PlayedTrial> played;
   const auto store = storage::open_store(whole.database, storage::OpenMode::existing).value();
   const auto patient = store->find_patient(whole.patient_code).value().value();

@@ -45,8 +45,9 @@ TEST(Realtime, PreferredAndRefusedItGoesOnAndSaysWhatItGot) {
   EXPECT_TRUE(without_permission([] {
     const auto grant = enter_realtime(Realtime::prefer);
     return grant && grant->asked && grant->fifo_priority == 0 && !grant->memory_locked &&
-           describe(*grant).find("ordinary scheduling (not permitted)") == 0 &&
-           describe(*grant).find("memory not locked (the limit memlock") != std::string::npos;
+           english(words_of(*grant)).find("ordinary scheduling (not permitted)") == 0 &&
+           english(words_of(*grant)).find("memory not locked (the limit memlock") !=
+               std::string::npos;
   }));
 }
 
@@ -57,7 +58,7 @@ TEST(Realtime, WhatItSaysItGotIsWhatTheKernelSays) {
     sched_param parameters{};
     sched_getparam(0, &parameters);
     const int policy = sched_getscheduler(0) & ~SCHED_RESET_ON_FORK;
-    EXPECT_EQ(policy == SCHED_FIFO, grant->fifo_priority > 0) << describe(*grant);
+    EXPECT_EQ(policy == SCHED_FIFO, grant->fifo_priority > 0) << english(words_of(*grant));
     EXPECT_EQ(parameters.sched_priority, grant->fifo_priority);
     std::thread([] { EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER) << "not inherited"; }).join();
   }).join();
@@ -67,7 +68,7 @@ TEST(Realtime, OffAsksForNothing) {
   const auto grant = enter_realtime(Realtime::off);
   ASSERT_TRUE(grant);
   EXPECT_FALSE(grant->asked);
-  EXPECT_EQ(describe(*grant), "");
+  EXPECT_EQ(english(words_of(*grant)), "");
 }
 
 TEST(Realtime, NamesComeBack) {

@@ -196,7 +196,7 @@ TEST(Resume, ASessionGoesOnWithNewZeroAndRestAndTheMaximumThatWasMeasured) {
 
   const auto over = Session::open(clinic.config(true));
   ASSERT_FALSE(over.ok());
-  EXPECT_NE(over.error().what.find("finished its protocol"), std::string::npos);
+  EXPECT_NE(english(over.error().what).find("finished its protocol"), std::string::npos);
   EXPECT_EQ(clinic.sessions().size(), 2u) << "a refusal leaves no trace";
 }
 
@@ -244,7 +244,8 @@ TEST(Resume, IsRefusedForAnotherProtocolHandOrDay) {
   const auto refused = [&](const SessionConfig& config, const char* why) {
     const auto session = Session::open(config);
     ASSERT_FALSE(session.ok()) << why;
-    EXPECT_NE(session.error().what.find(why), std::string::npos) << session.error().message();
+    EXPECT_NE(english(session.error().what).find(why), std::string::npos)
+        << session.error().message();
   };
   auto config = clinic.config(true);
   config.hand = Hand::left;

@@ -109,10 +109,10 @@ TEST(Session, AHandOfOneNewtonDoesTheWholeBatteryOnSensorsThatResolveIt) {
   Clinic clinic;
   const auto fine = clinic.run("sim://severe?seed=3&resolution=0.005", "battery");
   EXPECT_LT(value_in(fine, "maximum_force"), 3.0);
-  EXPECT_TRUE(fine.left_out.empty()) << fine.left_out.front();
+  EXPECT_TRUE(fine.left_out.empty()) << english(fine.left_out.front());
   const auto coarse = Clinic().run("sim://severe?seed=3", "battery_core");
   ASSERT_FALSE(coarse.left_out.empty());
-  EXPECT_NE(coarse.left_out.front().find("choose a level of at least"), std::string::npos);
+  EXPECT_NE(english(coarse.left_out.front()).find("choose a level of at least"), std::string::npos);
 }
 
 TEST(Session, LiveIsOffline) {

@@ -179,7 +179,7 @@ TEST(FileWatch, ATrialThatAnotherProgramHasClosedIsNotEndedOnceMore) {
   end.status = TrialStatus::completed;
   const auto ended = recording.store->end_trial(end, {});
   ASSERT_FALSE(ended.ok());
-  EXPECT_NE(ended.error().what.find("another program has closed"), std::string::npos);
+  EXPECT_NE(english(ended.error().what).find("another program has closed"), std::string::npos);
 }
 
 }  // namespace

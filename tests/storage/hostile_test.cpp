@@ -138,7 +138,7 @@ TEST_F(HostileDatabase, AViewOrAComputedColumnIsRefusedBeforeItIsRead) {
 
 TEST_F(HostileDatabase, AValueIsNoLargerThanTheLargestBlock) {
   auto database = must(Database::open(path, OpenMode::read_only));
-  const auto asked = database.guard("asking", [&] {
+  const auto asked = database.guard("asking"_text, [&] {
     std::string text;
     database.sql() << "SELECT hex(zeroblob(100000000))", soci::into(text);
   });

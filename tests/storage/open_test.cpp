@@ -161,17 +161,17 @@ TEST(OpenStore, ReadOnlyFileAndFolderAreRefusedForWriting) {
   fs::permissions(path, fs::perms(0444));
   EXPECT_TRUE(as_nobody([&] {
     const auto store = open_store(path, OpenMode::existing);
-    return !store && store.error().what == "is read-only";
+    return !store && english(store.error().what) == "is read-only";
   }));
   fs::permissions(path, fs::perms(0666));
   fs::permissions(folder.path(), fs::perms(0555));
   EXPECT_TRUE(as_nobody([&] {
     const auto store = open_store(path, OpenMode::existing);
-    return !store && store.error().what == "stands in a read-only folder";
+    return !store && english(store.error().what) == "stands in a read-only folder";
   }));
   EXPECT_TRUE(as_nobody([&] {
     const auto store = open_store(folder.file("new.db"), OpenMode::create);
-    return !store && store.error().what == "its folder is read-only";
+    return !store && english(store.error().what) == "its folder is read-only";
   }));
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"clinic.db"});
 }

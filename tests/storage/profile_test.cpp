@@ -44,8 +44,9 @@ TEST_F(Profile, AnOnsetThatIsNoDayIsRefusedByNameAndLosesNothing) {
     const auto refused = store->set_profile(patient, bad);
     ASSERT_FALSE(refused.ok()) << wrong;
     EXPECT_EQ(refused.error().field, "onset_date");
-    EXPECT_NE(refused.error().what.find(wrong), std::string::npos);
-    EXPECT_NE(refused.error().remedy.find("2026-03-05"), std::string::npos) << "an example";
+    EXPECT_NE(english(refused.error().what).find(wrong), std::string::npos);
+    EXPECT_NE(english(refused.error().remedy).find("2026-03-05"), std::string::npos)
+        << "an example";
   }
   EXPECT_EQ(must(store->profile(patient)), good);
 }
@@ -69,7 +70,7 @@ TEST_F(Profile, EveryKindOfTreatmentIsTakenAndNoOther) {
   const auto refused = store->add_treatment_mark(patient, {0, "2026-03-05", "botox", ""});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().field, "kind");
-  EXPECT_NE(refused.error().remedy.find("botulinum_toxin, drug"), std::string::npos);
+  EXPECT_NE(english(refused.error().remedy).find("botulinum_toxin, drug"), std::string::npos);
   const auto undated = store->add_treatment_mark(patient, {0, "", "drug", ""});
   ASSERT_FALSE(undated.ok());
   EXPECT_EQ(undated.error().field, "on_date");
@@ -115,7 +116,7 @@ TEST_F(Profile, ScoresAreTakenUpToTheLimitsOfTheirScaleAndNotBeyond) {
   const auto arat = store->add_clinical_score(patient, {0, "2026-03-05", "ARAT", 58, ""});
   EXPECT_EQ(arat.error().message(), "value: 58 is no score of the ARAT; give 0 to 57");
   const auto pegs = store->add_clinical_score(patient, {0, "2026-03-05", "NHPT", 0, ""});
-  EXPECT_EQ(pegs.error().remedy, "give more than 0 s");
+  EXPECT_EQ(english(pegs.error().remedy), "give more than 0 s");
   const auto unknown = store->add_clinical_score(patient, {0, "2026-03-05", "arat", 5, ""});
   EXPECT_EQ(unknown.error().field, "scale");
 }

@@ -36,9 +36,9 @@ inline CommandResult run(const std::string& line) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text("out"), text("err")};
 }
 
-/// `arguments` go to the shell behind the executable.
+/// `arguments` go to the shell behind the executable. It speaks English, whatever the desktop does.
 inline CommandResult isograsp(const std::string& arguments) {
-  return run(std::string("\"" ISOGRASP_EXECUTABLE "\" ") + arguments);
+  return run(std::string("LC_ALL=C.UTF-8 \"" ISOGRASP_EXECUTABLE "\" ") + arguments);
 }
 
 }  // namespace isograsp::test

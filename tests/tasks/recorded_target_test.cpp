@@ -133,7 +133,7 @@ TEST(TargetByDoing, RefusesWhatHardlyMovedAndWhatTurnedAboutTwoAxes) {
   const TaskSpec spec = pose_task(kTwoAxes);
   const auto why = [&](const Signals& signals) {
     const auto text = target_by_doing(spec, signals, {"again"});
-    return text.ok() ? std::string() : text.error().what;
+    return text.ok() ? std::string() : english(text.error().what);
   };
   const auto still =
       test::play_object(spec, [](const TaskView&, const Pose&) { return test::Handled{}; });

@@ -134,7 +134,7 @@ TEST(Timeline, WhatTheHandMayNotBeAskedIsRefusedWithARemedy) {
   const TaskSpec sine = spec_of(ForceTrackingSpec{});  // up to 12 N of 40 N
   TaskContext context = context_of();
   context.references.ceiling_N = 11.0;
-  EXPECT_NE(timeline_of(sine, context).error().what.find("ceiling"), std::string::npos);
+  EXPECT_NE(english(timeline_of(sine, context).error().what).find("ceiling"), std::string::npos);
   context.references.ceiling_N = 12.0;
   EXPECT_TRUE(timeline_of(sine, context));
   context.references.allowed = Effort::comfortable;
@@ -158,7 +158,8 @@ TEST(Timeline, ATargetThatTheSensorsCannotResolveIsRefusedWithTheLeastLevel) {
   const auto refused = timeline_of(sine, context);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().field, "band_fraction");
-  EXPECT_NE(refused.error().remedy.find("13 N"), std::string::npos) << refused.error().remedy;
+  EXPECT_NE(english(refused.error().remedy).find("13 N"), std::string::npos)
+      << english(refused.error().remedy);
   context.references.resolution_N = 0.0;
   context.references.noise_sd_N.emplace();
   context.references.noise_sd_N->fill(Vec3::Constant(0.2 / std::sqrt(2.0)));

@@ -22,7 +22,7 @@ KindSpec read_directional_maxima(TomlReader& reader) {
   for (const std::string& name : reader.texts("directions")) {
     const auto found = std::find(kNames.begin(), kNames.end(), name);
     if (found == kNames.end())
-      reader.fail("directions", "'" + name + "' is not a direction", "write +x, -x, … -z");
+      reader.fail("directions", "'%1' is not a direction"_text(name), "write +x, -x, … -z"_text);
     else
       spec.directions.push_back(static_cast<Direction>(found - kNames.begin()));
   }
@@ -31,8 +31,9 @@ KindSpec read_directional_maxima(TomlReader& reader) {
   spec.rest_s = read_wait(reader, "rest_s", spec.rest_s);
   spec.window_s = read_duration(reader, "window_s", spec.window_s);
   if (spec.window_s > spec.push_s)
-    reader.fail("window_s", "is longer than push_s", "make it shorter");
-  if (spec.directions.empty()) reader.fail("directions", "is empty", "name at least one direction");
+    reader.fail("window_s", "is longer than push_s"_text, "make it shorter"_text);
+  if (spec.directions.empty())
+    reader.fail("directions", "is empty"_text, "name at least one direction"_text);
   return spec;
 }
 

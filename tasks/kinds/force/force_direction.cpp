@@ -31,15 +31,17 @@ KindSpec read_force_direction(TomlReader& reader) {
       const std::string key = std::string(name_of(digit)) + "_direction";
       if (!table.has(key)) continue;
       const Vec3 direction = table.vec3(key);
-      if (!(direction.norm() > 0.0)) table.fail(key, "has no length", "write e.g. [0, 0, 1]");
+      if (!(direction.norm() > 0.0))
+        table.fail(key, "has no length"_text, "write e.g. [0, 0, 1]"_text);
       target.asked[index_of(digit)] = true;
       target.direction_C[index_of(digit)] = direction.stableNormalized();
     }
     if (!target.asked[0] && !target.asked[1] && !target.asked[2])
-      table.fail("", "asks no digit", "add e.g. thumb_direction = [0, 0, 1]");
+      table.fail("", "asks no digit"_text, "add e.g. thumb_direction = [0, 0, 1]"_text);
     spec.targets.push_back(target);
   }
-  if (spec.targets.empty()) reader.fail("target", "is missing", "add at least one [[target]]");
+  if (spec.targets.empty())
+    reader.fail("target", "is missing"_text, "add at least one [[target]]"_text);
   return spec;
 }
 

@@ -22,7 +22,7 @@ KindSpec read_force_sense(TomlReader& reader) {
   spec.window_s = read_duration(reader, "window_s", spec.window_s);
   spec.repetitions = read_count(reader, "repetitions", spec.repetitions, kMostRepetitions);
   if (spec.window_s > spec.reproduce_s)
-    reader.fail("window_s", "is longer than reproduce_s", "make it shorter");
+    reader.fail("window_s", "is longer than reproduce_s"_text, "make it shorter"_text);
   return spec;
 }
 

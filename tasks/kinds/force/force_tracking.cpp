@@ -22,7 +22,7 @@ KindSpec read_force_tracking(TomlReader& reader) {
   spec.most = read_level(reader, spec.aim, "most", spec.most);
   if (spec.most <= spec.least)
     reader.fail(spec.aim.scale == Scale::newton ? "most_N" : "most_fraction",
-                "is not above the least level", "write a larger number");
+                "is not above the least level"_text, "write a larger number"_text);
   spec.lead_in_s = read_wait(reader, "lead_in_s", spec.lead_in_s);
   spec.duration_s = read_duration(reader, "duration_s", spec.duration_s);
   spec.waveform = read_waveform(reader, spec.duration_s);

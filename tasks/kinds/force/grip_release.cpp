@@ -25,7 +25,7 @@ KindSpec read_grip_release(TomlReader& reader) {
   spec.open = reader.boolean("open", false);
   spec.repetitions = read_count(reader, "repetitions", spec.repetitions, kMostRepetitions);
   if (spec.aim.channel.direction != Direction::plus_z)
-    reader.fail("channel", "is not a closing force", "only what is held can be let go");
+    reader.fail("channel", "is not a closing force"_text, "only what is held can be let go"_text);
   return spec;
 }
 

@@ -24,7 +24,7 @@ KindSpec read_maximum(TomlReader& reader) {
   spec.window_s = read_duration(reader, "window_s", spec.window_s);
   spec.force_shown = reader.boolean("force_shown", true);
   if (spec.window_s > spec.squeeze_s)
-    reader.fail("window_s", "is longer than squeeze_s", "make it shorter");
+    reader.fail("window_s", "is longer than squeeze_s"_text, "make it shorter"_text);
   return spec;
 }
 

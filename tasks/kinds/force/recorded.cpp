@@ -34,17 +34,19 @@ KindSpec read_recorded(TomlReader& reader) {
     if (whole(window[0]) && whole(window[1]) && window[0] > window[1])
       spec.window = {static_cast<std::size_t>(window[0]), static_cast<std::size_t>(window[1])};
     else
-      reader.fail("window_from_end_rows", "is no window of rows",
-                  "write how many rows before the end it begins and ends, e.g. [200, 50]");
+      reader.fail("window_from_end_rows", "is no window of rows"_text,
+                  "write how many rows before the end it begins and ends, e.g. [200, 50]"_text);
   }
   if (spec.measures == Measures::finger_forces) {
     spec.fingers = reader.texts("fingers");
     if (reader.has("fingers") && spec.fingers.size() < 2)
-      reader.fail("fingers", "are fewer than two", "name those that have a column X_fz_N");
+      reader.fail("fingers", "are fewer than two"_text,
+                  "name those that have a column X_fz_N"_text);
     spec.beats_per_cycle = read_count(reader, "beats_per_cycle", 1, kMostBeats);
     const auto left_out = reader.integer("cycles_left_out", 0);
     if (left_out < 0 || left_out > kMostBeats)
-      reader.fail("cycles_left_out", "is out of range", "write a whole number from 0 to 100");
+      reader.fail("cycles_left_out", "is out of range"_text,
+                  "write a whole number from 0 to 100"_text);
     else
       spec.cycles_left_out = static_cast<int>(left_out);
   }

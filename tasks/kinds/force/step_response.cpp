@@ -26,7 +26,7 @@ KindSpec read_step_response(TomlReader& reader) {
   for (const double to : spec.to)
     if (to == spec.from)
       reader.fail(spec.aim.scale == Scale::newton ? "to_N" : "to_fractions",
-                  "has the level that the step begins at", "write another level");
+                  "has the level that the step begins at"_text, "write another level"_text);
   return spec;
 }
 

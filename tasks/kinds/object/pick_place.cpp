@@ -148,9 +148,9 @@ KindSpec read_pick_place(TomlReader& reader) {
         kRadPerDeg * read_within(table, "angle_deg", -kMostAngle_deg, kMostAngle_deg, 0.0);
     spec.items.push_back(item);
   }
-  if (spec.items.empty()) reader.fail("item", "is missing", "add at least one [[item]]");
+  if (spec.items.empty()) reader.fail("item", "is missing"_text, "add at least one [[item]]"_text);
   if (spec.hold_s >= spec.time_limit_s)
-    reader.fail("hold_s", "leaves no time within time_limit_s", "make it shorter");
+    reader.fail("hold_s", "leaves no time within time_limit_s"_text, "make it shorter"_text);
   return spec;
 }
 

@@ -109,10 +109,11 @@ KindSpec read_pose_targets(TomlReader& reader) {
     target.hold_s = read_wait(table, "hold_s", 0.0);
     target.level = table.boolean("level", false);
     if (target.hold_s >= spec.time_limit_s)
-      table.fail("hold_s", "leaves no time within time_limit_s", "make it shorter");
+      table.fail("hold_s", "leaves no time within time_limit_s"_text, "make it shorter"_text);
     spec.targets.push_back(target);
   }
-  if (spec.targets.empty()) reader.fail("target", "is missing", "add at least one [[target]]");
+  if (spec.targets.empty())
+    reader.fail("target", "is missing"_text, "add at least one [[target]]"_text);
   return spec;
 }
 

@@ -88,16 +88,16 @@ KindSpec read_pose_tracking(TomlReader& reader) {
     axis.most = unit * read_within(table, turns ? "most_deg" : "most_m", -most, most);
     axis.waveform = read_waveform(table, spec.duration_s);
     if (axis.waveform.shape == Waveform::Shape::csv && axis.waveform.values.empty())
-      table.fail("waveform", "cannot be a file here",
-                 "write its points into [axis.csv_data], or choose another shape");
+      table.fail("waveform", "cannot be a file here"_text,
+                 "write its points into [axis.csv_data], or choose another shape"_text);
     if (std::exchange(used[static_cast<std::size_t>(axis.axis)], true))
-      table.fail("dof", "is driven twice", "write one [[axis]] per degree of freedom");
+      table.fail("dof", "is driven twice"_text, "write one [[axis]] per degree of freedom"_text);
     spec.axes.push_back(std::move(axis));
   }
-  if (spec.axes.empty()) reader.fail("axis", "is missing", "add at least one [[axis]]");
+  if (spec.axes.empty()) reader.fail("axis", "is missing"_text, "add at least one [[axis]]"_text);
   if (used[3] + used[4] + used[5] > 1)
-    reader.fail("axis", "turns about more than one axis",
-                "let the target turn about rx, ry or rz alone");
+    reader.fail("axis", "turns about more than one axis"_text,
+                "let the target turn about rx, ry or rz alone"_text);
   return spec;
 }
 

@@ -17,9 +17,10 @@ constexpr double kMostLevel_N = 300.0;  ///< range of the largest sensors
 ForceChannel read_channel(TomlReader& reader) {
   const std::string name = reader.text("channel", "grip");
   if (const auto channel = force_channel_from_name(name)) return *channel;
-  reader.fail("channel", "'" + name + "' is not a force",
-              "write grip, grip_mean, pinch, sum, thumb, index, middle, opening, "
-              "index_opening or e.g. thumb_-x");
+  reader.fail(
+      "channel", "'%1' is not a force"_text(name),
+      "write grip, grip_mean, pinch, sum, thumb, index, middle, opening, index_opening or e.g. "
+      "thumb_-x"_text);
   return {};
 }
 
@@ -57,8 +58,8 @@ std::vector<double> read_levels(TomlReader& reader, const Aim& aim, const std::s
   const double most = newton ? kMostLevel_N : 1.0;
   for (const double level : levels)
     if (!(std::abs(level) <= most))
-      reader.fail(key, format_number(level) + " is out of range",
-                  "write numbers up to " + format_number(most));
+      reader.fail(key, "%1 is out of range"_text(shortest(level)),
+                  "write numbers up to %1"_text(shortest(most)));
   return levels;
 }
 
@@ -69,16 +70,17 @@ std::vector<Finger> read_digits(TomlReader& reader, std::string_view key) {
     if (const auto finger = finger_from_name(name))
       digits.push_back(*finger);
     else
-      reader.fail(key, "'" + name + "' is not a digit", "write thumb, index or middle");
+      reader.fail(key, "'%1' is not a digit"_text(name), "write thumb, index or middle"_text);
   }
-  if (digits.empty()) reader.fail(key, "is empty", "name at least one digit");
+  if (digits.empty()) reader.fail(key, "is empty"_text, "name at least one digit"_text);
   return digits;
 }
 
 void read_waits(TomlReader& reader, double& least_s, double& most_s) {
   least_s = read_wait(reader, "least_wait_s", least_s);
   most_s = read_wait(reader, "most_wait_s", most_s);
-  if (most_s < least_s) reader.fail("most_wait_s", "is below least_wait_s", "write a longer time");
+  if (most_s < least_s)
+    reader.fail("most_wait_s", "is below least_wait_s"_text, "write a longer time"_text);
 }
 
 }  // namespace isograsp::tasks

@@ -6,8 +6,8 @@ namespace isograsp::tasks {
 std::string read_scene(TomlReader& reader) {
   std::string name = reader.text("scene");
   if (reader.has("scene") && (name.empty() || name.find('/') != std::string::npos))
-    reader.fail("scene", "'" + name + "' is not the name of a scene",
-                "write the name of its file without folder and ending, e.g. \"planar_block\"");
+    reader.fail("scene", "'%1' is not the name of a scene"_text(name),
+                "write the name of its file without folder and ending, e.g. \"planar_block\""_text);
   return name;
 }
 

@@ -18,14 +18,14 @@ void read_csv_data(TomlReader& reader, Waveform& waveform) {
   waveform.t_s = data.numbers("t_s", 2, kMostPoints);
   waveform.values = data.numbers("target", 2, kMostPoints);
   if (waveform.t_s.size() != waveform.values.size())
-    return data.fail("target", "has another length than t_s", "write one value per time");
+    return data.fail("target", "has another length than t_s"_text, "write one value per time"_text);
   for (std::size_t k = 1; k < waveform.t_s.size(); ++k)
     if (!(waveform.t_s[k] > waveform.t_s[k - 1]))
-      return data.fail("t_s", "does not increase", "sort the times");
+      return data.fail("t_s", "does not increase"_text, "sort the times"_text);
   for (const double value : waveform.values)
     if (!(value >= 0.0 && value <= 1.0))
-      return data.fail("target", format_number(value) + " is out of range",
-                       "scale the target to 0 … 1");
+      return data.fail("target", "%1 is out of range"_text(shortest(value)),
+                       "scale the target to 0 … 1"_text);
 }
 
 }  // namespace
@@ -59,25 +59,25 @@ Waveform read_waveform(TomlReader& reader, double duration_s) {
       waveform.frequencies = reader.numbers("frequencies_Hz", 1, 20);
       for (const double frequency : waveform.frequencies)
         if (!(frequency >= kLeast_Hz && frequency <= kMost_Hz))
-          reader.fail("frequencies_Hz", format_number(frequency) + " is out of range",
-                      "write frequencies up to 5 Hz");
+          reader.fail("frequencies_Hz", "%1 is out of range"_text(shortest(frequency)),
+                      "write frequencies up to 5 Hz"_text);
       break;
     case Wave::random:
       waveform.bandwidth_Hz =
           read_within(reader, "bandwidth_Hz", kLeast_Hz, kMost_Hz, waveform.bandwidth_Hz);
       if (waveform.bandwidth_Hz * duration_s > kMostSines)
-        reader.fail("bandwidth_Hz", "gives too many lines for this duration",
-                    "keep bandwidth times duration below " + format_number(kMostSines));
+        reader.fail("bandwidth_Hz", "gives too many lines for this duration"_text,
+                    "keep bandwidth times duration below %1"_text(shortest(kMostSines)));
       if (waveform.bandwidth_Hz * duration_s < 1.0)
-        reader.fail("bandwidth_Hz", "is below one cycle in this duration",
-                    "raise it, or make the target longer");
+        reader.fail("bandwidth_Hz", "is below one cycle in this duration"_text,
+                    "raise it, or make the target longer"_text);
       break;
     case Wave::csv: read_csv_data(reader, waveform); break;
   }
   const bool seeded = waveform.shape == Wave::multi_sine || waveform.shape == Wave::random;
   if (seeded && reader.has("seed")) {
     const auto seed = reader.integer("seed");
-    if (seed < 0) reader.fail("seed", "is negative", "write 0 or more");
+    if (seed < 0) reader.fail("seed", "is negative"_text, "write 0 or more"_text);
     waveform.seed = static_cast<std::uint64_t>(seed);
   }
   return waveform;

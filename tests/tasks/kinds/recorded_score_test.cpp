@@ -47,8 +47,8 @@ TEST(Recorded, NobodyCanDoItLive) {
   context.period_s = 0.01;
   const auto live = make_task(task(kCorridor), context);
   ASSERT_FALSE(live);
-  EXPECT_NE(live.error().what.find("nobody can do live"), std::string::npos);
-  EXPECT_NE(live.error().remedy.find("isograsp import"), std::string::npos);
+  EXPECT_NE(english(live.error().what).find("nobody can do live"), std::string::npos);
+  EXPECT_NE(english(live.error().remedy).find("isograsp import"), std::string::npos);
 }
 
 TEST(Recorded, KeysThatDoNotFitAreRefusedWithTheirName) {

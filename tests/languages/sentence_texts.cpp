@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/gui/texts_below.hpp"
+#include "tests/languages/sentence_texts.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,11 +7,7 @@
 #include <stdexcept>
 
 #include "core/files.hpp"
-#include "device/sensors/device_check.hpp"
-#include "device/sensors/force_device.hpp"
-#include "gui/words/text_patterns.hpp"
 #include "session/library/library.hpp"
-#include "session/platform/snapshot.hpp"
 #include "session/platform/zeroing.hpp"
 #include "session/recorder.hpp"
 #include "session/resting.hpp"
@@ -19,17 +15,26 @@
 #include "session/work_limits.hpp"
 #include "tasks/facts/measure_words.hpp"
 #include "tasks/references.hpp"
-#include "tests/gui/message_texts.hpp"
 
-namespace isograsp::gui {
+namespace isograsp::languages {
 
 namespace {
 
 namespace fs = std::filesystem;
 using Texts = std::set<std::string>;
 
-std::vector<std::optional<Finger>> any_finger() {
-  return {std::nullopt, Finger::thumb, Finger::index, Finger::middle};
+/// With %1, %2 … for numbers that stand alone or before a unit, not for digits of a name.
+std::string pattern_of(const std::string& text) {
+  static const std::regex kNumber(
+      "(^|[^A-Za-z0-9_.%])(-?[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?)(?![A-Za-z0-9_])");
+  std::string pattern;
+  std::string rest = text;
+  std::smatch found;
+  for (int place = 1; std::regex_search(rest, found, kNumber); ++place) {
+    pattern += found.prefix().str() + found[1].str() + "%" + std::to_string(place);
+    rest = found.suffix().str();
+  }
+  return pattern + rest;
 }
 
 /// With the numbers of this moment in it, and made of sentences that vary on their own.
@@ -43,33 +48,7 @@ void add_sentences(Texts& texts, const std::string& text) {
   }
 }
 
-void add_device(Texts& texts) {
-  for (std::size_t i = 0; i < kDeviceFaultCount; ++i)
-    for (const auto& finger : any_finger())
-      texts.insert(std::string(describe(static_cast<DeviceFault>(i), finger)));
-  for (const Hand hand : {Hand::right, Hand::left})
-    for (const Finger finger : kFingers)
-      for (const Press press : {Press::into, Press::up, Press::toward_wrist, Press::weight}) {
-        const CheckStep step{finger, press, hand};
-        texts.insert(step.instruction());
-        for (const auto verdict :
-             {CheckVerdict::good, CheckVerdict::other_finger, CheckVerdict::wrong_sign,
-              CheckVerdict::wrong_axis, CheckVerdict::wrong_scale, CheckVerdict::nothing_felt})
-          for (const Finger felt_by : kFingers) {
-            if (verdict == CheckVerdict::other_finger && felt_by == finger) continue;
-            CheckResult result;
-            result.step = step;
-            result.verdict = verdict;
-            result.felt_by = felt_by;
-            add_sentences(texts, result.sentence());
-          }
-      }
-}
-
 void add_session(Texts& texts) {
-  for (const auto cause : {session::PauseCause::therapist, session::PauseCause::missing_samples,
-                           session::PauseCause::device_fault, session::PauseCause::occluded})
-    texts.insert(std::string(session::describe(cause)));
   using Why = session::ZeroRefusal::Why;
   for (const Why why :
        {Why::gaps, Why::noisy_force, Why::noisy_torque, Why::drift, Why::loaded, Why::changed})
@@ -185,48 +164,15 @@ void add_reasons(Texts& texts, const std::string& source_folder) {
   }
 }
 
-/// Forces that the shipped tasks are scaled to, not measured yet.
-void add_lacks(Texts& texts, const tasks::TaskSpec& spec) {
-  for (const tasks::Scale scale :
-       {tasks::Scale::of_maximum, tasks::Scale::of_comfortable, tasks::Scale::of_baseline})
-    for (const ForceChannel channel : spec.channels_needed(scale)) {
-      const auto unit = tasks::ForceReferences{}.unit_N(scale, channel, spec.largest_level());
-      if (unit) continue;
-      texts.insert(pattern_of(unit.error().what));
-      texts.insert(pattern_of(unit.error().remedy));
-    }
-}
-
-void add_library(Texts& texts, const std::string& library) {
-  for (const auto& entry : fs::directory_iterator(library + "/tasks")) {
-    const auto text = read_text(entry.path());
-    if (entry.path().extension() != ".toml" || !text) continue;
-    const auto spec = tasks::parse_task(*text, entry.path());
-    if (!spec) continue;
-    texts.insert(spec->name);
-    texts.insert(spec->instruction);
-    add_lacks(texts, *spec);
-  }
-  for (const auto& entry : fs::directory_iterator(library + "/patients"))
-    if (entry.path().extension() == ".toml")
-      texts.insert("Simulated sensors, " + entry.path().stem().string() + " patient");
-  for (const auto& entry : fs::directory_iterator(library + "/protocols"))
-    if (const auto protocol = session::read_protocol(entry.path(), library))
-      texts.insert(protocol->spec.name);
-}
-
 }  // namespace
 
-std::set<std::string> texts_below(const std::string& library, const std::string& source_folder) {
+std::set<std::string> sentence_texts(const std::string& source_folder) {
   Texts texts;
-  add_device(texts);
   add_session(texts);
   add_measures(texts);
   add_reasons(texts, source_folder);
-  add_library(texts, library);
-  texts.merge(texts_of_messages(source_folder));
   texts.erase("");
   return texts;
 }
 
-}  // namespace isograsp::gui
+}  // namespace isograsp::languages

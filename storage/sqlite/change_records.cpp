@@ -52,7 +52,7 @@ Result<RowId> SqliteStore::add_primary_measure(RowId patient, const PrimaryMeasu
   const std::string chosen_utc = or_now(primary.chosen_utc);
   RowId id = 0;
   const auto done = database_.transact("storing a primary measure"_text, [&] {
-    require("patients", "patient", patient);
+    require("patients", "patient"_text, patient);
     soci::session& sql = database_.sql();
     int there = 0;
     int same = 0;
@@ -83,7 +83,7 @@ Result<RowId> SqliteStore::add_primary_measure(RowId patient, const PrimaryMeasu
 
 Result<void> SqliteStore::remove_primary_measure(RowId id) {
   return database_.transact("removing a primary measure"_text, [&] {
-    require("primary_measures", "primary measure", id);
+    require("primary_measures", "primary measure"_text, id);
     database_.sql() << "DELETE FROM primary_measures WHERE id = :id", soci::use(id);
   });
 }
@@ -112,7 +112,7 @@ Result<RowId> SqliteStore::add_stable_period(RowId patient, const StablePeriod& 
   const std::string judged_utc = or_now(period.judged_utc);
   RowId id = 0;
   const auto done = database_.transact("storing a stable time"_text, [&] {
-    require("patients", "patient", patient);
+    require("patients", "patient"_text, patient);
     soci::session& sql = database_.sql();
     std::string from;
     std::string until;
@@ -136,7 +136,7 @@ Result<RowId> SqliteStore::add_stable_period(RowId patient, const StablePeriod& 
 
 Result<void> SqliteStore::remove_stable_period(RowId id) {
   return database_.transact("removing a stable time"_text, [&] {
-    require("stable_periods", "stable time", id);
+    require("stable_periods", "stable time"_text, id);
     database_.sql() << "DELETE FROM stable_periods WHERE id = :id", soci::use(id);
   });
 }

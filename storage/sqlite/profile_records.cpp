@@ -15,12 +15,12 @@ constexpr int kProfileSinceFormat = 4;
 
 }  // namespace
 
-void SqliteStore::require(const char* table, const char* one, RowId id) {
+void SqliteStore::require(const char* table, Words one, RowId id) {
   int present = 0;
   database_.sql() << "SELECT count(*) FROM " + std::string(table) + " WHERE id = :id",
       soci::use(id), soci::into(present);
   if (present == 0)
-    throw Refusal{refused("there is no %1 number %2"_text(std::string(one), id),
+    throw Refusal{refused("there is no %1 number %2"_text(one, id),
                           "read what there is again"_text)
                       .at(path())};
 }
@@ -51,7 +51,7 @@ Result<void> SqliteStore::set_profile(RowId patient, const PatientProfile& profi
   const std::string sex(profile.sex ? name_of(*profile.sex) : "");
   const int birth_year = profile.birth_year.value_or(0);
   return database_.transact("storing a profile"_text, [&] {
-    require("patients", "patient", patient);
+    require("patients", "patient"_text, patient);
     database_.sql()
         << "INSERT INTO patient_profiles (patient_id, affected, dominant, sex, birth_year, "
            "onset_date, notes, goals) VALUES (:patient, :affected, :dominant, :sex, "
@@ -102,7 +102,7 @@ Result<RowId> SqliteStore::add_treatment_mark(RowId patient, const TreatmentMark
   if (const auto good = check_treatment_mark(mark); !good) return good.error();
   RowId id = 0;
   const auto done = database_.transact("storing a treatment mark"_text, [&] {
-    require("patients", "patient", patient);
+    require("patients", "patient"_text, patient);
     soci::session& sql = database_.sql();
     sql << "INSERT INTO treatment_marks (patient_id, on_date, kind, text) "
            "VALUES (:patient, :date, :kind, :text)",
@@ -115,7 +115,7 @@ Result<RowId> SqliteStore::add_treatment_mark(RowId patient, const TreatmentMark
 
 Result<void> SqliteStore::remove_treatment_mark(RowId id) {
   return database_.transact("removing a treatment mark"_text, [&] {
-    require("treatment_marks", "treatment mark", id);
+    require("treatment_marks", "treatment mark"_text, id);
     database_.sql() << "DELETE FROM treatment_marks WHERE id = :id", soci::use(id);
   });
 }
@@ -141,7 +141,7 @@ Result<RowId> SqliteStore::add_clinical_score(RowId patient, const ClinicalScore
   if (const auto good = check_clinical_score(score); !good) return good.error();
   RowId id = 0;
   const auto done = database_.transact("storing a clinical score"_text, [&] {
-    require("patients", "patient", patient);
+    require("patients", "patient"_text, patient);
     soci::session& sql = database_.sql();
     sql << "INSERT INTO clinical_scores (patient_id, on_date, scale, value, text) "
            "VALUES (:patient, :date, :scale, :value, :text)",
@@ -155,7 +155,7 @@ Result<RowId> SqliteStore::add_clinical_score(RowId patient, const ClinicalScore
 
 Result<void> SqliteStore::remove_clinical_score(RowId id) {
   return database_.transact("removing a clinical score"_text, [&] {
-    require("clinical_scores", "clinical score", id);
+    require("clinical_scores", "clinical score"_text, id);
     database_.sql() << "DELETE FROM clinical_scores WHERE id = :id", soci::use(id);
   });
 }
@@ -172,7 +172,7 @@ void SqliteStore::insert_answers(RowId session, std::span<const SessionAnswer> a
 
 Result<void> SqliteStore::add_answers(RowId session, std::span<const SessionAnswer> answers) {
   return database_.transact("storing answers"_text, [&] {
-    require("sessions", "session", session);
+    require("sessions", "session"_text, session);
     insert_answers(session, answers);
   });
 }

@@ -81,7 +81,7 @@ Result<SignalFacts> read_signals(storage::SessionStore& store,
     const auto signals = store.signals(trial);
     if (!signals) {
       facts.damaged.push_back("trial " + std::to_string(trial.number) + ": " +
-                              signals.error().what);
+                              english(signals.error().what));
       continue;
     }
     for (const double flags : signals->column(columns::sample_flags)) {

@@ -33,7 +33,7 @@ class Dynamometer final : public session::Apparatus {
 
   explicit Dynamometer(std::vector<double> force_N) : force_N_(std::move(force_N)) {
     info_.kind = kKind;
-    info_.description = "A handle, recorded";
+    info_.description = "A handle, recorded"_text;
     info_.recorded = true;
     info_.period_s = kPeriod_s;
     info_.provenance = {"a recorded handle"};
@@ -68,7 +68,7 @@ class Dynamometer final : public session::Apparatus {
   [[nodiscard]] Result<void> ready() override { return {}; }
   [[nodiscard]] Result<std::unique_ptr<session::Preparation>> make_preparation(
       const session::ZeroRequest&) override {
-    return refused("a handle has no zero", "leave the step out");
+    return refused("a handle has no zero"_text, "leave the step out"_text);
   }
   [[nodiscard]] Result<std::unique_ptr<session::TrialSetup>> make_trial(
       const tasks::TaskSpec& spec, const tasks::TaskContext& context) override {

@@ -160,7 +160,7 @@ Result<void> run_session(const RunOptions& options) {
   if (!ended) return ended;
   if (options.quiet) return {};
   for (const auto& outcome : result->trials) print_trial(outcome);
-  for (const auto& left_out : result->left_out) print_note("left out: " + left_out);
+  for (const auto& left_out : result->left_out) print_note("left out: %1"_text(left_out));
   return {};
 }
 

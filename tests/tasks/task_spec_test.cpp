@@ -67,6 +67,13 @@ TEST(TaskSpec, EveryMistakeNamesLineFieldAndRemedy) {
       {"kind = \"pose_targets\"\nscene = \"s\"\ntime_limit_s = 1\n[[target]]\n"
        "position_m = [0, 0, 0]\nhold_s = 1\n",
        "t.toml:9: target[1].hold_s: leaves no time within time_limit_s; make it shorter"},
+      {"kind = \"pose_tracking\"\n[[axis]]\ndof = \"x\"\nleast_m = 0\nmost_m = 0.1\nwaveform = "
+       "\"sine\"\n"
+       "period_s = 2\n",
+       "t.toml:1: scene: is missing; add it"},
+      {"kind = \"observe\"\nscene = \"a/b\"\n",
+       "t.toml:5: scene: 'a/b' is not the name of a scene; write the name of its file without "
+       "folder and ending, e.g. \"planar_block\""},
   };
   for (const auto& [text, message] : bad) {
     const auto task = parse_task(task_text(text), "t.toml");

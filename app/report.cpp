@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/language.hpp"
 #include "app/login_options.hpp"
 #include "app/report_all.hpp"
 #include "reports/findings/progress_report.hpp"
@@ -37,7 +38,7 @@ Result<void> write_report(const std::string& database, const std::string& patien
       });
   if (!content) return content.error();
   reports::ensure_qt_application();
-  const auto writer = reports::make_report_writer(*std::move(content), path);
+  const auto writer = reports::make_report_writer(*std::move(content), path, spoken());
   auto written = reports::write_all(*writer, path, [&](double done, const std::string& words) {
     bar.show(kGathered + (1.0 - kGathered) * done, words);
     return true;

@@ -67,7 +67,8 @@ Result<void> write_one(storage::SessionStore& store, const std::string& code,
   auto content = reports::gather_progress(store, code);
   if (!content) return content.error();
   const std::string path = fs::path(options.folder) / (code + "." + options.format);
-  return reports::write_all(*reports::make_report_writer(*std::move(content), path), path);
+  const auto writer = reports::make_report_writer(*std::move(content), path, spoken());
+  return reports::write_all(*writer, path);
 }
 
 /// The work of one process.

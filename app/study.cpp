@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/language.hpp"
 #include "app/login_options.hpp"
 #include "core/files.hpp"
 #include "reports/paper/qt_application.hpp"
@@ -53,7 +54,7 @@ Result<void> write_study(const StudyOptions& options, const reports::Study& stud
     if (auto done = write_text(options.out, reports::study_csv(study, *data)); !done) return done;
   } else if (!options.out.empty()) {
     reports::ensure_qt_application();
-    const auto report = reports::study_report(study, *data, analyses);
+    const auto report = reports::study_report(study, *data, analyses, spoken());
     const auto page =
         options.out.ends_with(".html") ? reports::study_html(report) : reports::study_pdf(report);
     if (auto done = write_text(options.out, page); !done) return done;

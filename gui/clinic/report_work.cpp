@@ -3,6 +3,7 @@
 
 #include "core/files.hpp"
 #include "gui/clinic/save_folder.hpp"
+#include "gui/words/language.hpp"
 #include "gui/words/texts.hpp"
 
 namespace isograsp::gui {
@@ -54,7 +55,8 @@ void ReportWork::start(const std::string& code, const std::string& path,
           return;
         }
         stage_ = Stage::painting;
-        writer_ = reports::make_report_writer(*std::move(content), path_);
+        writer_ =
+            reports::make_report_writer(*std::move(content), path_, languages::language(spoken()));
         if (!held_) between_events_.start();
       });
   Q_EMIT progress(0.0, tr("reading"));

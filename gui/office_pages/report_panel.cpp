@@ -13,6 +13,7 @@
 #include "gui/clinic/save_folder.hpp"
 #include "gui/look/choice_box.hpp"
 #include "gui/look/look.hpp"
+#include "gui/words/language.hpp"
 #include "gui/words/texts.hpp"
 
 namespace isograsp::gui {
@@ -220,7 +221,8 @@ void ReportPanel::load_pages() {
 void ReportPanel::show_pages(Result<reports::ReportContent> content) {
   reading_ = false;
   if (content) {
-    pages_ = std::make_shared<const reports::ReportPages>(*std::move(content));
+    pages_ = std::make_shared<const reports::ReportPages>(*std::move(content),
+                                                          languages::language(spoken()));
     view_->show_pages(pages_);
   } else {
     pages_.reset();

@@ -132,8 +132,8 @@ QString verdict_line(const reports::PatientVerdict& verdict) {
   if (!verdict.verdict) return QObject::tr("Cannot be judged yet: no assessment yet");
   const auto& change = verdict.verdict->change;
   const QString basis = change.verdict == reports::Verdict::cannot_be_judged
-                            ? shown(verdict.verdict->reason)
-                            : shown_digits(reports::mdc_words(change, verdict.unit));
+                            ? translated(verdict.verdict->reason)
+                            : translated(reports::mdc_words(change, verdict.unit));
   switch (change.verdict) {
     case reports::Verdict::improved:
       return (change.confirmed ? QObject::tr("Improved (confirmed) · %1")

@@ -44,21 +44,23 @@ Conditions conditions_of(const storage::PooledValue& value) {
   return {value.rate_Hz, value.device_delay_s, value.display_delay_s, gain_of(value.references)};
 }
 
-std::string difference(const Conditions& a, const Conditions& b) {
-  if (!are_tied(a.device_delay_s, b.device_delay_s)) return "other filter delay of the device";
+Text difference(const Conditions& a, const Conditions& b) {
+  if (!are_tied(a.device_delay_s, b.device_delay_s)) return "other filter delay of the device"_text;
   const bool same_display = a.display_delay_s && b.display_delay_s
                                 ? are_tied(*a.display_delay_s, *b.display_delay_s)
                                 : a.display_delay_s == b.display_delay_s;
-  if (!same_display) return "other delay of the display";
-  if (!are_tied(a.rate_Hz, b.rate_Hz)) return "other frame rate";
-  return same_gain(a.gain, b.gain) ? "" : "other visual gain";
+  if (!same_display) return "other delay of the display"_text;
+  if (!are_tied(a.rate_Hz, b.rate_Hz)) return "other frame rate"_text;
+  if (!same_gain(a.gain, b.gain)) return "other visual gain"_text;
+  return {};
 }
 
-std::string difference(const StoredTrial& a, const StoredTrial& b) {
-  if (source_of(*a.session_record) != source_of(*b.session_record)) return "other source of forces";
-  if (a.trial.task_version != b.trial.task_version) return "other version of the task";
-  if (a.trial.task_text != b.trial.task_text) return "other task parameters";
-  if (a.trial.scene_text != b.trial.scene_text) return "other object or scene";
+Text difference(const StoredTrial& a, const StoredTrial& b) {
+  if (source_of(*a.session_record) != source_of(*b.session_record))
+    return "other source of forces"_text;
+  if (a.trial.task_version != b.trial.task_version) return "other version of the task"_text;
+  if (a.trial.task_text != b.trial.task_text) return "other task parameters"_text;
+  if (a.trial.scene_text != b.trial.scene_text) return "other object or scene"_text;
   return difference(conditions_of(a), conditions_of(b));
 }
 

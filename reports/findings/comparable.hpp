@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/text.hpp"
 #include "reports/findings/measure_series.hpp"
 
 namespace isograsp::reports {
@@ -31,10 +32,10 @@ struct Conditions {
 [[nodiscard]] Conditions conditions_of(const StoredTrial& trial);
 [[nodiscard]] Conditions conditions_of(const storage::PooledValue& value);
 /// Why values measured so must not be compared; empty: they may.
-[[nodiscard]] std::string difference(const Conditions& a, const Conditions& b);
+[[nodiscard]] Text difference(const Conditions& a, const Conditions& b);
 
 /// Why two trials of one task and hand must not be compared; empty: they may.
-[[nodiscard]] std::string difference(const StoredTrial& a, const StoredTrial& b);
+[[nodiscard]] Text difference(const StoredTrial& a, const StoredTrial& b);
 
 /// What values of other people must equal to be pooled with `measure` of a trial.
 [[nodiscard]] storage::PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure);

@@ -50,10 +50,10 @@ void add_rest(const PatientRecords& records, const StoredTrial& profile, Compass
 
 }  // namespace
 
-std::string_view name_of(CompassPoint point) noexcept {
-  constexpr std::array<std::string_view, kCompassPoints> kNames{"closing", "opening", "radial",
-                                                                "ulnar",   "distal",  "proximal"};
-  return kNames[static_cast<std::size_t>(point)];
+Words words_of(CompassPoint point) noexcept {
+  static constexpr std::array<Words, kCompassPoints> kWords{
+      "closing"_text, "opening"_text, "radial"_text, "ulnar"_text, "distal"_text, "proximal"_text};
+  return kWords[static_cast<std::size_t>(point)];
 }
 
 CompassPoint compass_point(Direction direction, Finger finger, Hand hand) noexcept {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.hpp"
 #include "hand/finger.hpp"
 #include "hand/force_channel.hpp"
 
@@ -19,7 +20,7 @@ struct PatientRecords;
 /// Two ways along each axis of the hand.
 enum class CompassPoint : std::uint8_t { closing, opening, radial, ulnar, distal, proximal };
 inline constexpr std::size_t kCompassPoints = 6;
-[[nodiscard]] std::string_view name_of(CompassPoint point) noexcept;
+[[nodiscard]] Words words_of(CompassPoint point) noexcept;
 /// Of a force along an axis of the contact frame.
 [[nodiscard]] CompassPoint compass_point(Direction direction, Finger finger, Hand hand) noexcept;
 

@@ -9,23 +9,21 @@
 
 #include "hand/columns.hpp"
 #include "hand/platform_records.hpp"
+#include "reports/findings/wording.hpp"
 #include "tasks/score.hpp"
 
 namespace isograsp::reports {
 
 namespace {
 
-std::string printed(const char* format, double value) {
+Number two_digits(double value) {
   char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return {text};
 }
-std::string counted(std::int64_t n, const std::string& noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
-std::string share(std::int64_t part, std::int64_t whole) {
-  if (part == 0) return "none";
-  return printed("%.2g %%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+Text share(std::int64_t part, std::int64_t whole) {
+  if (part == 0) return "none"_text;
+  return "%1 %"_text(two_digits(100.0 * static_cast<double>(part) / static_cast<double>(whole)));
 }
 
 /// What is seen only in the signals of a session.
@@ -35,8 +33,8 @@ struct SignalFacts {
   std::int64_t missing = 0;
   std::int64_t beyond_range = 0;
   std::int64_t compared = 0;  ///< measures computed again
-  std::vector<std::string> differing;
-  std::vector<std::string> damaged;
+  std::vector<Text> differing;
+  std::vector<Text> damaged;
 };
 
 /// Stored values were computed by the same functions; libm may differ by CPU in the last digits.
@@ -64,7 +62,7 @@ Result<void> compare_measures(storage::SessionStore& store, const storage::Trial
     if (same == again.end()) continue;  // scored by another version of the measure
     ++facts.compared;
     if (!agree(measure, *same))
-      facts.differing.push_back(measure.name + " of trial " + std::to_string(trial.number));
+      facts.differing.push_back("%1 of trial %2"_text(measure.name, trial.number));
   }
   return {};
 }
@@ -80,8 +78,7 @@ Result<SignalFacts> read_signals(storage::SessionStore& store,
       return cancelled();
     const auto signals = store.signals(trial);
     if (!signals) {
-      facts.damaged.push_back("trial " + std::to_string(trial.number) + ": " +
-                              english(signals.error().what));
+      facts.damaged.push_back("trial %1: %2"_text(trial.number, signals.error().what));
       continue;
     }
     for (const double flags : signals->column(columns::sample_flags)) {
@@ -124,47 +121,63 @@ QualityLine zero_line(const storage::SessionRecord& session,
         wrenches && one.kind == platform::kInstrumentZero)
       sd.push_back(*wrenches);
   if (session.recorded && sd.empty())
-    return {"Instrument zero", "as in the recording; it cannot be repeated", true};
-  if (sd.empty()) return {"Instrument zero", "not done: forces contain the sensor's offset", true};
+    return {"Instrument zero"_text, "as in the recording; it cannot be repeated"_text, true};
+  if (sd.empty())
+    return {"Instrument zero"_text, "not done: forces contain the sensor's offset"_text, true};
   double noise_N = 0.0;
   for (const Vec6& one : sd.back()) noise_N = std::max(noise_N, one.head<3>().maxCoeff());
-  std::string text = "done with the device empty";
-  if (sd.size() > 1) text += ", " + counted(static_cast<std::int64_t>(sd.size()), "time");
-  return {"Instrument zero",
-          text + "; empty noise " + printed("%.2g N", noise_N) + " (SD, largest axis)", false};
+  if (sd.size() == 1)
+    return {
+        "Instrument zero"_text,
+        "done with the device empty; empty noise %1 N (SD, largest axis)"_text(two_digits(noise_N)),
+        false};
+  return {"Instrument zero"_text,
+          "done with the device empty, %1 times; empty noise %2 N (SD, largest axis)"_text(
+              sd.size(), two_digits(noise_N)),
+          false};
 }
 
 QualityLine sample_line(const SignalFacts& facts, std::int64_t recorder_drops, std::int64_t lost) {
-  const std::string text =
-      "missing " + share(facts.missing, facts.rows) + ", held " + share(facts.held, facts.rows) +
-      ", beyond range " + share(facts.beyond_range, facts.rows) + " of " +
-      counted(facts.rows, "sample") + "; lost on the way " + std::to_string(lost) +
-      ", not recorded " + std::to_string(recorder_drops);
+  const auto words =
+      facts.rows == 1
+          ? "missing %1, held %2, beyond range %3 of %4 sample; lost on the way %5, not recorded %6"_text
+          : "missing %1, held %2, beyond range %3 of %4 samples; lost on the way %5, not recorded %6"_text;
+  const Text text = words(share(facts.missing, facts.rows), share(facts.held, facts.rows),
+                          share(facts.beyond_range, facts.rows), facts.rows, lost, recorder_drops);
   constexpr double kNoticeable = 0.01;  // of the samples
   const auto gaps = static_cast<double>(facts.missing + facts.held + facts.beyond_range);
-  return {"Samples", text,
+  return {"Samples"_text, text,
           gaps > kNoticeable * static_cast<double>(facts.rows) || recorder_drops > 0};
+}
+
+Words status_words(storage::TrialStatus status) {
+  switch (status) {
+    case storage::TrialStatus::running: return "running"_text;
+    case storage::TrialStatus::completed: return "completed"_text;
+    case storage::TrialStatus::aborted: return "aborted"_text;
+    case storage::TrialStatus::interrupted: return "interrupted"_text;
+  }
+  return "interrupted"_text;
 }
 
 QualityLine trial_line(const std::vector<storage::TrialRecord>& trials) {
   int completed = 0;
   int practice = 0;
   int helped = 0;
-  std::string unfinished;
+  std::vector<Text> unfinished;
   for (const auto& trial : trials) {
     practice += trial.practice ? 1 : 0;
     helped += trial.helped ? 1 : 0;
     if (trial.status == storage::TrialStatus::completed)
       ++completed;
     else
-      unfinished += "; trial " + std::to_string(trial.number) + " (" + trial.task_name + ") " +
-                    std::string(storage::name_of(trial.status));
+      unfinished.push_back("trial %1 (%2) %3"_text(trial.number, Known{trial.task_name},
+                                                   status_words(trial.status)));
   }
-  std::string text =
-      std::to_string(completed) + " of " + std::to_string(trials.size()) + " completed";
-  if (practice > 0) text += ", " + std::to_string(practice) + " of them practice";
-  if (helped > 0) text += ", " + std::to_string(helped) + " with the therapist's help";
-  return {"Trials", text + unfinished, !unfinished.empty()};
+  std::vector<Text> counts{"%1 of %2 completed"_text(completed, trials.size())};
+  if (practice > 0) counts.push_back("%1 of them practice"_text(practice));
+  if (helped > 0) counts.push_back("%1 with the therapist's help"_text(helped));
+  return {"Trials"_text, apart({listed(counts), apart(unfinished)}), !unfinished.empty()};
 }
 
 QualityLine fault_line(const std::vector<storage::EventRecord>& events) {
@@ -174,34 +187,40 @@ QualityLine fault_line(const std::vector<storage::EventRecord>& events) {
   };
   const auto faults = of_kind("fault");
   const auto pauses = of_kind("pause");
-  std::string text = (faults == 0 ? "no device fault" : counted(faults, "device fault")) + ", " +
-                     (pauses == 0 ? "no pause" : counted(pauses, "pause"));
+  const Text of_device = faults == 0   ? Text("no device fault"_text)
+                         : faults == 1 ? Text("1 device fault"_text)
+                                       : "%1 device faults"_text(faults);
+  const Text of_pauses = pauses == 0   ? Text("no pause"_text)
+                         : pauses == 1 ? Text("1 pause"_text)
+                                       : "%1 pauses"_text(pauses);
+  Text text = listed({of_device, of_pauses});
   for (const auto& event : events)
     if (event.kind == "fault" && !event.text.empty()) {
-      text += "; first: " + event.text;
+      text = apart({text, "first: %1"_text(Known{event.text})});
       break;
     }
-  return {"Faults", text, faults > 0};
+  return {"Faults"_text, text, faults > 0};
 }
 
 QualityLine time_line(const std::vector<storage::TrialRecord>& trials, double rate_Hz) {
   double lateness_s = 0.0;
   for (const auto& trial : trials) lateness_s = std::max(lateness_s, trial.worst_lateness_s);
-  return {"Timing",
-          printed("%.0f frames per second", rate_Hz) +
-              printed("; latest frame %.1f ms late", 1000.0 * lateness_s),
+  return {"Timing"_text,
+          "%1 frames per second; latest frame %2 ms late"_text(fixed(rate_Hz, 0),
+                                                               fixed(1000.0 * lateness_s, 1)),
           lateness_s * rate_Hz > 1.0};
 }
 
 QualityLine delay_line(const storage::SessionRecord& session) {
-  const std::string filter =
-      session.device_delay_s > 0.0
-          ? printed("filter delay of %.1f ms is", 1000.0 * session.device_delay_s)
-          : std::string("unknown filter delay, if any, is");
-  return {
-      "Delay",
-      filter + " contained in lag and tracking error, not subtracted; display delay not measured",
-      false};
+  if (session.device_delay_s > 0.0)
+    return {"Delay"_text,
+            "filter delay of %1 ms is contained in lag and tracking error, not subtracted; display "
+            "delay not measured"_text(fixed(1000.0 * session.device_delay_s, 1)),
+            false};
+  return {"Delay"_text,
+          "unknown filter delay, if any, is contained in lag and tracking error, not subtracted; "
+          "display delay not measured"_text,
+          false};
 }
 
 }  // namespace
@@ -219,13 +238,15 @@ Result<std::vector<QualityLine>> assess_quality(storage::SessionStore& store,
 
   std::vector<QualityLine> lines;
   if (session.simulated)
-    lines.push_back({"Source", "simulated device: these are not measurements of a person", true});
+    lines.push_back(
+        {"Source"_text, "simulated device: these are not measurements of a person"_text, true});
   if (session.recorded) {
-    lines.push_back({"Source", "a replayed recording, not measured with this device", true});
+    lines.push_back(
+        {"Source"_text, "a replayed recording, not measured with this device"_text, true});
     const auto& text = session.provenance;
     for (std::size_t from = 0; from < text.size();) {
       const auto end = std::min(text.find('\n', from), text.size());
-      lines.push_back({"", text.substr(from, end - from), false});
+      lines.push_back({{}, "%1"_text(text.substr(from, end - from)), false});
       from = end + 1;
     }
   }
@@ -238,17 +259,20 @@ Result<std::vector<QualityLine>> assess_quality(storage::SessionStore& store,
   lines.push_back(time_line(trials, session.rate_Hz));
   lines.push_back(delay_line(session));
   if (facts->compared > 0 && facts->differing.empty())
-    lines.push_back(
-        {"Recomputed",
-         "all " + std::to_string(facts->compared) + " results follow again from the stored signals",
-         false});
-  if (!facts->differing.empty())
-    lines.push_back(
-        {"Recomputed",
-         counted(static_cast<std::int64_t>(facts->differing.size()), "result") +
-             " cannot be reproduced from the stored signals, first: " + facts->differing.front(),
-         true});
-  for (const auto& damaged : facts->damaged) lines.push_back({"Damaged", damaged, true});
+    lines.push_back({"Recomputed"_text,
+                     "all %1 results follow again from the stored signals"_text(facts->compared),
+                     false});
+  if (facts->differing.size() == 1)
+    lines.push_back({"Recomputed"_text,
+                     "1 result cannot be reproduced from the stored signals, first: %1"_text(
+                         facts->differing.front()),
+                     true});
+  if (facts->differing.size() > 1)
+    lines.push_back({"Recomputed"_text,
+                     "%1 results cannot be reproduced from the stored signals, first: %2"_text(
+                         facts->differing.size(), facts->differing.front()),
+                     true});
+  for (const auto& damaged : facts->damaged) lines.push_back({"Damaged"_text, damaged, true});
   return lines;
 }
 

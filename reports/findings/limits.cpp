@@ -10,7 +10,7 @@
 #include "core/ties.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/patient_records.hpp"
-#include "reports/findings/report_text.hpp"
+#include "reports/findings/wording.hpp"
 #include "tasks/facts/measure_words.hpp"
 
 namespace isograsp::reports {
@@ -202,31 +202,35 @@ Logarithms logarithms(std::span<const ComponentDay> days, Comparison comparison)
   return {mean, used * used / n};
 }
 
-std::string treatment_words(const storage::TreatmentMark& mark) {
-  std::string kind = mark.kind;
-  std::replace(kind.begin(), kind.end(), '_', ' ');
-  return format_date(mark.on_date) + ", " + kind;
+Text kind_words(const storage::TreatmentMark& mark) {
+  static constexpr std::array kKinds{"botulinum toxin"_text, "drug"_text, "orthosis"_text,
+                                     "therapy"_text, "other"_text};
+  const auto kind =
+      std::find(storage::kTreatmentKinds.begin(), storage::kTreatmentKinds.end(), mark.kind);
+  if (kind == storage::kTreatmentKinds.end()) return "%1"_text(mark.kind);
+  return kKinds[static_cast<std::size_t>(kind - storage::kTreatmentKinds.begin())];
 }
 
 /// The newest mark that lies between two assessments, with the newest days on either side of it.
-std::string since_treatment(std::span<const storage::TreatmentMark> marks,
-                            const std::vector<ComponentDay>& days, const std::string& unit) {
+Text since_treatment(std::span<const storage::TreatmentMark> marks,
+                     const std::vector<ComponentDay>& days, const std::string& unit) {
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     const auto after = std::find_if(days.begin(), days.end(), [&](const ComponentDay& day) {
       return day.date >= mark->on_date;
     });
     if (after == days.begin() || after == days.end()) continue;
     const auto value = [&](auto from, auto to) {
-      return tasks::format_value(mean_value(newest(std::span(from, to))), unit);
+      return value_number(mean_value(newest(std::span(from, to))), unit);
     };
-    return treatment_words(*mark) + ": " + value(days.begin(), after) + " before, " +
-           value(after, days.end()) + " now";
+    return "%1, %2: %3 before, %4 now"_text(day_words(mark->on_date), kind_words(*mark),
+                                            value(days.begin(), after), value(after, days.end()));
   }
-  return "";
+  return {};
 }
 
-std::string counted_days(std::size_t days) {
-  return std::to_string(days) + (days == 1 ? " day" : " days");
+Text hand_of_days(Hand hand, std::size_t days) {
+  if (days == 1) return hand == Hand::right ? "right hand, 1 day"_text : "left hand, 1 day"_text;
+  return (hand == Hand::right ? "right hand, %1 days"_text : "left hand, %1 days"_text)(days);
 }
 
 ComponentResult judged(const Measured& one, Hand other, bool compare_hands) {
@@ -236,28 +240,26 @@ ComponentResult judged(const Measured& one, Hand other, bool compare_hands) {
   result.task = one.like->trial.task_name;
   const Measure& measure = *meant(*one.like, candidate).front();
   result.unit = measure.unit;
-  result.measure = tasks::words_for(measure.name, candidate.from.channel.starts_with("_")
-                                                      ? std::string_view{}
-                                                      : candidate.from.channel)
-                       .title;
+  const bool all_channels = candidate.from.channel.starts_with("_");
+  result.measure =
+      measure_title(measure.name, all_channels ? std::string_view{} : candidate.from.channel);
   const auto now = newest(one.hand);
   result.value = mean_value(now);
   std::span<const ComponentDay> reference;
   if (compare_hands && !one.other.empty()) {
     reference = newest(one.other);
-    result.reference_basis =
-        std::string(name_of(other)) + " hand, " + counted_days(reference.size());
+    result.reference_basis = hand_of_days(other, reference.size());
   } else {
     const auto before = std::span(one.hand).first(one.hand.size() - now.size());
     if (before.size() < kDaysForOwnBest) {
-      result.reason = compare_hands
-                          ? "the " + std::string(name_of(other)) + " hand has not done this task"
-                          : "too few days for an own best";
+      result.reason = !compare_hands         ? "too few days for an own best"_text
+                      : other == Hand::right ? "the right hand has not done this task"_text
+                                             : "the left hand has not done this task"_text;
       return result;
     }
     const auto best = best_of(before, candidate.comparison == Comparison::smaller);
     reference = {&*best, 1};
-    result.reference_basis = "own best day, " + format_date(best->date);
+    result.reference_basis = "own best day, %1"_text(day_words(best->date));
   }
   result.reference = mean_value(reference);
   result.share =
@@ -270,10 +272,11 @@ ComponentResult judged(const Measured& one, Hand other, bool compare_hands) {
 
 }  // namespace
 
-std::string_view name_of(Component component) noexcept {
-  constexpr std::array<std::string_view, kComponentCount> kNames{
-      "strength", "opening", "release", "control", "individuation", "direction"};
-  return kNames[static_cast<std::size_t>(component)];
+Words words_of(Component component) noexcept {
+  static constexpr std::array<Words, kComponentCount> kWords{
+      "strength"_text, "opening"_text,       "release"_text,
+      "control"_text,  "individuation"_text, "direction"_text};
+  return kWords[static_cast<std::size_t>(component)];
 }
 
 std::string_view training_for(Component component) noexcept {
@@ -309,7 +312,7 @@ LimitsOfHand limits_of(const PatientRecords& records,
     if (!one) {
       auto& result = limits.components.emplace_back();
       result.component = component;
-      result.reason = "not assessed";
+      result.reason = "not assessed"_text;
       continue;
     }
     auto& result = limits.components.emplace_back(judged(*one, other, limits.other_hand));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.hpp"
 #include "hand/finger.hpp"
 #include "storage/records/profile.hpp"
 #include "tasks/kind_facts.hpp"
@@ -19,7 +20,7 @@ struct PatientRecords;
 
 using tasks::Component;
 inline constexpr std::size_t kComponentCount = 6;
-[[nodiscard]] std::string_view name_of(Component component) noexcept;
+[[nodiscard]] Words words_of(Component component) noexcept;
 /// Name of the task of the library that trains it.
 [[nodiscard]] std::string_view training_for(Component component) noexcept;
 
@@ -53,16 +54,16 @@ enum class Standing : std::uint8_t { cannot_be_said, below, not_clear, as_good }
 struct ComponentResult {
   Component component = Component::strength;
   std::string task;
-  std::string measure;  ///< in words
+  Text measure;
   std::string unit;
   std::optional<double> value;      ///< of this hand, mean of its newest days as they are
   std::optional<double> reference;  ///< of what it is compared with
-  std::string reference_basis;      ///< "right hand, 2 days", "own best day, 5 Mar 2026"
+  Text reference_basis;             ///< "right hand, 2 days", "own best day, 5 Mar 2026"
   std::optional<Share> share;
   Standing standing = Standing::cannot_be_said;
-  std::string reason;  ///< why it cannot be said
+  Text reason;  ///< why it cannot be said
   /// The newest mark of treatment between assessments, with the value before and now; empty: none.
-  std::string treatment;
+  Text treatment;
 };
 
 struct LimitsOfHand {

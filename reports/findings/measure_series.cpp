@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/mean.hpp"
+#include "reports/findings/wording.hpp"
 #include "tasks/facts/measure_words.hpp"
 
 namespace isograsp::reports {
@@ -19,8 +20,12 @@ void summarise_days(MeasureSeries& series, const std::vector<AssessmentDay>& day
   if (base.days.empty()) return;
   series.baseline = mean_of(base.days);
   const bool passed_over = base.end > base.days.size();
-  series.baseline_basis = base.days.size() == kBaselineDays ? "first two days" : "first day";
-  if (passed_over) series.baseline_basis += " with a value";
+  const bool both = base.days.size() == kBaselineDays;
+  if (passed_over)
+    series.baseline_basis =
+        both ? "first two days with a value"_text : "first day with a value"_text;
+  else
+    series.baseline_basis = both ? "first two days"_text : "first day"_text;
 }
 
 /// Baseline, last and change: of days, or of sessions while there is one day only.
@@ -35,7 +40,7 @@ void summarise(MeasureSeries& series, const std::vector<ReportSession>& sessions
     if (!means.empty() && series.values.back().mean) series.last = means.back();
     if (means.size() > 1) {
       series.baseline = means.front();
-      series.baseline_basis = "first session";
+      series.baseline_basis = "first session"_text;
     }
   }
   if (series.baseline && series.last) series.change = difference_of(*series.last, *series.baseline);
@@ -64,14 +69,11 @@ std::vector<AssessmentDay> assessment_days(const MeasureSeries& series,
   return assessed;
 }
 
-std::string list_sessions(const std::set<std::size_t>& which,
-                          const std::vector<ReportSession>& sessions) {
-  std::string text = which.size() == 1 ? "session " : "sessions ";
-  std::string separator;
-  for (const auto session : which) {
-    text += separator + std::to_string(sessions[session].number);
-    separator = ", ";
-  }
+std::string session_numbers(const std::set<std::size_t>& which,
+                            const std::vector<ReportSession>& sessions) {
+  std::string text;
+  for (const auto session : which)
+    text += (text.empty() ? "" : ", ") + std::to_string(sessions[session].number);
   return text;
 }
 
@@ -107,9 +109,11 @@ MeasureSeries make_series(const Measure& like, const std::vector<const StoredTri
   }
   summarise(series, sessions);
   if (!other_version.empty())
-    section.notes.push_back(tasks::words_for(like.name, like.channel).title + ": " +
-                            list_sessions(other_version, sessions) +
-                            " not compared, another version of the measure");
+    section.notes.push_back(
+        (other_version.size() == 1
+             ? "%1: session %2 not compared, another version of the measure"_text
+             : "%1: sessions %2 not compared, another version of the measure"_text)(
+            measure_title(like.name, like.channel), session_numbers(other_version, sessions)));
   return series;
 }
 

@@ -26,9 +26,9 @@ struct StoredTrial {
 [[nodiscard]] std::vector<AssessmentDay> assessment_days(
     const MeasureSeries& series, const std::vector<ReportSession>& sessions);
 
-/// "session 3", "sessions 1, 2, 5": their numbers; `which` are indices into `sessions`.
-[[nodiscard]] std::string list_sessions(const std::set<std::size_t>& which,
-                                        const std::vector<ReportSession>& sessions);
+/// "1, 2, 5": their numbers; `which` are indices into `sessions`.
+[[nodiscard]] std::string session_numbers(const std::set<std::size_t>& which,
+                                          const std::vector<ReportSession>& sessions);
 
 /// The series of the measure `like` over `entries`, oldest first. What has another version or unit
 /// is left out and named in the notes of `section`.

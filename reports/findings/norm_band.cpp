@@ -17,13 +17,20 @@ constexpr int kDecade = 10;
 constexpr double kLowPercent = 5.0;
 constexpr double kHighPercent = 95.0;
 
-std::string words_of(storage::Sex sex) {
+Text people_words(storage::Sex sex, int decade, bool dominant) {
+  const int last = decade + kDecade - 1;
   switch (sex) {
-    case storage::Sex::female: return "women";
-    case storage::Sex::male: return "men";
+    case storage::Sex::female:
+      return (dominant ? "women of %1 to %2, dominant hand"_text
+                       : "women of %1 to %2, other than the dominant hand"_text)(decade, last);
+    case storage::Sex::male:
+      return (dominant ? "men of %1 to %2, dominant hand"_text
+                       : "men of %1 to %2, other than the dominant hand"_text)(decade, last);
     case storage::Sex::other: break;
   }
-  return "people of another sex";
+  return (dominant ? "people of another sex of %1 to %2, dominant hand"_text
+                   : "people of another sex of %1 to %2, other than the dominant hand"_text)(decade,
+                                                                                             last);
 }
 
 /// The values of one person, day by day.
@@ -74,9 +81,7 @@ std::optional<NormBand> norm_band(const std::vector<storage::PooledValue>& healt
     if (!person.failed && !person.days.empty()) band.values.push_back(mean_over_days(person));
   if (band.values.empty()) return std::nullopt;
   std::sort(band.values.begin(), band.values.end());
-  band.people = words_of(*profile.sex) + " of " + std::to_string(*decade) + " to " +
-                std::to_string(*decade + kDecade - 1) + ", " +
-                (dominant ? "dominant hand" : "other than the dominant hand");
+  band.people = people_words(*profile.sex, *decade, dominant);
   if (band.values.size() >= kLeastNormPeople) {
     band.low = statistics::percentile(band.values, kLowPercent).value;
     band.high = statistics::percentile(band.values, kHighPercent).value;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.hpp"
 #include "storage/records/profile.hpp"
 
 namespace isograsp::storage {
@@ -21,7 +22,7 @@ struct StoredTrial;
 inline constexpr std::size_t kLeastNormPeople = 20;
 
 struct NormBand {
-  std::string people;          ///< "women of 60 to 69, dominant hand"
+  Text people;                 ///< "women of 60 to 69, dominant hand"
   std::vector<double> values;  ///< one of each person, sorted
   std::optional<double> low;   ///< 5th percentile; nothing: fewer than kLeastNormPeople
   std::optional<double> high;  ///< 95th percentile

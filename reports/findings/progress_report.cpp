@@ -13,7 +13,7 @@
 #include "reports/findings/patient_records.hpp"
 #include "reports/findings/renewed.hpp"
 #include "reports/findings/task_section.hpp"
-#include "tasks/facts/measure_words.hpp"
+#include "reports/findings/wording.hpp"
 
 namespace isograsp::reports {
 
@@ -34,7 +34,7 @@ bool is_early(const std::string& onset_date, const std::string& session_date) {
 /// too.
 DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
                  const TaskSection& section) {
-  DrawnTrial drawn{trial.session, trial.trial.number, {}, trial.measures, ""};
+  DrawnTrial drawn{trial.session, trial.trial.number, {}, trial.measures, {}};
   const bool fingers = section.spec && section.spec->kind->way_drawn;
   const auto is_finger_force = [](const std::string& name) {
     for (const auto& axes : columns::finger_force)
@@ -43,7 +43,7 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
   };
   auto signals = store.signals(trial.trial);
   if (!signals) {
-    drawn.problem = "The signals of this trial cannot be read: " + signals.error().message();
+    drawn.problem = "The signals of this trial cannot be read: %1"_text(words_of(signals.error()));
     return drawn;
   }
   for (const auto& name : signals->names()) {
@@ -55,7 +55,7 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
     drawn.curves.add_column(name, {column.begin(), column.end()});
   }
   if (!drawn.curves.has(columns::t_s) || drawn.curves.rows() < 2)
-    drawn.problem = "This trial holds no signals to draw.";
+    drawn.problem = "This trial holds no signals to draw."_text;
   return drawn;
 }
 
@@ -89,9 +89,9 @@ Result<void> add_course(storage::SessionStore& store, const PatientRecords& reco
 
 /// Primary measures that no section shows, with the reason. In a part of the sessions nothing is
 /// known of the others.
-std::vector<std::string> waiting_for(const std::vector<storage::PrimaryMeasure>& primaries,
-                                     const std::vector<TaskSection>& sections, bool part) {
-  std::vector<std::string> waiting;
+std::vector<Text> waiting_for(const std::vector<storage::PrimaryMeasure>& primaries,
+                              const std::vector<TaskSection>& sections, bool part) {
+  std::vector<Text> waiting;
   for (const auto& primary : primaries) {
     const auto shows = [&](const TaskSection& section) {
       return section.task == primary.task_name && section.hand == primary.hand &&
@@ -100,9 +100,10 @@ std::vector<std::string> waiting_for(const std::vector<storage::PrimaryMeasure>&
              });
     };
     if (std::none_of(sections.begin(), sections.end(), shows))
-      waiting.push_back(tasks::words_for(primary.measure, primary.channel).title + " (" +
-                        primary.task_name + ", " + std::string(name_of(primary.hand)) + " hand), " +
-                        (part ? "no assessment in these sessions" : "no assessment yet"));
+      waiting.push_back((part ? "%1 (%2, %3), no assessment in these sessions"_text
+                              : "%1 (%2, %3), no assessment yet"_text)(
+          measure_title(primary.measure, primary.channel), Known{primary.task_name},
+          hand_words(primary.hand)));
   }
   return waiting;
 }
@@ -112,29 +113,33 @@ std::optional<QualityLine> period_of(const PatientRecords& records) {
   const int shown = static_cast<int>(records.sessions.size());
   if (shown == records.sessions_stored) return std::nullopt;
   if (shown == 0)
-    return QualityLine{
-        "Period", "none of the " + std::to_string(records.sessions_stored) + " sessions lies in it",
-        true};
+    return QualityLine{"Period"_text,
+                       "none of the %1 sessions lies in it"_text(records.sessions_stored), true};
   const int first = records.first_number;
-  return QualityLine{"Period",
-                     "sessions " + std::to_string(first) + " to " +
-                         std::to_string(first + shown - 1) + " of " +
-                         std::to_string(records.sessions_stored) +
-                         " only: baselines and changes are those of this period",
-                     true};
+  return QualityLine{
+      "Period"_text,
+      "sessions %1 to %2 of %3 only: baselines and changes are those of this period"_text(
+          first, first + shown - 1, records.sessions_stored),
+      true};
 }
 
 /// Which results are not the stored ones, in one line.
 void add_renewal(const PatientRecords& records, std::vector<QualityLine>& lines) {
   if (const auto words = renewal_words(records.renewed_results, records.renewed_trials);
       !words.empty())
-    lines.push_back({"Newer measures", words, false});
-  if (records.not_renewed_trials > 0)
-    lines.push_back({"Older measures",
-                     std::to_string(records.not_renewed_trials) +
-                         (records.not_renewed_trials == 1 ? " trial" : " trials") +
-                         " measured by an older version cannot be read again and not be compared",
-                     true});
+    lines.push_back({"Newer measures"_text, words, false});
+  const int trials = records.not_renewed_trials;
+  if (trials == 1)
+    lines.push_back(
+        {"Older measures"_text,
+         "1 trial measured by an older version cannot be read again and not be compared"_text,
+         true});
+  if (trials > 1)
+    lines.push_back(
+        {"Older measures"_text,
+         "%1 trials measured by an older version cannot be read again and not be compared"_text(
+             trials),
+         true});
 }
 
 }  // namespace
@@ -146,6 +151,15 @@ std::string_view name_of(Source source) noexcept {
     case Source::device: break;
   }
   return "device";
+}
+
+Words words_of(Source source) noexcept {
+  switch (source) {
+    case Source::simulated: return "simulated device"_text;
+    case Source::recorded: return "replayed recording"_text;
+    case Source::device: break;
+  }
+  return "device"_text;
 }
 
 Result<ReportContent> gather_progress(storage::SessionStore& store, const std::string& code,

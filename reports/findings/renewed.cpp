@@ -106,12 +106,16 @@ Result<void> Renewal::renew(storage::PooledValue& value, const storage::PoolQuer
   return {};
 }
 
-std::string renewal_words(int results, int trials) {
-  if (results == 0) return "";
-  return std::to_string(results) + (results == 1 ? " result of " : " results of ") +
-         std::to_string(trials) + (trials == 1 ? " trial" : " trials") +
-         " computed again from the stored signals, with a newer version of the measure; the stored "
-         "ones stay unchanged";
+Text renewal_words(int results, int trials) {
+  if (results == 0) return {};
+  if (results == 1)
+    return "1 result of 1 trial computed again from the stored signals, with a newer version of "
+           "the measure; the stored ones stay unchanged"_text;
+  if (trials == 1)
+    return "%1 results of 1 trial computed again from the stored signals, with a newer version of "
+           "the measure; the stored ones stay unchanged"_text(results);
+  return "%1 results of %2 trials computed again from the stored signals, with a newer version of "
+         "the measure; the stored ones stay unchanged"_text(results, trials);
 }
 
 Result<std::vector<storage::MeasurePoint>> renewed_progress(storage::SessionStore& store,

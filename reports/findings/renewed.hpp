@@ -53,7 +53,7 @@ class Renewal {
 
 /// "40 results of 12 trials are of a newer version …": what a report says of it in one line; empty:
 /// nothing was renewed.
-[[nodiscard]] std::string renewal_words(int results, int trials);
+[[nodiscard]] Text renewal_words(int results, int trials);
 
 /// Every measure of the patient's completed trials, renewed, oldest first.
 [[nodiscard]] Result<std::vector<storage::MeasurePoint>> renewed_progress(

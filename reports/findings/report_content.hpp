@@ -10,6 +10,7 @@
 
 #include "core/measure.hpp"
 #include "core/signals.hpp"
+#include "core/text.hpp"
 #include "hand/finger.hpp"
 #include "reports/findings/change.hpp"
 #include "reports/findings/compass.hpp"
@@ -22,7 +23,8 @@ namespace isograsp::reports {
 
 /// Where forces came from. Results of different sources are never compared.
 enum class Source : std::uint8_t { device, simulated, recorded };
-[[nodiscard]] std::string_view name_of(Source source) noexcept;
+[[nodiscard]] std::string_view name_of(Source source) noexcept;  ///< in files
+[[nodiscard]] Words words_of(Source source) noexcept;
 
 struct ReportSession {
   int number = 0;    ///< 1 is the first session of this patient
@@ -49,7 +51,7 @@ struct ChangeVerdict {
   ChangeJudgement change;
   int people = 0;         ///< whose stable pairs say how large the measurement error is
   int left_out = 0;       ///< of these pairs, as they lie far outside of the others
-  std::string reason;     ///< why it cannot be judged yet; empty: it can
+  Text reason;            ///< why it cannot be judged yet; empty: it can
   std::string chosen_by;  ///< who made it a primary measure
   std::string chosen_on;  ///< YYYY-MM-DD
   /// Even a fall to nothing would not be larger than measurement error.
@@ -71,10 +73,10 @@ struct MeasureSeries {
   bool key = false;  ///< stands in the table at a glance
   std::vector<SessionValue> values;
   std::optional<double> baseline;
-  std::string baseline_basis;  ///< what the baseline is the mean of
+  Text baseline_basis;         ///< what the baseline is the mean of
   std::optional<double> last;  ///< mean of the last day; none: it has no mean
   std::optional<double> change;
-  std::string trend;  ///< over all days, in words (series_trend.hpp); empty: too few
+  Text trend;  ///< over all days, in words (series_trend.hpp); empty: too few
   std::vector<PracticeValue> practice;
   std::optional<ChangeVerdict> verdict;  ///< of primary measures; all others are shown without
   std::optional<NormBand> norm =
@@ -87,13 +89,13 @@ struct DrawnTrial {
   int number = 0;
   Signals curves;                 ///< t_s, phase, target_*, actual_*, of objects finger forces
   std::vector<Measure> measures;  ///< as stored
-  std::string problem;            ///< why the signals cannot be shown
+  Text problem;                   ///< why the signals cannot be shown
 };
 
 /// From this session on a task was done under other conditions.
 struct SeriesBreak {
   std::size_t session = 0;
-  std::string reason;  ///< "other visual gain"
+  Text reason;  ///< "other visual gain"
 };
 
 /// One task with one hand: sessions that may be compared with each other.
@@ -108,12 +110,12 @@ struct TaskSection {
   std::optional<DrawnTrial> best;  ///< of a force task, by its first key measure
   std::optional<DrawnTrial> worst;
   std::vector<SeriesBreak> breaks;  ///< oldest first
-  std::vector<std::string> notes;   ///< what was left out and why
+  std::vector<Text> notes;          ///< what was left out and why
 };
 
 struct QualityLine {
-  std::string label;
-  std::string text;
+  Text label;
+  Text text;
   bool attention = false;  ///< limits what the results mean
 };
 
@@ -126,9 +128,9 @@ struct ReportContent {
   std::vector<QualityLine> quality;  ///< of the last session
   bool simulated = false;            ///< any session is
   bool recorded = false;
-  int primary_measures = 0;          ///< that have been chosen
-  std::vector<std::string> waiting;  ///< primary measures without any assessment, and why, in words
-  std::string goals;                 ///< in the patient's or therapist's words
+  int primary_measures = 0;   ///< that have been chosen
+  std::vector<Text> waiting;  ///< primary measures without any assessment, and why, in words
+  std::string goals;          ///< in the patient's or therapist's words
   std::vector<storage::ClinicalScore> scores;      ///< by date
   std::vector<storage::TreatmentMark> treatments;  ///< by date
   LimitsOfHand limits;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "reports/findings/measure_series.hpp"
+#include "reports/findings/wording.hpp"
 #include "statistics/robust_trend.hpp"
 #include "tasks/facts/measure_words.hpp"
 
@@ -15,10 +16,10 @@ namespace {
 constexpr double kWeek_days = 7.0;
 
 /// A rank correlation is no measure with a unit: two decimals.
-std::string rank(double value) {
+Number rank(double value) {
   char digits[16];
   std::snprintf(digits, sizeof digits, "%.2f", value < 0.0 ? -value : value);
-  return (value < 0.0 ? "\u2212" : "") + std::string(digits);
+  return {(value < 0.0 ? "\u2212" : "") + std::string(digits)};
 }
 
 /// Each day with its trials in the order of length, misses last.
@@ -53,13 +54,13 @@ std::vector<statistics::CensoredDay> censored_days(const MeasureSeries& series,
 
 }  // namespace
 
-std::string trend_words(const MeasureSeries& series, const std::vector<ReportSession>& sessions) {
+Text trend_words(const MeasureSeries& series, const std::vector<ReportSession>& sessions) {
   if (tasks::words_for(series.name, series.channel).censored) {
     const auto trend = statistics::rank_trend(censored_days(series, sessions));
-    if (!trend) return "";
-    return "reached in " + std::to_string(trend->reached) + " of " + std::to_string(trend->tried) +
-           " trials, ranks " + rank(trend->tau.value) + " (" + rank(trend->tau.low) + " to " +
-           rank(trend->tau.high) + ")";
+    if (!trend) return {};
+    return "reached in %1 of %2 trials, ranks %3 (%4 to %5)"_text(
+        trend->reached, trend->tried, rank(trend->tau.value), rank(trend->tau.low),
+        rank(trend->tau.high));
   }
   std::vector<double> weeks;
   std::vector<double> means;
@@ -69,11 +70,12 @@ std::string trend_words(const MeasureSeries& series, const std::vector<ReportSes
       means.push_back(*mean);
     }
   const auto slope = statistics::theil_sen(weeks, means);
-  if (!slope) return "";
+  if (!slope) return {};
+  const Number change{tasks::format_change(slope->value, series.unit)};
   const auto unit = tasks::printed_unit(series.unit.starts_with("of ") ? "" : series.unit).text;
-  return tasks::format_change(slope->value, series.unit) + (unit.empty() ? "" : "\u00a0" + unit) +
-         " per week (" + tasks::format_value(slope->low, series.unit) + " to " +
-         tasks::format_value(slope->high, series.unit) + ")";
+  return "%1 per week (%2 to %3)"_text(
+      unit.empty() ? "%1"_text(change) : "%1\u00a0%2"_text(change, unit),
+      value_number(slope->low, series.unit), value_number(slope->high, series.unit));
 }
 
 }  // namespace isograsp::reports

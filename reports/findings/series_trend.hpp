@@ -12,7 +12,7 @@ namespace isograsp::reports {
 
 /// "+0.31 N per week (0.12 to 0.48)"; "reached 12 of 20, ranks −0.42 (−0.70 to −0.10)"; empty: too
 /// few days. Intervals of 95 %.
-[[nodiscard]] std::string trend_words(const MeasureSeries& series,
-                                      const std::vector<ReportSession>& sessions);
+[[nodiscard]] Text trend_words(const MeasureSeries& series,
+                               const std::vector<ReportSession>& sessions);
 
 }  // namespace isograsp::reports

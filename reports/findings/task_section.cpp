@@ -76,13 +76,13 @@ Result<TaskSection> make_section(const VerdictContext& context,
 
   std::vector<const StoredTrial*> compared;
   std::vector<const StoredTrial*> practised;
-  std::map<std::string, std::set<std::size_t>> left_out;
+  std::map<std::string_view, std::set<std::size_t>> left_out;  // by why, in English
   int practice = 0;
   int helped = 0;
   int unfinished = 0;
   for (const StoredTrial* entry : all) {
     if (const auto why = difference(*entry, newest); !why.empty())
-      left_out[why].insert(entry->session);
+      left_out[why.english()].insert(entry->session);
     else if (entry->trial.practice) {
       ++practice;
       if (entry->trial.status == storage::TrialStatus::completed && !entry->trial.helped)
@@ -95,18 +95,19 @@ Result<TaskSection> make_section(const VerdictContext& context,
       compared.push_back(entry);
   }
   section.breaks = breaks_of(section, all);
-  for (const auto& [why, which] : left_out) {
-    auto text = list_sessions(which, sessions) + " not compared: " + why;
-    text[0] = 'S';
-    section.notes.push_back(std::move(text));
-  }
-  const auto note = [&](int n, const char* one, const char* many) {
-    if (n > 0) section.notes.push_back(std::to_string(n) + (n == 1 ? one : many));
+  for (const auto& [why, which] : left_out)
+    section.notes.push_back((which.size() == 1 ? "Session %1 not compared: %2"_text
+                                               : "Sessions %1 not compared: %2"_text)(
+        session_numbers(which, sessions), Known{std::string(why)}));
+  const auto note = [&](int n, Words one, Phrase<1> many) {
+    if (n == 1) section.notes.emplace_back(one);
+    if (n > 1) section.notes.push_back(many(n));
   };
-  note(practice, " practice trial left out", " practice trials left out");
-  note(helped, " trial with the therapist's help left out",
-       " trials with the therapist's help left out");
-  note(unfinished, " trial that did not end left out", " trials that did not end left out");
+  note(practice, "1 practice trial left out"_text, "%1 practice trials left out"_text);
+  note(helped, "1 trial with the therapist's help left out"_text,
+       "%1 trials with the therapist's help left out"_text);
+  note(unfinished, "1 trial that did not end left out"_text,
+       "%1 trials that did not end left out"_text);
   if (compared.empty()) return section;
 
   for (const Measure& measure : compared.back()->measures) {

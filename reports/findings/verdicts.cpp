@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "reports/findings/comparable.hpp"
-#include "reports/findings/report_text.hpp"
+#include "reports/findings/wording.hpp"
 #include "tasks/facts/measure_words.hpp"
 
 namespace isograsp::reports {
@@ -19,21 +19,21 @@ std::string date_of(const std::string& utc) {
   return utc.substr(0, kDayLength);
 }
 
-std::string words_of(WhyNotJudged why, int people) {
+Text why_words(WhyNotJudged why, int people) {
   switch (why) {
     case WhyNotJudged::judged: break;
-    case WhyNotJudged::no_direction: return "more of it is neither better nor worse";
-    case WhyNotJudged::baseline_too_short: return "the baseline needs two assessment days";
+    case WhyNotJudged::no_direction: return "more of it is neither better nor worse"_text;
+    case WhyNotJudged::baseline_too_short: return "the baseline needs two assessment days"_text;
     case WhyNotJudged::baseline_failed:
-      return "the baseline needs two days on which every trial has a value";
-    case WhyNotJudged::nothing_after: return "no assessment after the baseline";
-    case WhyNotJudged::last_failed: return "the last assessment has no value";
-    case WhyNotJudged::too_few_people:
-      return std::to_string(people) + " of " + std::to_string(kLeastPeople) + " stable people";
-    case WhyNotJudged::no_variation: return "stable people show no variation";
-    case WhyNotJudged::not_positive: return "the baseline is not positive, its error is a share";
+      return "the baseline needs two days on which every trial has a value"_text;
+    case WhyNotJudged::nothing_after: return "no assessment after the baseline"_text;
+    case WhyNotJudged::last_failed: return "the last assessment has no value"_text;
+    case WhyNotJudged::too_few_people: return "%1 of %2 stable people"_text(people, kLeastPeople);
+    case WhyNotJudged::no_variation: return "stable people show no variation"_text;
+    case WhyNotJudged::not_positive:
+      return "the baseline is not positive, its error is a share"_text;
   }
-  return "";
+  return {};
 }
 
 /// When the second assessment began: the first day after the baseline; empty: not yet.
@@ -47,17 +47,18 @@ std::string second_assessment_utc(const std::vector<AssessmentDay>& days,
 }
 
 /// Why this patient's data cannot be judged, whatever the pool says; empty: they can.
-std::string obstacle(const VerdictContext& context, const storage::PrimaryMeasure& primary,
-                     const TaskSection& section, const std::vector<AssessmentDay>& days,
-                     const std::vector<ReportSession>& sessions) {
-  if (context.part) return "only a part of the sessions is looked at";
+Text obstacle(const VerdictContext& context, const storage::PrimaryMeasure& primary,
+              const TaskSection& section, const std::vector<AssessmentDay>& days,
+              const std::vector<ReportSession>& sessions) {
+  if (context.part) return "only a part of the sessions is looked at"_text;
   if (section.spec && section.spec->difficulty && section.spec->difficulty->chosen)
-    return "the level of its trials follows success";
+    return "the level of its trials follows success"_text;
   const std::string second = second_assessment_utc(days, sessions);
   if (!second.empty() && primary.chosen_utc > second)  // ISO 8601 sorts as text
-    return "chosen on " + format_date(primary.chosen_utc) + ", after the second assessment";
-  if (!hand_status(context.profile.affected, section.hand)) return "the affected side is not known";
-  return "";
+    return "chosen on %1, after the second assessment"_text(day_words(primary.chosen_utc));
+  if (!hand_status(context.profile.affected, section.hand))
+    return "the affected side is not known"_text;
+  return {};
 }
 
 Result<ChangeVerdict> judge(const VerdictContext& context, const storage::PrimaryMeasure& primary,
@@ -86,7 +87,7 @@ Result<ChangeVerdict> judge(const VerdictContext& context, const storage::Primar
   verdict.left_out = pool.left_out;
   verdict.change = judge_change(days, pool, words.better);
   verdict.fall_cannot_be_told = verdict.change.none_to_zero && !words.below_zero;
-  verdict.reason = words_of(verdict.change.why, pool.people);
+  verdict.reason = why_words(verdict.change.why, pool.people);
   return verdict;
 }
 

@@ -74,9 +74,8 @@ void draw_frame(Drawing& drawing, PlotView& view) {
                         : std::cos(a) > 0.0         ? Qt::AlignLeft
                                                     : Qt::AlignRight;
     const auto along = std::sin(a) > 0.1 ? Qt::AlignBottom : Qt::AlignTop;
-    const auto name = name_of(static_cast<CompassPoint>(point));
-    drawing.word(x, y, QString::fromUtf8(name.data(), static_cast<int>(name.size())),
-                 across | along, Palette::ink());
+    drawing.word(x, y, view.said(words_of(static_cast<CompassPoint>(point))), across | along,
+                 Palette::ink());
   }
 }
 
@@ -119,8 +118,8 @@ void draw_hand(Drawing& drawing, PlotView& view, const Compass& compass, Finger 
 }  // namespace
 
 PlotView compass_plot(const std::vector<Compass>& compasses, Finger finger, double most_N,
-                      QSizeF size, double unit) {
-  PlotView view(size, unit);
+                      QSizeF size, double unit, const Language& language) {
+  PlotView view(size, unit, language);
   const double side = std::min(size.width() - 8.0, size.height() - 4.0);
   QCPAxisRect& rect = view.add_axes({(size.width() - side) / 2.0, 2.0, side, side});
   constexpr double kRoomForWords = 1.36;
@@ -134,20 +133,20 @@ PlotView compass_plot(const std::vector<Compass>& compasses, Finger finger, doub
   // A hand too weak to be seen beside the other one has a scale of its own.
   constexpr double kVisible = 1.0 / 3.0;
   double ring_y = 1.0;
-  QString coflexion;
+  std::vector<Text> coflexion;
   for (const auto& compass : compasses) {
     const double own_N = compass_range({compass});
     const double ring_N = own_N < kVisible * most_N ? own_N : most_N;
     draw_hand(drawing, view, compass, finger, ring_N);
-    const QString hand = compass.hand == Hand::right ? "right" : "left";
-    drawing.word(1.30, ring_y + 0.28, QString("ring %1 N %2").arg(ring_N).arg(hand),
+    const Text hand = side_words(compass.hand);
+    drawing.word(1.30, ring_y + 0.28, view.said("ring %1 N %2"_text(shortest(ring_N), hand)),
                  Qt::AlignRight | Qt::AlignTop, Palette::of(compass.hand));
     ring_y -= 0.14;
     if (const auto& share = compass.digits[index_of(finger)].coflexion_percent)
-      coflexion += (coflexion.isEmpty() ? QString("co-flexion: ") : QString(", ")) + hand + " " +
-                   QString::fromStdString(tasks::format_value(*share, "%")) + " %";
+      coflexion.push_back("%1 %2 %"_text(hand, value_number(*share, "%")));
   }
-  drawing.word(0.0, -1.23, coflexion, Qt::AlignHCenter | Qt::AlignTop, Palette::quiet());
+  const Text below = coflexion.empty() ? Text() : "co-flexion: %1"_text(listed(coflexion));
+  drawing.word(0.0, -1.23, view.said(below), Qt::AlignHCenter | Qt::AlignTop, Palette::quiet());
   return view;
 }
 

@@ -117,7 +117,8 @@ QString html_head(const PageFurniture& furniture) {
   const auto title = escaped(furniture.title);
   const auto mark = escaped(furniture.watermark);
   QString out =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n<html lang=\"" + escaped(language_code(*furniture.language)) +
+      "\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
       QString(kPolicy) +
       "\">\n"

@@ -15,11 +15,20 @@
 namespace isograsp::reports {
 
 struct HtmlReport::Parts {
-  explicit Parts(ReportContent content) : content_(std::move(content)) {}
+  Parts(ReportContent content, const Language& language)
+      : content_(std::move(content)), say_(language) {}
 
   void head() {
-    out_ += html_head(furniture_of(content_));
-    if (content_.sections.empty()) out_ += "<p>" + escaped(nothing_yet()) + "</p>\n";
+    out_ += html_head(furniture_of(content_, say_.language()));
+    if (content_.sections.empty()) out_ += "<p>" + html(nothing_yet()) + "</p>\n";
+  }
+
+  /// In the language of the report.
+  [[nodiscard]] QString html(const Text& text) const { return escaped(say_(text)); }
+  [[nodiscard]] std::vector<QString> html(const std::vector<Words>& all) const {
+    std::vector<QString> said;
+    for (const Words words : all) said.push_back(html(words));
+    return said;
   }
 
   void table(const QString& caption, const std::vector<QString>& heads,
@@ -31,99 +40,102 @@ struct HtmlReport::Parts {
   }
 
   void glance() {
-    const auto rows = glance_rows(content_);
+    const auto rows = glance_rows(content_, say_.language());
     if (rows.empty()) return;
-    out_ += "<section><h2>At a glance</h2>\n";
+    out_ += "<section><h2>" + html("At a glance"_text) + "</h2>\n";
     std::vector<std::vector<QString>> cells;
     const auto small = [](const std::string& text) {
       return text.empty() ? QString() : "<br><small>" + escaped(text) + "</small>";
     };
     for (const auto& row : rows)
       cells.push_back(
-          {escaped(row.task) + small(row.hand + " hand"),
-           escaped(row.measure) + small(row.direction),
+          {escaped(row.task) + small(row.hand), escaped(row.measure) + small(row.direction),
            escaped(row.baseline) + small(row.baseline_basis), escaped(row.last) + small(row.beside),
            escaped(row.change) + small(row.mdc),
            (row.primary ? "<strong>" + escaped(row.verdict) + "</strong>" : escaped(row.verdict)) +
                small(row.verdict_basis)});
-    table("Key measures", {"Task", "Measure", "Baseline", "Last", "Change", "Verdict"}, cells);
+    table(html("Key measures"_text),
+          html({"Task"_text, "Measure"_text, "Baseline"_text, "Last"_text, "Change"_text,
+                "Verdict"_text}),
+          cells);
     for (const auto& note : verdict_notes(content_))
-      out_ += "<p class=\"quiet\">" + escaped(note) + "</p>";
+      out_ += "<p class=\"quiet\">" + html(note) + "</p>";
     out_ += "</section>\n";
   }
 
   void quality() {
     if (content_.quality.empty() || content_.sessions.empty()) return;
     const auto& last = content_.sessions.back();
-    out_ += "<section class=\"quality\"><h2>Was the last measurement valid?</h2>\n<dl>\n";
-    out_ += QString("<dt>Session</dt><dd>%1, %2, %3 hand, %4</dd>\n")
-                .arg(last.number)
-                .arg(escaped(format_date(last.date)), escaped(std::string(name_of(last.hand))),
-                     escaped(last.device));
+    out_ += "<section class=\"quality\"><h2>" + html("Was the last measurement valid?"_text) +
+            "</h2>\n<dl>\n<dt>" + html("Session"_text) + "</dt><dd>" + html(session_words(last)) +
+            "</dd>\n";
     for (const auto& line : content_.quality) {
       const QString mark = line.attention ? " class=\"attention\"" : "";
-      out_ += "<dt" + mark + ">" + (line.attention ? "! " : "") + escaped(line.label) + "</dt><dd" +
-              mark + ">" + escaped(line.text) + "</dd>\n";
+      out_ += "<dt" + mark + ">" + (line.attention ? "! " : "") + html(line.label) + "</dt><dd" +
+              mark + ">" + html(line.text) + "</dd>\n";
     }
     out_ += "</dl></section>\n";
   }
 
   void add_section(const TaskSection& section) {
-    out_ += "<section><h2>" + escaped(section.task) + "</h2>\n<p class=\"quiet\">" +
-            escaped(section_subtitle(section)) + "</p>\n<div class=\"trends\">\n";
+    out_ += "<section><h2>" + html(Known{section.task}) + "</h2>\n<p class=\"quiet\">" +
+            html(section_subtitle(section)) + "</p>\n<div class=\"trends\">\n";
     for (const auto& series : section.series) add_series(series, section);
     out_ += "</div>\n";
     if (section.last) add_last_trial(section);
     add_extremes(section);
-    for (const auto& note : section.notes) out_ += "<p class=\"quiet\">" + escaped(note) + "</p>\n";
+    for (const auto& note : section.notes) out_ += "<p class=\"quiet\">" + html(note) + "</p>\n";
     out_ += "</section>\n";
   }
 
   void add_series(const MeasureSeries& series, const TaskSection& section) {
-    const auto title = series_title(series);
+    const auto title = say_(series_title(series));
     out_ += "<figure><h3>" + escaped(title) + "</h3><p class=\"quiet\">" +
-            escaped(series_subtitle(series)) + "</p>\n";
+            html(series_subtitle(series)) + "</p>\n";
     if (!series.trend.empty())
-      out_ += "<p class=\"quiet\">Trend: " + escaped(series.trend) + "</p>\n";
-    out_ += svg_of(trend_plot(series, section, content_, QSizeF(210, 120), kHtmlUnit), title,
-                   "Values over the sessions; the table beside holds the same numbers.");
+      out_ += "<p class=\"quiet\">" + html("Trend: %1"_text(series.trend)) + "</p>\n";
+    out_ += svg_of(
+        trend_plot(series, section, content_, QSizeF(210, 120), kHtmlUnit, say_.language()), title,
+        say_("Values over the sessions; the table beside holds the same numbers."_text));
     std::vector<std::vector<QString>> rows;
-    for (const auto& row : series_table(series, content_)) {
+    for (const auto& row : series_table(series, content_, say_.language())) {
       rows.emplace_back();
       for (const auto& cell : row) rows.back().push_back(escaped(cell));
     }
-    const auto unit = escaped(tasks::printed_unit(series.unit).text);
+    const auto unit = html(unit_words(tasks::printed_unit(series.unit).text));
     table(escaped(title) + (unit.isEmpty() ? "" : " [" + unit + "]"),
-          {"Session", "Date", "Mean", "Trials"}, rows);
+          html({"Session"_text, "Date"_text, "Mean"_text, "Trials"_text}), rows);
     out_ += "</figure>\n";
   }
 
   void add_last_trial(const TaskSection& section) {
-    const auto title = last_trial_title(section, content_);
+    const auto title = say_(last_trial_title(section, content_));
     out_ += "<h3>" + escaped(title) + "</h3>\n";
     if (!section.last->problem.empty()) {
-      out_ += "<p>" + escaped(section.last->problem) + "</p>\n";
+      out_ += "<p>" + html(section.last->problem) + "</p>\n";
       return;
     }
     out_ += "<div class=\"trial\"><figure>\n";
     const bool path = has_path(section);
-    out_ += svg_of(
-        overlay_plot(section, *section.last, path ? QSizeF(420, 230) : QSizeF(640, 160), kHtmlUnit),
-        title, describe_overlay(section));
+    out_ += svg_of(overlay_plot(section, *section.last, path ? QSizeF(420, 230) : QSizeF(640, 160),
+                                kHtmlUnit, say_.language()),
+                   title, say_(describe_overlay(section)));
     out_ += "</figure>\n";
     if (path)
       out_ += "<figure>\n" +
-              svg_of(path_plot(section, QSizeF(215, 230), kHtmlUnit), "Path in the plane",
-                     "The way of the object in the plane, with the targets as numbered circles.") +
+              svg_of(path_plot(section, QSizeF(215, 230), kHtmlUnit, say_.language()),
+                     say_("Path in the plane"_text),
+                     say_("The way of the object in the plane, with the targets as numbered "
+                          "circles."_text)) +
               "</figure>\n";
     out_ += "</div>\n";
     if (has_fingers(section))
       out_ += "<figure>\n" +
-              svg_of(fingers_plot(section, QSizeF(640, 220), kHtmlUnit), "Forces of the fingers",
-                     fingers_note()) +
-              "</figure>\n<p class=\"quiet\">" + escaped(fingers_note()) + "</p>\n";
+              svg_of(fingers_plot(section, QSizeF(640, 220), kHtmlUnit, say_.language()),
+                     say_("Forces of the fingers"_text), say_(fingers_note())) +
+              "</figure>\n<p class=\"quiet\">" + html(fingers_note()) + "</p>\n";
     if (const auto results = last_trial_results(section); !results.empty())
-      out_ += "<p class=\"quiet\">" + escaped(results) + "</p>\n";
+      out_ += "<p class=\"quiet\">" + html(results) + "</p>\n";
     signal_table(section, path);
   }
 
@@ -131,13 +143,13 @@ struct HtmlReport::Parts {
     if (!section.best || !section.worst) return;
     out_ += "<div class=\"trial\">\n";
     for (const auto* trial : {&*section.best, &*section.worst}) {
-      const auto title = extreme_title(section, *trial, trial == &*section.best, content_);
+      const auto title = say_(extreme_title(section, *trial, trial == &*section.best, content_));
       out_ += "<figure><h3>" + escaped(title) + "</h3>\n";
       if (trial->problem.empty())
-        out_ += svg_of(overlay_plot(section, *trial, QSizeF(310, 130), kHtmlUnit), title,
-                       "Force of the patient over the target of this trial.");
+        out_ += svg_of(overlay_plot(section, *trial, QSizeF(310, 130), kHtmlUnit, say_.language()),
+                       title, say_("Force of the patient over the target of this trial."_text));
       else
-        out_ += "<p>" + escaped(trial->problem) + "</p>";
+        out_ += "<p>" + html(trial->problem) + "</p>";
       out_ += "</figure>\n";
     }
     out_ += "</div>\n";
@@ -148,25 +160,25 @@ struct HtmlReport::Parts {
     const Signals& curves = section.last->curves;
     struct Shown {
       const Column& column;
-      const char* head;
+      Words head;
     };
     const std::vector<Shown> wanted =
-        path ? std::vector<Shown>{{columns::target_position[0], "Target x"},
-                                  {columns::actual_position[0], "Patient x"},
-                                  {columns::target_position[1], "Target y"},
-                                  {columns::actual_position[1], "Patient y"},
-                                  {columns::target_angle_rad, "Target angle"},
-                                  {columns::actual_angle_rad, "Patient angle"}}
-             : std::vector<Shown>{{columns::target_force_N, "Target force"},
-                                  {columns::actual_force_N, "Patient force"}};
+        path ? std::vector<Shown>{{columns::target_position[0], "Target x"_text},
+                                  {columns::actual_position[0], "Patient x"_text},
+                                  {columns::target_position[1], "Target y"_text},
+                                  {columns::actual_position[1], "Patient y"_text},
+                                  {columns::target_angle_rad, "Target angle"_text},
+                                  {columns::actual_angle_rad, "Patient angle"_text}}
+             : std::vector<Shown>{{columns::target_force_N, "Target force"_text},
+                                  {columns::actual_force_N, "Patient force"_text}};
     std::vector<Shown> shown;
-    std::vector<QString> heads{"Time [s]"};
+    std::vector<QString> heads{html("Time [s]"_text)};
     for (const auto& one : wanted) {
       const auto column = curves.column(one.column);
       if (std::none_of(column.begin(), column.end(), [](double v) { return std::isfinite(v); }))
         continue;
       shown.push_back(one);
-      heads.push_back(QString(one.head) + " [" +
+      heads.push_back(html(one.head) + " [" +
                       escaped(tasks::printed_unit(std::string(unit_of(one.column))).text) + "]");
     }
     std::vector<std::vector<QString>> rows;
@@ -181,29 +193,31 @@ struct HtmlReport::Parts {
       for (const auto& one : shown) {
         const double value = curves.column(one.column)[row];
         const std::string unit(unit_of(one.column));
-        rows.back().push_back(std::isfinite(value) ? escaped(tasks::format_value(value, unit))
-                                                   : QString("–"));
+        rows.back().push_back(std::isfinite(value) ? escaped(say_(value_number(value, unit)))
+                                                   : QString(kNoValue));
       }
     }
-    out_ += "<details><summary>The last trial as a table, second by second</summary>\n";
-    table("Last trial", heads, rows);
+    out_ += "<details><summary>" + html("The last trial as a table, second by second"_text) +
+            "</summary>\n";
+    table(html("Last trial"_text), heads, rows);
     out_ += "</details>\n";
   }
 
   void end() {
     if (!content_.sections.empty())
-      out_ += "<p class=\"quiet\">" + escaped(trend_key(content_)) + "</p>\n";
-    panels(panels_below(content_));
-    out_ += html_end(furniture_of(content_));
+      out_ += "<p class=\"quiet\">" + html(trend_key(content_)) + "</p>\n";
+    panels(panels_below(content_, say_.language()));
+    out_ += html_end(furniture_of(content_, say_.language()));
   }
 
   const ReportContent content_;
+  const Speaker say_;
   QString out_;
   std::size_t done_ = 0;
 };
 
-HtmlReport::HtmlReport(ReportContent content)
-    : parts_(std::make_unique<Parts>(std::move(content))) {}
+HtmlReport::HtmlReport(ReportContent content, const Language& language)
+    : parts_(std::make_unique<Parts>(std::move(content), language)) {}
 HtmlReport::~HtmlReport() = default;
 
 int HtmlReport::steps() const noexcept {
@@ -222,10 +236,10 @@ void HtmlReport::paint_next() {
   Parts& p = *parts_;
   if (p.done_ == 0) {
     p.head();
-    p.panels(panels_above(p.content_));
+    p.panels(panels_above(p.content_, p.say_.language()));
     p.glance();
     p.quality();
-    p.panels(panels_between(p.content_));
+    p.panels(panels_between(p.content_, p.say_.language()));
   } else {
     p.add_section(p.content_.sections[p.done_ - 1]);
   }
@@ -239,8 +253,8 @@ std::string HtmlReport::take() {
 }
 
 Result<void> write_html(const ReportContent& content, const std::string& path,
-                        const Progress& progress) {
-  HtmlReport report(content);
+                        const Progress& progress, const Language& language) {
+  HtmlReport report(content, language);
   return write_all(report, path, progress);
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "reports/findings/wording.hpp"
 #include "reports/paper/report_writer.hpp"
 
 namespace isograsp::reports {
@@ -13,7 +14,7 @@ namespace isograsp::reports {
 /// One step for the tables at the beginning and one for each task.
 class HtmlReport final : public ReportWriter {
  public:
-  explicit HtmlReport(ReportContent content);
+  explicit HtmlReport(ReportContent content, const Language& language = kEnglish);
   ~HtmlReport() override;
 
   [[nodiscard]] int steps() const noexcept override;
@@ -30,6 +31,7 @@ class HtmlReport final : public ReportWriter {
 /// Writes the whole file or nothing. Errors: failed, if `path` cannot be written or the watcher
 /// wants to stop. Needs a QApplication (ensure_qt_application()); main thread.
 [[nodiscard]] Result<void> write_html(const ReportContent& content, const std::string& path,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {},
+                                      const Language& language = kEnglish);
 
 }  // namespace isograsp::reports

@@ -25,7 +25,7 @@ void add_band(QCPAxisRect& rect, const Values& x, const Values& low, const Value
 
 /// Marks the stretches of `phase` as not scored.
 void shade_phase(PlotView& view, QCPAxisRect& rect, const Signals& curves, tasks::Phase phase,
-                 const QString& word) {
+                 Words word) {
   const auto phases = curves.column(columns::phase);
   const auto t_s = curves.column(columns::t_s);
   bool told = false;
@@ -55,15 +55,16 @@ void shade_phase(PlotView& view, QCPAxisRect& rect, const Signals& curves, tasks
 struct Channel {
   Column target;
   Column actual;
-  const char* title;  ///< of the axis, with unit
+  Words title;  ///< of the axis, with unit
   double factor;
 };
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr Channel kForce{columns::target_force_N, columns::actual_force_N, "grip force [N]", 1.0};
+constexpr Channel kForce{columns::target_force_N, columns::actual_force_N, "grip force [N]"_text,
+                         1.0};
 constexpr Channel kPose[] = {
-    {columns::target_position[0], columns::actual_position[0], "x [mm]", 1000.0},
-    {columns::target_position[1], columns::actual_position[1], "y [mm]", 1000.0},
-    {columns::target_angle_rad, columns::actual_angle_rad, "angle [°]", kDegrees}};
+    {columns::target_position[0], columns::actual_position[0], "x [mm]"_text, 1000.0},
+    {columns::target_position[1], columns::actual_position[1], "y [mm]"_text, 1000.0},
+    {columns::target_angle_rad, columns::actual_angle_rad, "angle [°]"_text, kDegrees}};
 
 /// Half width of the tolerance band at this target value; 0: none.
 double tolerance(const TaskSection& section, const Channel& channel, double target) {
@@ -99,7 +100,7 @@ void draw_channel(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
   const Values actual = picked(all_actual, actual_rows);
   const bool has_target = any_number(curves.column(channel.target));
   rect.axis(QCPAxis::atBottom)->setRange(0.0, x.back());
-  rect.axis(QCPAxis::atLeft)->setLabel(channel.title);
+  rect.axis(QCPAxis::atLeft)->setLabel(view.said(channel.title));
 
   Values low;
   Values high;
@@ -118,9 +119,9 @@ void draw_channel(PlotView& view, QCPAxisRect& rect, const TaskSection& section,
   add_line(rect, picked(x, actual_rows), actual, QPen(color, view.px(1.1)));
   if (!first) return;
   if (!has_target) return;
-  view.explain(PlotView::Mark::dashed, Palette::target(), "target");
-  if (widest > 0.0) view.explain(PlotView::Mark::band, Palette::tolerance(), "tolerance");
-  view.explain(PlotView::Mark::line, color, "patient");
+  view.explain(PlotView::Mark::dashed, Palette::target(), "target"_text);
+  if (widest > 0.0) view.explain(PlotView::Mark::band, Palette::tolerance(), "tolerance"_text);
+  view.explain(PlotView::Mark::line, color, "patient"_text);
 }
 
 const Measure* find_measure(const DrawnTrial& last, std::string_view name) {
@@ -131,24 +132,24 @@ const Measure* find_measure(const DrawnTrial& last, std::string_view name) {
 
 }  // namespace
 
-PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF size,
-                      double unit) {
-  PlotView view(size, unit);
+PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF size, double unit,
+                      const Language& language) {
+  PlotView view(size, unit, language);
   const Signals& curves = trial.curves;
   const double width = size.width() - kLeft - kRight;
   const double height = size.height() - kAboveWithKey - kBelow;
   if (!has_path(section)) {
     QCPAxisRect& rect = view.add_axes({kLeft, kAboveWithKey, width, height});
     draw_channel(view, rect, section, curves, kForce, true);
-    rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
+    rect.axis(QCPAxis::atBottom)->setLabel(view.said("time [s]"_text));
     if (const Measure* best = find_measure(trial, "maximum_force_total")) {
       const double end_s = rect.axis(QCPAxis::atBottom)->range().upper;
       add_line(rect, {0.0, end_s}, {*best->value, *best->value},
                dashed(Palette::quiet(), view.px(0.8), {1.5, 2.0}));
-      view.explain(PlotView::Mark::dotted, Palette::quiet(), "best mean");
+      view.explain(PlotView::Mark::dotted, Palette::quiet(), "best mean"_text);
     }
-    shade_phase(view, rect, curves, tasks::Phase::lead_in, "not scored");
-    shade_phase(view, rect, curves, tasks::Phase::paused, "paused");
+    shade_phase(view, rect, curves, tasks::Phase::lead_in, "not scored"_text);
+    shade_phase(view, rect, curves, tasks::Phase::paused, "paused"_text);
     return view;
   }
   constexpr double kGap = 7.0;
@@ -161,8 +162,8 @@ PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial, QSize
     draw_channel(view, rect, section, curves, channel, first);
     rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
     rect.axis(QCPAxis::atBottom)->setTickLabels(last);
-    if (last) rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
-    if (first) shade_phase(view, rect, curves, tasks::Phase::paused, "paused");
+    if (last) rect.axis(QCPAxis::atBottom)->setLabel(view.said("time [s]"_text));
+    if (first) shade_phase(view, rect, curves, tasks::Phase::paused, "paused"_text);
     top += each + kGap;
   }
   return view;
@@ -173,14 +174,15 @@ bool has_fingers(const TaskSection& section) {
          any_number(section.last->curves.column(columns::finger_force[index_of(Finger::thumb)][2]));
 }
 
-PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit) {
-  PlotView view(size, unit);
+PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit,
+                      const Language& language) {
+  PlotView view(size, unit, language);
   const Signals& curves = section.last->curves;
   struct Part {
     std::size_t axis;
-    const char* title;
+    Words title;
   };
-  constexpr Part kParts[] = {{2, "normal [N]"}, {0, "x [N]"}, {1, "y [N]"}};
+  constexpr Part kParts[] = {{2, "normal [N]"_text}, {0, "x [N]"_text}, {1, "y [N]"_text}};
   const std::array<QPen, kFingerCount> pens{
       QPen(Palette::ink(), view.px(1.0)), QPen(Palette::of(Hand::right), view.px(1.0)),
       dashed(Palette::of(Hand::left), view.px(1.0), {4.0, 2.0})};
@@ -206,10 +208,10 @@ PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit) {
     rect.axis(QCPAxis::atLeft)
         ->setRange(first ? range_of({&forces[0], &forces[1], &forces[2]})
                          : range_of({&tangential}));
-    rect.axis(QCPAxis::atLeft)->setLabel(part.title);
+    rect.axis(QCPAxis::atLeft)->setLabel(view.said(part.title));
     rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
     rect.axis(QCPAxis::atBottom)->setTickLabels(last);
-    if (last) rect.axis(QCPAxis::atBottom)->setLabel("time [s]");
+    if (last) rect.axis(QCPAxis::atBottom)->setLabel(view.said("time [s]"_text));
     const int bins = static_cast<int>(rect.minimumSize().width() / view.px(kFinest));
     for (const Finger finger : kFingers) {
       const Values& force = forces[index_of(finger)];
@@ -217,22 +219,20 @@ PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit) {
       add_line(rect, picked(x, rows), picked(force, rows), pens[index_of(finger)]);
       if (!first) continue;
       view.explain(finger == Finger::middle ? PlotView::Mark::dashed : PlotView::Mark::line,
-                   pens[index_of(finger)].color(), QString::fromUtf8(name_of(finger).data()));
+                   pens[index_of(finger)].color(), digit_words(finger));
     }
-    if (first) shade_phase(view, rect, curves, tasks::Phase::paused, "paused");
+    if (first) shade_phase(view, rect, curves, tasks::Phase::paused, "paused"_text);
     top += each + kGap;
   }
   return view;
 }
 
-std::string describe_overlay(const TaskSection& section) {
+Text describe_overlay(const TaskSection& section) {
   if (!has_path(section))
     return "Grip force of the patient over time in the last trial, with the target force where "
-           "there "
-           "is one.";
+           "there is one."_text;
   return "Position and angle of the object over time in the last trial, with the target where "
-         "there "
-         "is one.";
+         "there is one."_text;
 }
 
 }  // namespace isograsp::reports

@@ -3,9 +3,10 @@
 
 namespace isograsp::reports {
 
-PageFurniture furniture_of(const ReportContent& content) {
-  return {"Progress report", content.code, header_facts(content), watermark(content),
-          footer(content)};
+PageFurniture furniture_of(const ReportContent& content, const Language& language) {
+  const Speaker say(language);
+  return {say("Progress report"_text), content.code,         header_facts(content, language),
+          say(watermark(content)),     say(footer(content)), &language};
 }
 
 }  // namespace isograsp::reports

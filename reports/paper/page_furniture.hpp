@@ -15,9 +15,10 @@ struct PageFurniture {
   std::vector<Fact> facts;  ///< at most five
   std::string watermark;    ///< empty: none
   std::string footer;
+  const Language* language = &kEnglish;  ///< that all of it is said in
 };
 /// A title of more characters than a patient's code has is set smaller.
 inline constexpr std::size_t kLongTitle = 24;
-[[nodiscard]] PageFurniture furniture_of(const ReportContent& content);
+[[nodiscard]] PageFurniture furniture_of(const ReportContent& content, const Language& language);
 
 }  // namespace isograsp::reports

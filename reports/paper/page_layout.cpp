@@ -2,10 +2,12 @@
 #include "reports/paper/page_layout.hpp"
 
 #include <QAbstractTextDocumentLayout>
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
+#include <algorithm>
 
 #include "reports/paper/plots.hpp"
 
@@ -38,6 +40,15 @@ double TextPainter::height(const QString& text, double width, const TextStyle& s
   return document.size().height() / unit_;
 }
 
+double TextPainter::word_width(const QString& text, const TextStyle& style) const {
+  const QFontMetricsF metrics(report_font(style.size * unit_, style.bold));
+  double widest = 0.0;
+  for (const QString& line : text.split('\n'))
+    for (const QString& word : line.split(' '))
+      widest = std::max(widest, metrics.horizontalAdvance(word) / unit_);
+  return widest;
+}
+
 double TextPainter::draw(QPainter& painter, double x, double y, double width, const QString& text,
                          const TextStyle& style) const {
   QTextDocument document;
@@ -49,6 +60,21 @@ double TextPainter::draw(QPainter& painter, double x, double y, double width, co
   document.documentLayout()->draw(&painter, context);
   painter.restore();
   return document.size().height() / unit_;
+}
+
+std::vector<double> widened(std::vector<double> widths, const std::vector<double>& least) {
+  const auto room = [&](std::size_t i) { return widths[i] - least[i]; };
+  for (std::size_t narrow = 0; narrow < widths.size(); ++narrow)
+    while (room(narrow) < 0.0) {
+      std::size_t widest = 0;
+      for (std::size_t i = 1; i < widths.size(); ++i)
+        if (room(i) > room(widest)) widest = i;
+      if (room(widest) <= 0.0) return widths;
+      const double given = std::min(-room(narrow), room(widest));
+      widths[widest] -= given;
+      widths[narrow] += given;
+    }
+  return widths;
 }
 
 std::vector<PageRange> break_into_pages(const std::vector<Block>& blocks, double first_height,

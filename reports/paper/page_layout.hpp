@@ -28,6 +28,8 @@ class TextPainter {
   explicit TextPainter(double unit) : unit_(unit) {}
   /// Height of the wrapped text [points].
   [[nodiscard]] double height(const QString& text, double width, const TextStyle& style) const;
+  /// Width of the longest word [points].
+  [[nodiscard]] double word_width(const QString& text, const TextStyle& style) const;
   /// Draws at (x, y); returns the height.
   double draw(QPainter& painter, double x, double y, double width, const QString& text,
               const TextStyle& style) const;
@@ -35,6 +37,11 @@ class TextPainter {
  private:
   double unit_;
 };
+
+/// The widths of columns, changed as little as it takes that none is narrower than `least`: what
+/// one lacks, the one with most room gives, as far as there is room.
+[[nodiscard]] std::vector<double> widened(std::vector<double> widths,
+                                          const std::vector<double>& least);
 
 /// Paints something at the height `y` of the page [points]; takes some milliseconds at most.
 using Draw = std::function<void(QCPPainter&, double y)>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of a report that are the same on paper and on the web: a heading, sentences, plots side by
-// side, a table. What they say is decided once (summary_panels.cpp, patient_page.cpp), how they
-// look by the two writers.
+// side, a table, all of it said in the language. What they say is decided once (summary_panels.cpp,
+// patient_page.cpp), how they look by the two writers.
 #pragma once
 
 #include <QSizeF>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reports/findings/report_content.hpp"
+#include "reports/findings/wording.hpp"
 
 namespace isograsp::reports {
 
@@ -39,18 +40,22 @@ struct Panel {
   bool large_print = false;         ///< a page of its own, for the patient
 };
 
-/// Goals, what limits this hand: before the last measurement is judged. The content must outlive
-/// the panels.
-[[nodiscard]] std::vector<Panel> panels_above(const ReportContent& content);
+/// Goals, what limits this hand: before the last measurement is judged. The content and the
+/// language must outlive the panels.
+[[nodiscard]] std::vector<Panel> panels_above(const ReportContent& content,
+                                              const Language& language);
 /// The compass and the dose: before the tasks.
-[[nodiscard]] std::vector<Panel> panels_between(const ReportContent& content);
+[[nodiscard]] std::vector<Panel> panels_between(const ReportContent& content,
+                                                const Language& language);
 /// Signature and the page for the patient: the end.
-[[nodiscard]] std::vector<Panel> panels_below(const ReportContent& content);
+[[nodiscard]] std::vector<Panel> panels_below(const ReportContent& content,
+                                              const Language& language);
 
 /// The page for the patient: plain words, large letters, one picture.
-[[nodiscard]] Panel patient_page(const ReportContent& content);
+[[nodiscard]] Panel patient_page(const ReportContent& content, const Language& language);
 
 /// Minutes of each week as bars. Needs a QApplication.
-[[nodiscard]] PlotView dose_plot(const PracticeDose& dose, bool large, QSizeF size, double unit);
+[[nodiscard]] PlotView dose_plot(const PracticeDose& dose, bool large, QSizeF size, double unit,
+                                 const Language& language);
 
 }  // namespace isograsp::reports

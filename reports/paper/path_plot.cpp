@@ -147,8 +147,8 @@ bool has_path(const TaskSection& section) {
          any_number(curves.column(columns::actual_angle_rad));
 }
 
-PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
-  PlotView view(size, unit);
+PlotView path_plot(const TaskSection& section, QSizeF size, double unit, const Language& language) {
+  PlotView view(size, unit, language);
   const QSizeF field(size.width() - kLeft - kRight, size.height() - kAboveWithKey - kBelow);
   QCPAxisRect& rect = view.add_axes({kLeft, kAboveWithKey, field.width(), field.height()});
   const Signals& curves = section.last->curves;
@@ -158,16 +158,16 @@ PlotView path_plot(const TaskSection& section, QSizeF size, double unit) {
   const Frame frame = frame_of(x, y, spots, field);
   rect.axis(QCPAxis::atBottom)->setRange(frame.along(frame.center_mm.x(), field.width()));
   rect.axis(QCPAxis::atLeft)->setRange(frame.along(frame.center_mm.y(), field.height()));
-  rect.axis(QCPAxis::atBottom)->setLabel("x [mm]");
-  rect.axis(QCPAxis::atLeft)->setLabel("y [mm]");
+  rect.axis(QCPAxis::atBottom)->setLabel(view.said("x [mm]"_text));
+  rect.axis(QCPAxis::atLeft)->setLabel(view.said("y [mm]"_text));
   rect.axis(QCPAxis::atBottom)->grid()->setPen(QPen(Palette::line(), view.px(0.5)));
 
   for (const Spot& spot : spots.all) add_spot(view, rect, spot, spots.radius_mm, frame);
   const QColor color = Palette::of(section.hand);
   add_path(view, rect, x, y, color, field);
-  view.explain(PlotView::Mark::ring, color, "start");
-  view.explain(PlotView::Mark::square, color, "end");
-  if (!spots.all.empty()) view.explain(PlotView::Mark::dashed, Palette::target(), "target");
+  view.explain(PlotView::Mark::ring, color, "start"_text);
+  view.explain(PlotView::Mark::square, color, "end"_text);
+  if (!spots.all.empty()) view.explain(PlotView::Mark::dashed, Palette::target(), "target"_text);
   return view;
 }
 

@@ -15,12 +15,12 @@ inline constexpr double kSectionGap = 20.0;
 [[nodiscard]] Block heading_block(const QString& text, double gap_above);
 
 /// The table of key measures.
-void add_glance(std::vector<Block>& blocks, const ReportContent& content);
+void add_glance(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say);
 /// The box that says whether the last measurement was valid.
-void add_quality(std::vector<Block>& blocks, const ReportContent& content);
+void add_quality(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say);
 /// Parts that are the same on the web.
 void add_panels(std::vector<Block>& blocks, const std::vector<Panel>& panels);
 /// The tasks with their plots. `content` must outlive the blocks.
-void add_sections(std::vector<Block>& blocks, const ReportContent& content);
+void add_sections(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say);
 
 }  // namespace isograsp::reports::pdf

@@ -2,6 +2,7 @@
 #include "reports/paper/pdf_page.hpp"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "reports/findings/report_text.hpp"
@@ -24,6 +25,24 @@ void draw_badge(QPainter& painter, const PageFurniture& furniture, double y) {
              {7.2, true, Palette::ink(), Qt::AlignHCenter, 100.0});
 }
 
+/// Each on one line, if there is room.
+std::vector<double> fact_widths(const std::vector<Fact>& facts, const TextStyle& value) {
+  constexpr double kShares[] = {1.75, 1.25, 0.65, 0.85, 1.25};
+  constexpr double kGap = 4.0;
+  const auto whole = [](std::string text, const TextStyle& style) {
+    return kText.word_width(text_of(text).replace(' ', QChar::Nbsp), style);
+  };
+  double total = 0.0;
+  for (std::size_t i = 0; i < facts.size(); ++i) total += kShares[i];
+  std::vector<double> widths;
+  std::vector<double> least;
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    widths.push_back(kWidth * kShares[i] / total);
+    least.push_back(kGap + std::max(whole(facts[i].label, kQuiet), whole(facts[i].value, value)));
+  }
+  return widened(std::move(widths), least);
+}
+
 void draw_header(QPainter& painter, const PageFurniture& furniture) {
   kText.draw(painter, kSide, 46.0, kWidth, "IsoGrasp \u00b7 " + text_of(furniture.kind),
              {8.5, false, Palette::quiet()});
@@ -33,15 +52,13 @@ void draw_header(QPainter& painter, const PageFurniture& furniture) {
   const double y = 102.0;
   rule(painter, y, 0.9, Palette::ink());
   const auto& facts = furniture.facts;
-  constexpr double kShares[] = {1.75, 1.25, 0.65, 0.85, 1.25};
-  double total = 0.0;
-  for (std::size_t i = 0; i < facts.size(); ++i) total += kShares[i];
+  static const TextStyle kValue{8.8, true};
+  const auto widths = fact_widths(facts, kValue);
   double x = kSide;
   for (std::size_t i = 0; i < facts.size(); ++i) {
-    const double width = kWidth * kShares[i] / total;
-    kText.draw(painter, x, y + 9.0, width, text_of(facts[i].label), kQuiet);
-    kText.draw(painter, x, y + 20.0, width, text_of(facts[i].value), {8.8, true});
-    x += width;
+    kText.draw(painter, x, y + 9.0, widths[i], text_of(facts[i].label), kQuiet);
+    kText.draw(painter, x, y + 20.0, widths[i], text_of(facts[i].value), kValue);
+    x += widths[i];
   }
   rule(painter, y + 40.0, 0.5, Palette::line());
 }
@@ -86,7 +103,7 @@ void draw_foot(QPainter& painter, const PageFurniture& furniture, int page, int 
   TextStyle number = small;
   number.align = Qt::AlignRight;
   kText.draw(painter, kPageWidth - kSide - 76.0, y, 76.0,
-             QString("page %1 of %2").arg(page).arg(pages), number);
+             text_of(translated("page %1 of %2"_text(page, pages), *furniture.language)), number);
   draw_watermark(painter, furniture);
 }
 

@@ -90,8 +90,28 @@ Block plot_row(const std::vector<PanelPlot>& plots, const std::optional<LargePri
   return block;
 }
 
+const TextStyle kUnder{6.8, false, Palette::quiet()};
+
+/// No word of a column is broken, if there is room for it.
+std::vector<double> widths_of(const PanelTable& table) {
+  std::vector<double> widths;
+  std::vector<double> least;
+  for (std::size_t i = 0; i < table.shares.size(); ++i) {
+    widths.push_back(kWidth * table.shares[i]);
+    double word = kText.word_width(text_of(table.heads[i]), kQuiet);
+    for (const auto& row : table.rows) {
+      const auto lines = text_of(row[i]).split('\n');
+      word = std::max(
+          {word, kText.word_width(lines.front(), kBody), kText.word_width(lines.value(1), kUnder)});
+    }
+    least.push_back(word + kCellSpace);
+  }
+  return widened(std::move(widths), least);
+}
+
 /// A row whose cells may have a second, smaller line behind a line break.
-Block table_row(const PanelTable& table, const std::vector<std::string>& cells, bool is_head) {
+Block table_row(const std::vector<double>& widths, const std::vector<std::string>& cells,
+                bool is_head) {
   struct Placed {
     double x;
     double width;
@@ -103,13 +123,12 @@ Block table_row(const PanelTable& table, const std::vector<std::string>& cells, 
   double x = kSide;
   double height = 0.0;
   const TextStyle& style = is_head ? kQuiet : kBody;
-  const TextStyle under{6.8, false, Palette::quiet()};
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const double width = kWidth * table.shares[i];
+    const double width = widths[i];
     const auto lines = text_of(cells[i]).split('\n');
     Placed one{x, width - kCellSpace, lines.front(), lines.value(1), 0.0};
     one.first_height = kText.height(one.text, one.width, style);
-    const double second = one.under.isEmpty() ? 0.0 : kText.height(one.under, one.width, under);
+    const double second = one.under.isEmpty() ? 0.0 : kText.height(one.under, one.width, kUnder);
     height = std::max(height, one.first_height + second);
     placed.push_back(std::move(one));
     x += width;
@@ -121,7 +140,7 @@ Block table_row(const PanelTable& table, const std::vector<std::string>& cells, 
               kText.draw(painter, one.x, y + kPad, one.width, one.text, style);
               if (!one.under.isEmpty())
                 kText.draw(painter, one.x, y + kPad + one.first_height, one.width, one.under,
-                           under);
+                           kUnder);
             }
             rule(painter, y + height, is_head ? 0.7 : 0.5,
                  is_head ? Palette::quiet() : Palette::line());
@@ -162,11 +181,12 @@ void add_panel(std::vector<Block>& blocks, const Panel& panel) {
   }
   if (!panel.plots.empty()) blocks.push_back(plot_row(panel.plots, large));
   if (panel.table) {
-    blocks.push_back(table_row(*panel.table, panel.table->heads, true));
+    const auto widths = widths_of(*panel.table);
+    blocks.push_back(table_row(widths, panel.table->heads, true));
     blocks.back().gap_above = 4.0;
     const std::size_t head = blocks.size() - 1;
     for (const auto& row : panel.table->rows) {
-      blocks.push_back(table_row(*panel.table, row, false));
+      blocks.push_back(table_row(widths, row, false));
       blocks.back().below_head = blocks.size() - 1 - head;
     }
   }

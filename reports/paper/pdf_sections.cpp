@@ -45,15 +45,16 @@ int columns_of(const TaskSection& section) {
 /// One task: says what stands where, from `x` and from the top of its block.
 class SectionLayout {
  public:
-  SectionLayout(const ReportContent& content, const TaskSection& section, double x)
-      : content_(content), section_(section), x_(x), columns_(columns_of(section)) {
-    add_text(x_, 0.0, width(), text_of(section_.task), kHeading);
-    add_text(x_, 15.5, width(), text_of(section_subtitle(section_)), kQuiet);
+  SectionLayout(const ReportContent& content, const TaskSection& section, double x,
+                const Speaker& say)
+      : content_(content), section_(section), say_(say), x_(x), columns_(columns_of(section)) {
+    add_text(x_, 0.0, width(), said(Known{section_.task}), kHeading);
+    add_text(x_, 15.5, width(), said(section_subtitle(section_)), kQuiet);
     height_ = kTitleHeight;
     add_trends();
     if (section_.last && !is_rest(section_) && columns_ == 3) add_last_trial();
     for (const auto& note : section_.notes)
-      height_ += add_text(x_, height_, width(), text_of(note), kQuiet);
+      height_ += add_text(x_, height_, width(), said(note), kQuiet);
   }
 
   [[nodiscard]] double width() const { return span(columns_); }
@@ -61,6 +62,8 @@ class SectionLayout {
   [[nodiscard]] std::vector<Draw> take() { return std::move(parts_); }
 
  private:
+  [[nodiscard]] QString said(const Text& text) const { return text_of(say_(text)); }
+
   /// Returns the height of the text.
   double add_text(double x, double top, double width, const QString& text, const TextStyle& style) {
     parts_.push_back([=](QCPPainter& painter, double y) {
@@ -84,7 +87,7 @@ class SectionLayout {
   [[nodiscard]] double title_height(std::span<const MeasureSeries> row) const {
     double height = 10.5;
     for (const auto& series : row)
-      height = std::max(height, kText.height(text_of(series_title(series)), kColumn, kStrong));
+      height = std::max(height, kText.height(said(series_title(series)), kColumn, kStrong));
     return height;
   }
 
@@ -94,16 +97,16 @@ class SectionLayout {
     for (const auto& series : row)
       if (!series.trend.empty())
         height = std::max(
-            height, kTrendTop + kTrendGap + kText.height(text_of(series.trend), kColumn, kTrend));
+            height, kTrendTop + kTrendGap + kText.height(said(series.trend), kColumn, kTrend));
     return height;
   }
 
-  void add_caption(double x, double title_height, const std::string& title, const QString& below,
-                   const std::string& trend = {}) {
-    add_text(x, height_, kColumn, text_of(title), kStrong);
-    add_text(x, height_ + title_height, kColumn, below, kQuiet);
+  void add_caption(double x, double title_height, const Text& title, const Text& below,
+                   const Text& trend = {}) {
+    add_text(x, height_, kColumn, said(title), kStrong);
+    add_text(x, height_ + title_height, kColumn, said(below), kQuiet);
     if (!trend.empty())
-      add_text(x, height_ + title_height + kTrendTop, kColumn, text_of(trend), kTrend);
+      add_text(x, height_ + title_height + kTrendTop, kColumn, said(trend), kTrend);
   }
 
   /// Three beside each other, in as many rows as it takes.
@@ -119,39 +122,41 @@ class SectionLayout {
     constexpr QSizeF kSize(kColumn, kTrendHeight);
     double x = x_;
     for (const auto& series : row) {
-      add_caption(x, above, series_title(series), text_of(series_subtitle(series)), series.trend);
-      add_plot(x, top, [this_section = &section_, content = &content_, one = &series, kSize] {
-        return trend_plot(*one, *this_section, *content, kSize, kUnit);
-      });
+      add_caption(x, above, series_title(series), series_subtitle(series), series.trend);
+      add_plot(x, top,
+               [this_section = &section_, content = &content_, one = &series,
+                language = &say_.language(), kSize] {
+                 return trend_plot(*one, *this_section, *content, kSize, kUnit, *language);
+               });
       x += kColumn + kGutter;
     }
     if (columns_ == 2 && section_.last && section_.last->problem.empty()) {
       const auto& session = content_.sessions[section_.last->session];
-      add_caption(x, above, "Last trial",
-                  QString("session %1, trial %2").arg(session.number).arg(section_.last->number));
+      add_caption(x, above, "Last trial"_text,
+                  "session %1, trial %2"_text(session.number, section_.last->number));
       add_overlay(x, top, kSize);
     }
     height_ = top + kTrendHeight;
   }
 
   void add_overlay(double x, double top, QSizeF size) {
-    add_plot(x, top, [section = &section_, size] {
-      return overlay_plot(*section, *section->last, size, kUnit);
+    add_plot(x, top, [section = &section_, size, language = &say_.language()] {
+      return overlay_plot(*section, *section->last, size, kUnit, *language);
     });
   }
 
   void add_last_trial() {
     if (!section_.series.empty()) height_ += 6.0;
-    add_text(x_, height_, width(), text_of(last_trial_title(section_, content_)), kStrong);
+    add_text(x_, height_, width(), said(last_trial_title(section_, content_)), kStrong);
     height_ += 13.0;
     if (!section_.last->problem.empty()) {
-      add_text(x_, height_, width(), text_of(section_.last->problem), kBody);
+      add_text(x_, height_, width(), said(section_.last->problem), kBody);
       height_ += 12.0;
     } else if (has_path(section_)) {
       const double beside = span(2);
       add_overlay(x_, height_, QSizeF(beside, kPoseHeight));
-      add_plot(x_ + beside + kGutter, height_, [section = &section_] {
-        return path_plot(*section, QSizeF(kColumn, kPoseHeight), kUnit);
+      add_plot(x_ + beside + kGutter, height_, [section = &section_, language = &say_.language()] {
+        return path_plot(*section, QSizeF(kColumn, kPoseHeight), kUnit, *language);
       });
       height_ += kPoseHeight;
       if (has_fingers(section_)) add_fingers(beside);
@@ -159,17 +164,17 @@ class SectionLayout {
       add_overlay(x_, height_, QSizeF(width(), kForceHeight));
       height_ += kForceHeight;
     }
-    if (const auto results = text_of(last_trial_results(section_)); !results.isEmpty())
+    if (const auto results = said(last_trial_results(section_)); !results.isEmpty())
       height_ += 3.0 + add_text(x_, height_ + 3.0, width(), results, kQuiet);
     add_extremes();
   }
 
   /// Below the way of the object, along the same time.
   void add_fingers(double width) {
-    add_plot(x_, height_, [section = &section_, width] {
-      return fingers_plot(*section, QSizeF(width, kFingersHeight), kUnit);
+    add_plot(x_, height_, [section = &section_, width, language = &say_.language()] {
+      return fingers_plot(*section, QSizeF(width, kFingersHeight), kUnit, *language);
     });
-    add_text(x_ + width + kGutter, height_ + 14.0, kColumn, text_of(fingers_note()), kQuiet);
+    add_text(x_ + width + kGutter, height_ + 14.0, kColumn, said(fingers_note()), kQuiet);
     height_ += kFingersHeight;
   }
 
@@ -180,13 +185,14 @@ class SectionLayout {
     double x = x_;
     for (const auto* trial : {&*section_.best, &*section_.worst}) {
       const bool best = trial == &*section_.best;
-      add_text(x, height_, half, text_of(extreme_title(section_, *trial, best, content_)), kStrong);
+      add_text(x, height_, half, said(extreme_title(section_, *trial, best, content_)), kStrong);
       if (trial->problem.empty())
-        add_plot(x, height_ + 12.0, [section = &section_, trial, half] {
-          return overlay_plot(*section, *trial, QSizeF(half, kExtremeHeight), kUnit);
-        });
+        add_plot(
+            x, height_ + 12.0, [section = &section_, trial, half, language = &say_.language()] {
+              return overlay_plot(*section, *trial, QSizeF(half, kExtremeHeight), kUnit, *language);
+            });
       else
-        add_text(x, height_ + 12.0, half, text_of(trial->problem), kBody);
+        add_text(x, height_ + 12.0, half, said(trial->problem), kBody);
       x += half + kGutter;
     }
     height_ += 12.0 + kExtremeHeight;
@@ -194,6 +200,7 @@ class SectionLayout {
 
   const ReportContent& content_;
   const TaskSection& section_;
+  const Speaker& say_;
   double x_;
   int columns_;
   double height_ = 0.0;
@@ -201,11 +208,12 @@ class SectionLayout {
 };
 
 /// Tasks that stand side by side.
-Block section_row(const ReportContent& content, const std::vector<const TaskSection*>& row) {
+Block section_row(const ReportContent& content, const std::vector<const TaskSection*>& row,
+                  const Speaker& say) {
   Block block{kSectionGap, 0.0, false, {}};
   double x = kSide;
   for (const TaskSection* section : row) {
-    SectionLayout layout(content, *section, x);
+    SectionLayout layout(content, *section, x, say);
     block.height = std::max(block.height, layout.height());
     x += layout.width() + kGutter;
     for (auto& part : layout.take()) block.parts.push_back(std::move(part));
@@ -215,10 +223,10 @@ Block section_row(const ReportContent& content, const std::vector<const TaskSect
 
 }  // namespace
 
-void add_sections(std::vector<Block>& blocks, const ReportContent& content) {
+void add_sections(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say) {
   if (std::any_of(content.sections.begin(), content.sections.end(),
                   [](const auto& section) { return !section.series.empty(); })) {
-    blocks.push_back(text_block(text_of(trend_key(content)), kQuiet, kSectionGap));
+    blocks.push_back(text_block(text_of(say(trend_key(content))), kQuiet, kSectionGap));
     blocks.back().keep_with_next = true;
   }
   std::vector<const TaskSection*> row;
@@ -226,14 +234,14 @@ void add_sections(std::vector<Block>& blocks, const ReportContent& content) {
   for (const auto& section : content.sections) {
     const int columns = columns_of(section);
     if (!row.empty() && used + columns > 3) {
-      blocks.push_back(section_row(content, row));
+      blocks.push_back(section_row(content, row, say));
       row.clear();
       used = 0;
     }
     row.push_back(&section);
     used += columns;
   }
-  if (!row.empty()) blocks.push_back(section_row(content, row));
+  if (!row.empty()) blocks.push_back(section_row(content, row, say));
 }
 
 }  // namespace isograsp::reports::pdf

@@ -35,37 +35,55 @@ double inset(std::size_t column) {
   if (is_number(column)) return kSpace;
   return column + 1 == kShares.size() ? kVerdictInset : 0.0;
 }
-double inner_width(std::size_t column) {
-  return kWidth * kShares[column] - (is_number(column) ? 0.0 : kSpace) - inset(column);
+/// Beside the text of a column.
+double beside(std::size_t column) {
+  return (is_number(column) ? 0.0 : kSpace) + inset(column);
 }
 TextStyle under_style(Qt::Alignment align) {
   return {kUnderSize, false, Palette::quiet(), align};
 }
 
-Block row_block(std::vector<Cell> cells, bool is_head, double rule_width,
-                const QColor& rule_color) {
+/// No word of a column is broken, if there is room for it.
+std::vector<double> widths_of(const std::vector<std::vector<Cell>>& rows) {
+  std::vector<double> widths;
+  std::vector<double> least(kShares.size(), 0.0);
+  for (std::size_t i = 0; i < kShares.size(); ++i) {
+    widths.push_back(kWidth * kShares[i]);
+    for (const auto& row : rows)
+      least[i] = std::max({least[i], beside(i) + kText.word_width(row[i].text, row[i].style),
+                           beside(i) + kText.word_width(row[i].under, under_style({}))});
+  }
+  return widened(std::move(widths), least);
+}
+
+Block row_block(std::vector<Cell> cells, const std::vector<double>& widths, bool is_head,
+                double rule_width, const QColor& rule_color) {
+  std::vector<double> inner;  // widths of texts
+  for (std::size_t i = 0; i < cells.size(); ++i) inner.push_back(widths[i] - beside(i));
   constexpr double kHeadHeight = 15.0;
+  constexpr double kHeadPad = 3.0;
   constexpr double kLeastHeight = 27.0;
   double height = is_head ? kHeadHeight : kLeastHeight;
   std::vector<double> first_line;  // heights
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (is_number(i)) cells[i].style.align = Qt::AlignRight;
-    first_line.push_back(kText.height(cells[i].text, inner_width(i), cells[i].style));
+    first_line.push_back(kText.height(cells[i].text, inner[i], cells[i].style));
+    height = std::max(height, first_line[i] + (is_head ? kHeadPad : 0.0));
     if (cells[i].under.isEmpty()) continue;
     constexpr double kPad = 6.0;
-    height = std::max(height, first_line[i] + kPad +
-                                  kText.height(cells[i].under, inner_width(i),
-                                               under_style(cells[i].style.align)));
+    height = std::max(
+        height, first_line[i] + kPad +
+                    kText.height(cells[i].under, inner[i], under_style(cells[i].style.align)));
   }
   auto draw = [=, cells = std::move(cells)](QCPPainter& painter, double y) {
     double x = kSide;
     const double top = y + (is_head ? 1.0 : 4.0);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      kText.draw(painter, x + inset(i), top, inner_width(i), cells[i].text, cells[i].style);
+      kText.draw(painter, x + inset(i), top, inner[i], cells[i].text, cells[i].style);
       if (!cells[i].under.isEmpty())
-        kText.draw(painter, x + inset(i), top + first_line[i], inner_width(i), cells[i].under,
+        kText.draw(painter, x + inset(i), top + first_line[i], inner[i], cells[i].under,
                    under_style(cells[i].style.align));
-      x += kWidth * kShares[i];
+      x += widths[i];
     }
     rule(painter, y + height, rule_width, rule_color);
   };
@@ -87,38 +105,41 @@ Block heading_block(const QString& text, double gap_above) {
   });
 }
 
-void add_glance(std::vector<Block>& blocks, const ReportContent& content) {
-  const auto rows = glance_rows(content);
+void add_glance(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say) {
+  const auto rows = glance_rows(content, say.language());
   if (rows.empty()) return;
-  blocks.push_back(heading_block("At a glance", kSectionGap));
+  blocks.push_back(heading_block(text_of(say("At a glance"_text)), kSectionGap));
   std::vector<Cell> head;
-  for (const char* title : {"Task", "Measure", "Baseline", "Last", "Change", "Verdict"})
-    head.push_back({title, kQuiet, ""});
-  const std::size_t head_place = blocks.size();
-  blocks.push_back(row_block(std::move(head), true, 0.7, Palette::quiet()));
-  for (const auto& row : rows) {
-    blocks.push_back(row_block(
-        {{text_of(row.task), kBody, text_of(row.hand) + " hand"},
+  for (const Words title :
+       {"Task"_text, "Measure"_text, "Baseline"_text, "Last"_text, "Change"_text, "Verdict"_text})
+    head.push_back({text_of(say(title)), kQuiet, ""});
+  std::vector<std::vector<Cell>> cells{std::move(head)};
+  for (const auto& row : rows)
+    cells.push_back(
+        {{text_of(row.task), kBody, text_of(row.hand)},
          {text_of(row.measure), kBody, text_of(row.direction)},
          {text_of(row.baseline), kBody, text_of(row.baseline_basis)},
          {text_of(row.last), kStrong, text_of(row.beside)},
          {text_of(row.change), kBody, text_of(row.mdc)},
-         {text_of(row.verdict), row.primary ? kStrong : kBody, text_of(row.verdict_basis)}},
-        false, 0.5, Palette::line()));
-    blocks.back().below_head = blocks.size() - 1 - head_place;
+         {text_of(row.verdict), row.primary ? kStrong : kBody, text_of(row.verdict_basis)}});
+  const auto widths = widths_of(cells);
+  blocks.push_back(row_block(std::move(cells.front()), widths, true, 0.7, Palette::quiet()));
+  for (std::size_t row = 1; row < cells.size(); ++row) {
+    blocks.push_back(row_block(std::move(cells[row]), widths, false, 0.5, Palette::line()));
+    blocks.back().below_head = row;
   }
   double gap = 6.0;
   for (const auto& note : verdict_notes(content)) {
     blocks.back().keep_with_next = true;
-    blocks.push_back(text_block(text_of(note), kQuiet, gap));
+    blocks.push_back(text_block(text_of(say(note)), kQuiet, gap));
     gap = 2.0;
   }
 }
 
-void add_quality(std::vector<Block>& blocks, const ReportContent& content) {
+void add_quality(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say) {
   if (content.quality.empty() || content.sessions.empty()) return;
-  const auto& last = content.sessions.back();
-  blocks.push_back(heading_block("Was the last measurement valid?", kSectionGap));
+  blocks.push_back(
+      heading_block(text_of(say("Was the last measurement valid?"_text)), kSectionGap));
   constexpr double kPad = 10.0;
   constexpr double kLabel = 84.0;
   struct Line {
@@ -130,19 +151,17 @@ void add_quality(std::vector<Block>& blocks, const ReportContent& content) {
   std::vector<Line> lines;
   double height = 2.0 * kPad - 3.0;
   const double text_width = kWidth - 2.0 * kPad - kLabel;
-  const auto add = [&](const QString& label, const QString& text, bool attention) {
+  const auto add = [&](const Text& label, const Text& words, bool attention) {
     const TextStyle& style = attention ? kStrong : kBody;
-    lines.push_back({label, text, attention, kText.height(text, text_width, style) + 3.0});
+    const QString text = text_of(say(words));
+    const QString name = text_of(say(label));
+    const double tallest =
+        std::max(kText.height(text, text_width, style), kText.height(name, kLabel, style));
+    lines.push_back({name, text, attention, tallest + 3.0});
     height += lines.back().height;
   };
-  add("Session",
-      QString("%1, %2, %3 hand, %4")
-          .arg(last.number)
-          .arg(text_of(format_date(last.date)), QString::fromUtf8(name_of(last.hand).data()),
-               text_of(last.device)),
-      false);
-  for (const auto& line : content.quality)
-    add(text_of(line.label), text_of(line.text), line.attention);
+  add("Session"_text, session_words(content.sessions.back()), false);
+  for (const auto& line : content.quality) add(line.label, line.text, line.attention);
   blocks.push_back(block(0.0, height, false, [=](QCPPainter& painter, double y) {
     painter.setPen(QPen(Palette::line(), 0.7 * kUnit));
     painter.setBrush(Qt::NoBrush);

@@ -16,7 +16,7 @@ using namespace pdf;
 
 struct PdfReport::Parts {
   template <class... Content>
-  explicit Parts(Content... content) : pages(std::move(content)...) {
+  explicit Parts(Content&&... content) : pages(std::forward<Content>(content)...) {
     file.open(QIODevice::WriteOnly);
     writer.emplace(&file);
     writer->setResolution(kResolution);
@@ -33,7 +33,8 @@ struct PdfReport::Parts {
   std::optional<PagePrinter> printer;  ///< goes before the writer
 };
 
-PdfReport::PdfReport(ReportContent content) : parts_(std::make_unique<Parts>(std::move(content))) {}
+PdfReport::PdfReport(ReportContent content, const Language& language)
+    : parts_(std::make_unique<Parts>(std::move(content), language)) {}
 PdfReport::PdfReport(PageFurniture furniture, std::vector<Block> blocks)
     : parts_(std::make_unique<Parts>(std::move(furniture), std::move(blocks))) {}
 PdfReport::~PdfReport() = default;
@@ -66,8 +67,8 @@ std::string PdfReport::take() {
 }
 
 Result<void> write_pdf(const ReportContent& content, const std::string& path,
-                       const Progress& progress) {
-  PdfReport report(content);
+                       const Progress& progress, const Language& language) {
+  PdfReport report(content, language);
   return write_all(report, path, progress);
 }
 

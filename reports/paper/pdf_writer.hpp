@@ -14,7 +14,7 @@ namespace isograsp::reports {
 /// Laid out once, then painted text by text, row by row, plot by plot.
 class PdfReport final : public ReportWriter {
  public:
-  explicit PdfReport(ReportContent content);
+  explicit PdfReport(ReportContent content, const Language& language = kEnglish);
   /// Any other report: its blocks hold what they paint.
   PdfReport(PageFurniture furniture, std::vector<Block> blocks);
   ~PdfReport() override;
@@ -35,6 +35,7 @@ class PdfReport final : public ReportWriter {
 /// Writes the whole file or nothing. Errors: failed, if `path` cannot be written or the watcher
 /// wants to stop. Needs a QApplication (ensure_qt_application()); main thread.
 [[nodiscard]] Result<void> write_pdf(const ReportContent& content, const std::string& path,
-                                     const Progress& progress = {});
+                                     const Progress& progress = {},
+                                     const Language& language = kEnglish);
 
 }  // namespace isograsp::reports

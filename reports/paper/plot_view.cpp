@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame that all plots of a report share: fonts, axes, margins, the key above.
+#include <algorithm>
 #include <cmath>
 
 #include "reports/paper/plots.hpp"
@@ -9,7 +10,19 @@ namespace isograsp::reports {
 
 namespace {
 constexpr double kFont = 6.8;  // points
+constexpr double kLeastFont = 5.0;
+constexpr double kKeyGap = 9.0;  ///< between one word of the key and the next
+
+/// Numbers at the axes are as those in the text, whatever the language of the desktop.
+QLocale locale_of(const Language& language) {
+  const auto code = language_code(language);
+  if (code == language_code(kEnglish)) return QLocale::c();
+  QLocale locale(QString::fromStdString(code));
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale;
 }
+
+}  // namespace
 
 QFont report_font(double pixels, bool bold) {
   QFont font("DejaVu Sans");
@@ -19,8 +32,9 @@ QFont report_font(double pixels, bool bold) {
   return font;
 }
 
-PlotView::PlotView(QSizeF size, double unit)
-    : size_(size), unit_(unit), plot_(std::make_unique<QCustomPlot>()) {
+PlotView::PlotView(QSizeF size, double unit, const Language& language)
+    : size_(size), unit_(unit), say_(language), plot_(std::make_unique<QCustomPlot>()) {
+  plot_->setLocale(locale_of(language));
   plot_->setBackground(Qt::NoBrush);
   plot_->plotLayout()->clear();
   plot_->plotLayout()->setRowSpacing(0);
@@ -28,7 +42,6 @@ PlotView::PlotView(QSizeF size, double unit)
 }
 PlotView::~PlotView() = default;
 PlotView::PlotView(PlotView&&) noexcept = default;
-PlotView& PlotView::operator=(PlotView&&) noexcept = default;
 
 QCPAxisRect& PlotView::add_axes(QRectF inner) {
   auto* rect = new QCPAxisRect(plot_.get(), false);  // the layout owns it
@@ -69,8 +82,15 @@ QCPAxisRect& PlotView::add_axes(QRectF inner) {
   return *rect;
 }
 
-void PlotView::explain(Mark mark, const QColor& color, const QString& text) {
-  keys_.push_back({mark, color, text});
+QString PlotView::said(const Text& text) const {
+  return QString::fromStdString(say_(text));
+}
+QString PlotView::said(const Number& number) const {
+  return QString::fromStdString(say_(number));
+}
+
+void PlotView::explain(Mark mark, const QColor& color, const Text& text) {
+  keys_.push_back({mark, color, said(text)});
 }
 
 void PlotView::paint(QCPPainter& painter) {
@@ -80,13 +100,23 @@ void PlotView::paint(QCPPainter& painter) {
                    static_cast<int>(std::lround(px(size_.height()))));
   painter.restore();
   painter.save();
-  const QFont font = report_font(px(kFont), false);
+  const auto mark_width = [this](const Key& key) { return px(key.mark >= Mark::ring ? 5 : 13); };
+  const auto length = [&](const QFont& font) {
+    double sum = -px(kKeyGap);
+    for (const Key& key : keys_)
+      sum += mark_width(key) + px(3 + kKeyGap) + QFontMetricsF(font).horizontalAdvance(key.text);
+    return sum;
+  };
+  // Words that are too long for the room above the axes begin farther left, then they are smaller.
+  QFont font = report_font(px(kFont), false);
+  for (double size = kFont; size > kLeastFont && length(font) > px(size_.width()); size -= 0.2)
+    font = report_font(px(size), false);
   const QFontMetricsF metrics(font);
   painter.setFont(font);
-  double x = px(key_left_);
+  double x = std::clamp(px(size_.width()) - length(font), 0.0, px(key_left_));
   const double y = px(4.5);
   for (const Key& key : keys_) {
-    const double width = px(key.mark >= Mark::ring ? 5 : 13);
+    const double width = mark_width(key);
     QPen pen(key.color, px(key.mark == Mark::dotted ? 0.8 : 1.2));
     painter.setBrush(Qt::NoBrush);
     if (key.mark == Mark::dashed) pen.setDashPattern({3.5, 2.0});
@@ -108,7 +138,7 @@ void PlotView::paint(QCPPainter& painter) {
     x += width + px(3);
     painter.setPen(Palette::quiet());
     painter.drawText(QPointF(x, y + px(kFont) * 0.36), key.text);
-    x += metrics.horizontalAdvance(key.text) + px(9);
+    x += metrics.horizontalAdvance(key.text) + px(kKeyGap);
   }
   painter.restore();
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "reports/findings/report_content.hpp"
+#include "reports/findings/wording.hpp"
 #include "reports/paper/palette.hpp"
 
 class QCustomPlot;
@@ -26,15 +27,18 @@ namespace isograsp::reports {
 
 class PlotView {
  public:
-  /// @param size  [points]
-  PlotView(QSizeF size, double unit);
+  /// @param size      [points]
+  /// @param language  of the numbers at the axes and of the words
+  PlotView(QSizeF size, double unit, const Language& language);
   ~PlotView();
   PlotView(PlotView&&) noexcept;
-  PlotView& operator=(PlotView&&) noexcept;
 
   /// A word about one kind of line or mark; stands above the plot in the order of the calls.
   enum class Mark : std::uint8_t { line, dashed, dotted, band, ring, square };
-  void explain(Mark mark, const QColor& color, const QString& text);
+  void explain(Mark mark, const QColor& color, const Text& text);
+  /// In the language of the plot.
+  [[nodiscard]] QString said(const Text& text) const;
+  [[nodiscard]] QString said(const Number& number) const;
   /// Paints with the top left corner at the painter's origin.
   void paint(QCPPainter& painter);
   /// Axes whose inner rectangle is `inner` [points]; several stand below each other, top first.
@@ -46,6 +50,7 @@ class PlotView {
  private:
   QSizeF size_;
   double unit_;
+  Speaker say_;
   struct Key {
     Mark mark;
     QColor color;
@@ -69,28 +74,32 @@ struct ErrorBand {
 /// One measure over the sessions: mean per session, single trials as dots, first day hollow; where
 /// its change is judged, the band that is not larger than measurement error.
 [[nodiscard]] PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
-                                  const ReportContent& content, QSizeF size, double unit);
+                                  const ReportContent& content, QSizeF size, double unit,
+                                  const Language& language = kEnglish);
 
 /// A trial of the section over its target: force against time, or x, y and angle against time.
 /// @pre the trial holds signals
 [[nodiscard]] PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial,
-                                    QSizeF size, double unit);
+                                    QSizeF size, double unit, const Language& language = kEnglish);
 
 /// True if finger forces of the last trial are there.
 [[nodiscard]] bool has_fingers(const TaskSection& section);
 /// Normal and tangential forces of the fingers against time, in the contact frames: to be read with
 /// the way of the object below (Kurillo et al., figures 7 and 8). @pre has_fingers(section)
-[[nodiscard]] PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit);
+[[nodiscard]] PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit,
+                                    const Language& language = kEnglish);
 
 /// True if the last trial moved an object in the plane.
 [[nodiscard]] bool has_path(const TaskSection& section);
 /// The way of the object in the plane, with numbered targets. @pre has_path(section)
-[[nodiscard]] PlotView path_plot(const TaskSection& section, QSizeF size, double unit);
+[[nodiscard]] PlotView path_plot(const TaskSection& section, QSizeF size, double unit,
+                                 const Language& language = kEnglish);
 
 /// One digit of all of them. `most_N`: the radius of the outer ring. Needs a QApplication.
 [[nodiscard]] PlotView compass_plot(const std::vector<Compass>& compasses, Finger finger,
-                                    double most_N, QSizeF size, double unit);
+                                    double most_N, QSizeF size, double unit,
+                                    const Language& language = kEnglish);
 /// What each plot shows, in one sentence, for people who do not see it.
-[[nodiscard]] std::string describe_overlay(const TaskSection& section);
+[[nodiscard]] Text describe_overlay(const TaskSection& section);
 
 }  // namespace isograsp::reports

@@ -21,14 +21,17 @@ struct ReportPages::Parts {
     double y = 0.0;
   };
 
-  explicit Parts(ReportContent of) : content(std::move(of)), furniture(furniture_of(content)) {
-    if (content.sections.empty()) blocks.push_back(text_block(text_of(nothing_yet()), kBody, 0.0));
-    add_panels(blocks, panels_above(content));
-    add_glance(blocks, content);
-    add_quality(blocks, content);
-    add_panels(blocks, panels_between(content));
-    add_sections(blocks, content);
-    add_panels(blocks, panels_below(content));
+  Parts(ReportContent of, const Language& language)
+      : content(std::move(of)), furniture(furniture_of(content, language)) {
+    const Speaker say(language);
+    if (content.sections.empty())
+      blocks.push_back(text_block(text_of(say(nothing_yet())), kBody, 0.0));
+    add_panels(blocks, panels_above(content, language));
+    add_glance(blocks, content, say);
+    add_quality(blocks, content, say);
+    add_panels(blocks, panels_between(content, language));
+    add_sections(blocks, content, say);
+    add_panels(blocks, panels_below(content, language));
     lay_out();
   }
   Parts(PageFurniture around, std::vector<Block> of)
@@ -64,8 +67,8 @@ struct ReportPages::Parts {
   int all_steps = 0;
 };
 
-ReportPages::ReportPages(ReportContent content)
-    : parts_(std::make_unique<Parts>(std::move(content))) {}
+ReportPages::ReportPages(ReportContent content, const Language& language)
+    : parts_(std::make_unique<Parts>(std::move(content), language)) {}
 ReportPages::ReportPages(PageFurniture furniture, std::vector<Block> blocks)
     : parts_(std::make_unique<Parts>(std::move(furniture), std::move(blocks))) {}
 ReportPages::~ReportPages() = default;

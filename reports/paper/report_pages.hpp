@@ -16,7 +16,8 @@ namespace isograsp::reports {
 
 class ReportPages {
  public:
-  explicit ReportPages(ReportContent content);
+  /// The language must outlive them.
+  explicit ReportPages(ReportContent content, const Language& language = kEnglish);
   /// Any other report: its blocks hold what they paint.
   ReportPages(PageFurniture furniture, std::vector<Block> blocks);
   ~ReportPages();

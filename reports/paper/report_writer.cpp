@@ -7,9 +7,10 @@
 
 namespace isograsp::reports {
 
-std::unique_ptr<ReportWriter> make_report_writer(ReportContent content, const std::string& path) {
-  if (path.ends_with(".html")) return std::make_unique<HtmlReport>(std::move(content));
-  return std::make_unique<PdfReport>(std::move(content));
+std::unique_ptr<ReportWriter> make_report_writer(ReportContent content, const std::string& path,
+                                                 const Language& language) {
+  if (path.ends_with(".html")) return std::make_unique<HtmlReport>(std::move(content), language);
+  return std::make_unique<PdfReport>(std::move(content), language);
 }
 
 Result<void> write_all(ReportWriter& writer, const std::string& path, const Progress& progress) {

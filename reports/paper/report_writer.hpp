@@ -9,6 +9,7 @@
 #include "core/progress.hpp"
 #include "core/result.hpp"
 #include "reports/findings/report_content.hpp"
+#include "reports/findings/wording.hpp"
 
 namespace isograsp::reports {
 
@@ -33,9 +34,11 @@ class ReportWriter {
   ReportWriter() = default;
 };
 
-/// HTML if `path` ends in ".html", PDF otherwise. Lays the report out, writes nothing.
+/// In a language, which must outlive the writer; HTML if `path` ends in ".html", PDF otherwise.
+/// Lays the report out, writes nothing.
 [[nodiscard]] std::unique_ptr<ReportWriter> make_report_writer(ReportContent content,
-                                                               const std::string& path);
+                                                               const std::string& path,
+                                                               const Language& language = kEnglish);
 
 /// All steps, then the whole file or nothing. Errors: failed, if `path` cannot be written or the
 /// watcher wants to stop.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/findings/report_text.hpp"
 #include "reports/paper/plot_tools.hpp"
 #include "reports/paper/plots.hpp"
 #include "tasks/facts/measure_words.hpp"
@@ -84,9 +83,12 @@ bool far_away(const Values& norm, const QCPRange& of_patient) {
 /// Where they are, above the plot at its right end.
 void add_far_norm(PlotView& view, QCPAxisRect& rect, const Values& norm, int row) {
   const bool above = norm.front() > rect.axis(QCPAxis::atLeft)->range().center();
-  const QString text = "healthy " + QString::number(norm.front(), 'g', 3) + "\u2013" +
-                       QString::number(norm.back(), 'g', 3) + (above ? " \u2191" : " \u2193");
-  auto* label = add_above(view, rect, row, text, Palette::quiet());
+  const auto number = [](double value) {
+    return Number{QString::number(value, 'g', 3).toStdString()};
+  };
+  const Text text = (above ? "healthy %1\u2013%2 \u2191"_text : "healthy %1\u2013%2 \u2193"_text)(
+      number(norm.front()), number(norm.back()));
+  auto* label = add_above(view, rect, row, view.said(text), Palette::quiet());
   label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
   label->position->setCoords(1.0, label->position->coords().y());
   label->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
@@ -210,7 +212,8 @@ QCPRange range_for(const Drawn& all, bool norm_far, const std::string& unit) {
                   : range_of({&all.mean, &all.trials, &all.band, &all.practice, &all.norm});
 }
 
-void add_session_ticks(QCPAxis& axis, const ReportContent& content, bool dated) {
+void add_session_ticks(const PlotView& view, QCPAxis& axis, const ReportContent& content,
+                       bool dated) {
   auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   constexpr int kMostTicks = 12;
   const int count = static_cast<int>(content.sessions.size());
@@ -218,10 +221,7 @@ void add_session_ticks(QCPAxis& axis, const ReportContent& content, bool dated) 
   for (int i = 0; i < count; i += step) {
     const auto& session = content.sessions[static_cast<std::size_t>(i)];
     QString label = QString::number(session.number);
-    if (dated) {
-      const auto date = QString::fromStdString(format_date(session.date));
-      label += "\n" + date.left(date.size() - 5);  // without the year
-    }
+    if (dated) label += "\n" + view.said(day_of_year_words(session.date));
     ticker->addTick(session.number, label);
   }
   axis.setTicker(ticker);
@@ -269,8 +269,9 @@ void add_values(PlotView& view, QCPAxisRect& rect, const Drawn& all, const QCPRa
 }  // namespace
 
 PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
-                    const ReportContent& content, QSizeF size, double unit) {
-  PlotView view(size, unit);
+                    const ReportContent& content, QSizeF size, double unit,
+                    const Language& language) {
+  PlotView view(size, unit, language);
   const auto printed = tasks::printed_unit(series.unit);
   const Drawn all = drawn(series, section, content, printed.factor);
   const bool norm_far =
@@ -288,15 +289,15 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   const QCPRange range = range_for(all, norm_far, series.unit);
   rect.axis(QCPAxis::atLeft)->setRange(range);
   rect.axis(QCPAxis::atLeft)
-      ->setLabel(QString::fromStdString(printed.text.empty() ? "ratio" : printed.text));
+      ->setLabel(view.said(printed.text.empty() ? "ratio"_text : unit_words(printed.text)));
 
   const Span span = span_of(content);
   constexpr double kRoomForNorm = 0.05;  // of the length
   const bool norm_beside = series.norm && !norm_far;
   const double right = span.high + (norm_beside ? kRoomForNorm * (span.high - span.low) : 0.0);
   rect.axis(QCPAxis::atBottom)->setRange(span.low, right);
-  rect.axis(QCPAxis::atBottom)->setLabel("session");
-  add_session_ticks(*rect.axis(QCPAxis::atBottom), content, dated);
+  rect.axis(QCPAxis::atBottom)->setLabel(view.said("session"_text));
+  add_session_ticks(view, *rect.axis(QCPAxis::atBottom), content, dated);
 
   add_baseline(view, rect, series, {span.low, right}, printed.factor);
   if (norm_far) add_far_norm(view, rect, all.norm, norm_row);

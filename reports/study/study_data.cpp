@@ -61,16 +61,21 @@ bool follows_success(const std::string& task_text) {
 /// Counts what is left out, by reason.
 class LeftOut {
  public:
-  void add(const std::string& why) { ++count_[why]; }
-  [[nodiscard]] std::vector<std::string> words() const {
-    std::vector<std::string> all;
-    for (const auto& [why, count] : count_)
-      all.push_back(std::to_string(count) + (count == 1 ? " trial: " : " trials: ") + why);
+  void add(const Text& why) {
+    auto& [words, count] = count_[english(why)];
+    words = why;
+    ++count;
+  }
+  [[nodiscard]] std::vector<Text> words() const {
+    std::vector<Text> all;
+    for (const auto& [in_english, of] : count_)
+      all.push_back(of.second == 1 ? "1 trial: %1"_text(of.first)
+                                   : "%1 trials: %2"_text(of.second, of.first));
     return all;
   }
 
  private:
-  std::map<std::string, int> count_;
+  std::map<std::string, std::pair<Text, int>> count_;  ///< by the reason in English
 };
 
 /// Fills `chosen` of one person, and `missing` with why a condition has no trial.
@@ -81,32 +86,33 @@ void choose(const Study& study, const std::vector<StudyCondition>& conditions, S
   for (std::size_t c = 0; c < conditions.size(); ++c) {
     const auto& selection = conditions[c].selection;
     const auto& profile = subject.records.profile;
-    std::string why = "no such session";
+    const Text no_session = "no such session"_text;
+    Text why = no_session;
     const bool side_is_asked =
         *selection.hand == StudyHand::affected || *selection.hand == StudyHand::other;
     if (side_is_asked && profile.affected != storage::Side::right &&
         profile.affected != storage::Side::left)
-      why = "no single affected side is told";
+      why = "no single affected side is told"_text;
     for (const auto& trial : subject.records.trials) {
       const auto& session = subject.records.shown[trial.session];
       if (!selects_session(selection, session, profile)) continue;
       if (session.source != study.source) {
-        why = "other source of forces";
+        why = "other source of forces"_text;
         continue;
       }
       if (trial.trial.task_name != *selection.task) {
-        if (why == "no such session") why = "no such task in the session";
+        if (why == no_session) why = "no such task in the session"_text;
         continue;
       }
       if (!counts(trial.trial)) {
-        why = "practice, helped or not completed";
+        why = "practice, helped or not completed"_text;
         left_out.add(why);
         continue;
       }
       auto [known, fresh] = by_success.try_emplace(trial.trial.task_text, false);
       if (fresh) known->second = follows_success(trial.trial.task_text);
       if (known->second) {
-        why = "the level of the task follows success";
+        why = "the level of the task follows success"_text;
         left_out.add(why);
         continue;
       }
@@ -177,12 +183,12 @@ class CellMaker {
     for (const StoredTrial* trial : trials) {
       auto why = difference(*references_.at(trial->trial.task_name), *trial);
       const Measure* measure = measure_of(*trial, study_.measure, channel);
-      if (why.empty() && measure == nullptr) why = "the trial has no such measure";
-      if (why.empty() && !same_kind(*measure)) why = "another version of the measure";
+      if (why.empty() && measure == nullptr) why = "the trial has no such measure"_text;
+      if (why.empty() && !same_kind(*measure)) why = "another version of the measure"_text;
       if (why.empty() && !measure->value) {
-        why = measure->reason;
+        why = Known{measure->reason};
         // A time that did not come is longer than all others: leaving it out would flatter.
-        if (censored) return {{}, 0, 0, "a trial has no value: " + why};
+        if (censored) return {{}, 0, 0, "a trial has no value: %1"_text(why)};
       }
       if (!why.empty()) {
         left_out_.add(why);
@@ -193,7 +199,7 @@ class CellMaker {
       ++cell.trials;
     }
     if (values.empty()) return cell;
-    cell.reason.clear();
+    cell.reason = {};
     cell.sessions = static_cast<int>(values.size());
     std::vector<double> means;
     for (const auto& [session, of_session] : values) means.push_back(arithmetic_mean(of_session));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/progress.hpp"
+#include "core/text.hpp"
 #include "reports/study/study_file.hpp"
 #include "statistics/subject_table.hpp"
 
@@ -21,7 +22,7 @@ struct StudyCell {
   std::optional<double> value;  ///< mean over the sessions of their means over trials
   int sessions = 0;
   int trials = 0;
-  std::string reason;
+  Text reason;
 };
 
 struct StudyGroupData {
@@ -36,9 +37,9 @@ struct StudyData {
   std::string unit;
   int measure_version = 1;
   std::vector<StudyGroupData> groups;
-  std::vector<std::string> left_out;  ///< trials that do not count, how many and why
+  std::vector<Text> left_out;  ///< trials that do not count, how many and why
   /// What was computed again of these people, of all measures (renewed.hpp); empty: nothing.
-  std::string renewed;
+  Text renewed;
 };
 
 /// Reads what `study` asks for. Of the trials of a task those count which may be compared with each

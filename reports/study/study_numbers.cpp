@@ -110,7 +110,7 @@ Json left_out(const StudyGroupData& group, const GroupAnalysis& analysis,
       if (!cell.value)
         all.push_back({{"subject", group.subjects[static_cast<std::size_t>(row)]},
                        {"condition", conditions[c].name},
-                       {"why", cell.reason}});
+                       {"why", english(cell.reason)}});
     }
   return all;
 }
@@ -166,6 +166,8 @@ Json as_json(const StudyGroupData& group, const GroupAnalysis& analysis,
 std::string study_json(const Study& study, const StudyData& data,
                        const std::vector<GroupAnalysis>& analyses) {
   const auto conditions = conditions_of(study);
+  Json left_out = Json::array();
+  for (const Text& words : data.left_out) left_out.push_back(english(words));
   Json json{{"format", "isograsp-study-result-1"},
             {"software_version", ISOGRASP_VERSION},
             {"title", study.title},
@@ -174,8 +176,8 @@ std::string study_json(const Study& study, const StudyData& data,
             {"measure_version", data.measure_version},
             {"source", name_of(study.source)},
             {"confidence", study.confidence},
-            {"trials_left_out", data.left_out},
-            {"renewed", data.renewed}};
+            {"trials_left_out", left_out},
+            {"renewed", english(data.renewed)}};
   json["groups"] = Json::array();
   for (std::size_t g = 0; g < data.groups.size(); ++g)
     json["groups"].push_back(as_json(data.groups[g], analyses[g], conditions));
@@ -200,7 +202,7 @@ std::string study_csv(const Study& study, const StudyData& data) {
         text += "," + csv_field(study.factors.back().levels[c % last].name) + ",";
         if (cell.value) append_number(text, *cell.value);
         text += "," + csv_field(data.unit) + "," + std::to_string(cell.sessions) + "," +
-                std::to_string(cell.trials) + "," + csv_field(cell.reason) + "," +
+                std::to_string(cell.trials) + "," + csv_field(english(cell.reason)) + "," +
                 std::string(name_of(study.source)) + "\n";
       }
   return text;

@@ -38,7 +38,7 @@ double place_of(int subject, int subjects) {
 }  // namespace
 
 PlotView study_plot(const StudyPlot& plot, QSizeF size, double unit) {
-  PlotView view(size, unit);
+  PlotView view(size, unit, *plot.language);
   const int count = static_cast<int>(plot.names.size());
   constexpr double kCharacter = 3.9;  // width of a tick label's letter [points]
   const double room = (size.width() - kLeft - kRight) / count;
@@ -61,7 +61,7 @@ PlotView study_plot(const StudyPlot& plot, QSizeF size, double unit) {
   for (const auto& values : plot.values)
     for (const double value : values) all.push_back(value);
   up->setRange(range_of({&all}));
-  up->setLabel(plot.unit.empty() ? QString("ratio") : QString::fromStdString(plot.unit));
+  up->setLabel(QString::fromStdString(plot.unit));
 
   const int subjects = plot.values.empty() ? 0 : static_cast<int>(plot.values.front().size());
   for (int s = 0; s < subjects; ++s) {

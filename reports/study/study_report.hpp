@@ -30,9 +30,10 @@ struct StudyTable {
 struct StudyPlot {
   std::string title;
   std::string description;                  ///< for people who do not see it
-  std::string unit;                         ///< printed
+  std::string unit;                         ///< at the axis
   std::vector<std::string> names;           ///< of the conditions
   std::vector<std::vector<double>> values;  ///< [condition][subject], the same subjects each
+  const Language* language = &kEnglish;     ///< of the numbers at the axes
 };
 using StudyBlock = std::variant<StudyHeading, StudyParagraph, StudyTable, StudyPlot>;
 
@@ -41,8 +42,10 @@ struct StudyReport {
   std::vector<StudyBlock> blocks;
 };
 /// @param analyses  one for each group of `data`
+/// @param language  must outlive what is painted of the report
 [[nodiscard]] StudyReport study_report(const Study& study, const StudyData& data,
-                                       const std::vector<GroupAnalysis>& analyses);
+                                       const std::vector<GroupAnalysis>& analyses,
+                                       const Language& language = kEnglish);
 
 /// Every figure, undefined ones as null with their reason.
 [[nodiscard]] std::string study_json(const Study& study, const StudyData& data,

@@ -144,10 +144,11 @@ TEST(Translations, WhatIsNoLineOfAFileIsRefusedWithItsNumber) {
 }
 
 TEST(TextsInCode, AreTheLiteralsBeforeTheSuffixAsTheCompilerJoinsThem) {
-  const std::set<std::string> expected{"one two", "a \"b\"", "%1 of %2"};
+  const std::set<std::string> expected{"one two", "a \"b\"", "%1 of %2", "1\u00a0N \u2013"};
   EXPECT_EQ(
       texts_in_code("f(\"one \"\n  // \"no\"_text\n  \"two\"_text, \"x\", '\"', 1'000);\n"
-                    "\"y\" + \"a \\\"b\\\"\"_text; R\"(\"z\"_text)\"; \"%1 of %2\"_text(1, \"w\")"),
+                    "\"y\" + \"a \\\"b\\\"\"_text; R\"(\"z\"_text)\"; \"%1 of %2\"_text(1, \"w\"); "
+                    "\"1\\u00a0N \\u2013\"_text"),
       expected);
 }
 

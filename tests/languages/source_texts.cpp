@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
@@ -19,6 +20,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// A character of the basic plane as UTF-8.
+std::string utf8(unsigned character) {
+  const auto byte = [](unsigned value) { return static_cast<char>(value); };
+  if (character < 0x80) return {byte(character)};
+  const char last = byte(0x80 | (character & 0x3F));
+  if (character < 0x800) return {byte(0xC0 | (character >> 6)), last};
+  return {byte(0xE0 | (character >> 12)), byte(0x80 | ((character >> 6) & 0x3F)), last};
+}
+
 /// Text in quotes up to `at`, which stands at its first quote and then behind its last.
 std::string quoted(std::string_view code, std::size_t& at) {
   std::string text;
@@ -26,7 +36,13 @@ std::string quoted(std::string_view code, std::size_t& at) {
   for (++at; at < code.size() && code[at] != quote; ++at) {
     if (code[at] == '\\' && at + 1 < code.size()) {
       ++at;
-      text += code[at] == 'n' ? '\n' : code[at];
+      constexpr std::size_t kDigits = 4;  // of \u00a0
+      unsigned character = 0;
+      if (code[at] == 'u' && at + kDigits < code.size() &&
+          std::from_chars(&code[at + 1], &code[at + 1] + kDigits, character, 16).ec == std::errc())
+        text += utf8(character), at += kDigits;
+      else
+        text += code[at] == 'n' ? '\n' : code[at];
     } else {
       text += code[at];
     }

@@ -60,14 +60,14 @@ TEST(Conditions, DifferByMoreThanTheLastBitOfADelay) {
   other.rate_Hz = next(100.0);
   other.device_delay_s = 0.3;
   other.display_delay_s = next(0.03);
-  EXPECT_EQ(difference(one, other), "");
+  EXPECT_EQ(english(difference(one, other)), "");
   other.display_delay_s = 0.0301;
-  EXPECT_EQ(difference(one, other), "other delay of the display");
+  EXPECT_EQ(english(difference(one, other)), "other delay of the display");
   other.display_delay_s.reset();
-  EXPECT_EQ(difference(one, other), "other delay of the display");
+  EXPECT_EQ(english(difference(one, other)), "other delay of the display");
   other = one;
   other.device_delay_s = 0.301;
-  EXPECT_EQ(difference(one, other), "other filter delay of the device");
+  EXPECT_EQ(english(difference(one, other)), "other filter delay of the device");
 }
 
 }  // namespace

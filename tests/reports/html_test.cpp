@@ -67,7 +67,7 @@ TEST_F(Html, AWholeReportOfHostileNamesNeedsNothingThatThePolicyForbids) {
   ASSERT_FALSE(content->sections.empty());
   for (auto& section : content->sections) {
     section.task = kHostile;
-    section.notes.emplace_back(kHostile);
+    section.notes.emplace_back("%1"_text(kHostile));
     for (auto& series : section.series) series.name = kHostile;
   }
   for (auto& session : content->sessions) session.device = kHostile;

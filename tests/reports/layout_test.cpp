@@ -2,10 +2,13 @@
 // Where things stand on paper and on the web: nothing lies on something else, nothing runs off the
 // page, and a narrow screen shows all that a wide one does.
 #include <QRegularExpression>
+#include <cctype>
 #include <cstdlib>
+#include <map>
 
 #include <gtest/gtest.h>
 
+#include "languages/languages.hpp"
 #include "reports/findings/progress_report.hpp"
 #include "reports/paper/html_writer.hpp"
 #include "reports/paper/panel.hpp"
@@ -55,7 +58,8 @@ class Layout : public test::PaperTest {
         verdict.chosen_by = "Dr Example";
         verdict.chosen_on = "2026-03-03";
         series.verdict = verdict;
-        series.norm = NormBand{"women of 60 to 69, dominant hand", {20.0, 30.0}, 20.0, 30.0};
+        series.norm =
+            NormBand{"women of %1 to %2, dominant hand"_text(60, 69), {20.0, 30.0}, 20.0, 30.0};
       }
     content.treatments = {{1, "2026-03-10", "botulinum_toxin", "flexors"},
                           {2, "2026-03-10", "orthosis", "at night"},
@@ -76,16 +80,27 @@ constexpr double kSlack = 0.5;  // points
 const QRectF kInside(pdf::kSide - kSlack, 20.0, pdf::kWidth + 2.0 * kSlack,
                      pdf::kPageHeight - 2.0 * 20.0);
 
-TEST_F(Layout, NoTextLiesOnAnother) {
-  const ReportPages pages(rich());
+/// What `rich` has and says, in each language of the program.
+class LayoutIn : public Layout, public testing::WithParamInterface<languages::LanguageName> {
+ protected:
+  [[nodiscard]] static const Language& language() { return languages::language(GetParam().code); }
+  [[nodiscard]] static QString said(const Text& text) {
+    return QString::fromStdString(translated(text, language()));
+  }
+};
+INSTANTIATE_TEST_SUITE_P(, LayoutIn, testing::ValuesIn(languages::kLanguages),
+                         [](const auto& language) { return std::string(language.param.code); });
+
+TEST_P(LayoutIn, NoTextLiesOnAnother) {
+  const ReportPages pages(rich(), language());
   for (const int page : test::every(test::all_pages(pages))) {
     const auto pairs = overprinted(painted(pages, page));
     EXPECT_TRUE(pairs.empty()) << "page " << page + 1 << "\n" << joined(pairs);
   }
 }
 
-TEST_F(Layout, NoTextLeavesItsMargins) {
-  const ReportPages pages(rich());
+TEST_P(LayoutIn, NoTextLeavesItsMargins) {
+  const ReportPages pages(rich(), language());
   for (const int page : test::every(test::all_pages(pages)))
     for (const auto& text : test::every(painted(pages, page).texts)) {
       if (text.slanted) continue;
@@ -95,13 +110,47 @@ TEST_F(Layout, NoTextLeavesItsMargins) {
     }
 }
 
-TEST_F(Layout, LimitsOfMeasurementErrorKeepToTheirColumn) {
-  const ReportPages pages(rich());
+/// None of whose words has a letter of English.
+class Foreign : public Language {
+ public:
+  [[nodiscard]] std::string_view words(std::string_view english) const override {
+    std::string& said = said_[std::string(english)];
+    if (!said.empty()) return said;
+    for (const char c : english)
+      if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+        said += "\u0416";
+      else
+        said += c;
+    return said;
+  }
+
+ private:
+  mutable std::map<std::string, std::string> said_;
+};
+
+TEST_F(Layout, NothingOnPaperIsSaidInEnglishAlone) {
+  static const Foreign kForeign;
+  const ReportPages pages(rich(), kForeign);
+  // Names, units, and what people wrote.
+  static const QRegularExpression kAsItIs(
+      "IsoGrasp|TK-104|Dr Example|Hold a cup of tea without spilling|mm|ms");
+  static const QRegularExpression kWord("[A-Za-z]{2,}");
+  for (const int page : test::every(test::all_pages(pages)))
+    for (const auto& text : test::every(painted(pages, page).texts)) {
+      QString rest = text.text;
+      rest.remove(kAsItIs);
+      EXPECT_FALSE(rest.contains(kWord)) << "page " << page + 1 << ": " << text.text.toStdString();
+    }
+}
+
+TEST_P(LayoutIn, LimitsOfMeasurementErrorKeepToTheirColumn) {
+  const ReportPages pages(rich(), language());
+  const QString verdict = said("Verdict"_text);
   double verdict_x = 0.0;
   double widest = 0.0;
   for (const int page : test::every(test::all_pages(pages)))
     for (const auto& text : painted(pages, page).texts) {
-      if (text.text == "Verdict") verdict_x = text.box.left();
+      if (text.text == verdict) verdict_x = text.box.left();
       // "+2345678 N": the last line of a limit
       if (text.text.startsWith("MDC95")) widest = std::max(widest, text.box.right());
     }
@@ -136,7 +185,7 @@ TEST_F(Layout, HealthyPeopleFarAwayLeaveTheCourseItsScale) {
   MeasureSeries& series = section.series.front();
   series.verdict.reset();
   const auto upper = [&](double low, double high) {
-    series.norm = NormBand{"women", {low, high}, low, high};
+    series.norm = NormBand{{}, {low, high}, low, high};
     PlotView view = trend_plot(series, section, content, QSizeF(200.0, 100.0), 1.0);
     return view.plot().axisRect(0)->axis(QCPAxis::atLeft)->range().upper;
   };
@@ -186,31 +235,37 @@ void expect_above_footer(const ReportPages& pages) {
       }
 }
 
-TEST_F(Layout, ThePageForThePatientEndsAboveItsFooter) {
+TEST_P(LayoutIn, ThePageForThePatientEndsAboveItsFooter) {
   auto content = rich();
   content.goals =
       "Hold a cup of tea without spilling, open the door of the flat with the key in the right "
       "hand, write a postcard to the grandchildren and carry the shopping bag home from the corner";
-  const ReportPages pages(content);
+  const ReportPages pages(content, language());
+  const QString week = said("week"_text);
   expect_above_footer(pages);
   const auto last = painted(pages, pages.pages() - 1);
-  EXPECT_TRUE(std::any_of(last.texts.begin(), last.texts.end(), [](const auto& text) {
-    return text.text == "week" && text.box.height() > 8.0;
+  EXPECT_TRUE(std::any_of(last.texts.begin(), last.texts.end(), [&](const auto& text) {
+    return text.text == week && text.box.height() > 8.0;
   })) << "the picture is on the page of the patient";
 }
 
-TEST_F(Layout, MinutesOfAShortPracticeAreNamedInsideThePageForThePatient) {
+TEST_P(LayoutIn, MinutesOfAShortPracticeAreNamedInsideThePageForThePatient) {
   auto content = rich();
   ASSERT_FALSE(content.dose.weeks.empty());
   for (auto& week : content.dose.weeks) week.active_s = 33.0;  // ticks "0.25", "0.5", "0.75"
-  const ReportPages pages(content);
+  const ReportPages pages(content, language());
+  const QString minutes = said("minutes"_text);
+  const QString half = QString::fromStdString(language().number("0.5"));
+  bool written = false;
   int named = 0;
   for (const auto& text : painted(pages, pages.pages() - 1).texts) {
-    if (text.text != "minutes") continue;
+    written = written || text.text == half;
+    if (text.text != minutes) continue;
     ++named;
     EXPECT_TRUE(kInside.contains(text.box)) << text.box.x() << " to " << text.box.right();
   }
   EXPECT_EQ(named, 1);
+  EXPECT_TRUE(written) << "the axis writes numbers as the language does";
 }
 
 TEST_F(Layout, WhatFitsOnNoPageGoesOnOnTheNext) {

@@ -70,7 +70,8 @@ TEST(Training, EveryComponentLeadsToATaskOfTheLibrary) {
       names.insert(test::library_task(entry.path().filename()).name);
   for (std::size_t i = 0; i < kComponentCount; ++i) {
     const auto component = static_cast<Component>(i);
-    EXPECT_TRUE(names.contains(std::string(training_for(component)))) << name_of(component);
+    EXPECT_TRUE(names.contains(std::string(training_for(component))))
+        << words_of(component).english();
   }
 }
 
@@ -175,10 +176,10 @@ TEST_F(Limits, TheComponentFarthestBelowTheOtherHandLimitsMost) {
   ASSERT_NE(main_limit(all), nullptr);
   EXPECT_EQ(main_limit(all)->component, Component::opening);
   EXPECT_WITHIN(main_limit(all)->share->share, 0.2, kRounding);
-  EXPECT_EQ(main_limit(all)->reference_basis, "right hand, 1 day");
+  EXPECT_EQ(english(main_limit(all)->reference_basis), "right hand, 1 day");
   EXPECT_EQ(of(all, Component::strength).standing, Standing::not_clear);
   EXPECT_EQ(of(all, Component::release).standing, Standing::cannot_be_said);
-  EXPECT_EQ(of(all, Component::release).reason, "not assessed");
+  EXPECT_EQ(english(of(all, Component::release).reason), "not assessed");
 }
 
 TEST_F(Limits, AHandWithoutForceIsBelowAndNothingIsDividedByNothing) {
@@ -210,7 +211,7 @@ TEST_F(Limits, BeforeAndAfterATreatmentStandMeansAsTheyAre) {
   maxima("2026-03-02", Hand::left, -2.0, 4.0);
   maxima("2026-03-20", Hand::left, 14.0, 4.0);
   const std::vector<storage::TreatmentMark> marks{{1, "2026-03-10", "botulinum_toxin", ""}};
-  const auto text = of(limits(marks), Component::strength).treatment;
+  const auto text = english(of(limits(marks), Component::strength).treatment);
   EXPECT_NE(text.find("\u22122 before, 14 now"), std::string::npos) << text;
 }
 
@@ -221,7 +222,7 @@ TEST_F(Limits, WhatTheHandDidLongAgoIsNotWhatLimitsItNow) {
   session("2026-03-02", Hand::left,
           {{"maximum_pinch.toml", {measure("maximum_force", "pinch", 10.0, "N")}}});
   const auto all = limits();
-  EXPECT_EQ(of(all, Component::opening).reason, "not assessed");
+  EXPECT_EQ(english(of(all, Component::opening).reason), "not assessed");
   EXPECT_EQ(of(all, Component::strength).task, "Maximum pinch force");
   maxima("2026-03-03", Hand::left, 27.0, 4.0);
   EXPECT_FALSE(of(limits(), Component::opening).share)
@@ -262,10 +263,10 @@ TEST_F(Limits, WithoutTheOtherHandItIsTheOwnBestAndWithFewDaysNothing) {
   const auto& strength = of(all, Component::strength);
   EXPECT_WITHIN(*strength.reference, 20.0, kRounding);
   EXPECT_WITHIN(strength.share->share, 0.3, kRounding);
-  EXPECT_EQ(strength.reference_basis, "own best day, 2\u00a0Jan\u00a02026");
+  EXPECT_EQ(english(strength.reference_basis), "own best day, 2\u00a0Jan\u00a02026");
   // A day that was as good but for the last bit is not the best one for it.
   maxima("2026-01-07", Hand::left, std::nextafter(20.0, 99.0), 3.0);
-  EXPECT_EQ(of(limits(), Component::strength).reference_basis,
+  EXPECT_EQ(english(of(limits(), Component::strength).reference_basis),
             "own best day, 2\u00a0Jan\u00a02026");
   affected(std::nullopt);
   EXPECT_FALSE(limits().other_hand);
@@ -279,7 +280,7 @@ TEST_F(Limits, OtherParametersOfTheOtherHandAreNotComparedWith) {
   const auto all = limits();
   const auto& strength = of(all, Component::strength);
   EXPECT_FALSE(strength.share.has_value());
-  EXPECT_EQ(strength.reason, "the right hand has not done this task");
+  EXPECT_EQ(english(strength.reason), "the right hand has not done this task");
 }
 
 TEST_F(Limits, TheNewestTreatmentBetweenAssessmentsStandsBeside) {
@@ -287,7 +288,7 @@ TEST_F(Limits, TheNewestTreatmentBetweenAssessmentsStandsBeside) {
   maxima("2026-03-20", Hand::left, 14.0, 4.0);
   const std::vector<storage::TreatmentMark> marks{{1, "2026-03-10", "botulinum_toxin", ""},
                                                   {2, "2026-03-25", "orthosis", ""}};
-  EXPECT_EQ(of(limits(marks), Component::strength).treatment,
+  EXPECT_EQ(english(of(limits(marks), Component::strength).treatment),
             "10\u00a0Mar\u00a02026, botulinum toxin: 10 before, 14 now");
 }
 

@@ -134,8 +134,8 @@ TEST_F(Pages, OfAPeriodLeaveOutTheOtherSessionsAndSaySo) {
   EXPECT_TRUE(std::any_of(facts.begin(), facts.end(),
                           [](const auto& fact) { return fact.value == "3 of 6"; }));
   ASSERT_FALSE(some.quality.empty());
-  EXPECT_NE(some.quality.front().text.find("2 to 4 of 6"), std::string::npos);
-  EXPECT_TRUE(all.quality.empty() || all.quality.front().label != "Period");
+  EXPECT_NE(english(some.quality.front().text).find("2 to 4 of 6"), std::string::npos);
+  EXPECT_TRUE(all.quality.empty() || english(all.quality.front().label) != "Period");
   EXPECT_EQ(content({1, 6}).quality.size(), all.quality.size());
   const auto none = content({9, 0});
   EXPECT_EQ(none.sessions.size(), 0U);

@@ -60,8 +60,8 @@ class Panels : public test::PaperTest {
     return gather_progress(*store_, "TK-104", {}, scope).value();
   }
   static std::vector<Panel> all_panels(const ReportContent& content) {
-    auto panels = panels_above(content);
-    for (const auto& more : {panels_between(content), panels_below(content)})
+    auto panels = panels_above(content, kEnglish);
+    for (const auto& more : {panels_between(content, kEnglish), panels_below(content, kEnglish)})
       panels.insert(panels.end(), more.begin(), more.end());
     return panels;
   }
@@ -105,7 +105,7 @@ TEST_F(Panels, SayTheSameInPdfAndHtml) {
 
 TEST_F(Panels, ThePatientReadsPlainWordsAndOnePicture) {
   const auto what = content();
-  const auto page = patient_page(what);
+  const auto page = patient_page(what, kEnglish);
   EXPECT_TRUE(page.large_print);
   EXPECT_EQ(page.plots.size(), 1u);
   EXPECT_FALSE(page.table.has_value());
@@ -176,7 +176,7 @@ TEST_F(Panels, OtherConditionsAreABreakWhereTheyBegin) {
   ASSERT_EQ(grip.breaks.size(), 2u);
   EXPECT_EQ(grip.breaks[0].session, 1u);
   EXPECT_EQ(grip.breaks[1].session, 3u);
-  EXPECT_EQ(grip.breaks[0].reason, "other version of the task");
+  EXPECT_EQ(english(grip.breaks[0].reason), "other version of the task");
   EXPECT_EQ(grip.series[0].values.size(), 2u) << "equal conditions are compared across them";
 }
 

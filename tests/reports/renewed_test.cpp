@@ -52,9 +52,9 @@ std::string series_of(const ReportContent& content) {
       text << section.task << ' ' << series.name << ' ' << series.channel << ' ' << series.version;
       for (const auto& value : series.values)
         for (const double trial : value.trials) text << ' ' << trial;
-      text << ' ' << series.trend << '\n';
+      text << ' ' << english(series.trend) << '\n';
     }
-    for (const auto& note : section.notes) text << note << '\n';
+    for (const auto& note : section.notes) text << english(note) << '\n';
   }
   return text.str();
 }
@@ -120,7 +120,7 @@ class Renewed : public testing::Test {
   }
   static const QualityLine* line(const ReportContent& content, const std::string& label) {
     for (const auto& one : content.quality)
-      if (one.label == label) return &one;
+      if (english(one.label) == label) return &one;
     return nullptr;
   }
 
@@ -138,14 +138,16 @@ TEST_F(Renewed, ACourseThatAnOlderProgramBeganIsOneCourse) {
   const auto after = report();
   EXPECT_EQ(series_of(after), series_of(before));
   ASSERT_NE(line(after, "Newer measures"), nullptr);
-  EXPECT_NE(line(after, "Newer measures")->text.find("computed again from the stored signals"),
-            std::string::npos);
+  EXPECT_NE(
+      english(line(after, "Newer measures")->text).find("computed again from the stored signals"),
+      std::string::npos);
   EXPECT_FALSE(line(after, "Newer measures")->attention);
   const auto older = std::count_if(as_stored.begin(), as_stored.end(),
                                    [](const Measure& measure) { return measure.samples == 7; });
   expect_kept(as_stored, static_cast<std::size_t>(older));
-  EXPECT_EQ(line(after, "Newer measures")->text.find(std::to_string(older) + " results of "), 0u)
-      << line(after, "Newer measures")->text;
+  EXPECT_EQ(
+      english(line(after, "Newer measures")->text).find(std::to_string(older) + " results of "), 0u)
+      << english(line(after, "Newer measures")->text);
 }
 
 TEST_F(Renewed, OnlyWhatIsOlderIsComputedAgain) {
@@ -242,7 +244,7 @@ TEST_F(Renewed, ATrialWhoseSignalsAreLostKeepsItsOlderResultAndIsNotCompared) {
   const auto content = report();
   ASSERT_NE(line(content, "Older measures"), nullptr);
   EXPECT_TRUE(line(content, "Older measures")->attention);
-  EXPECT_EQ(line(content, "Older measures")->text.find("1 trial "), 0u);
+  EXPECT_EQ(english(line(content, "Older measures")->text).find("1 trial "), 0u);
   EXPECT_NE(series_of(content).find("another version of the measure"), std::string::npos);
 }
 
@@ -267,12 +269,12 @@ TEST_F(Renewed, VerdictsAndTheirPoolsUseThemToo) {
   choice.chosen_utc = "2026-03-01T08:00:00Z";
   must(store_->add_primary_measure(patient, choice));
   const auto before = must(gather_verdicts(*store_, "TK-1")).at(0).verdict.value();
-  ASSERT_EQ(before.people, 10) << before.reason;
+  ASSERT_EQ(before.people, 10) << english(before.reason);
   ASSERT_TRUE(before.change.mdc_up);
   make_older("name = '" + choice.measure +
              "' AND trial_id NOT IN (SELECT id FROM trials ORDER BY id DESC LIMIT 8)");
   const auto after = must(gather_verdicts(*store_, "TK-1")).at(0).verdict.value();
-  EXPECT_EQ(after.people, 10) << after.reason;
+  EXPECT_EQ(after.people, 10) << english(after.reason);
   EXPECT_EQ(after.change.verdict, before.change.verdict);
   EXPECT_EQ(after.change.baseline, before.change.baseline);
   EXPECT_EQ(after.change.mdc_up, before.change.mdc_up);

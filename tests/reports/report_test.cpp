@@ -161,7 +161,7 @@ TEST_F(Report, ComparesOnlyEqualTaskVersionsAndSources) {
     }
     const auto all = [&] {
       std::string text;
-      for (const auto& note : section.notes) text += note + "\n";
+      for (const auto& note : section.notes) text += english(note) + "\n";
       return text;
     }();
     EXPECT_NE(all.find("other source of forces"), std::string::npos) << section.task;
@@ -178,14 +178,15 @@ TEST_F(Report, AFailedTargetDoesNotDropOutOfTheMeanTime) {
   const auto section = std::find_if(content.sections.begin(), content.sections.end(),
                                     [](const auto& s) { return s.task == "Two targets"; });
   ASSERT_NE(section, content.sections.end());
-  EXPECT_NE(last_trial_results(*section).find("not reached within 30 s"), std::string::npos);
-  EXPECT_NE(last_trial_title(*section, content).find("2\u00a0Mar"), std::string::npos);
+  EXPECT_NE(english(last_trial_results(*section)).find("not reached within 30 s"),
+            std::string::npos);
+  EXPECT_NE(english(last_trial_title(*section, content)).find("2\u00a0Mar"), std::string::npos);
 }
 
 TEST_F(Report, EveryPageOfSimulatedDataSaysSo) {
   test::add_course(*store_, "SIM-01", true);
   const auto content = gather("SIM-01");
-  EXPECT_EQ(watermark(content), "SIMULATED DEVICE");
+  EXPECT_EQ(english(watermark(content)), "SIMULATED DEVICE");
   write(content, "simulated");
   EXPECT_NE(
       test::read_file(html_).find("<div class=\"watermark\" aria-hidden=\"true\">SIMULATED DEVICE"),
@@ -205,11 +206,11 @@ TEST_F(Report, EveryPageOfSimulatedDataSaysSo) {
 TEST_F(Report, MeasuredDataCarryNoWatermarkAndRecordedDataCarryTheirOwn) {
   test::DemoSession demo;
   test::add_session(*store_, "TK-5", demo);
-  EXPECT_EQ(watermark(gather("TK-5")), "");
+  EXPECT_EQ(english(watermark(gather("TK-5"))), "");
   demo.recorded = true;
   test::add_session(*store_, "REC-1", demo);
   const auto content = gather("REC-1");
-  EXPECT_EQ(watermark(content), "REPLAYED RECORDING");
+  EXPECT_EQ(english(watermark(content)), "REPLAYED RECORDING");
   write(content, "recorded");
   const auto html = test::read_file(html_);
   EXPECT_NE(html.find("a replayed recording, not measured with this device"), std::string::npos);
@@ -232,9 +233,9 @@ TEST_F(Report, PdfAndHtmlHoldTheSameNumbers) {
       }
     }
   for (const auto& line : test::every(content.quality)) {
-    EXPECT_NE(html.find(plain(line.label)), std::string::npos);
+    EXPECT_NE(html.find(plain(english(line.label))), std::string::npos);
     if (have_pdftotext()) {
-      EXPECT_NE(pdf.find(plain(line.label)), std::string::npos);
+      EXPECT_NE(pdf.find(plain(english(line.label))), std::string::npos);
     }
   }
 }
@@ -252,17 +253,18 @@ TEST_F(Report, TheSameDataGiveTheSameReport) {
 TEST_F(Report, TheQualityBoxTellsFaultsGapsAndUnfinishedTrials) {
   test::add_course(*store_, "TK-104", false);
   std::map<std::string, QualityLine> lines;
-  for (const auto& line : gather("TK-104").quality) lines[line.label] = line;
-  EXPECT_NE(lines["Instrument zero"].text.find("0.023 N"), std::string::npos);
-  EXPECT_NE(lines["Samples"].text.find("held 1.8 %"), std::string::npos) << lines["Samples"].text;
-  EXPECT_NE(lines["Samples"].text.find("lost on the way 2"), std::string::npos);
+  for (const auto& line : gather("TK-104").quality) lines[english(line.label)] = line;
+  EXPECT_NE(english(lines["Instrument zero"].text).find("0.023 N"), std::string::npos);
+  EXPECT_NE(english(lines["Samples"].text).find("held 1.8 %"), std::string::npos)
+      << english(lines["Samples"].text);
+  EXPECT_NE(english(lines["Samples"].text).find("lost on the way 2"), std::string::npos);
   EXPECT_TRUE(lines["Samples"].attention);
-  EXPECT_NE(lines["Faults"].text.find("1 device fault"), std::string::npos);
-  EXPECT_NE(lines["Trials"].text.find("7 of 8 completed"), std::string::npos);
-  EXPECT_NE(lines["Trials"].text.find("aborted"), std::string::npos);
-  EXPECT_NE(lines["Timing"].text.find("1.2 ms"), std::string::npos);
-  EXPECT_NE(lines["Delay"].text.find("24.8 ms"), std::string::npos);
-  EXPECT_FALSE(lines["Recomputed"].attention) << lines["Recomputed"].text;
+  EXPECT_NE(english(lines["Faults"].text).find("1 device fault"), std::string::npos);
+  EXPECT_NE(english(lines["Trials"].text).find("7 of 8 completed"), std::string::npos);
+  EXPECT_NE(english(lines["Trials"].text).find("aborted"), std::string::npos);
+  EXPECT_NE(english(lines["Timing"].text).find("1.2 ms"), std::string::npos);
+  EXPECT_NE(english(lines["Delay"].text).find("24.8 ms"), std::string::npos);
+  EXPECT_FALSE(lines["Recomputed"].attention) << english(lines["Recomputed"].text);
 }
 
 TEST_F(Report, AnUnknownPatientIsAnErrorThatNamesTheCodeAndTheRemedy) {
@@ -278,7 +280,7 @@ TEST_F(Report, APatientWithoutTrialsGetsAReportThatSaysSo) {
   const auto content = gather("NEW-1");
   EXPECT_TRUE(content.sections.empty());
   write(content, "empty");
-  EXPECT_NE(plain(test::read_file(html_)).find(nothing_yet()), std::string::npos);
+  EXPECT_NE(plain(test::read_file(html_)).find(english(nothing_yet())), std::string::npos);
 }
 
 TEST_F(Report, APathThatCannotBeWrittenLeavesNothing) {

@@ -239,8 +239,8 @@ TEST(TrendWords, OfATimeTellHowOftenItCameAndOfAllElseTheSlopePerWeek) {
     force.values.push_back({i, {10.0 + static_cast<double>(i)}, 0, {}, false});
     release.values.push_back({i, {3.0 - 0.1 * static_cast<double>(i)}, i < 2 ? 2 : 0, {}, false});
   }
-  EXPECT_EQ(trend_words(force, sessions), "+2\u00a0N per week (2 to 2)");
-  const auto words = trend_words(release, sessions);
+  EXPECT_EQ(english(trend_words(force, sessions)), "+2\u00a0N per week (2 to 2)");
+  const auto words = english(trend_words(release, sessions));
   EXPECT_EQ(words.find("reached in 6 of 10 trials, ranks \u22120.9"), 0u) << words;
 }
 

@@ -210,7 +210,7 @@ TEST_F(StudyOfClinic, ValuesAreTheMeansOfTheStoredTrials) {
                        stored("TK-10" + std::to_string(person + 1), session));
   const auto& missing = data->groups[0].cells[6][2];
   EXPECT_FALSE(missing.value);
-  EXPECT_EQ(missing.reason, "no such session");
+  EXPECT_EQ(english(missing.reason), "no such session");
   const auto analysis = analyse(study_, data->groups[0]);
   EXPECT_EQ(analysis.complete.kept.size(), 6U);
   EXPECT_TRUE(analysis.one_way->effect.p.value);
@@ -226,15 +226,15 @@ TEST_F(StudyOfClinic, SimulatedAndOtherTasksDoNotMix) {
   add("TK-107", attempts);
   auto data = gather(kFile);
   ASSERT_TRUE(data.ok());
-  EXPECT_EQ(data->groups[0].cells[6][2].reason, "other source of forces");
+  EXPECT_EQ(english(data->groups[0].cells[6][2].reason), "other source of forces");
   attempts.simulated = false;
   attempts.task_version = 2;
   add("TK-107", attempts);
   data = gather(kFile);
   ASSERT_TRUE(data.ok());
-  EXPECT_EQ(data->groups[0].cells[6][2].reason, "other version of the task");
+  EXPECT_EQ(english(data->groups[0].cells[6][2].reason), "other version of the task");
   ASSERT_EQ(data->left_out.size(), 1U);
-  EXPECT_EQ(data->left_out[0], "2 trials: other version of the task");
+  EXPECT_EQ(english(data->left_out[0]), "2 trials: other version of the task");
 }
 
 TEST_F(StudyOfClinic, WhoIsNotReleasedForResearchStandsInNone) {
@@ -263,7 +263,7 @@ TEST_F(StudyOfClinic, ADayOfAConditionIsAWholeDayThoughItsSessionIsEarlier) {
   add("TK-108", {"2026-03-30"});
   const auto data = gather(replaced(replaced(kFile, "[12, 16]", "[14, 14]"), "TK-107", "TK-108"));
   ASSERT_TRUE(data.ok()) << data.error().message();
-  EXPECT_TRUE(data->groups[0].cells[6][1].value) << data->groups[0].cells[6][1].reason;
+  EXPECT_TRUE(data->groups[0].cells[6][1].value) << english(data->groups[0].cells[6][1].reason);
 }
 
 TEST_F(StudyOfClinic, WhatMakesNoSenseIsRefused) {

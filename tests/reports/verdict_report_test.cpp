@@ -162,16 +162,16 @@ class VerdictReport : public testing::Test {
 TEST_F(VerdictReport, BeyondTheErrorOfStablePeopleIsPossibleThenConfirmed) {
   add_stable(10);
   const storage::RowId id = patient_with({10, 10, 10.5});
-  EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error");
-  EXPECT_EQ(verdict_basis(verdict()), "10 stable people");
+  EXPECT_EQ(english(verdict_words(verdict())), "not larger than measurement error");
+  EXPECT_EQ(english(verdict_basis(verdict())), "10 stable people");
   assess(id, {"2026-03-20", {19, 20, 21}});
-  EXPECT_EQ(verdict_words(verdict()), "improved (possible)");
-  EXPECT_EQ(verdict_basis(verdict()), "one assessment so far, 10 stable people");
+  EXPECT_EQ(english(verdict_words(verdict())), "improved (possible)");
+  EXPECT_EQ(english(verdict_basis(verdict())), "one assessment so far, 10 stable people");
   assess(id, {"2026-03-23", {19}});
-  EXPECT_EQ(verdict_words(verdict()), "improved (confirmed)");
-  EXPECT_EQ(verdict_basis(verdict()), "two assessments in a row, 10 stable people");
+  EXPECT_EQ(english(verdict_words(verdict())), "improved (confirmed)");
+  EXPECT_EQ(english(verdict_basis(verdict())), "two assessments in a row, 10 stable people");
   assess(id, {"2026-03-26", {4}});
-  EXPECT_EQ(verdict_words(verdict()), "worsened (possible)");
+  EXPECT_EQ(english(verdict_words(verdict())), "worsened (possible)");
 }
 
 TEST_F(VerdictReport, TheErrorIsThatOfTheFormula) {
@@ -191,8 +191,8 @@ TEST_F(VerdictReport, TheErrorIsThatOfTheFormula) {
 TEST_F(VerdictReport, NinePeopleAreTooFew) {
   add_stable(9);
   patient_with({10, 10, 20, 20});
-  EXPECT_EQ(verdict_words(verdict()), "cannot be judged yet");
-  EXPECT_EQ(verdict_basis(verdict()), "9 of 10 stable people");
+  EXPECT_EQ(english(verdict_words(verdict())), "cannot be judged yet");
+  EXPECT_EQ(english(verdict_basis(verdict())), "9 of 10 stable people");
 }
 
 TEST_F(VerdictReport, OtherHandsSourcesVersionsAndParametersDoNotCount) {
@@ -243,7 +243,7 @@ TEST_F(VerdictReport, HealthyPeopleMakeABandFromTwentyOfTheSameKindOn) {
   EXPECT_NE(glance_rows(gather()).at(0).beside.find("n\u00a019, no band"), std::string::npos);
   healthy(storage::Sex::female, 1961, {"2026-02-03", {20, 22}});
   ASSERT_TRUE(norm()->low);
-  EXPECT_EQ(norm()->people, "women of 60 to 69, dominant hand");
+  EXPECT_EQ(english(norm()->people), "women of 60 to 69, dominant hand");
   // Means 2, 3 ... 21; positions 0.05 and 0.95 of the way from the first to the last.
   EXPECT_WITHIN(*norm()->low, 2.0 + 0.05 * 19.0, 1e-12);
   EXPECT_WITHIN(*norm()->high, 21.0 - 0.05 * 19.0, 1e-12);
@@ -267,19 +267,19 @@ TEST_F(VerdictReport, TheOtherHandStandsBesideTheLastValue) {
   EXPECT_EQ(glance_rows(gather()).at(0).beside, "");
   assess(id, {"2026-03-11", {31}, Hand::right});
   const auto rows = glance_rows(gather());
-  ASSERT_EQ(rows.at(0).hand, "left");
+  ASSERT_EQ(rows.at(0).hand, "left hand");
   EXPECT_EQ(rows.at(0).beside, "right hand 31\u00a0N");
 }
 
 TEST_F(VerdictReport, AChangedDelayOfTheDisplayBeginsANewSeries) {
   add_stable(10);
   const storage::RowId id = patient_with({10, 10, 20, 20});
-  EXPECT_EQ(verdict_words(verdict()), "improved (confirmed)");
+  EXPECT_EQ(english(verdict_words(verdict())), "improved (confirmed)");
   const auto sessions = must(store_->sessions(id));
   must(store_->add_answers(sessions.back().id, std::vector<storage::SessionAnswer>{
                                                    {"screen", "display_delay_s", "0.05"}}));
-  EXPECT_EQ(verdict_basis(verdict()), "the baseline needs two assessment days");
-  EXPECT_EQ(gather().sections.at(0).breaks.at(0).reason, "other delay of the display");
+  EXPECT_EQ(english(verdict_basis(verdict())), "the baseline needs two assessment days");
+  EXPECT_EQ(english(gather().sections.at(0).breaks.at(0).reason), "other delay of the display");
 }
 
 TEST_F(VerdictReport, TwoSessionsEitherSideOfMidnightUtcAreOneDay) {
@@ -292,10 +292,10 @@ TEST_F(VerdictReport, TwoSessionsEitherSideOfMidnightUtcAreOneDay) {
   night.time = "02:00:00";
   assess(id, evening);
   assess(id, night);
-  EXPECT_EQ(verdict_basis(verdict()), "the baseline needs two assessment days");
+  EXPECT_EQ(english(verdict_basis(verdict())), "the baseline needs two assessment days");
   evening.date = night.date;  // 19 hours later, of the same date
   assess(id, evening);
-  EXPECT_EQ(verdict_basis(verdict()), "no assessment after the baseline");
+  EXPECT_EQ(english(verdict_basis(verdict())), "no assessment after the baseline");
 }
 
 TEST_F(VerdictReport, AFailedDayNeitherBlocksTheBaselineNorDiffersBetweenTableAndVerdict) {
@@ -316,15 +316,15 @@ TEST_F(VerdictReport, AFailedDayNeitherBlocksTheBaselineNorDiffersBetweenTableAn
   const auto content = gather();
   const auto& series = content.sections.at(0).series.at(0);
   EXPECT_EQ(series.baseline, 4.0);
-  EXPECT_EQ(series.baseline_basis, "first two days with a value");
+  EXPECT_EQ(english(series.baseline_basis), "first two days with a value");
   EXPECT_EQ(series.verdict.value().change.baseline, 4.0);
-  EXPECT_EQ(series.verdict->reason, "0 of 10 stable people");
+  EXPECT_EQ(english(series.verdict->reason), "0 of 10 stable people");
   on("2026-03-14", {}, 2);
   const auto later = gather();
   const auto& after = later.sections.at(0).series.at(0);
   EXPECT_EQ(after.baseline, 4.0) << "two days, though the last one failed";
   EXPECT_EQ(after.last, std::nullopt);
-  EXPECT_EQ(after.verdict.value().reason, "the last assessment has no value");
+  EXPECT_EQ(english(after.verdict.value().reason), "the last assessment has no value");
 }
 
 TEST_F(VerdictReport, ADayOnWhichNothingCouldBeComputedIsNoAssessment) {
@@ -335,12 +335,12 @@ TEST_F(VerdictReport, ADayOnWhichNothingCouldBeComputedIsNoAssessment) {
   empty.without_value = 2;
   assess(id, empty);
   for (const char* date : {"2026-03-05", "2026-03-08", "2026-03-11"}) assess(id, {date, {10}});
-  EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error");
+  EXPECT_EQ(english(verdict_words(verdict())), "not larger than measurement error");
   empty.date = "2026-03-14";
   assess(id, empty);
-  EXPECT_EQ(verdict_basis(verdict()), "the last assessment has no value");
+  EXPECT_EQ(english(verdict_basis(verdict())), "the last assessment has no value");
   assess(id, {"2026-03-17", {10}});
-  EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error");
+  EXPECT_EQ(english(verdict_words(verdict())), "not larger than measurement error");
 }
 
 TEST_F(VerdictReport, APartOfTheSessionsSaysNothingOfTheOthers) {
@@ -349,14 +349,14 @@ TEST_F(VerdictReport, APartOfTheSessionsSaysNothingOfTheOthers) {
                                         "2026-03-01T08:00:00Z", "Therapist 7"}));
   const auto none = must(gather_progress(*store_, "TK-1", {}, {5, 7}));
   ASSERT_FALSE(none.quality.empty());
-  EXPECT_EQ(none.quality[0].text, "none of the 3 sessions lies in it");
+  EXPECT_EQ(english(none.quality[0].text), "none of the 3 sessions lies in it");
   const auto part = must(gather_progress(*store_, "TK-1", {}, {2, 3}));
-  EXPECT_NE(part.waiting.at(0).find("no assessment in these sessions"), std::string::npos);
-  EXPECT_NE(gather().waiting.at(0).find("no assessment yet"), std::string::npos);
+  EXPECT_NE(english(part.waiting.at(0)).find("no assessment in these sessions"), std::string::npos);
+  EXPECT_NE(english(gather().waiting.at(0)).find("no assessment yet"), std::string::npos);
   assess(id, {"2026-03-20", {10}, Hand::left, false, 2});
   const auto later = must(gather_progress(*store_, "TK-1", {}, {2, 4}));
-  EXPECT_EQ(later.sections.at(0).notes.at(0).find("Sessions 2, 3 "), 0u)
-      << later.sections.at(0).notes.at(0);
+  EXPECT_EQ(english(later.sections.at(0).notes.at(0)).find("Sessions 2, 3 "), 0u)
+      << english(later.sections.at(0).notes.at(0));
 }
 
 TEST_F(VerdictReport, ABreakInASeriesOfStableDaysMakesNoPair) {
@@ -378,28 +378,29 @@ TEST_F(VerdictReport, AMeasureChosenAfterTheSecondAssessmentIsNotJudged) {
   const storage::RowId id = person("TK-1");
   choose(id, "2026-03-08T09:29:00Z");
   for (const char* date : {"2026-03-02", "2026-03-05", "2026-03-08"}) assess(id, {date, {10}});
-  EXPECT_EQ(verdict_words(verdict()), "not larger than measurement error") << "a minute before";
+  EXPECT_EQ(english(verdict_words(verdict())), "not larger than measurement error")
+      << "a minute before";
   must(store_->remove_primary_measure(must(store_->primary_measures(id)).at(0).id));
   choose(id, "2026-03-08T09:31:00Z");
-  EXPECT_EQ(verdict_words(verdict()), "cannot be judged yet");
-  EXPECT_EQ(verdict_basis(verdict()),
+  EXPECT_EQ(english(verdict_words(verdict())), "cannot be judged yet");
+  EXPECT_EQ(english(verdict_basis(verdict())),
             "chosen on 8\u00a0Mar\u00a02026, after the second assessment");
   // A new series begins anew, with its own first and second assessment.
   assess(id, {"2026-03-11", {10}, Hand::left, false, 2});
-  EXPECT_EQ(verdict_basis(verdict()), "the baseline needs two assessment days");
+  EXPECT_EQ(english(verdict_basis(verdict())), "the baseline needs two assessment days");
 }
 
 TEST_F(VerdictReport, LevelsThatFollowSuccessAndUnknownSidesAreNotJudged) {
   add_stable(10);
   const storage::RowId id = patient_with({10, 10, 20}, std::nullopt);
-  EXPECT_EQ(verdict_basis(verdict()), "the affected side is not known");
+  EXPECT_EQ(english(verdict_basis(verdict())), "the affected side is not known");
   must(store_->set_profile(id, {storage::Side::both, {}, "", "", ""}));
-  EXPECT_EQ(verdict_words(verdict()), "improved (possible)");
+  EXPECT_EQ(english(verdict_words(verdict())), "improved (possible)");
   Assessed training{"2026-03-20", {10}};
   training.task_file = "grip_sine_training.toml";
   training.task_suffix = "\n[chosen]\nlevel = 0.5\n";
   assess(id, training);
-  EXPECT_EQ(verdict_basis(verdict()), "the level of its trials follows success");
+  EXPECT_EQ(english(verdict_basis(verdict())), "the level of its trials follows success");
 }
 
 TEST_F(VerdictReport, OnlyPrimaryMeasuresGetOneAndThePageSaysWhoChoseThem) {
@@ -410,7 +411,7 @@ TEST_F(VerdictReport, OnlyPrimaryMeasuresGetOneAndThePageSaysWhoChoseThem) {
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_FALSE(rows[0].primary);
   EXPECT_EQ(rows[0].verdict, "\u2013");
-  EXPECT_NE(verdict_notes(gather()).at(0).find("No primary measure"), std::string::npos);
+  EXPECT_NE(english(verdict_notes(gather()).at(0)).find("No primary measure"), std::string::npos);
   choose(id);
   choose(id, "2026-03-01T08:00:00Z", "peak_force");  // is drawn in no trend otherwise
   must(store_->add_primary_measure(id, {0, "Let go", Hand::left, "release_time", "grip",
@@ -423,7 +424,7 @@ TEST_F(VerdictReport, OnlyPrimaryMeasuresGetOneAndThePageSaysWhoChoseThem) {
   EXPECT_EQ(rows[1].verdict, "cannot be judged yet");
   EXPECT_EQ(rows[1].verdict_basis, "more of it is neither better nor worse");
   std::string notes;
-  for (const auto& note : verdict_notes(content)) notes += note + "\n";
+  for (const auto& note : verdict_notes(content)) notes += english(note) + "\n";
   EXPECT_NE(notes.find("by Therapist 7, 1\u00a0Mar\u00a02026"), std::string::npos) << notes;
   EXPECT_NE(notes.find("Release time (Let go, left hand), no assessment yet"), std::string::npos);
 }
@@ -433,8 +434,8 @@ TEST_F(VerdictReport, EarlyAfterTheOnsetTheCauseOfAChangeIsLeftOpen) {
   const auto says_so = [&](const std::string& onset) {
     must(store_->set_profile(id, {storage::Side::left, {}, onset, "", ""}));
     const auto notes = verdict_notes(gather());
-    return std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-      return note.find("change does not show what caused it") != std::string::npos;
+    return std::any_of(notes.begin(), notes.end(), [](const Text& note) {
+      return english(note).find("change does not show what caused it") != std::string::npos;
     });
   };
   EXPECT_TRUE(says_so("2025-09-09"));
@@ -475,7 +476,7 @@ TEST_F(VerdictReport, PdfAndHtmlSayTheSame) {
   for (const auto& text : test::every(said))
     EXPECT_NE(page.find(plain(text)), std::string::npos) << text;
   for (const auto& note : test::every(verdict_notes(content)))
-    EXPECT_NE(page.find(plain(note)), std::string::npos) << note;
+    EXPECT_NE(page.find(plain(english(note))), std::string::npos) << english(note);
   const std::string command =
       "pdftotext -layout '" + pdf + "' '" + folder_.path("text.txt") + "' 2>&1";
   if (std::system(command.c_str()) != 0) GTEST_SKIP() << "pdftotext is not installed";
@@ -535,7 +536,7 @@ TEST_F(VerdictReport, SaysWhichPairsWereLeftOutAndWhereAFallCannotBeTold) {
   const auto one = verdict();
   EXPECT_EQ(one.change.verdict, Verdict::within_error);
   EXPECT_LT(*one.change.mdc_up, 5.0) << "one outlying day is not everybody's error";
-  EXPECT_EQ(verdict_basis(one),
+  EXPECT_EQ(english(verdict_basis(one)),
             "11 stable people, 1 outlying pair left out; a fall cannot be told");
   const std::string html = folder_.path("fall.html");
   must(write_html(gather(), html));

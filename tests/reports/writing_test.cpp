@@ -68,7 +68,7 @@ ReportContent Writing::content_;
 TEST_F(Writing, InStepsAndBesideAnotherReportGivesTheSameFileAsAtOnce) {
   for (const std::string ending : {".pdf", ".html"}) {
     const auto path = folder_->path("at_once" + ending);
-    ASSERT_TRUE((ending == ".pdf" ? write_pdf : write_html)(content_, path, {}).ok());
+    ASSERT_TRUE((ending == ".pdf" ? write_pdf : write_html)(content_, path, {}, kEnglish).ok());
     const auto one = make_report_writer(content_, path);
     const auto other = make_report_writer(content_, path);
     other->paint_next();

@@ -60,7 +60,8 @@ Result<StagingFolder> StagingFolder::beside(const std::string& target) {
     // A link or a file in its place leads nowhere and is nobody's work.
     if (errno == ENOTDIR || errno == ELOOP) fs::remove(made.path_, failure);
   }
-  return failed("its folder is read-only"_text, "choose a folder that you may write to"_text).at(target);
+  return failed("its folder is read-only"_text, "choose a folder that you may write to"_text)
+      .at(target);
 }
 
 StagingFolder::~StagingFolder() {

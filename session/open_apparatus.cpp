@@ -47,10 +47,11 @@ Result<std::unique_ptr<Apparatus>> open_apparatus(const ApparatusRequest& reques
 
 Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for, Hand hand) {
   if (mounted_for == name_of(hand)) return {};
-  return refused("the device is set up for the %1 hand, the session for the %2"_text(
-                     Known{std::string(mounted_for)}, Known{std::string(name_of(hand))}),
-                 "turn the platform and choose the configuration for that hand, or choose the %1 hand"_text(
-                     Known{std::string(mounted_for)}))
+  return refused(
+             "the device is set up for the %1 hand, the session for the %2"_text(
+                 Known{std::string(mounted_for)}, Known{std::string(name_of(hand))}),
+             "turn the platform and choose the configuration for that hand, or choose the %1 hand"_text(
+                 Known{std::string(mounted_for)}))
       .at(device_uri)
       .about("hand");
 }

@@ -121,7 +121,8 @@ Result<void> Session::Opening::open_device() {
   const ApparatusInfo& info = parts.apparatus->info();
   if (auto fits = check_apparatus(config.apparatus, info); !fits) return fits;
   if (config.virtual_time && !info.simulated && !info.recorded)
-    return refused("a real device cannot run in virtual time"_text, "leave out --fast"_text).at(uri.text);
+    return refused("a real device cannot run in virtual time"_text, "leave out --fast"_text)
+        .at(uri.text);
   return {};
 }
 
@@ -155,8 +156,10 @@ Result<void> Session::Opening::open_file() {
   if (!newest) return newest.error();
   if (config.started_utc.empty()) latest = clock_behind(*newest);
   if (latest && !config.clock_is_right)
-    return refused("the clock of this computer says %1, but the newest session of this file is of %2"_text(utc_text(std::time(nullptr)), *latest),
-                   "set the clock, or say that it is right"_text)
+    return refused(
+               "the clock of this computer says %1, but the newest session of this file is of %2"_text(
+                   utc_text(std::time(nullptr)), *latest),
+               "set the clock, or say that it is right"_text)
         .at(config.database)
         .about("clock");
   return {};

@@ -11,7 +11,8 @@ Result<storage::RowId> patient_id(storage::SessionStore& store, const std::strin
   const auto patient = store.find_patient(code);
   if (!patient) return patient.error();
   if (!*patient)
-    return refused("there is no patient %1"_text(code), "choose one that is there"_text).about("patient code");
+    return refused("there is no patient %1"_text(code), "choose one that is there"_text)
+        .about("patient code");
   return (*patient)->id;
 }
 

@@ -5,7 +5,8 @@ namespace isograsp::session {
 
 Result<void> check_apparatus(std::string_view needed, const ApparatusInfo& info) {
   if (needed.empty() || needed == info.kind) return {};
-  return refused("the tasks need another device (%1) than %2 (%3)"_text(needed, info.description, info.kind),
+  return refused("the tasks need another device (%1) than %2 (%3)"_text(needed, info.description,
+                                                                        info.kind),
                  "choose a device for these tasks, or tasks for this device"_text)
       .about("device");
 }

@@ -26,12 +26,12 @@ namespace isograsp::session {
 
 /// What is fixed once it was started.
 struct ApparatusInfo {
-  std::string_view kind;    ///< which apparatus: "platform"; tasks say what they need
-  Text description;  ///< one line for people, e.g. "Robotous RFT on can0"
-  bool simulated = false;   ///< values come from software: reports carry a watermark
-  bool recorded = false;    ///< values come from a file: nobody can be asked, no zero is needed
-  double period_s = 0.01;   ///< of the grid of frames
-  double delay_s = 0.0;     ///< known delay from the body to the stamp
+  std::string_view kind;   ///< which apparatus: "platform"; tasks say what they need
+  Text description;        ///< one line for people, e.g. "Robotous RFT on can0"
+  bool simulated = false;  ///< values come from software: reports carry a watermark
+  bool recorded = false;   ///< values come from a file: nobody can be asked, no zero is needed
+  double period_s = 0.01;  ///< of the grid of frames
+  double delay_s = 0.0;    ///< known delay from the body to the stamp
   std::vector<std::string> provenance;  ///< where recorded data come from, what was overridden
 };
 
@@ -57,7 +57,7 @@ struct Reception {
 
 /// What is wrong with the device; two are the same where their numbers are.
 struct ApparatusFault {
-  int number = 0;          ///< 0: nothing
+  int number = 0;         ///< 0: nothing
   Words words = ""_text;  ///< for people, with what to do
 };
 

@@ -20,8 +20,7 @@ void SqliteStore::require(const char* table, Words one, RowId id) {
   database_.sql() << "SELECT count(*) FROM " + std::string(table) + " WHERE id = :id",
       soci::use(id), soci::into(present);
   if (present == 0)
-    throw Refusal{refused("there is no %1 number %2"_text(one, id),
-                          "read what there is again"_text)
+    throw Refusal{refused("there is no %1 number %2"_text(one, id), "read what there is again"_text)
                       .at(path())};
 }
 

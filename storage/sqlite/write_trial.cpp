@@ -144,10 +144,9 @@ Result<void> SqliteStore::check_blocks(int second,
 void SqliteStore::require_lock() const {
   if (recording_->lock.in_place(database_.real_path())) return;
   throw Refusal{
-      failed(
-          "the lock (-lock) beside the file was deleted or replaced while it was recorded "
-          "into: other programs take the running trial for an interrupted one"_text,
-          "leave the file -lock where it is while a program records"_text)
+      failed("the lock (-lock) beside the file was deleted or replaced while it was recorded "
+             "into: other programs take the running trial for an interrupted one"_text,
+             "leave the file -lock where it is while a program records"_text)
           .at(path())};
 }
 

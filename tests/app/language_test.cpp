@@ -68,8 +68,8 @@ TEST_F(CommandsInALanguage, RefuseOneThatThereIsNot) {
 }
 
 TEST_F(CommandsInALanguage, WriteTheSameForMachines) {
-  const std::string grasp = "grasp --json --scene " ISOGRASP_SOURCE_DIR
-                            "/library/scenes/planar_block.toml";
+  const std::string grasp =
+      "grasp --json --scene " ISOGRASP_SOURCE_DIR "/library/scenes/planar_block.toml";
   const auto english = isograsp_in("", grasp);
   EXPECT_EQ(english.status, 0) << english.err;
   EXPECT_FALSE(english.out.empty());

@@ -76,7 +76,8 @@ TEST(DeviceCheck, ADeviceThatIsAsItShouldBePasses) {
 
 TEST(DeviceCheck, APlatformThatStandsForTheLeftHandPassesAndNotAsOneForTheRight) {
   const auto good = walk([](auto forces) { return forces; }, {}, Hand::left);
-  for (const auto& r : test::every(good)) EXPECT_EQ(r.verdict, CheckVerdict::good) << english(r.sentence());
+  for (const auto& r : test::every(good))
+    EXPECT_EQ(r.verdict, CheckVerdict::good) << english(r.sentence());
   const auto turned = walk(
       [](auto forces) {
         for (auto& force : forces) force.y() = -force.y();

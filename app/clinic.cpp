@@ -185,7 +185,8 @@ Result<void> make_clinic(const std::string& database, const std::vector<DemoGrou
   if (auto done = put_together(groups.size(), parts, workers); !done) return done;
   fs::rename(parts.whole(), database, failure);
   if (failure)
-    return failed("could not be made: %1"_text(failure.message()), "choose another folder"_text)
+    return failed("could not be made: %1"_text(Known{failure.message()}),
+                  "choose another folder"_text)
         .at(database);
   return {};
 }

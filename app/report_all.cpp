@@ -114,7 +114,7 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
   std::error_code failure;
   fs::create_directories(options.folder, failure);
   if (failure)
-    return failed("cannot be made: %1"_text(failure.message()), "choose another folder"_text)
+    return failed("cannot be made: %1"_text(Known{failure.message()}), "choose another folder"_text)
         .at(options.folder);
   const SharedMemory memory;
   if (memory.get() == nullptr)

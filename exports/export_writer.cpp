@@ -28,7 +28,7 @@ Result<void> make_folder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (!failure) return {};
-  return failed("the folder cannot be made: %1"_text(failure.message()),
+  return failed("the folder cannot be made: %1"_text(Known{failure.message()}),
                 "check its permissions"_text)
       .at(folder);
 }

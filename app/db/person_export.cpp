@@ -235,7 +235,8 @@ Result<int> export_person(storage::Access& access, const std::string& code,
         .about("--patient");
   std::error_code failure;
   if (!fs::create_directory(folder, failure))
-    return refused(failure ? "cannot be made: %1"_text(failure.message()) : "exists already"_text,
+    return refused(failure ? "cannot be made: %1"_text(Known{failure.message()})
+                           : "exists already"_text,
                    "name a new folder in one that exists"_text)
         .at(folder)
         .about("--out");

@@ -232,7 +232,7 @@ Result<std::unique_ptr<Bus>> open_serial(const std::array<std::string, kFingerCo
       if (!failure) continue;
       const bool no_such_port = failure == boost::system::errc::no_such_file_or_directory;
       const auto error = no_such_port ? refused : failed;
-      return error("the serial port cannot be opened: %1"_text(failure.message()),
+      return error("the serial port cannot be opened: %1"_text(Known{failure.message()}),
                    failure == boost::system::errc::permission_denied
                        ? "ask an administrator to put you into the group dialout"_text
                        : "plug in the adapter and check the name of the port"_text)

@@ -65,7 +65,7 @@ class LibComediCard final : public ComediCard {
 Result<std::unique_ptr<ComediCard>> open_comedi_card(const std::string& path) {
   Handle card(comedi_open(path.c_str()));
   if (!card)
-    return failed("the card cannot be opened: %1"_text(comedi_strerror(comedi_errno())),
+    return failed("the card cannot be opened: %1"_text(Known{comedi_strerror(comedi_errno())}),
                   "check that the driver jr3_pci is loaded and that you may read the file"_text)
         .at(path);
   return std::unique_ptr<ComediCard>(std::make_unique<LibComediCard>(path, std::move(card)));

@@ -143,7 +143,7 @@ class OpenBoxes final : public NetFtServer {
 
  private:
   static Error not_opened(const Endpoint& where, const beast::error_code& failure) {
-    return failed("an emulated box cannot listen here: %1"_text(failure.message()),
+    return failed("an emulated box cannot listen here: %1"_text(Known{failure.message()}),
                   "use another address or port, or end the program that has it"_text)
         .about(where.text());
   }

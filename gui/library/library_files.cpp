@@ -110,7 +110,8 @@ Result<void> make_own_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure)
-    return failed("the folder cannot be made: %1"_text(failure.message()), kWriteRemedy).at(folder);
+    return failed("the folder cannot be made: %1"_text(Known{failure.message()}), kWriteRemedy)
+        .at(folder);
   return {};
 }
 
@@ -338,7 +339,7 @@ Result<std::string> LibraryFiles::put_away(const LibraryEntry& entry, const char
   else
     fs::rename(entry.path, place, failure);
   if (failure)
-    return failed("the file cannot be put away: %1"_text(failure.message()), kWriteRemedy)
+    return failed("the file cannot be put away: %1"_text(Known{failure.message()}), kWriteRemedy)
         .at(entry.path);
   return place.string();
 }
@@ -356,7 +357,8 @@ Result<void> LibraryFiles::bring_back(const std::string& removed, const LibraryE
         .at(entry.path);
   fs::rename(removed, entry.path, failure);
   if (failure)
-    return failed("the file cannot be brought back: %1"_text(failure.message()), kWriteRemedy)
+    return failed("the file cannot be brought back: %1"_text(Known{failure.message()}),
+                  kWriteRemedy)
         .at(entry.path);
   return {};
 }

@@ -23,7 +23,8 @@ const QRegularExpression& number() {
 
 std::optional<QString> known(const QString& english) {
   if (english.isEmpty()) return QString();
-  const std::string_view words = spoken_language().words(english.toStdString());
+  const std::string asked = english.toStdString();  // words that are not known are these themselves
+  const std::string_view words = spoken_language().words(asked);
   const auto found = QString::fromUtf8(words.data(), static_cast<int>(words.size()));
   return found == english ? std::nullopt : std::optional(found);
 }

@@ -307,7 +307,7 @@ Result<std::vector<RecordedTrial>> read_recording(const RecordingSpec& spec,
     files[name] = std::move(values);
   }
   if (failure)
-    return refused("cannot be listed: %1"_text(failure.message()),
+    return refused("cannot be listed: %1"_text(Known{failure.message()}),
                    "name the folder that holds the recording"_text)
         .at(folder)
         .about("--from");

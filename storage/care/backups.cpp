@@ -76,7 +76,7 @@ Result<std::vector<BackupFile>> Backups::list() const {
     if (const auto utc = utc_of_name(entry->path().filename().string()))
       all.push_back({entry->path().string(), *utc});
   if (failure)
-    return failed("cannot be read: %1"_text(failure.message()), "check its permissions"_text)
+    return failed("cannot be read: %1"_text(Known{failure.message()}), "check its permissions"_text)
         .at(folder_);
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return a.made_utc > b.made_utc; });
@@ -95,7 +95,8 @@ Result<Backups::Made> Backups::make(std::time_t now) const {
   std::error_code failure;
   fs::create_directory(folder_, failure);
   if (failure)
-    return failed("cannot be made: %1"_text(failure.message()), "make the folder writable"_text)
+    return failed("cannot be made: %1"_text(Known{failure.message()}),
+                  "make the folder writable"_text)
         .at(folder_);
   Made made;
   made.backup = {folder_ + "/" + name_of_backup(now), utc_text(now)};

@@ -37,7 +37,7 @@ Result<void> make_folder() {
   fs::create_directories(folder, failure);
   if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
   if (failure)
-    return failed("the folder cannot be made: %1"_text(failure.message()),
+    return failed("the folder cannot be made: %1"_text(Known{failure.message()}),
                   "set XDG_STATE_HOME to a folder that you may write to"_text)
         .at(folder);
   return {};

@@ -103,7 +103,8 @@ Result<void> prepare(const std::string& copy, const std::string& backup, const s
 Result<void> put_in_place(const std::string& copy, const std::string& target,
                           const std::string& kept) {
   const auto not_renamed = [&](const std::error_code& why) {
-    return failed("cannot be renamed: %1"_text(why.message()), "make its folder writable"_text)
+    return failed("cannot be renamed: %1"_text(Known{why.message()}),
+                  "make its folder writable"_text)
         .at(target);
   };
   const auto lock = RecordingLock::exclusive_if_free(target);

@@ -164,7 +164,8 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
   tidy();
   static_cast<void>(sync_path(folder));
   if (failure)
-    return failed("could not be made: %1"_text(failure.message()), "choose another folder"_text)
+    return failed("could not be made: %1"_text(Known{failure.message()}),
+                  "choose another folder"_text)
         .at(path);
   return {};
 }
@@ -336,7 +337,8 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
   // SQLite keeps its journal beside the file itself, not beside a link to it; so do we.
   const fs::path real_path = fs::weakly_canonical(fs::absolute(path), failure);
   if (failure)
-    return refused("cannot be reached: %1"_text(failure.message()), "check the path"_text).at(path);
+    return refused("cannot be reached: %1"_text(Known{failure.message()}), "check the path"_text)
+        .at(path);
   const auto status = fs::status(real_path, failure);
   if (fs::is_directory(status))
     return refused("is a folder"_text, "name a file in it"_text).at(path);

@@ -28,7 +28,7 @@ void draw_badge(QPainter& painter, const PageFurniture& furniture, double y) {
 /// Each on one line, if there is room.
 std::vector<double> fact_widths(const std::vector<Fact>& facts, const TextStyle& value) {
   constexpr double kShares[] = {1.75, 1.25, 0.65, 0.85, 1.25};
-  constexpr double kGap = 4.0;
+  constexpr double kGap = 11.0;
   const auto whole = [](std::string text, const TextStyle& style) {
     return kText.word_width(text_of(text).replace(' ', QChar::Nbsp), style);
   };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace isograsp::gui {
 
@@ -57,6 +58,27 @@ ForceHistory::Range ForceHistory::range() const {
   const double bottom = range.most_N / 10.0;
   range.least_N = least < -bottom ? -round_up(-least * kRoom) : -bottom;
   return range;
+}
+
+std::array<double, kFingerCount> label_places(const std::array<double, kFingerCount>& normal_N,
+                                              double apart_N, double axis_from_N) {
+  std::array<std::size_t, kFingerCount> order{};
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::array<double, kFingerCount> place{};
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    place[f] = std::isnan(normal_N[f]) ? 0.0 : normal_N[f];
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
+  double pushed_N = 0.0;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const double free = std::max(place[order[k]], place[order[k - 1]] + apart_N);
+    pushed_N += free - place[order[k]];
+    place[order[k]] = free;
+  }
+  for (double& one : place) one -= pushed_N / kFingerCount;
+  const double lift_N = std::max(0.0, axis_from_N + apart_N / 2.0 - place[order.front()]);
+  for (double& one : place) one += lift_N;
+  return place;
 }
 
 }  // namespace isograsp::gui

@@ -36,4 +36,10 @@ class ForceHistory {
   std::deque<ForcePoint> points_;
 };
 
+/// Where the letters of the curves stand on the axis [N]: at the ends of their curves, which are
+/// `normal_N`, spread so that none covers another, and whole above the lower end of the axis.
+/// `apart_N`: the height of a letter.
+[[nodiscard]] std::array<double, kFingerCount> label_places(
+    const std::array<double, kFingerCount>& normal_N, double apart_N, double axis_from_N);
+
 }  // namespace isograsp::gui

@@ -4,7 +4,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "gui/look/look.hpp"
 #include "gui/look/plot_style.hpp"
@@ -82,24 +81,10 @@ void LivePlot::show_forces(const ForceHistory& history) {
 }
 
 void LivePlot::place_labels(const ForcePoint& last) {
-  // The letters stand at the ends of their curves, spread so that none covers another.
   constexpr double kHeight_px = 13.0;
   const double pixels = std::max(1, plot_->yAxis->axisRect()->height());
   const double apart_N = kHeight_px * plot_->yAxis->range().size() / pixels;
-  std::array<std::size_t, kFingerCount> order{};
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::array<double, kFingerCount> place{};
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    place[f] = std::isnan(last.normal_N[f]) ? 0.0 : last.normal_N[f];
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
-  double pushed_N = 0.0;
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    const double free = std::max(place[order[k]], place[order[k - 1]] + apart_N);
-    pushed_N += free - place[order[k]];
-    place[order[k]] = free;
-  }
-  for (double& one : place) one -= pushed_N / kFingerCount;
+  const auto place = label_places(last.normal_N, apart_N, plot_->yAxis->range().lower);
   for (std::size_t f = 0; f < kFingerCount; ++f) labels_[f]->position->setCoords(0.3, place[f]);
 }
 

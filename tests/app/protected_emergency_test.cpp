@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "storage/access/access.hpp"
+#include "storage/crypto/seal.hpp"
 #include "tests/support/background_command.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/must.hpp"
 
 namespace isograsp::app::protected_emergency_test {
 namespace {
@@ -34,7 +37,8 @@ class ProtectedEmergency : public testing::Test {
         "[[step]]\nkind = \"task\"\ntask = \"maximum_grip.toml\"\n"  // left out, with a note
         "[[step]]\nkind = \"task\"\ntask = \"first.toml\"\n"
         "[[step]]\nkind = \"task\"\ntask = \"second.toml\"\n");
-    must_do("db init --protected " + db_ + login_);
+    test::must(storage::Access::create(db_, storage::Secret("words of the clinic"),
+                                       &storage::kCheapKeyCost));
     must_do("run --protocol-file " ISOGRASP_SOURCE_DIR
             "/library/protocols/short.toml --device 'sim://healthy?seed=4' --fast --patient T-01 "
             "--db " +

@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/csv.hpp"
+#include "storage/access/accounts.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/must.hpp"
 
 namespace isograsp::app::protected_test {
 namespace {
@@ -28,10 +30,17 @@ struct ProtectedCommands : testing::Test {
       "/library/protocols/short.toml --device 'sim://healthy?seed=4' --fast --patient T-01 --db " +
       db;
 
-  Json init() const {
-    const auto made = isograsp("db init --json --protected " + db + clinic);
-    EXPECT_EQ(made.status, 0) << made.err;
-    return Json::parse(made.out);
+  /// What `db init --protected` makes, with passwords that cost little: a command takes a third of
+  /// a second to check one of the others. The recovery key.
+  std::string init(const std::vector<std::pair<std::string, storage::Role>>& people = {}) const {
+    const storage::Secret passphrase("words of the clinic");
+    const auto made = test::must(storage::Access::create(db, passphrase, &storage::kCheapKeyCost));
+    for (const auto& [name, role] : people) {
+      const storage::Secret password(name == "Ada" ? "ada's long password"
+                                                   : "rita's long password");
+      test::must(add_user(*made.access, name, role, password, storage::kCheapKeyCost));
+    }
+    return std::string(made.recovery_key.text());
   }
   /// Exit status 0; what it printed.
   static std::string must_do(const std::string& arguments) {
@@ -47,7 +56,7 @@ struct ProtectedCommands : testing::Test {
 };
 
 TEST_F(ProtectedCommands, EveryCommandAsksForTheLogin) {
-  const std::string key = init().at("recovery_key");
+  const std::string key = init();
   EXPECT_EQ(key.size(), 69u);
   refused("db init --protected " + folder.path("other.db"), "--protected: no passphrase is given");
   refused(session, "is protected");
@@ -85,11 +94,10 @@ TEST_F(ProtectedCommands, EveryCommandAsksForTheLogin) {
 }
 
 TEST_F(ProtectedCommands, RolesDecideWhoSeesIdentities) {
-  init();
-  const std::string add = "db users add " + db + clinic + " --role ";
-  must_do(add + "therapist --name Ada --new-password-file " + ada_file);
-  must_do(add + "researcher --name Rita --new-password-file " + rita_file);
-  refused(add + "janitor --name Joe --new-password-file " + ada_file, "is no role");
+  init({{"Ada", storage::Role::therapist}, {"Rita", storage::Role::researcher}});
+  refused(
+      "db users add " + db + clinic + " --role janitor --name Joe --new-password-file " + ada_file,
+      "is no role");
   EXPECT_EQ(must_do("db users list " + db + ada), "Ada  therapist\nRita  researcher\n");
   must_do(session + ada);
   const std::string person = folder.write(
@@ -166,9 +174,13 @@ TEST_F(ProtectedCommands, ADatabaseMadeWithoutItIsProtectedLater) {
   EXPECT_NE(must_do("db protect " + db + clinic).find("is protected already"), std::string::npos);
 }
 
-TEST_F(ProtectedCommands, SecretsAreChangedByFiles) {
-  init();
-  must_do("db users add " + db + clinic + " --name Ada --new-password-file " + ada_file);
+TEST_F(ProtectedCommands, SecretsAreMadeAndChangedByFiles) {
+  const Json made = Json::parse(must_do("db init --json --protected " + db + clinic));
+  EXPECT_EQ(made.at("recovery_key").get<std::string>().size(), 69u);
+  const std::string add = "db users add " + db + clinic + " --role ";
+  must_do(add + "therapist --name Ada --new-password-file " + ada_file);
+  must_do(add + "researcher --name Rita --new-password-file " + rita_file);
+  EXPECT_EQ(must_do("db users list " + db + rita), "Ada  therapist\nRita  researcher\n");
   folder.write("new", "another long password");
   folder.write("pin", "2580");
   must_do("db users pin " + db + ada + " --new-pin-file " + folder.path("pin"));

@@ -237,7 +237,7 @@ TEST(CommandLine, AnInputIsNeverOverwrittenAndAFileWithoutFramesIsNoLog) {
   EXPECT_FALSE(fs::exists(folder.path("d.csv")));
 }
 
-TEST(CommandLine, TheDemonstrationGoesFromForceToReportWithoutAQuestion) {
+TEST(WholeDemonstration, GoesFromForceToReportWithoutAQuestion) {
   const TemporaryFolder folder;
   ASSERT_EQ(setenv("XDG_DATA_HOME", folder.path().c_str(), 1), 0);
   const auto demo = isograsp("demo --headless");

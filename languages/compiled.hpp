@@ -6,7 +6,7 @@
 
 namespace isograsp::languages {
 
-extern const std::string_view kGermanTexts;
-extern const std::string_view kFrenchTexts;
+/// What languages/<code>.po holds; empty: there is none.
+[[nodiscard]] std::string_view texts_of(std::string_view code);
 
 }  // namespace isograsp::languages

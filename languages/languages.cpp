@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
+#include <span>
 
 #include "languages/catalogue.hpp"
 #include "languages/compiled.hpp"
@@ -16,6 +18,14 @@ std::string_view code_of(std::string_view locale) {
   return locale.substr(0, locale.find_first_of("_.@"));
 }
 
+/// Of every language but English.
+std::map<std::string_view, Catalogue> catalogues() {
+  std::map<std::string_view, Catalogue> all;
+  for (const LanguageFacts& one : std::span(kLanguages).subspan(1))
+    all.try_emplace(one.code, texts_of(one.code), Forms{one.decimal_sign, one.day});
+  return all;
+}
+
 std::string_view setting(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string_view() : std::string_view(value);
@@ -25,16 +35,14 @@ std::string_view setting(const char* name) {
 
 bool is_language(std::string_view code) noexcept {
   return std::any_of(kLanguages.begin(), kLanguages.end(),
-                     [&](const LanguageName& language) { return code == language.code; });
+                     [&](const LanguageFacts& language) { return code == language.code; });
 }
 
 const Language& language(std::string_view code) {
   static const Language kEnglish;
-  static const Catalogue kGerman(kGermanTexts, {',', "dd.MM.yyyy"});
-  static const Catalogue kFrench(kFrenchTexts, {',', "dd/MM/yyyy"});
-  if (code == "de") return kGerman;
-  if (code == "fr") return kFrench;
-  return kEnglish;
+  static const std::map<std::string_view, Catalogue> kCatalogues = catalogues();
+  const auto one = kCatalogues.find(code);
+  return one == kCatalogues.end() ? kEnglish : one->second;
 }
 
 std::string desktop_language() {

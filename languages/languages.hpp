@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The languages in which texts can be said (core/text.hpp), compiled into the program. What each
-// says stands in languages/<code>.po.
+// says stands in languages/<code>.po, what the windows alone say in
+// gui/translations/isograsp_<code>.ts.
 #pragma once
 
 #include <array>
@@ -11,13 +12,17 @@
 
 namespace isograsp::languages {
 
-struct LanguageName {
+struct LanguageFacts {
   const char* code;  ///< ISO 639-1
   const char* name;  ///< in the language itself, UTF-8
+  char decimal_sign;
+  const char* day;  ///< how it is written: of yyyy, MM and dd
 };
-/// In the order in which they are offered.
-inline constexpr std::array<LanguageName, 3> kLanguages{
-    {{"en", "English"}, {"de", "Deutsch"}, {"fr", "Français"}}};
+/// In the order in which they are offered; English, in which the sources are written, first.
+inline constexpr auto kLanguages =
+    std::to_array<LanguageFacts>({{"en", "English", '.', "yyyy-MM-dd"},
+                                  {"de", "Deutsch", ',', "dd.MM.yyyy"},
+                                  {"fr", "Français", ',', "dd/MM/yyyy"}});
 
 /// Instead of a code: as the desktop has it.
 inline constexpr const char* kDesktopLanguage = "system";

@@ -24,6 +24,7 @@
 #include "storage/access/accounts.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/care/backups.hpp"
+#include "tests/support/every_language.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::failures_test {
@@ -70,8 +71,8 @@ class FailuresInEachLanguage : public QtTest, public ::testing::WithParamInterfa
   TemporaryFolder folder_;
   Spoken spoken_{GetParam()};
 };
-INSTANTIATE_TEST_SUITE_P(, FailuresInEachLanguage, ::testing::Values("de", "fr"),
-                         [](const auto& language) { return std::string(language.param); });
+INSTANTIATE_TEST_SUITE_P(, FailuresInEachLanguage,
+                         ::testing::ValuesIn(test::translated_languages()), test::code_of_language);
 
 TEST_P(FailuresInEachLanguage, OfADeviceThatCannotBeOpened) {
   const auto config = folder_.write("device.toml", "format = \"isograsp-device-1\"\n");

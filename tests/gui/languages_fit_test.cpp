@@ -23,6 +23,7 @@
 #include "storage/access/open_store.hpp"
 #include "tests/reports/demo_clinic.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/every_language.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::languages_fit_test {
@@ -88,15 +89,15 @@ class EveryPage : public FilledWindow, public ::testing::WithParamInterface<cons
  protected:
   EveryPage() : FilledWindow(GetParam(), 100) {}
 };
-INSTANTIATE_TEST_SUITE_P(, EveryPage, ::testing::Values("en", "de", "fr"),
-                         [](const auto& language) { return std::string(language.param); });
+INSTANTIATE_TEST_SUITE_P(, EveryPage, ::testing::ValuesIn(test::every_language()),
+                         test::code_of_language);
 
 class LargestLetters : public FilledWindow, public ::testing::WithParamInterface<const char*> {
  protected:
   LargestLetters() : FilledWindow(GetParam(), 200) {}
 };
-INSTANTIATE_TEST_SUITE_P(, LargestLetters, ::testing::Values("en", "de", "fr"),
-                         [](const auto& language) { return std::string(language.param); });
+INSTANTIATE_TEST_SUITE_P(, LargestLetters, ::testing::ValuesIn(test::every_language()),
+                         test::code_of_language);
 
 /// What a text in one line needs; the numbers of a score stand close, without the air of a button.
 int needed_px(const QWidget& widget) {

@@ -22,6 +22,7 @@
 #include "session/platform/zeroing.hpp"
 #include "spoken.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/every_language.hpp"
 
 namespace isograsp::gui::test::translations_test {
 namespace {
@@ -78,8 +79,8 @@ QString edge(const QString& text, const char* where) {
 }
 
 class EachLanguage : public QtTest, public ::testing::WithParamInterface<const char*> {};
-INSTANTIATE_TEST_SUITE_P(, EachLanguage, ::testing::Values("de", "fr"),
-                         [](const auto& language) { return std::string(language.param); });
+INSTANTIATE_TEST_SUITE_P(, EachLanguage, ::testing::ValuesIn(test::translated_languages()),
+                         test::code_of_language);
 
 TEST_P(EachLanguage, SaysEveryTextAndKeepsItsPlaceholdersMnemonicAndEdges) {
   const auto messages = messages_of(GetParam());

@@ -7,13 +7,14 @@
 #include "gui/words/words.hpp"
 #include "qt_test.hpp"
 #include "spoken.hpp"
+#include "tests/support/every_language.hpp"
 
 namespace isograsp::gui::test::trend_tile_test {
 namespace {
 
 class TrendTiles : public QtTest, public ::testing::WithParamInterface<const char*> {};
-INSTANTIATE_TEST_SUITE_P(, TrendTiles, ::testing::Values("en", "de", "fr"),
-                         [](const auto& language) { return std::string(language.param); });
+INSTANTIATE_TEST_SUITE_P(, TrendTiles, ::testing::ValuesIn(test::every_language()),
+                         test::code_of_language);
 
 QImage tile_of(const char* measure, const char* channel, Hand hand = Hand::right) {
   MeasureTrend trend;

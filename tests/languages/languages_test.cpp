@@ -3,8 +3,10 @@
 #include "languages/languages.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,7 @@
 #include "languages/catalogue.hpp"
 #include "tests/languages/source_texts.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/every_language.hpp"
 
 namespace isograsp::languages::languages_test {
 namespace {
@@ -44,8 +47,8 @@ std::string kept(std::string_view text) {
 }
 
 class EachLanguage : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(, EachLanguage, ::testing::Values("de", "fr"),
-                         [](const auto& language) { return std::string(language.param); });
+INSTANTIATE_TEST_SUITE_P(, EachLanguage, ::testing::ValuesIn(test::translated_languages()),
+                         test::code_of_language);
 
 TEST_P(EachLanguage, SaysEveryTextOfTheSourcesTheLibraryAndTheSystem) {
   const auto words = words_of(GetParam());
@@ -67,12 +70,32 @@ TEST_P(EachLanguage, IsInTheProgramAsInItsFile) {
     EXPECT_EQ(language(GetParam()).words(english), expected.empty() ? english : expected);
 }
 
-TEST_P(EachLanguage, WritesNumbersAndDaysItsWayAndNamesAsTheyAre) {
+TEST(Languages, WriteNumbersAndDaysTheirWayAndNamesAsTheyAre) {
   const Date day{std::chrono::year{2026}, std::chrono::month{3}, std::chrono::day{5}};
   const Text text = "%1 of %2, %3"_text(fixed(1.25, 2), std::string("a 1.5.csv"), day);
-  const bool german = std::string(GetParam()) == "de";
-  EXPECT_EQ(translated(text, language(GetParam())),
-            german ? "1,25 of a 1.5.csv, 05.03.2026" : "1,25 of a 1.5.csv, 05/03/2026");
+  EXPECT_EQ(translated(text, language("en")), "1.25 of a 1.5.csv, 2026-03-05");
+  EXPECT_EQ(translated(text, language("de")), "1,25 of a 1.5.csv, 05.03.2026");
+  EXPECT_EQ(translated(text, language("fr")), "1,25 of a 1.5.csv, 05/03/2026");
+}
+
+/// What stands between `before` and `after` in the names of files of a folder.
+std::set<std::string> codes_in(const std::string& folder, std::string_view before,
+                               std::string_view after) {
+  std::set<std::string> codes;
+  for (const auto& entry : std::filesystem::directory_iterator(ISOGRASP_SOURCE_DIR + folder)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with(before) && name.ends_with(after))
+      codes.insert(name.substr(before.size(), name.size() - before.size() - after.size()));
+  }
+  return codes;
+}
+
+TEST(Languages, AreThoseThatHaveFiles) {
+  std::set<std::string> codes;
+  for (const char* code : test::every_language()) codes.insert(code);
+  EXPECT_EQ(codes_in("/gui/translations", "isograsp_", ".ts"), codes);
+  codes.erase("en");
+  EXPECT_EQ(codes_in("/languages", "", ".po"), codes);
 }
 
 TEST(Languages, AnotherCodeIsEnglish) {
@@ -117,8 +140,8 @@ TEST(Languages, TheDesktopsIsTheFirstOfItsWishesThatIsThere) {
   };
   EXPECT_EQ(on("de_CH.UTF-8", nullptr), "de");
   EXPECT_EQ(on("fr", nullptr), "fr");
-  EXPECT_EQ(on("it_CH.UTF-8", "rm:fr_CH:de"), "fr");
-  EXPECT_EQ(on("it_CH.UTF-8", nullptr), "en");
+  EXPECT_EQ(on("tlh_CH.UTF-8", "rm:fr_CH:de"), "fr");
+  EXPECT_EQ(on("tlh_CH.UTF-8", nullptr), "en");
   EXPECT_EQ(on("C", "de"), "en") << "a program that asks for the C locale gets English";
   EXPECT_EQ(on(nullptr, nullptr), "en");
 }

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   const bool only_list = argc > 1 && std::string_view(argv[1]) == "--missing";
   const auto texts = languages::all_texts(source);
   bool missing = false;
-  for (const auto& [code, name] : languages::kLanguages) {
+  for (const auto& [code, name, decimal_sign, day] : languages::kLanguages) {
     if (std::string_view(code) == "en") continue;
     const std::string path = source + "/languages/" + code + ".po";
     const auto po = read_text(path);

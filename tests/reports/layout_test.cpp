@@ -81,7 +81,7 @@ const QRectF kInside(pdf::kSide - kSlack, 20.0, pdf::kWidth + 2.0 * kSlack,
                      pdf::kPageHeight - 2.0 * 20.0);
 
 /// What `rich` has and says, in each language of the program.
-class LayoutIn : public Layout, public testing::WithParamInterface<languages::LanguageName> {
+class LayoutIn : public Layout, public testing::WithParamInterface<languages::LanguageFacts> {
  protected:
   [[nodiscard]] static const Language& language() { return languages::language(GetParam().code); }
   [[nodiscard]] static QString said(const Text& text) {

@@ -144,17 +144,17 @@ QWidget* TherapistWindow::make_header() {
 }
 
 void TherapistWindow::arrange_header(QWidget& header, QLabel* wordmark) {
-  auto* said = new QHBoxLayout;  // how things stand, in a line of its own with large letters
-  said->setSpacing(12);
-  said->addWidget(light_);
-  said->addWidget(sentence_, 1);
+  auto* state = new QHBoxLayout;  // how things stand, in a line of its own with large letters
+  state->setSpacing(12);
+  state->addWidget(light_);
+  state->addWidget(sentence_, 1);
   auto* top = new QHBoxLayout;
   top->setSpacing(12);
   top->addWidget(wordmark);
   top->addSpacing(10);
   const bool in_a_row = side_by_side() == QBoxLayout::LeftToRight;
   if (in_a_row)
-    top->addLayout(said, 1);
+    top->addLayout(state, 1);
   else
     top->addStretch(1);
   top->addWidget(device_light_);
@@ -166,7 +166,7 @@ void TherapistWindow::arrange_header(QWidget& header, QLabel* wordmark) {
   column->setContentsMargins(16, 10, 16, 10);
   column->setSpacing(6);
   column->addLayout(top);
-  if (!in_a_row) column->addLayout(said);
+  if (!in_a_row) column->addLayout(state);
   column->addWidget(message_);
 }
 

@@ -173,8 +173,8 @@ void PatientWindow::sound() {
 
 /// The patient was to hear something and did not: the therapist learns it, once.
 void PatientWindow::say_once(const QString& why) {
-  if (why.isEmpty() || said_.contains(why)) return;
-  said_ += why;
+  if (why.isEmpty() || told_.contains(why)) return;
+  told_ += why;
   Q_EMIT presenter_.flow().failed(why);
 }
 

@@ -49,12 +49,12 @@ TrendTile::TrendTile(const MeasureTrend& trend, QWidget* parent)
 
 void TrendTile::set_remark(const QString& remark) {
   remark_ = remark;
-  const QString said = remark_.isEmpty() ? QString() : tr("\n%1").arg(remark_);
+  const QString below = remark_.isEmpty() ? QString() : tr("\n%1").arg(remark_);
   describe(
-      *this, tr("%1, %2: %3").arg(title_, task_, last_) + said,
+      *this, tr("%1, %2: %3").arg(title_, task_, last_) + below,
       tr("%1\n%2\nNewest value %3.%4 Arrow keys go to the next picture, Enter or a click shows "
          "this one large (F4)")
-          .arg(title_, task_, last_, said.isEmpty() ? said : said + QStringLiteral(".\n")));
+          .arg(title_, task_, last_, below.isEmpty() ? below : below + QStringLiteral(".\n")));
   update();
 }
 

@@ -231,12 +231,12 @@ std::optional<Panel> dose_panel(const ReportContent& content, const Speaker& say
   const std::size_t first = dose.weeks.size() > kMostRows ? dose.weeks.size() - kMostRows : 0;
   for (std::size_t i = first; i < dose.weeks.size(); ++i) {
     const DoseWeek& week = dose.weeks[i];
-    const auto rated = [](const std::optional<int>& value) {
+    const auto number_or_dash = [](const std::optional<int>& value) {
       return value ? std::to_string(*value) : std::string(kNoValue);
     };
     table.rows.push_back({std::to_string(week.week), std::to_string(week.sessions),
                           say(fixed(week.active_s / 60.0, 1)), std::to_string(week.repetitions),
-                          rated(week.most_effort), rated(week.most_pain)});
+                          number_or_dash(week.most_effort), number_or_dash(week.most_pain)});
   }
   panel.table = std::move(table);
   panel.notes.push_back(say(joined(

@@ -130,7 +130,7 @@ Result<void> SqliteStore::pack_trial(RowId id) {
   });
 }
 
-void SqliteStore::pack_or_say(RowId trial) {
+void SqliteStore::pack_or_note(RowId trial) {
   const auto packed = pack_trial(trial);
   if (packed) return;
   const std::string text =

@@ -98,7 +98,7 @@ class SqliteStore final : public SessionStore {
   /// Puts the blocks of a closed trial together, in one transaction; if it fails they stay.
   [[nodiscard]] Result<void> pack_trial(RowId trial);
   /// The same; why it failed becomes an event of the session.
-  void pack_or_say(RowId trial);
+  void pack_or_note(RowId trial);
   /// The hash that packing would give a closed trial; nothing: it is packed.
   [[nodiscard]] Result<std::optional<ContentHash>> hash_of_blocks(RowId trial);
 

@@ -4,8 +4,10 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "reports/findings/report_text.hpp"
+#include "reports/paper/plotting.hpp"
 
 namespace isograsp::reports::pdf {
 
@@ -82,10 +84,30 @@ void draw_watermark(QPainter& painter, const PageFurniture& furniture) {
 
 }  // namespace
 
-void rule(QPainter& painter, double y, double width, const QColor& color) {
+void rule(QPainter& painter, double y, double width, const QColor& color, double right) {
   painter.setPen(QPen(color, width * kUnit));
-  painter.drawLine(QPointF(kSide * kUnit, y * kUnit),
-                   QPointF((kPageWidth - kSide) * kUnit, y * kUnit));
+  painter.drawLine(QPointF(kSide * kUnit, y * kUnit), QPointF(right * kUnit, y * kUnit));
+}
+
+Block table_row(const std::vector<RowCell>& cells, double right, double pad, bool is_head) {
+  std::vector<std::pair<RowCell, double>> placed;  // and the height of its text
+  double height = 0.0;
+  for (const RowCell& cell : cells) {
+    const double first = kText.height(cell.text, cell.width, cell.style);
+    const double second = cell.under.isEmpty() ? 0.0 : kText.height(cell.under, cell.width, kUnder);
+    height = std::max(height, first + second);
+    placed.emplace_back(cell, first);
+  }
+  height += 2.0 * pad;
+  return {0.0, height, is_head, {[=](QCPPainter& painter, double y) {
+            for (const auto& [cell, first] : placed) {
+              kText.draw(painter, cell.x, y + pad, cell.width, cell.text, cell.style);
+              if (!cell.under.isEmpty())
+                kText.draw(painter, cell.x, y + pad + first, cell.width, cell.under, kUnder);
+            }
+            rule(painter, y + height, is_head ? 0.7 : 0.5,
+                 is_head ? Palette::quiet() : Palette::line(), right);
+          }}};
 }
 
 void draw_head(QPainter& painter, const PageFurniture& furniture, int page) {

@@ -90,8 +90,6 @@ Block plot_row(const std::vector<PanelPlot>& plots, const std::optional<LargePri
   return block;
 }
 
-const TextStyle kUnder{6.8, false, Palette::quiet()};
-
 /// No word of a column is broken, if there is room for it.
 std::vector<double> widths_of(const PanelTable& table) {
   std::vector<double> widths;
@@ -110,41 +108,19 @@ std::vector<double> widths_of(const PanelTable& table) {
 }
 
 /// A row whose cells may have a second, smaller line behind a line break.
-Block table_row(const std::vector<double>& widths, const std::vector<std::string>& cells,
+Block panel_row(const std::vector<double>& widths, const std::vector<std::string>& cells,
                 bool is_head) {
-  struct Placed {
-    double x;
-    double width;
-    QString text;
-    QString under;
-    double first_height;
-  };
-  std::vector<Placed> placed;
+  constexpr double kPad = 3.0;
+  std::vector<RowCell> placed;
   double x = kSide;
-  double height = 0.0;
-  const TextStyle& style = is_head ? kQuiet : kBody;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double width = widths[i];
     const auto lines = text_of(cells[i]).split('\n');
-    Placed one{x, width - kCellSpace, lines.front(), lines.value(1), 0.0};
-    one.first_height = kText.height(one.text, one.width, style);
-    const double second = one.under.isEmpty() ? 0.0 : kText.height(one.under, one.width, kUnder);
-    height = std::max(height, one.first_height + second);
-    placed.push_back(std::move(one));
+    placed.push_back(
+        {x, width - kCellSpace, lines.front(), is_head ? kQuiet : kBody, lines.value(1)});
     x += width;
   }
-  constexpr double kPad = 3.0;
-  height += 2.0 * kPad;
-  return {0.0, height, is_head, {[=](QCPPainter& painter, double y) {
-            for (const auto& one : placed) {
-              kText.draw(painter, one.x, y + kPad, one.width, one.text, style);
-              if (!one.under.isEmpty())
-                kText.draw(painter, one.x, y + kPad + one.first_height, one.width, one.under,
-                           kUnder);
-            }
-            rule(painter, y + height, is_head ? 0.7 : 0.5,
-                 is_head ? Palette::quiet() : Palette::line());
-          }}};
+  return table_row(placed, kPageWidth - kSide, kPad, is_head);
 }
 
 Block blanks_row(const std::vector<std::string>& words) {
@@ -182,11 +158,11 @@ void add_panel(std::vector<Block>& blocks, const Panel& panel) {
   if (!panel.plots.empty()) blocks.push_back(plot_row(panel.plots, large));
   if (panel.table) {
     const auto widths = widths_of(*panel.table);
-    blocks.push_back(table_row(widths, panel.table->heads, true));
+    blocks.push_back(panel_row(widths, panel.table->heads, true));
     blocks.back().gap_above = 4.0;
     const std::size_t head = blocks.size() - 1;
     for (const auto& row : panel.table->rows) {
-      blocks.push_back(table_row(widths, row, false));
+      blocks.push_back(panel_row(widths, row, false));
       blocks.back().below_head = blocks.size() - 1 - head;
     }
   }

@@ -52,34 +52,17 @@ std::vector<double> column_widths(const StudyTable& table) {
 /// One row with a line below it.
 Block row_block(const std::vector<std::string>& cells, const std::vector<double>& widths,
                 std::size_t words, bool is_head) {
-  struct Cell {
-    double x;
-    double width;
-    QString text;
-    TextStyle style;
-  };
-  std::vector<Cell> placed;
+  std::vector<RowCell> placed;
   double x = kSide;
-  double height = 0.0;
   for (std::size_t column = 0; column < cells.size(); ++column) {
     TextStyle style = is_head ? kQuiet : kBody;
     if (column >= words) style.align = Qt::AlignRight;
     const double indent = column >= words && column > 0 ? kColumnGap : 0.0;
     const double width = widths[column] - (column >= words ? indent : kColumnGap);
     placed.push_back({x + indent, width, text_of(cells[column]), style});
-    height = std::max(height, kText.height(placed.back().text, width, style));
     x += widths[column];
   }
-  height += kRowPad;
-  const double right = x;
-  return {0.0, height, is_head, {[=](QCPPainter& painter, double y) {
-            for (const auto& cell : placed)
-              kText.draw(painter, cell.x, y + kRowPad / 2.0, cell.width, cell.text, cell.style);
-            painter.setPen(
-                QPen(is_head ? Palette::quiet() : Palette::line(), (is_head ? 0.7 : 0.5) * kUnit));
-            painter.drawLine(QPointF(kSide * kUnit, (y + height) * kUnit),
-                             QPointF(right * kUnit, (y + height) * kUnit));
-          }}};
+  return table_row(placed, x, kRowPad / 2.0, is_head);
 }
 
 struct PdfBlocks {

@@ -75,7 +75,7 @@ TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresen
   show_who_is_in();
 }
 
-/// What is said, and what lets a window close that was asked to.
+/// Connects what is shown, and closing a window that waits until its work is done.
 void TherapistWindow::watch() {
   connect(&presenter_.flow(), &SessionFlow::changed, this, &TherapistWindow::refresh);
   connect(&presenter_.flow(), &SessionFlow::failed, this, &TherapistWindow::say);
@@ -85,7 +85,7 @@ void TherapistWindow::watch() {
   const auto close_at_last = [this] {
     if (closing_) close();
   };
-  // Whoever waits for files, or for a session to be stored, wants to know that there are none.
+  // Someone who waits for files, or for a session to be stored, is told that there are none.
   const auto stay = [this] { closing_ = false; };
   connect(&presenter_.flow(), &SessionFlow::settled, this, [this, close_at_last, stay] {
     if (presenter_.state().connection.lost) stay();
@@ -144,7 +144,7 @@ QWidget* TherapistWindow::make_header() {
 }
 
 void TherapistWindow::arrange_header(QWidget& header, QLabel* wordmark) {
-  auto* state = new QHBoxLayout;  // how things stand, in a line of its own with large letters
+  auto* state = new QHBoxLayout;  // of the session; with large letters in a line of its own
   state->setSpacing(12);
   state->addWidget(light_);
   state->addWidget(sentence_, 1);
@@ -280,7 +280,7 @@ void TherapistWindow::add_shortcuts() {
     presenter_.trials().stop();
     presenter_.protocol().stand_by();
   });
-  keys_.pop_back();  // stopping is never locked away
+  keys_.pop_back();  // a trial can be stopped even while the windows are locked
   add(QKeySequence::Find, [this] {
     show_page(Page::start);
     findChild<QLineEdit*>("patient_search")->setFocus();

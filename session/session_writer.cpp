@@ -95,7 +95,7 @@ SessionWriter::SessionWriter(std::unique_ptr<storage::SessionStore> store,
       answers_(std::move(answers)),
       safe_(safe) {
   numbers_.session = session_.id;
-  // Asked now: later it may not be there to be asked.
+  // Read now: later the file may be gone.
   if (const auto id = store_->database_id()) database_id_ = *id;
 }
 

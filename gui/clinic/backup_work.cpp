@@ -11,7 +11,7 @@ namespace isograsp::gui {
 
 namespace {
 constexpr int kLookEvery_ms = 15 * 60 * 1000;
-constexpr int kAfterStart_ms = 20 * 1000;  // the window is there first
+constexpr int kAfterStart_ms = 20 * 1000;  // so that the window appears first
 }  // namespace
 
 BackupWork::BackupWork(const std::string& database, QObject* parent)

@@ -27,7 +27,7 @@ struct Staff::Answer {
 
 namespace {
 
-/// Who is there and who is in, after whatever was asked for.
+/// The users and the one who is logged in, after any of these requests.
 template <class Answer>
 void look_around(Answer& answer) {
   if (auto users = answer.access->users()) answer.users = *std::move(users);
@@ -160,7 +160,7 @@ void Staff::lock() {
 
 void Staff::lock_if_due() {
   if (!in_ || busy_) return;
-  // Behind a long trial there is time to go on.
+  // After a long trial the time without a touch begins at zero.
   if (trial_runs_ && trial_runs_()) {
     touched_ = clock_->now();
     return;
@@ -223,7 +223,7 @@ void Staff::log(const std::string& act, const std::string& object, bool done) {
       });
 }
 
-/// Whatever a hand does at this station puts the lock off.
+/// Every press or movement at this station delays the lock.
 bool Staff::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::KeyPress:

@@ -18,7 +18,7 @@ struct SessionLibrary {
   std::vector<Text> problems;                     ///< files that cannot be used, in words
 };
 
-/// Reads all files; any thread. A name that two files bear belongs to the shipped one.
+/// Reads all files; any thread. Where two files have the same name, the shipped one is used.
 [[nodiscard]] SessionLibrary read_session_library(const std::string& shipped,
                                                   const std::string& own);
 

@@ -102,7 +102,7 @@ void LibraryPage::open(const LibraryEntry& entry, bool select_name) {
         showing_ = true;
         editor_->show_text(QString::fromStdString(former_));
         former_shown_ = text();
-        // What was typed before the program ended stands there as if just typed.
+        // A draft from before the program ended is shown as if it had been typed now.
         if (opened.draft) editor_->replace_text(QString::fromStdString(*opened.draft));
         showing_ = false;
         refresh();  // it can be typed into from now on

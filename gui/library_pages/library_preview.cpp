@@ -35,7 +35,7 @@ QString duration_words_of(const tasks::Duration& duration) {
       .arg(time_words(duration.nominal_s), time_words(duration.worst_s));
 }
 
-/// One unit of every scale is a hundred newtons, so that forces read as percent.
+/// One unit of every scale is set to 100 N, so that newtons can be read as percent.
 tasks::TaskContext sample_context(const tasks::TaskSpec& spec) {
   tasks::TaskContext context;
   context.period_s = kPeriod_s;

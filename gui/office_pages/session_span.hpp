@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From which to which of a patient's sessions: two lists that never cross.
+// The first and the last session of a patient that are asked for: two lists; the first never lies
+// behind the last.
 #pragma once
 
 #include <QComboBox>

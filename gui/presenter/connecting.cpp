@@ -151,7 +151,7 @@ void Connecting::break_off(const std::string& why) {
   close();
 }
 
-/// What was measured of a trial that could not be ended is that trial's, and no other one's.
+/// Measures of a trial that could not be ended must not be shown for another one.
 void Connecting::keep_broken_trial(const std::string& why) {
   room_.begin();
   OpenSession& open = *state_.open;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The protocol that is proposed; any other is one choice away.
+/// The protocol that is proposed at first.
 constexpr const char* kUsualProtocol = "battery";
 
 int place_of_usual(const std::vector<session::ReadyProtocol>& protocols) {

@@ -23,7 +23,7 @@ storage::SessionRecord session_to_come(storage::RowId patient, Hand hand,
 
 }  // namespace
 
-// Whoever goes on with the next session has read why the last one ended.
+// Someone who begins the next session has read why the last one ended.
 
 SessionChoices::SessionChoices(const ActContext& with)
     : state_(with.state),

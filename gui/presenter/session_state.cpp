@@ -81,7 +81,7 @@ bool SessionState::has_protocol() const noexcept {
 
 const tasks::TaskSpec* SessionState::next_task() const noexcept {
   if (follows()) return open->work.act_task ? &*open->work.act_task : nullptr;
-  if (!open && has_protocol()) return nullptr;  // the protocol will say
+  if (!open && has_protocol()) return nullptr;  // the protocol decides
   const int task = task_by_hand();
   return task < 0 ? nullptr : &library.tasks[static_cast<std::size_t>(task)];
 }

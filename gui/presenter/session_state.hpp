@@ -55,7 +55,7 @@ struct Choices {
   } interrupted;
 };
 
-/// The way to the device and back. Made anew by every attempt to connect.
+/// The connection to the device. Made anew by every attempt to connect.
 struct ConnectionState {
   struct Failure {
     std::string words;
@@ -65,7 +65,7 @@ struct ConnectionState {
 
   Connection phase = Connection::none;
   std::stop_source opening;
-  std::optional<Failure> failure;  ///< until whoever goes on has read it
+  std::optional<Failure> failure;  ///< until the next act, so that it can be read
   std::optional<Error> lost;       ///< why not all of the session is in the database
 };
 
@@ -74,8 +74,8 @@ struct DeviceFaultSeen {
   Words words;
 };
 
-/// What is to be seen of a session, also after its end: until the next one begins or another
-/// patient is chosen.
+/// What can still be shown after a session has ended: until the next one begins or another patient
+/// is chosen.
 struct SessionTraces {
   ForceHistory forces{};
   std::vector<DeviceFaultSeen> faults;  ///< oldest first
@@ -136,7 +136,7 @@ struct Rating {
 /// What is to be done next in a session.
 struct Work {
   ProtocolGuide guide;
-  bool by_hand = false;                     ///< beside the protocol
+  bool by_hand = false;                     ///< tasks are chosen beside the protocol
   std::optional<tasks::TaskSpec> act_task;  ///< of the next act, at its level
   int task = -1;                            ///< by hand: place in the library
   std::string task_lacks;                   ///< what it is scaled to and has not been measured
@@ -146,11 +146,11 @@ struct Work {
 
   /// The protocol, not the therapist, says what comes.
   [[nodiscard]] bool follows() const noexcept { return guide.active() && !by_hand; }
-  /// As the therapist made it easier or harder; else as it is.
+  /// At the difficulty that the therapist chose; otherwise unchanged.
   [[nodiscard]] Result<tasks::TaskSpec> at_chosen_level(const tasks::TaskSpec& spec) const;
 };
 
-/// Dies with the session.
+/// Exists as long as the session is open.
 struct OpenSession {
   /// `numb_skin`: the screening says so. `stored`: how the patient's screen is, as the session
   /// knows it. `task`: the first by hand.

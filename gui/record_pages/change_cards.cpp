@@ -46,7 +46,7 @@ QLineEdit* who_field(const QString& object_name, const QString& name, const QStr
 template <class Entry>
 void take_out(std::vector<Entry>& entries, int row, std::vector<Entry>& gone) {
   gone.push_back(entries[static_cast<std::size_t>(row)]);
-  entries.erase(entries.begin() + row);  // at once: nobody removes it twice
+  entries.erase(entries.begin() + row);  // at once, so that it cannot be removed twice
 }
 
 /// What a list says of its last removed entry; nothing: there is none.

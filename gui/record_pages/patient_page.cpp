@@ -199,7 +199,7 @@ void PatientPage::open_trial(int session_index, int trial_index) {
         loading_trial_ = false;
         if (*outcome) {
           trial_->show_trial(std::make_shared<const LoadedTrial>(**std::move(outcome)));
-          // Whoever has gone elsewhere meanwhile stays there.
+          // If another page was opened meanwhile, it stays open.
           if (views_->currentWidget() == trial_ && isAncestorOf(QApplication::focusWidget()))
             trial_->take_focus();
         } else {

@@ -277,7 +277,7 @@ TreatmentCard::TreatmentCard(QWidget* parent) : Card({}, parent) {
   connect(list_, &DatedList::remove_pressed, this, [this](int row) {
     gone_.push_back(marks_[static_cast<std::size_t>(row)]);
     list_->offer_undo(mark_removed(gone_));
-    marks_.erase(marks_.begin() + row);  // at once: nobody removes it twice
+    marks_.erase(marks_.begin() + row);  // at once, so that it cannot be removed twice
     show_marks(std::vector(marks_));
     Q_EMIT removed(gone_.back().id);
   });
@@ -368,7 +368,7 @@ ScoreCard::ScoreCard(QWidget* parent) : Card({}, parent) {
   connect(list_, &DatedList::remove_pressed, this, [this](int row) {
     gone_.push_back(scores_[static_cast<std::size_t>(row)]);
     list_->offer_undo(score_removed(gone_));
-    scores_.erase(scores_.begin() + row);  // at once: nobody removes it twice
+    scores_.erase(scores_.begin() + row);  // at once, so that it cannot be removed twice
     show_scores(std::vector(scores_));
     Q_EMIT removed(gone_.back().id);
   });

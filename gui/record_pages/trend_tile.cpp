@@ -15,9 +15,9 @@ constexpr int kTileEdge_px = 10;
 constexpr int kPlot_px = 96;
 constexpr int kTileText_px = 60;  // title, task and remark: three lines
 
-/// As much of a text as has room. What tells it from others stands behind its last separator, the
-/// finger in "Maximum force above rest, thumb", the hand in "Maximum force · right hand", and is
-/// kept.
+/// As much of a text as has room. What distinguishes it from others comes after its last separator:
+/// the finger in "Maximum force above rest, thumb", the hand in "Maximum force · right hand", and
+/// is kept.
 QString shortened(const QString& text, const QString& separator, const QFontMetrics& metrics,
                   int width_px) {
   const int last = text.lastIndexOf(separator);

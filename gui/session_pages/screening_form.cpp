@@ -150,7 +150,7 @@ void ScreeningForm::refresh() {
   }
   if (!answers.ceiling_N) {
     const QSignalBlocker quiet(ceiling_);
-    ceiling_->setValue(kUsualCeiling_N);  // nobody begins with another one's limit
+    ceiling_->setValue(kUsualCeiling_N);  // not the limit of the patient before
   }
   ceiling_->setEnabled(limited_->isChecked());
   advice_->setText(advice(answers));

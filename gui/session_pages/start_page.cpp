@@ -174,7 +174,7 @@ void StartPage::fill() {
   const QSignalBlocker quiet(list_);
   list_->clear();
   const auto chosen = QString::fromStdString(presenter_.state().choices.patient);
-  // Who was here last, or was added last, is the likeliest one to be sought.
+  // The newest sessions and patients come first: they are the most likely ones to be looked for.
   auto patients = clinic_.patients();
   const auto newest = [this](const storage::PatientRecord& patient) {
     const auto session = newest_.find(patient.id);

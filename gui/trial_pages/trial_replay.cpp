@@ -15,7 +15,7 @@ constexpr double kNoCourse = std::numeric_limits<double>::quiet_NaN();
 /// recordings may differ by less than half a period from an even grid.
 constexpr double kLongestStep = 1.5;
 
-/// Whatever moves faster was not carried: it was put somewhere else.
+/// An object that moves faster was not carried: it was put somewhere else.
 constexpr double kFastestHand_mps = 2.0;
 
 double median_step(std::span<const double> t_s) {
@@ -216,7 +216,7 @@ ReplayState TrialReplay::at(double t_s) const {
   const bool gap = gap_after(row);
   if (gap && since_s >= period_s_) return state;
 
-  // How far the way to the next row is gone; 0 where no way leads there.
+  // Share of the time to the next row that has passed; 0 across a gap.
   const bool goes_on = row + 1 < rows() && !gap;
   const double share =
       goes_on ? since_s / (value(columns_.t_s, row + 1) - value(columns_.t_s, row)) : 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stored trial at any instant: what the fingers pressed, what was asked, where the object was.
-// Nothing is made up: between two measured samples the value is linear; a held sample is called
+// No value is invented: between two measured samples the value is linear; a held sample is called
 // held; where samples are missing or were not recorded there is no value. SI units.
 #pragma once
 
@@ -100,7 +100,7 @@ class TrialReplay {
   double period_s_ = 0.0;
 };
 
-/// The hand on the replay: runs at a speed, stands, is moved. It reads no clock.
+/// Position of the replay: it runs at a speed, stands still or is moved. It reads no clock.
 class Playback {
  public:
   static constexpr std::array<double, 5> kSpeeds{0.25, 0.5, 1.0, 2.0, 4.0};

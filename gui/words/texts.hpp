@@ -20,8 +20,8 @@ namespace isograsp::gui {
 /// Error::message() in the language of the screen.
 [[nodiscard]] QString shown(const Error& error);
 
-/// Words that begin a sentence, in the middle of one: small, unless nouns of the language are
-/// large.
+/// Words from the beginning of a sentence as they stand in the middle of one: with a small first
+/// letter, except where the language writes nouns with a large one.
 [[nodiscard]] QString in_sentence(QString words);
 
 /// "1.25", "1,25".

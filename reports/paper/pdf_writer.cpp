@@ -58,7 +58,7 @@ std::string PdfReport::words() const {
 void PdfReport::paint_next() {
   assert(!complete());
   [[maybe_unused]] const bool painted = parts_->printer->paint_next();
-  assert(painted);  // memory takes everything
+  assert(painted);  // writing into memory does not fail
 }
 
 std::string PdfReport::take() {

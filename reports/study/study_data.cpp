@@ -187,7 +187,8 @@ class CellMaker {
       if (why.empty() && !same_kind(*measure)) why = "another version of the measure"_text;
       if (why.empty() && !measure->value) {
         why = Known{measure->reason};
-        // A time that did not come is longer than all others: leaving it out would flatter.
+        // A time that did not come is longer than all others: without it the result would look too
+        // good.
         if (censored) return {{}, 0, 0, "a trial has no value: %1"_text(why)};
       }
       if (!why.empty()) {

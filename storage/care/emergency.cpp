@@ -97,7 +97,7 @@ bool same_measures(const std::vector<Measure>& a, const std::vector<Measure>& b)
   });
 }
 
-/// Every trial of a file.
+/// All trials of a file.
 Result<std::vector<TrialRecord>> trials_of(SessionStore& store) {
   constexpr int kAll = 1'000'000;
   const auto sessions = store.recent_sessions(kAll);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Where the hand opens afterwards, the opening has a channel of its own: force_N, positive when the
+// digits open, is turned to -force_N, so that one trace goes from the grip through zero.
+//   opening force = largest mean of the opening's own force over 0.5 s
 #include "tasks/kinds/force/grip_release.hpp"
 
 #include <cmath>

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures of the pose-target tasks. Time is task time: a device fault costs the patient nothing.
+// Movements after Fitts: from where the target appeared (start) to the target (goal):
+//   distance = |goal - start|
+//   end = mean over the hold of (position - start) . (goal - start) / distance
+//   error = end - distance
+//   index of difficulty = mean of those of the movements (tasks/measures/fitts.cpp)
 #include <algorithm>
 #include <cmath>
 

@@ -98,7 +98,8 @@ Result<void> run_application(const ApplicationConfig& config) {
       if (!config.make_demonstration) return;
       maker.run([make = config.make_demonstration] { return make(); },
                 [&](const Result<std::string>& made) {
-                  if (!made) return windows.therapist().demonstration_failed(shown(made.error()));
+                  if (!made)
+                    return windows.therapist().demonstration_failed(translated(made.error()));
                   database = *made;
                   again = true;
                   windows.therapist().close();

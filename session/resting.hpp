@@ -28,6 +28,6 @@ struct RestingForce {
 
 /// What the values suggest, in one or two plain sentences. A muscle tone is a result: nothing is
 /// refused because of it.
-[[nodiscard]] std::string describe(const RestingForce& rest);
+[[nodiscard]] std::string words_of(const RestingForce& rest);
 
 }  // namespace isograsp::session

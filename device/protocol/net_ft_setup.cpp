@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -64,8 +65,8 @@ class Box {
   Timestamp until_;
 };
 
-bool same_rate(double a_Hz, double b_Hz) noexcept {
-  return std::abs(a_Hz - b_Hz) <= kSameRate * b_Hz;
+bool same_rate(std::optional<double> a_Hz, double b_Hz) noexcept {
+  return a_Hz && std::abs(*a_Hz - b_Hz) <= kSameRate * b_Hz;
 }
 
 }  // namespace
@@ -96,9 +97,9 @@ Result<NetFtBoxConfig> set_up_net_ft_box(const DeviceConfig& config, std::size_t
   answer = box.ask();
   if (!answer || same_rate(answer->rate_Hz, config.rate_Hz)) return answer;
   return box.error("comrdtrate",
-                   answer->rate_Hz > 0.0 ? "sends at %1 Hz, not at %2"_text(
-                                               shortest(answer->rate_Hz), shortest(config.rate_Hz))
-                                         : "does not tell its rate"_text,
+                   answer->rate_Hz ? "sends at %1 Hz, not at %2"_text(shortest(*answer->rate_Hz),
+                                                                      shortest(config.rate_Hz))
+                                   : "does not tell its rate"_text,
                    "use a rate that the box has: a whole fraction of 7000 Hz"_text);
 }
 

@@ -99,16 +99,16 @@ std::optional<BusFrame> RftSession::start(Timestamp) noexcept {
   return command(RftCommand::start);
 }
 
-SensorSession::Heard RftSession::hear(int step, const BusFrame& frame, Timestamp stamp,
-                                      Measurement& out) noexcept {
+SensorSession::Heard RftSession::hear(std::optional<int> step, const BusFrame& frame,
+                                      Timestamp stamp, Measurement& out) noexcept {
   const auto packet = std::holds_alternative<RftPairing>(frames_)
                           ? std::get<RftPairing>(frames_).push(frame, stamp)
                           : std::get<RftStream>(frames_).push(frame.bytes(), stamp);
   return packet ? hear_packet(step, *packet, stamp, out) : Heard::nothing;
 }
 
-SensorSession::Heard RftSession::hear_packet(int step, const RftPacket& packet, Timestamp stamp,
-                                             Measurement& out) noexcept {
+SensorSession::Heard RftSession::hear_packet(std::optional<int> step, const RftPacket& packet,
+                                             Timestamp stamp, Measurement& out) noexcept {
   if (packet.is_data()) {
     if (packet.command != static_cast<std::uint8_t>(RftCommand::start) || !streaming())
       return Heard::nothing;
@@ -126,7 +126,8 @@ SensorSession::Heard RftSession::hear_packet(int step, const RftPacket& packet, 
   const auto answers = [&](RftCommand asked) {
     return packet.command == static_cast<std::uint8_t>(asked);
   };
-  switch (step) {
+  if (!step) return Heard::nothing;
+  switch (*step) {
     case RftStep::serial_number: {
       if (!answers(RftCommand::serial_number)) return Heard::nothing;
       std::array<char, 15> text{};
@@ -144,7 +145,7 @@ SensorSession::Heard RftSession::hear_packet(int step, const RftPacket& packet, 
       return Heard::answer;
     case RftStep::set_filter:
     case RftStep::set_rate:
-      if (!answers(step == RftStep::set_filter ? RftCommand::set_filter : RftCommand::set_rate))
+      if (!answers(*step == RftStep::set_filter ? RftCommand::set_filter : RftCommand::set_rate))
         return Heard::nothing;
       if (r[0] == 1) return Heard::answer;
       refusal_ = r[1];

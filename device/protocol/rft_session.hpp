@@ -41,7 +41,7 @@ class RftSession final : public SensorSession {
  private:
   [[nodiscard]] int steps() const noexcept override;
   [[nodiscard]] std::optional<Question> question(int step) const noexcept override;
-  [[nodiscard]] Heard hear(int step, const BusFrame& frame, Timestamp stamp,
+  [[nodiscard]] Heard hear(std::optional<int> step, const BusFrame& frame, Timestamp stamp,
                            Measurement& out) noexcept override;
   [[nodiscard]] std::optional<BusFrame> start(Timestamp now) noexcept override;
   void forget() noexcept override;
@@ -52,7 +52,7 @@ class RftSession final : public SensorSession {
 
   [[nodiscard]] BusFrame command(
       RftCommand command, std::initializer_list<std::uint8_t> parameters = {}) const noexcept;
-  [[nodiscard]] Heard hear_packet(int step, const RftPacket& packet, Timestamp stamp,
+  [[nodiscard]] Heard hear_packet(std::optional<int> step, const RftPacket& packet, Timestamp stamp,
                                   Measurement& out) noexcept;
 
   RftOnBus on_bus_;

@@ -36,7 +36,8 @@ void BackupWork::look() {
               [this](const Made& outcome) {
                 running_ = false;
                 if (!outcome) {
-                  const auto why = tr("No backup could be made: %1").arg(shown(outcome.error()));
+                  const auto why =
+                      tr("No backup could be made: %1").arg(translated(outcome.error()));
                   const QDate today = QDate::currentDate();
                   const bool told = std::exchange(told_, today) == today;
                   if (std::exchange(problem_, why) != why || !told) Q_EMIT failed(why);

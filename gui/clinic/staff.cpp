@@ -129,7 +129,7 @@ void Staff::take(const Answer& answer) {
     // Whoever stands at the login knows which file it is and what was typed.
     Error why = *answer.error;
     if (answer.access != nullptr) why.file = why.field = "";
-    Q_EMIT login_refused(shown(why));
+    Q_EMIT login_refused(translated(why));
     return;
   }
   in_ = answer.in;
@@ -202,7 +202,7 @@ void Staff::show_names() {
   worker_.run([access = access_]() -> Names { return storage::all_identities(*access); },
               [this](const Names& names) {
                 if (!names) {
-                  Q_EMIT refused(shown(names.error()));
+                  Q_EMIT refused(translated(names.error()));
                   return;
                 }
                 if (closed()) return;
@@ -219,7 +219,7 @@ void Staff::log(const std::string& act, const std::string& object, bool done) {
         return storage::log_act_of(database, access.get(), act, object, done);
       },
       [this](const Result<void>& logged) {
-        if (!logged) Q_EMIT refused(shown(logged.error()));
+        if (!logged) Q_EMIT refused(translated(logged.error()));
       });
 }
 

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "storage/records/records.hpp"
@@ -23,8 +24,8 @@ class SessionSpan final : public QWidget {
   /// Oldest first. All of them are chosen; a choice stays while the same patient is shown.
   void show_sessions(const std::vector<storage::SessionRecord>& sessions, bool same_patient);
   [[nodiscard]] int first() const { return first_->currentIndex() + 1; }
-  /// 0: up to the newest, also one that is to come.
-  [[nodiscard]] int last() const;
+  /// Nothing: up to the newest, also one that is to come.
+  [[nodiscard]] std::optional<int> last() const;
 
  Q_SIGNALS:
   void changed();  ///< by the user

@@ -77,10 +77,10 @@ void SessionChoices::choose_device(const std::string& uri) {
   flow_.update();
 }
 
-void SessionChoices::choose_protocol(int index) {
-  if (state_.busy() || index == state_.choices.protocol) return;
+void SessionChoices::choose_protocol(std::optional<int> place) {
+  if (state_.busy() || place == state_.choices.protocol) return;
   state_.connection.failure.reset();
-  state_.choices.protocol = index;
+  state_.choices.protocol = place;
   look_for_earlier();
   flow_.update();
 }

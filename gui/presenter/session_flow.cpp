@@ -67,7 +67,7 @@ void SessionFlow::update() {
 }
 
 void SessionFlow::refuse(const Error& error) {
-  Q_EMIT failed(shown(error));
+  Q_EMIT failed(translated(error));
 }
 
 FlowFacts SessionFlow::facts() const {

@@ -170,7 +170,7 @@ void PatientPage::load() {
             comparison_->show_course(course_);
             trends_->show_trends(std::move((*outcome)->trends));
           } else {
-            problem_ = shown(outcome->error());
+            problem_ = translated(outcome->error());
           }
           tell();
           Q_EMIT loaded();
@@ -184,7 +184,7 @@ void PatientPage::open_trial(int session_index, int trial_index) {
   const auto& record = chosen.trials.at(static_cast<std::size_t>(trial_index)).record;
   sessions_->choose(session_index, trial_index);
   show_view(View::trial);
-  trial_->show_loading(tr("trial %1, %2").arg(record.number).arg(shown(record.task_name)));
+  trial_->show_loading(tr("trial %1, %2").arg(record.number).arg(translated(record.task_name)));
   const int mine = ++*wanted_trial_;
   using Loaded = std::optional<Result<LoadedTrial>>;
   loading_trial_ = clinic_.read(
@@ -203,7 +203,8 @@ void PatientPage::open_trial(int session_index, int trial_index) {
           if (views_->currentWidget() == trial_ && isAncestorOf(QApplication::focusWidget()))
             trial_->take_focus();
         } else {
-          trial_->show_problem(tr("This trial cannot be read: %1").arg(shown(outcome->error())));
+          trial_->show_problem(
+              tr("This trial cannot be read: %1").arg(translated(outcome->error())));
         }
         Q_EMIT trial_loaded();
       });

@@ -73,23 +73,24 @@ class TrialReplay {
   [[nodiscard]] std::vector<Vec3> path(double least_step_m) const;
 
  private:
-  /// Where a pose stands in the signals; -1: it does not.
+  /// Of the signals; nothing: they have none.
+  using Place = std::optional<std::size_t>;
   struct PoseColumns {
-    std::array<int, 3> place_m{};
-    std::array<int, 4> quaternion{};  ///< w x y z
-    int angle_rad = -1;
+    std::array<Place, 3> place_m{};
+    std::array<Place, 4> quaternion{};  ///< w x y z
+    Place angle_rad;
   };
   /// Columns are looked up once: a trial has tens of thousands of rows.
   struct Columns {
-    int t_s = -1, phase = -1, flags = -1, actual_N = -1, target_N = -1;
-    int target_index = -1, targets_reached = -1, drops = -1;
-    std::array<std::array<int, 3>, kFingerCount> force_N{};
-    std::array<int, kFingerCount> finger_flags{};
-    std::array<int, kFingerCount> contact{};
+    std::size_t t_s = 0;
+    Place phase, flags, actual_N, target_N, target_index, targets_reached, drops;
+    std::array<std::array<Place, 3>, kFingerCount> force_N{};
+    std::array<Place, kFingerCount> finger_flags{};
+    std::array<Place, kFingerCount> contact{};
     PoseColumns object, target;
   };
-  [[nodiscard]] double value(int column, std::size_t row) const;
-  [[nodiscard]] double between(int column, std::size_t row, double share) const;
+  [[nodiscard]] double value(Place column, std::size_t row) const;
+  [[nodiscard]] double between(Place column, std::size_t row, double share) const;
   [[nodiscard]] std::optional<Pose> pose(const PoseColumns& columns, std::size_t row) const;
   [[nodiscard]] ReplayFinger finger_at(std::size_t f, std::size_t row, double share) const;
   [[nodiscard]] bool object_moves_on(std::size_t row) const;

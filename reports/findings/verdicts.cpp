@@ -71,7 +71,7 @@ Result<ChangeVerdict> judge(const VerdictContext& context, const storage::Primar
   const auto days = assessment_days(series, sessions);
   verdict.reason = obstacle(context, primary, section, days, sessions);
   if (!verdict.reason.empty()) return verdict;
-  const auto words = tasks::words_for(series.name, series.channel);
+  const auto words = tasks::words_of(series.name, series.channel);
   const auto query = pool_query(like, series);
   auto values = renewed_values(context.renewal, query, context.store.stable_values(query));
   if (!values) return values.error();

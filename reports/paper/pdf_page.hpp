@@ -27,7 +27,7 @@ inline const TextStyle kQuiet{7.2, false, Palette::quiet()};
 inline const TextStyle kUnder{6.8, false, Palette::quiet()};
 inline const TextStyle kHeading{11.5, true};
 
-[[nodiscard]] inline QString text_of(const std::string& text) {
+[[nodiscard]] inline QString qt(const std::string& text) {
   return QString::fromStdString(text);
 }
 

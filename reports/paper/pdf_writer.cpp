@@ -22,7 +22,7 @@ struct PdfReport::Parts {
     writer->setResolution(kResolution);
     writer->setPageSize(QPageSize(QPageSize::A4));
     writer->setPageMargins(QMarginsF(0, 0, 0, 0));
-    writer->setTitle(text_of(pages.furniture().kind + " " + pages.furniture().title));
+    writer->setTitle(qt(pages.furniture().kind + " " + pages.furniture().title));
     writer->setCreator("IsoGrasp " ISOGRASP_VERSION);
     printer.emplace(pages, *writer);
   }

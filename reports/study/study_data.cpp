@@ -177,7 +177,7 @@ class CellMaker {
   [[nodiscard]] StudyCell make(const TrialSelection& selection,
                                const std::vector<const StoredTrial*>& trials) {
     const std::string channel = selection.channel.value_or("");
-    const bool censored = tasks::words_for(study_.measure, channel).censored;
+    const bool censored = tasks::words_of(study_.measure, channel).censored;
     StudyCell cell;
     std::map<std::size_t, std::vector<double>> values;  // by session
     for (const StoredTrial* trial : trials) {

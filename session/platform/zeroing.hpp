@@ -81,7 +81,7 @@ struct ZeroRefusal {
     const ZeroLimits& limits = {}) noexcept;
 
 /// The reason and the remedy in words for the therapist.
-[[nodiscard]] std::string describe(const ZeroRefusal& refusal);
+[[nodiscard]] std::string words_of(const ZeroRefusal& refusal);
 
 /// Whether the present zero can be used for a trial that is to begin.
 enum class ZeroStanding : std::uint8_t {

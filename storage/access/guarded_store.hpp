@@ -76,7 +76,7 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
   template <class Work>
   [[nodiscard]] Result<void> removed(const char* table, const char* what, RowId id, Work work);
   /// `query` gives one text; empty if there is none.
-  [[nodiscard]] std::string text_of(const std::string& query, RowId id);
+  [[nodiscard]] std::string query_text(const std::string& query, RowId id);
   [[nodiscard]] std::string code_of(RowId patient);
   [[nodiscard]] std::string code_of_session(RowId session);
   /// Seals or opens in place, where the database is protected. `column`: "table.column".

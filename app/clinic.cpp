@@ -166,7 +166,7 @@ RunOptions options_of(const DemoVisit& visit, const std::string& code) {
   options.protocol_file = library_folder() + "/protocols/" + visit.protocol + ".toml";
   options.protocol_text = visit.protocol_text;
   options.broken_off_in = visit.broken_off_in;
-  options.said = visit.said;
+  options.rating = visit.rating;
   options.patient = code;
   options.hand = name_of(visit.hand);
   options.device = visit.device;

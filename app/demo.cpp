@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// isograsp demo: the whole way on simulated patients, in a database of its own.
+// isograsp demo: everything from force to report on simulated patients, in a database of its own.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

@@ -131,7 +131,7 @@ DemoPerson better(const Calendar& calendar) {
   person.visits = visits_on(calendar, kBetter, Hand::right, kBetterBegan,
                             {0, 6, 14, 22, 30, 38, 46, 54}, kVisit);
   for (std::size_t i = 0; i < person.visits.size(); ++i)
-    person.visits[i].said = Said{7 - static_cast<int>(i) / 2, i < 3 ? 2 : 1};
+    person.visits[i].rating = Rating{7 - static_cast<int>(i) / 2, i < 3 ? 2 : 1};
   // The other hand, once.
   constexpr Simulated kOther{"healthy", "", 0.9, 13};
   auto other = visits_on(calendar, kOther, Hand::left, kBetterBegan, {55}, kVisit);
@@ -335,7 +335,7 @@ std::vector<DemoGroup> large_clinic(const std::string& now_utc) {
 
 DemoVisit demo_visit_of_today(const std::string& now_utc) {
   return {now_utc, "demonstration", "", Hand::right, device_of(kBetter, kBetterBegan),
-          -1,      Said{3, 0}};
+          -1,      Rating{3, 0}};
 }
 
 }  // namespace isograsp::app

@@ -20,7 +20,7 @@ struct DemoVisit {
   Hand hand = Hand::right;
   std::string device;
   int broken_off_in = -1;  ///< step of the protocol in which it ends; negative: it is complete
-  std::optional<Said> said = std::nullopt;
+  std::optional<Rating> rating = std::nullopt;
 };
 
 struct DemoPerson {

@@ -40,7 +40,10 @@ Result<void> run_export(const ExportOptions& options) {
   const auto store = storage::open_store_to_read(options.database);
   if (!store) return store.error();
   exports::ExportRequest request{options.patient};
-  if (options.session != 0) request.first_session = request.last_session = options.session;
+  if (options.session != 0) {
+    request.first_session = options.session;
+    request.last_session = options.session;
+  }
   const auto left_out = exports::count_not_released(**store, request);
   if (!left_out) return left_out.error();
   ProgressBar bar("Exporting");

@@ -14,8 +14,8 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "core/csv.hpp"
-#include "grasp_model/describe.hpp"
 #include "grasp_model/plan.hpp"
+#include "grasp_model/plan_words.hpp"
 #include "session/platform/plan_cost.hpp"
 
 namespace isograsp::app {
@@ -101,7 +101,7 @@ Json as_json(const Plan& plan, const Scales& scales, const std::vector<Subset>& 
     document["subsets"].push_back(std::move(entry));
   }
   Json choices;
-  for (const auto& [name, text] : describe(plan)) choices[name] = text;
+  for (const auto& [name, text] : words_of(plan)) choices[name] = text;
   choices["hold_s"] = plan.hold_s();
   choices["flops_per_frame"] = flops_per_frame(plan);
   choices["cost_ns_per_frame"] = session::cost_ns_per_frame(plan);
@@ -136,7 +136,7 @@ void print_table(const Plan& plan, const Scales& scales, const std::vector<Subse
     print("\n");
   }
   print("\nPlan\n");
-  for (const auto& [name, text] : describe(plan)) print(" %-13s %s\n", name.c_str(), text.c_str());
+  for (const auto& [name, text] : words_of(plan)) print(" %-13s %s\n", name.c_str(), text.c_str());
   print(" %-13s %.0f ns per frame, measured here\n", "cost", session::cost_ns_per_frame(plan));
 }
 

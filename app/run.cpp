@@ -148,7 +148,7 @@ Result<void> run_session(const RunOptions& options) {
   Result<void> ended;
   if (result && options.broken_off_in >= 0)
     ended = break_off(**session, *protocol, options.broken_off_in);
-  if (options.said) (void)(*session)->rate(options.said->effort, options.said->pain);
+  if (options.rating) (void)(*session)->rate(options.rating->effort, options.rating->pain);
   (*session)->close();
   bar.end();
   if (const auto lost = (*session)->failure()) return *lost;

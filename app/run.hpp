@@ -14,7 +14,7 @@
 namespace isograsp::app {
 
 /// What the patient says at the end, 0 to 10 each.
-struct Said {
+struct Rating {
   int effort = 0;
   int pain = 0;
 };
@@ -37,7 +37,7 @@ struct RunOptions {
   bool serviced = false;  ///< the operator confirms that the device was serviced or remounted
   std::string allowed;    ///< outcome of the screening for this hand; empty: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
-  std::optional<Said> said;         ///< nothing: not asked
+  std::optional<Rating> rating;     ///< nothing: not asked
   session::Realtime realtime = session::Realtime::prefer;
   const std::atomic<bool>* stop = nullptr;  ///< ends the session when somebody sets it
   bool clock_is_right = false;              ///< though it is behind the newest session of the file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A column of signals: each stands once, as a constant, with its name in files, what it means and
-// in which axes. Who writes it and who reads it name that constant, so that a column cannot be
-// called two ways. Here: the type, and the columns of every trial; others beside what they are
+// in which axes. Who writes it and who reads it name that constant, so that a column cannot have
+// two names. Here: the type, and the columns of every trial; others beside what they are
 // about.
 #pragma once
 

@@ -195,10 +195,8 @@ Result<bool> CsvReader::read_row_line() {
   }
 }
 
-int CsvReader::find(std::string_view name) const noexcept {
-  for (std::size_t i = 0; i < columns_.size(); ++i)
-    if (columns_[i] == name) return static_cast<int>(i);
-  return -1;
+std::optional<std::size_t> CsvReader::find(std::string_view name) const noexcept {
+  return index_of(columns_, name);
 }
 
 Error CsvReader::error_here(std::string field, Text what, Text remedy) const {
@@ -237,26 +235,25 @@ Result<bool> CsvReader::next(std::span<double> row) {
   return true;
 }
 
-Result<bool> CsvReader::next(int column, double& value) {
+Result<bool> CsvReader::next(std::size_t column, double& value) {
   const auto more = read_row_line();
   if (!more || !*more) return more;
-  const auto wanted = static_cast<std::size_t>(column);
   std::string_view rest = text_;
-  for (std::size_t i = 0; i < wanted; ++i) {
+  for (std::size_t i = 0; i < column; ++i) {
     const auto comma = rest.find(',');
     if (comma == std::string_view::npos) return too_short(i + 1);
     rest.remove_prefix(comma + 1);
   }
   const auto field = rest.substr(0, rest.find(','));
-  if (!read_field(field, value)) return not_a_number(wanted, field);
+  if (!read_field(field, value)) return not_a_number(column, field);
   return true;
 }
 
 Result<Signals> read_signals(const std::string& path) {
   auto reader = CsvReader::open(path);
   if (!reader) return reader.error();
-  const int time = reader->find("t_s");
-  if (time < 0)
+  const auto time = reader->find("t_s");
+  if (!time)
     return reader->error_here("t_s", "the column is missing"_text,
                               "add the time of each row in seconds"_text);
   Signals signals(reader->columns());
@@ -266,7 +263,7 @@ Result<Signals> read_signals(const std::string& path) {
     const auto more = reader->next(row);
     if (!more) return more.error();
     if (!*more) break;
-    const double t = row[static_cast<std::size_t>(time)];
+    const double t = row[*time];
     if (std::isnan(t))
       return reader->error_here("t_s", "the time is empty"_text, "give every row a time"_text);
     if (t <= previous)

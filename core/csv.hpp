@@ -2,6 +2,7 @@
 // Tables of numbers as text: UTF-8, comma, one header line, '.' decimal, '#' comment lines.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,8 +45,8 @@ class CsvReader {
   [[nodiscard]] static Result<CsvReader> open(const std::string& path);
 
   [[nodiscard]] const std::vector<std::string>& columns() const noexcept { return columns_; }
-  /// Index of a column, or -1.
-  [[nodiscard]] int find(std::string_view name) const noexcept;
+  /// Index of a column; nothing: there is none of this name.
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const noexcept;
   /// Comment lines before the header, without the '#' and surrounding blanks.
   [[nodiscard]] const std::vector<std::string>& comments() const noexcept { return comments_; }
   [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }
@@ -56,8 +57,8 @@ class CsvReader {
   /// @pre row.size() == columns().size()
   [[nodiscard]] Result<bool> next(std::span<double> row);
   /// The same for one column; does not look at the fields behind it, nor for numbers in those
-  /// before it. @pre 0 <= column < columns().size()
-  [[nodiscard]] Result<bool> next(int column, double& value);
+  /// before it. @pre column < columns().size()
+  [[nodiscard]] Result<bool> next(std::size_t column, double& value);
 
   /// An error at the row read last.
   [[nodiscard]] Error error_here(std::string field, Text what, Text remedy) const;

@@ -21,6 +21,8 @@ struct Measure {
   std::string reason;           ///< why there is no value
   /// From the stored signals, after the trial was scored by an older version.
   bool recomputed = false;
+
+  bool operator==(const Measure&) const = default;
 };
 
 }  // namespace isograsp

@@ -6,18 +6,24 @@
 
 namespace isograsp {
 
+std::optional<std::size_t> index_of(std::span<const std::string> names,
+                                    std::string_view name) noexcept {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - names.begin());
+}
+
 Signals::Signals(std::vector<std::string> names)
     : names_(std::move(names)), columns_(names_.size()) {}
 
-int Signals::find(std::string_view name) const noexcept {
-  const auto at = std::find(names_.begin(), names_.end(), name);
-  return at == names_.end() ? -1 : static_cast<int>(at - names_.begin());
+std::optional<std::size_t> Signals::find(std::string_view name) const noexcept {
+  return index_of(names_, name);
 }
 
 std::span<const double> Signals::column(std::string_view name) const {
-  const int index = find(name);
-  if (index < 0) return {};
-  return columns_[static_cast<std::size_t>(index)];
+  const auto index = find(name);
+  if (!index) return {};
+  return columns_[*index];
 }
 
 void Signals::append_row(std::span<const double> row) {

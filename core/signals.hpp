@@ -3,12 +3,17 @@
 // A column's name carries its unit ("target_force_N"); NaN stands for a missing value.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace isograsp {
+
+/// Where `name` stands in `names`; nothing: nowhere.
+[[nodiscard]] std::optional<std::size_t> index_of(std::span<const std::string> names,
+                                                  std::string_view name) noexcept;
 
 class Signals {
  public:
@@ -19,9 +24,9 @@ class Signals {
   [[nodiscard]] std::size_t rows() const noexcept {
     return columns_.empty() ? 0 : columns_.front().size();
   }
-  /// Index of a column, or -1.
-  [[nodiscard]] int find(std::string_view name) const noexcept;
-  [[nodiscard]] bool has(std::string_view name) const noexcept { return find(name) >= 0; }
+  /// Index of a column; nothing: there is none of this name.
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const noexcept;
+  [[nodiscard]] bool has(std::string_view name) const noexcept { return find(name).has_value(); }
   [[nodiscard]] std::span<const double> column(std::size_t index) const { return columns_[index]; }
   /// An empty span if there is no such column.
   [[nodiscard]] std::span<const double> column(std::string_view name) const;

@@ -50,7 +50,7 @@ std::string stem_of(const ExportPlace& place) {
 std::string or_missing(const std::string& text) {
   return text.empty() ? kNotAvailable : text;
 }
-std::string text_of(const ExportValue& value) {
+std::string cell_of(const ExportValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return tsv_cell(*text);
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   return kNotAvailable;
@@ -210,7 +210,7 @@ class BidsExport final : public ExportWriter {
     if (const auto done = same ? end_session() : end_patient(); !done) return done;
     if (!same) {
       participants_ += subject_of(trial.place);
-      for (const auto& fact : patient_facts(trial)) participants_ += "\t" + text_of(fact.value);
+      for (const auto& fact : patient_facts(trial)) participants_ += "\t" + cell_of(fact.value);
       participants_ += "\n";
     }
     at_ = trial.place;

@@ -205,7 +205,7 @@ class FhirExport final : public ExportWriter {
         trial, coded(trial.place.task_kind,
                      {"task", task, "Kind of the task, as docs/file_formats.md calls it."}));
     for (const auto& measure : trial.measures) {
-      const auto words = tasks::words_for(measure.name, measure.channel);
+      const auto words = tasks::words_of(measure.name, measure.channel);
       const std::string unit = measure.unit.empty() ? "no unit" : measure.unit;
       Json component{{"code", coded(fhir_code(measure),
                                     {"measure", words.title,

@@ -109,7 +109,7 @@ Result<void> for_each_trial(storage::SessionStore& store, const ExportRequest& r
     for (const auto& session : *sessions) {
       ++session_number;
       if (session_number < request.first_session) continue;
-      if (request.last_session != 0 && session_number > request.last_session) continue;
+      if (request.last_session && session_number > *request.last_session) continue;
       const auto trials = store.trials(session.id);
       if (!trials) return trials.error();
       source.session = &session;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "exports/export_trial.hpp"
@@ -12,9 +13,9 @@
 namespace isograsp::exports {
 
 struct ExportRequest {
-  std::string patient;    ///< code; empty: all
-  int first_session = 1;  ///< of each patient
-  int last_session = 0;   ///< 0: up to the newest
+  std::string patient;                   ///< code; empty: all
+  int first_session = 1;                 ///< of each patient
+  std::optional<int> last_session = {};  ///< nothing: up to the newest
 };
 
 /// A trial of the database that is asked for.

@@ -19,9 +19,9 @@ Result<double> epsilon_quality(const Eigen::MatrixXd& wrenches) {
   if (criteria(about_mean).rank < static_cast<int>(dimensions)) return 0.0;  // a flat hull
 
   Eigen::MatrixXd points = wrenches;  // Qhull may write into its input
-  char* said = nullptr;
+  char* printed = nullptr;
   std::size_t length = 0;
-  std::FILE* errors = open_memstream(&said, &length);
+  std::FILE* errors = open_memstream(&printed, &length);
   char command[] = "qhull Pp";
   qhT hull;
   qh_zero(&hull, errors);
@@ -38,8 +38,8 @@ Result<double> epsilon_quality(const Eigen::MatrixXd& wrenches) {
   int bytes = 0;
   qh_memfreeshort(&hull, &pieces, &bytes);
   std::fclose(errors);
-  const std::string message(said, length);
-  std::free(said);
+  const std::string message(printed, length);
+  std::free(printed);
   if (status != qh_ERRnone)
     return failed(
         "no convex hull of these wrenches: %1"_text(message.substr(0, message.find('\n'))),

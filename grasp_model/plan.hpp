@@ -12,6 +12,7 @@
 #include "grasp_model/contact.hpp"
 #include "grasp_model/coupled.hpp"
 #include "grasp_model/follow.hpp"
+#include "grasp_model/plan_lanes.hpp"
 #include "grasp_model/rotation.hpp"
 #include "grasp_model/scene.hpp"
 #include "grasp_model/spin.hpp"
@@ -50,7 +51,7 @@ struct GraspWrench {
   std::array<bool, kFingerCount> invalid{};  ///< not finite: had no part in the wrench
 };
 
-/// The compiled model; see describe() in grasp_model/describe.hpp for its printed form.
+/// The compiled model; see words_of() in grasp_model/plan_words.hpp for its printed form.
 class Plan {
  public:
   /// Compiles for holds of `hold_s`. Refuses what the model cannot do exactly.
@@ -112,7 +113,7 @@ class Plan {
   template <class Use>
   unsigned touch(const FingerWrenches& wrench_C, ObjectState& state, const Use& use) const noexcept;
   void compile_lanes();
-  /// Axes that move alone: plan_lanes.cpp.
+  /// Axes that move independently: plan_lanes.cpp.
   template <int linear, bool turns>
   static void step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
                          ObjectState& state) noexcept;
@@ -146,19 +147,6 @@ class Plan {
   void push_over(const QuadraturePanel& panel, const PanelForces& forces, const Between& between,
                  ObjectState& state) const noexcept;
 
-  /// All free axes side by side, two to a register: up to three translations, then the rotation.
-  using Pair = double __attribute__((vector_size(16)));
-  using Lanes = std::array<Pair, 2>;
-  struct Alone {
-    Lanes weight{};  ///< [N]
-    Lanes anchor{};  ///< [m]
-    Lanes force_share{}, position_share{}, x_of_v{}, x_of_off{}, v_of_v{}, v_of_off{};
-    Lanes about_rest{};                                        ///< 0 or 1
-    std::array<std::array<Lanes, 3>, kFingerCount> columns{};  ///< of f_x f_y f_z, by contact
-    /// The kernel of this plan; null if it needs more than independent axes.
-    void (*step)(const Plan&, const FingerWrenches&, ObjectState&) noexcept = nullptr;
-  };
-
   // What every frame reads comes first.
   std::array<Pressing, kFingerCount> pressing_{};
   std::size_t contacts_ = 0;
@@ -179,7 +167,7 @@ class Plan {
   std::array<bool, 6> limited_{};
   std::array<Travel, 6> travel_{};  ///< world position [m] or angle [rad]
   Coefficients steps_;
-  Alone alone_;
+  PlanLanes lanes_;
 
   FreeAxes linear_;
   CoupledAxes coupling_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel of most scenes: three fingers, every free axis moves alone, no travel ends, no
+// The kernel of most scenes: three fingers, every free axis moves independently, no travel ends, no
 // torsion. From finger forces to pose in straight code, so that the processor can overlap frames.
 // The same bits as step_any, which does the rest.
 #include "grasp_model/plan.hpp"
@@ -11,6 +11,7 @@ void Plan::step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
                       ObjectState& state) noexcept {
   constexpr int kLanes = linear + (turns ? 1 : 0);
   constexpr int kPairs = (kLanes + 1) / 2;
+  using Pair = PlanLanes::Pair;
   Pair sum0{};
   [[maybe_unused]] Pair sum1{};
   unsigned mask = 0;
@@ -25,7 +26,7 @@ void Plan::step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
         return plan.step_any(wrench_C, state);
       on = true;
       mask |= 1u << i;
-      const auto& columns = plan.alone_.columns[i];
+      const auto& columns = plan.lanes_.columns[i];
       sum0 += (columns[0][0] * force.fx + columns[1][0] * force.fy) + columns[2][0] * force.fz;
       if constexpr (kPairs == 2)
         sum1 += (columns[0][1] * force.fx + columns[1][1] * force.fy) + columns[2][1] * force.fz;
@@ -51,7 +52,7 @@ void Plan::step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
     constexpr int kFirst = 2 * pair;
     constexpr bool kBoth = kFirst + 1 < kLanes;
     constexpr auto p = static_cast<std::size_t>(pair);
-    const Alone& a = plan.alone_;
+    const PlanLanes& a = plan.lanes_;
     const Pair force = sum + a.weight[p];
     const Pair at = Pair{x(kFirst), kBoth ? x(kFirst + 1) : 0.0} - a.anchor[p];
     const Pair speed{v(kFirst), kBoth ? v(kFirst + 1) : 0.0};
@@ -80,32 +81,30 @@ void Plan::compile_lanes() {
       rotations_ == Rotations::three)
     return;
   const bool turns = rotations_ == Rotations::one_axis;
-  const auto put = [](Lanes& lanes, std::size_t lane, double value) {
-    lanes[lane / 2][lane % 2] = value;
-  };
+  constexpr auto put = &PlanLanes::put;
   for (std::size_t lane = 0; lane < row_count_; ++lane) {
     const bool linear = lane < axis_count_;
     const auto axis = linear ? axes_[lane] : axis_;
     const LinearStep& step = linear ? steps_.linear[static_cast<std::size_t>(axis)] : steps_.turn;
-    put(alone_.weight, lane, linear ? weight_W_[axis] : 0.0);
-    put(alone_.anchor, lane, linear ? anchor_m_[axis] : 0.0);
-    put(alone_.force_share, lane, step.force_share);
-    put(alone_.position_share, lane, step.position_share);
-    put(alone_.x_of_v, lane, step.x_of_v);
-    put(alone_.x_of_off, lane, step.x_of_off);
-    put(alone_.v_of_v, lane, step.v_of_v);
-    put(alone_.v_of_off, lane, step.v_of_off);
-    put(alone_.about_rest, lane, step.about_rest ? 1.0 : 0.0);
+    put(lanes_.weight, lane, linear ? weight_W_[axis] : 0.0);
+    put(lanes_.anchor, lane, linear ? anchor_m_[axis] : 0.0);
+    put(lanes_.force_share, lane, step.force_share);
+    put(lanes_.position_share, lane, step.position_share);
+    put(lanes_.x_of_v, lane, step.x_of_v);
+    put(lanes_.x_of_off, lane, step.x_of_off);
+    put(lanes_.v_of_v, lane, step.v_of_v);
+    put(lanes_.v_of_off, lane, step.v_of_off);
+    put(lanes_.about_rest, lane, step.about_rest ? 1.0 : 0.0);
     for (std::size_t i = 0; i < contacts_; ++i)
       for (std::size_t c = 0; c < 3; ++c)
-        put(alone_.columns[i][c], lane,
+        put(lanes_.columns[i][c], lane,
             pressing_[i].moving(static_cast<Eigen::Index>(lane), static_cast<Eigen::Index>(c)));
   }
-  constexpr decltype(alone_.step) kKernels[4][2] = {{nullptr, &step_lanes<0, true>},
+  constexpr decltype(lanes_.step) kKernels[4][2] = {{nullptr, &step_lanes<0, true>},
                                                     {&step_lanes<1, false>, &step_lanes<1, true>},
                                                     {&step_lanes<2, false>, &step_lanes<2, true>},
                                                     {&step_lanes<3, false>, &step_lanes<3, true>}};
-  alone_.step = kKernels[axis_count_][turns ? 1 : 0];
+  lanes_.step = kKernels[axis_count_][turns ? 1 : 0];
 }
 
 }  // namespace isograsp

@@ -149,8 +149,8 @@ void Plan::step_any(const FingerWrenches& wrench_C, ObjectState& state) const no
 }
 
 void Plan::step(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
-  if (alone_.step != nullptr)
-    alone_.step(*this, wrench_C, state);
+  if (lanes_.step != nullptr)
+    lanes_.step(*this, wrench_C, state);
   else
     step_any(wrench_C, state);
 }

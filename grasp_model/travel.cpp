@@ -15,7 +15,7 @@ namespace isograsp {
 namespace {
 
 /// Times after the start, ascending, at which the velocity is zero: at most two. Later ones repeat
-/// the first two with smaller travel. A time beyond the hold is no matter of ours.
+/// the first two with smaller travel. A time beyond the hold does not matter here.
 std::array<double, 2> turning_times(const Oscillator& o, const Motion& start,
                                     double force) noexcept {
   constexpr double kNever = HUGE_VAL;

@@ -24,7 +24,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Qt ends the program where it cannot reach the X server: so this asks before Qt does.
+/// Tries to reach the X server before Qt does, because Qt would end the program if it cannot.
 bool reaches_x_server() {
   xcb_connection_t* connection = xcb_connect(nullptr, nullptr);  // the one that DISPLAY names
   const bool reached = xcb_connection_has_error(connection) == 0;
@@ -41,7 +41,7 @@ bool is_to_end(const ApplicationConfig& config) {
   return config.stop != nullptr && *config.stop;
 }
 
-/// Closes the windows as a therapist does, whatever is open above them; true once the session is
+/// Closes the windows as a therapist does, also below an open dialog; true once the session is
 /// written to its end.
 bool has_closed(Windows& windows) {
   windows.therapist().close();
@@ -82,8 +82,7 @@ Result<void> run_application(const ApplicationConfig& config) {
   while (std::exchange(again, false)) {
     const auto settings_path = SettingsFile::usual_path();
     {
-      const SettingsFile settings(
-          settings_path);  // a question before the windows wears their looks
+      const SettingsFile settings(settings_path);  // of the looks of questions before the windows
       speak(settings.now().language);
       dress(application, settings.now().font_percent);
     }
@@ -99,7 +98,8 @@ Result<void> run_application(const ApplicationConfig& config) {
       if (!config.make_demonstration) return;
       maker.run([make = config.make_demonstration] { return make(); },
                 [&](const Result<std::string>& made) {
-                  if (!made) return windows.therapist().demonstration_failed(shown(made.error()));
+                  if (!made)
+                    return windows.therapist().demonstration_failed(translated(made.error()));
                   database = *made;
                   again = true;
                   windows.therapist().close();

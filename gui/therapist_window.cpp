@@ -75,7 +75,7 @@ TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresen
   show_who_is_in();
 }
 
-/// What is said, and what lets a window close that was asked to.
+/// Connects what is shown, and closing a window that waits until its work is done.
 void TherapistWindow::watch() {
   connect(&presenter_.flow(), &SessionFlow::changed, this, &TherapistWindow::refresh);
   connect(&presenter_.flow(), &SessionFlow::failed, this, &TherapistWindow::say);
@@ -85,7 +85,7 @@ void TherapistWindow::watch() {
   const auto close_at_last = [this] {
     if (closing_) close();
   };
-  // Whoever waits for files, or for a session to be stored, wants to know that there are none.
+  // Someone who waits for files, or for a session to be stored, is told that there are none.
   const auto stay = [this] { closing_ = false; };
   connect(&presenter_.flow(), &SessionFlow::settled, this, [this, close_at_last, stay] {
     if (presenter_.state().connection.lost) stay();
@@ -144,17 +144,17 @@ QWidget* TherapistWindow::make_header() {
 }
 
 void TherapistWindow::arrange_header(QWidget& header, QLabel* wordmark) {
-  auto* said = new QHBoxLayout;  // how things stand, in a line of its own with large letters
-  said->setSpacing(12);
-  said->addWidget(light_);
-  said->addWidget(sentence_, 1);
+  auto* state = new QHBoxLayout;  // of the session; with large letters in a line of its own
+  state->setSpacing(12);
+  state->addWidget(light_);
+  state->addWidget(sentence_, 1);
   auto* top = new QHBoxLayout;
   top->setSpacing(12);
   top->addWidget(wordmark);
   top->addSpacing(10);
   const bool in_a_row = side_by_side() == QBoxLayout::LeftToRight;
   if (in_a_row)
-    top->addLayout(said, 1);
+    top->addLayout(state, 1);
   else
     top->addStretch(1);
   top->addWidget(device_light_);
@@ -166,7 +166,7 @@ void TherapistWindow::arrange_header(QWidget& header, QLabel* wordmark) {
   column->setContentsMargins(16, 10, 16, 10);
   column->setSpacing(6);
   column->addLayout(top);
-  if (!in_a_row) column->addLayout(said);
+  if (!in_a_row) column->addLayout(state);
   column->addWidget(message_);
 }
 
@@ -280,7 +280,7 @@ void TherapistWindow::add_shortcuts() {
     presenter_.trials().stop();
     presenter_.protocol().stand_by();
   });
-  keys_.pop_back();  // stopping is never locked away
+  keys_.pop_back();  // a trial can be stopped even while the windows are locked
   add(QKeySequence::Find, [this] {
     show_page(Page::start);
     findChild<QLineEdit*>("patient_search")->setFocus();

@@ -47,7 +47,7 @@ class TherapistWindow final : public QMainWindow {
   void demonstration_failed(const QString& why);
   /// Called when this window has closed.
   std::function<void()> on_closed;
-  /// Nothing is under way that lives in this window alone: paper, a demonstration, its own end.
+  /// No work is running that needs this window: printing, making a demonstration clinic, closing.
   [[nodiscard]] bool may_be_replaced() const;
   /// Stores what was typed; another window takes its place.
   void leave();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kAskAgain_ms = 200;
 
-/// What somebody has typed and not sent yet stands in the same field of the other window.
+/// Copies text that was typed and not sent yet into the same fields of the new window.
 void carry_typed(const QWidget& from, const QWidget& to) {
   for (const auto* old : from.findChildren<QLineEdit*>()) {
     if (!old->isModified() || old->objectName().startsWith("qt_")) continue;
@@ -72,12 +72,12 @@ void Windows::watch_staff() {
                    [this](const QString& why) { therapist_->say(why); });
 }
 
-/// The next person has rights and eyes of their own.
+/// Another user has other rights and another size of letters.
 void Windows::follow_staff() {
   presenter_.choices().name_operator(staff_.user());
   const bool was_closed = std::exchange(closed_, staff_.closed());
   if (closed_) return person_file_.forget();
-  // Whoever comes back has not seen what was said before.
+  // A user who comes back has not seen earlier messages.
   if (was_closed && !backups_.problem().isEmpty()) therapist_->say(backups_.problem());
   if (!reads_only_ || staff_.busy()) return;
   const bool reads_only = look_only_ || !staff_.allows(storage::Right::write_records);
@@ -86,7 +86,7 @@ void Windows::follow_staff() {
     person_file_.load(presenter_.state().choices.patient);
 }
 
-/// What leaves the database stands in its audit log, like what happens in it.
+/// What leaves the database is written into its audit log, as are changes of it.
 void Windows::log_what_leaves() {
   ReportWork& report = clinic_.report();
   const auto log_report = [this](bool done) {
@@ -117,7 +117,8 @@ void Windows::make_therapist() {
   };
 }
 
-/// Words and letters are in every control: the window is made anew, at the same page and place.
+/// Every control has words and letters of its own, so the window is made anew, at the same page and
+/// place.
 void Windows::apply_settings() {
   const Settings& now = settings_.now();
   const bool anew = now.language != applied_.language || now.font_percent != applied_.font_percent;

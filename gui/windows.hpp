@@ -35,7 +35,7 @@ class Windows {
   [[nodiscard]] SessionPresenter& presenter() noexcept { return presenter_; }
   [[nodiscard]] SettingsFile& settings() noexcept { return settings_; }
   [[nodiscard]] Staff& staff() noexcept { return staff_; }
-  /// Another one after a change of language or letters: the session goes on behind it.
+  /// Replaced by another one after a change of language or size of letters; the session goes on.
   [[nodiscard]] TherapistWindow& therapist() noexcept { return *therapist_; }
   /// Null until it was shown, or where there is no OpenGL.
   [[nodiscard]] PatientWindow* patient() noexcept { return patient_.get(); }

@@ -23,22 +23,23 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
   auto csv = CsvReader::open(path);
   if (!csv) return csv.error();
   FingerForcesReader reader(std::move(*csv));
-  reader.time_ = reader.csv_.find(columns::t_s);
-  if (reader.time_ < 0)
+  const auto time = reader.csv_.find(columns::t_s);
+  if (!time)
     return reader.csv_.error_here(columns::t_s, "the column is missing"_text,
                                   "add the time of each row in seconds"_text);
+  reader.time_ = *time;
   reader.fields_.resize(reader.csv_.columns().size());
   for (const Finger finger : kFingers) {
     const std::size_t f = index_of(finger);
+    auto& axes = reader.axes_[f];
     int forces = 0;
     for (std::size_t axis = 0; axis < 6; ++axis) {
-      reader.axes_[f][axis] = reader.csv_.find(column_of(finger, axis));
-      if (axis < 3 && reader.axes_[f][axis] >= 0) ++forces;
+      axes[axis] = reader.csv_.find(column_of(finger, axis));
+      if (axis < 3 && axes[axis]) ++forces;
     }
     for (std::size_t axis = 0; axis < 6; ++axis) {
-      const bool needed = axis < 3 && (forces > 0 || required[f] || reader.axes_[f][3] >= 0 ||
-                                       reader.axes_[f][4] >= 0 || reader.axes_[f][5] >= 0);
-      if (needed && reader.axes_[f][axis] < 0)
+      const bool needed = axis < 3 && (forces > 0 || required[f] || axes[3] || axes[4] || axes[5]);
+      if (needed && !axes[axis])
         return reader.csv_.error_here(column_of(finger, axis), "the column is missing"_text,
                                       "add the column"_text);
     }
@@ -59,7 +60,7 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
 Result<bool> FingerForcesReader::next(FingerForcesRow& row) {
   const auto more = csv_.next(fields_);
   if (!more || !*more) return more;
-  row.t_s = fields_[static_cast<std::size_t>(time_)];
+  row.t_s = fields_[time_];
   if (std::isnan(row.t_s))
     return csv_.error_here(columns::t_s, "the time is empty"_text, "give every row a time"_text);
   if (previous_t_s_ && row.t_s <= *previous_t_s_)
@@ -75,9 +76,9 @@ Result<bool> FingerForcesReader::next(FingerForcesRow& row) {
     int empty = 0;
     std::size_t an_empty_axis = 0;
     for (std::size_t axis = 0; axis < 6; ++axis) {
-      const int column = axes_[f][axis];
-      if (column < 0) continue;
-      const double value = fields_[static_cast<std::size_t>(column)];
+      const auto& column = axes_[f][axis];
+      if (!column) continue;
+      const double value = fields_[*column];
       ++columns;
       if (std::isnan(value)) {
         ++empty;
@@ -103,8 +104,8 @@ template <class NextTime>
 Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) {
   auto csv = CsvReader::open(path);
   if (!csv) return csv.error();
-  const int time = csv->find(columns::t_s);
-  if (time < 0)
+  const auto time = csv->find(columns::t_s);
+  if (!time)
     return csv->error_here(columns::t_s, "the column is missing"_text,
                            "add the time of each row in seconds"_text);
   double previous = 0.0;
@@ -114,7 +115,7 @@ Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) 
   TimeGrid grid;
   for (std::size_t row = 0;; ++row) {
     double t = 0.0;
-    const auto more = next_time(*csv, time, t);
+    const auto more = next_time(*csv, *time, t);
     if (!more) return more.error();
     if (!*more) {
       if (row < 2)
@@ -143,15 +144,15 @@ Result<TimeGrid> scan_times(const std::string& path, const NextTime& next_time) 
 }  // namespace
 
 Result<TimeGrid> read_time_grid(const std::string& path) {
-  auto grid =
-      scan_times(path, [](CsvReader& csv, int time, double& t_s) { return csv.next(time, t_s); });
+  auto grid = scan_times(
+      path, [](CsvReader& csv, std::size_t time, double& t_s) { return csv.next(time, t_s); });
   if (grid) return grid;
   // What is wrong first in the file is what to name, and it may stand in another column.
   std::vector<double> fields;
-  return scan_times(path, [&fields](CsvReader& csv, int time, double& t_s) {
+  return scan_times(path, [&fields](CsvReader& csv, std::size_t time, double& t_s) {
     fields.resize(csv.columns().size());
     auto more = csv.next(fields);
-    t_s = fields[static_cast<std::size_t>(time)];
+    t_s = fields[time];
     return more;
   });
 }

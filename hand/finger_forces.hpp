@@ -33,7 +33,9 @@ class FingerForcesReader {
   /// False at the end. Checks increasing time and half-empty samples.
   [[nodiscard]] Result<bool> next(FingerForcesRow& row);
 
-  [[nodiscard]] bool has(Finger finger) const noexcept { return axes_[index_of(finger)][0] >= 0; }
+  [[nodiscard]] bool has(Finger finger) const noexcept {
+    return axes_[index_of(finger)][0].has_value();
+  }
   [[nodiscard]] const std::vector<std::string>& comments() const noexcept {
     return csv_.comments();
   }
@@ -43,8 +45,9 @@ class FingerForcesReader {
  private:
   explicit FingerForcesReader(CsvReader csv) : csv_(std::move(csv)) {}
   CsvReader csv_;
-  int time_ = -1;
-  std::array<std::array<int, 6>, kFingerCount> axes_{};  ///< column per axis, -1: absent
+  std::size_t time_ = 0;
+  /// Column of each axis; nothing: the file has none.
+  std::array<std::array<std::optional<std::size_t>, 6>, kFingerCount> axes_{};
   std::vector<double> fields_;
   std::optional<double> previous_t_s_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person in front of the device can see, and what their fingers answer. The only door
-// between the screen and the hand: a person (real or virtual) knows the task through it alone.
+// What a person in front of the device can see, and what their fingers answer. A virtual person
+// gets to know the task through this alone.
 #pragma once
 
 #include <array>

@@ -13,7 +13,7 @@ namespace {
 constexpr double kPlace_s = 0.5;
 constexpr double kNow_s = 0.5;   ///< time constant of where a finger presses now
 constexpr double kPush_s = 1.0;  ///< time constant of the push
-/// Snapshots further apart than this count as this far: nothing is made of a gap.
+/// Snapshots further apart than this count as this far apart: a gap has no larger weight.
 constexpr double kLongestStep_s = 0.1;
 constexpr double kSlipSeen_s = 2.0;  ///< long enough to read it
 

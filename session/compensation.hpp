@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What spoils a trial while it runs: arm or trunk that push the platform, fingers that slide on
-// their supports, or on the virtual object. Watched from snapshots, for the eye of the therapist;
+// Watches for what makes a trial worthless while it runs: arm or trunk push the platform, fingers
+// slide on their supports or on the virtual object. Reads snapshots, for display to the therapist;
 // deterministic, no clock.
 #pragma once
 

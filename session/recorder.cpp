@@ -178,7 +178,7 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
   const auto rest = resting_force(signals_);
   if (!rest) return std::nullopt;
   RestOutcome outcome;
-  outcome.words = describe(*rest);
+  outcome.words = words_of(*rest);
   RestRecord& record = outcome.rest;
   record.trial_id = trial_id_;
   record.session_time_s = item.session_time_s;
@@ -232,7 +232,7 @@ void Recorder::take_zero(const RecordItem& item, const InstrumentZero& measured,
 
 void Recorder::refuse_zero(const RecordItem& item, const ZeroRefusal& refusal,
                            ZeroOutcome& outcome) {
-  outcome.reason = describe(refusal);
+  outcome.reason = words_of(refusal);
   outcome.only_changed = refusal.why == ZeroRefusal::Why::changed;
   stored(store_->add_event({0, item.session_time_s, "zero refused", outcome.reason}));
 }

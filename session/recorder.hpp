@@ -30,7 +30,8 @@ class Recorder {
 
   /// Takes all that waits in the ring; recorder thread. False once the device has finished.
   bool pump();
-  /// Is the database still there? News if not; recorder thread, now and then.
+  /// Checks whether the database is still there; news if it is not. Recorder thread, from time to
+  /// time.
   void look();
 
   /// Owner thread.

@@ -57,7 +57,7 @@ std::optional<RestingForce> resting_force(const Signals& trial) {
   return rest;
 }
 
-std::string describe(const RestingForce& rest) {
+std::string words_of(const RestingForce& rest) {
   std::string text = "At rest";
   std::string pressing;
   std::string pulling;

@@ -26,7 +26,8 @@ struct RestingForce {
 /// saturated). Nothing if there are fewer than two.
 [[nodiscard]] std::optional<RestingForce> resting_force(const Signals& trial);
 
-/// What the values suggest, in one or two plain sentences. Tone is data: nothing is refused.
-[[nodiscard]] std::string describe(const RestingForce& rest);
+/// What the values suggest, in one or two plain sentences. A muscle tone is a result: nothing is
+/// refused because of it.
+[[nodiscard]] std::string words_of(const RestingForce& rest);
 
 }  // namespace isograsp::session

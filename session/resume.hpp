@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An interrupted protocol is taken up again: what was done of it, told to the agenda once more.
+// Continues an interrupted protocol: what was done of it is repeated to a new agenda.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,8 @@ namespace isograsp::session {
 
 namespace {
 
-/// Fresh sequences and waits of each trial, from the seed of the session and the trial's number.
+/// The seed of a trial, for its sequences and waits: from that of the session and the trial's
+/// number.
 std::uint64_t trial_seed(std::uint64_t session_seed, std::size_t trials_before) {
   constexpr std::uint64_t kTrialsPerSession = 1000;
   return session_seed * kTrialsPerSession + trials_before + 1;

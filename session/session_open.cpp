@@ -100,8 +100,8 @@ Result<void> Session::Opening::check_request() {
   auto parsed = Uri::parse(config.device_uri);
   if (!parsed) return parsed.error();
   uri = *std::move(parsed);
-  const std::string said = uri.text_or("hand", std::string(name_of(config.hand)));
-  if (auto same = check_hand(config.device_uri, said, config.hand); !same) return same;
+  const std::string named_hand = uri.text_or("hand", std::string(name_of(config.hand)));
+  if (auto same = check_hand(config.device_uri, named_hand, config.hand); !same) return same;
   if (auto good = storage::check_patient_code(config.patient_code); !good) return good;
   for (const storage::SessionAnswer& answer : config.answers)
     if (auto good = storage::check_answer(answer); !good) return good;

@@ -17,13 +17,6 @@ bool same_value(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-bool same_measure(const Measure& a, const Measure& b) {
-  return a.name == b.name && a.channel == b.channel && a.value.has_value() == b.value.has_value() &&
-         (!a.value || same_value(*a.value, *b.value)) && a.unit == b.unit &&
-         a.version == b.version && a.samples == b.samples && a.excluded == b.excluded &&
-         a.reason == b.reason;
-}
-
 /// `rows`: row-major, columns of one group; they stand in `read` from `row` and `column` on.
 bool same_rows(const Signals& read, std::size_t row, std::size_t column, std::size_t columns,
                const std::vector<double>& rows) {
@@ -77,7 +70,7 @@ Result<void> read_back(const std::string& database, const storage::TrialRecord& 
         ended.samples));
   const auto stored = (*store)->measures(trial->id);
   if (!stored) return wrong(stored.error().what);
-  if (!std::equal(stored->begin(), stored->end(), measures.begin(), measures.end(), same_measure))
+  if (!std::equal(stored->begin(), stored->end(), measures.begin(), measures.end()))
     return wrong("its measures are not those that were stored"_text);
   const auto signals = (*store)->signals(*trial);
   if (!signals) return wrong(signals.error().what);
@@ -95,7 +88,7 @@ SessionWriter::SessionWriter(std::unique_ptr<storage::SessionStore> store,
       answers_(std::move(answers)),
       safe_(safe) {
   numbers_.session = session_.id;
-  // Asked now: later it may not be there to be asked.
+  // Read now: later the file may be gone.
   if (const auto id = store_->database_id()) database_id_ = *id;
 }
 

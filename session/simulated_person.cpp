@@ -133,7 +133,7 @@ Result<std::unique_ptr<virtual_patient::VirtualPatient>> simulated_person(
   if (!traits) return traits.error();
   const auto seed = seed_of(uri);
   if (!seed) return seed.error();
-  // The noise of another day is another noise.
+  // On another day the noise is another one, too.
   const auto day = uri.number_or("day", 0.0, 0.0, kLatestDay);
   const auto person = static_cast<std::uint64_t>(*seed);
   const bool dated = uri.parameters.count("day") > 0;

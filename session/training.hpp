@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What earlier sessions of a patient say about today's: the level of each training task and the
-// baseline of each force. Only sessions of the same hand and the same kind of device (real, or
+// What follows from earlier sessions of a patient for today's: the level of each training task and
+// the baseline of each force. Only sessions of the same hand and the same kind of device (real, or
 // simulated) count, and no recordings.
 #pragma once
 

@@ -27,7 +27,7 @@ class WorkLimits {
   void worked(double recorded_s) { work_s_ += recorded_s; }
   /// The measures of a trial, of which maxima count; none of one that does not count.
   void tried(std::span<const Measure> measures);
-  /// The therapist helped in the last trial: its maximum is nobody's. False takes that back.
+  /// The therapist helped in the last trial: its maximum does not count. False takes that back.
   void helped(bool helped);
 
   [[nodiscard]] bool straps_due(double session_time_s) const noexcept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes next in a protocol, decided from what came of the steps before. Pure: same protocol,
-// seed and outcomes, same next step, so that an interrupted session can be taken up again by
-// telling it its outcomes once more.
+// What comes next in a protocol, decided from the outcomes of the steps before. Pure: the same
+// protocol, seed and outcomes give the same next step, so that an interrupted session can be
+// continued by repeating its outcomes to a new agenda.
 #pragma once
 
 #include <map>

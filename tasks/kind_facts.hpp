@@ -124,7 +124,7 @@ struct KindFacts {
   bool all_directions = false;    ///< one maximum beside the other: the report draws a compass
   bool follows_curve = false;     ///< one force is on one moving target from beginning to end
   bool unforeseen_waits = false;  ///< before what is asked: the screen must not tell them
-  bool way_drawn = false;         ///< the report draws the object's way past its targets
+  bool path_drawn = false;        ///< the report draws the object's path past its targets
   bool carries = false;           ///< the object is taken, brought to a place and let go there
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Versions of measures: one place for all of them. A corrected measure ends no course: results of
-// an older version are scored again from their signals.
+// Versions of measures: one place for all of them. A corrected measure does not interrupt a series:
+// results of an older version are scored again from their signals.
 #pragma once
 
 #include <span>

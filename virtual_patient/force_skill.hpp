@@ -16,7 +16,8 @@ namespace isograsp::virtual_patient {
 [[nodiscard]] FingerForces shared(ForceChannel channel, double force_N) noexcept;
 /// The largest force of a channel that a rested person can make [N].
 [[nodiscard]] double largest_force_N(const PatientTraits& traits, ForceChannel channel) noexcept;
-/// A rise from 0 to 1 with least jerk (Flash, Hogan 1985) at u of its way; 0 before, 1 after.
+/// A rise from 0 to 1 with least jerk (Flash, Hogan 1985), at the share u of its time; 0 before, 1
+/// after.
 [[nodiscard]] double least_jerk(double u) noexcept;
 
 /// What becomes of a force level that is not seen: (1 + error) - loss, growing with time.

@@ -51,11 +51,11 @@ PosePlan::PosePlan(const Pose& from, const Pose& to, double start_s, double dura
 
 PosePlan::Point PosePlan::at(double t_s) const noexcept {
   const double u = std::clamp((t_s - start_s_) / duration_s_, 0.0, 1.0);
-  const double way = u * u * u * (10.0 + u * (6.0 * u - 15.0));
+  const double share = u * u * u * (10.0 + u * (6.0 * u - 15.0));
   const double rate = 30.0 * u * u * (1.0 - u) * (1.0 - u) / duration_s_;
   Point point;
-  point.X_WO.p = from_.p + way * (to_.p - from_.p);
-  point.X_WO.q = from_.q * so3::exp(way * turn_);
+  point.X_WO.p = from_.p + share * (to_.p - from_.p);
+  point.X_WO.q = from_.q * so3::exp(share * turn_);
   point.v_WO_W = rate * (to_.p - from_.p);
   point.w_WO_O = rate * turn_;
   return point;

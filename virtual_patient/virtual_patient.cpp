@@ -154,10 +154,10 @@ FingerForces VirtualPatient::Mind::recalled(ForceChannel channel) const noexcept
 }
 
 FingerForces VirtualPatient::Mind::risen(const FingerForces& goal_C, double t_s) const noexcept {
-  const double way = least_jerk((t_s - acting_s) / kRise_s);
+  const double share = least_jerk((t_s - acting_s) / kRise_s);
   FingerForces forces;
   for (std::size_t f = 0; f < kFingerCount; ++f)
-    forces[f] = begun[f] + way * (goal_C[f] - begun[f]);
+    forces[f] = begun[f] + share * (goal_C[f] - begun[f]);
   return forces;
 }
 

@@ -208,18 +208,18 @@ void add_db_person(Subcommand db) {
   consent.requires_subcommand();
   add_one(consent, "list", "What was said, in order", "consent list clinic.db --patient P-0427",
           list_consents);
-  Subcommand said = add_one(consent, "add", "Record it",
-                            "consent add clinic.db --patient P-0427 --purpose research --basis "
-                            "consent --state given --date 2026-03-05",
-                            record_consent);
-  said.option("--purpose", options->consent.purpose, "treatment, research or teaching").required();
-  said.option("--basis", options->consent.basis,
-              "consent, contract, legal_obligation, vital_interests, public_interest, "
-              "legitimate_interest, care or research")
+  Subcommand add = add_one(consent, "add", "Record it",
+                           "consent add clinic.db --patient P-0427 --purpose research --basis "
+                           "consent --state given --date 2026-03-05",
+                           record_consent);
+  add.option("--purpose", options->consent.purpose, "treatment, research or teaching").required();
+  add.option("--basis", options->consent.basis,
+             "consent, contract, legal_obligation, vital_interests, public_interest, "
+             "legitimate_interest, care or research")
       .required();
-  said.option("--state", options->consent.state, "given, refused or withdrawn").required();
-  said.option("--date", options->consent.on_date, "Day it was said, e.g. 2026-03-05").required();
-  said.option("--text", options->consent.text, "Such as the version of the form");
+  add.option("--state", options->consent.state, "given, refused or withdrawn").required();
+  add.option("--date", options->consent.on_date, "Day it was said, e.g. 2026-03-05").required();
+  add.option("--text", options->consent.text, "Such as the version of the form");
 
   Subcommand erased =
       add_one(db, "erase", "Restrict or erase a person's records on request",

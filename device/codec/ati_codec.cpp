@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include <Eigen/LU>
@@ -74,27 +75,27 @@ AtiOpcode ati_opcode(const BusFrame& frame) noexcept {
 AtiWord ati_word(const BusFrame& frame) noexcept {
   if (!frame.is_standard()) return AtiWord::foreign;
   struct Lengths {
-    int request;  ///< -1: there is none
-    int answer;
+    std::optional<int> request;  ///< nothing: there is none
+    std::optional<int> answer;
   };
   const auto lengths = [&]() -> Lengths {
     switch (ati_opcode(frame)) {
       case AtiOpcode::gages: return {0, 8};
-      case AtiOpcode::odd_gages: return {-1, 6};
+      case AtiOpcode::odd_gages: return {{}, 6};
       case AtiOpcode::matrix_row: return {1, 8};
       case AtiOpcode::row_middle:
-      case AtiOpcode::row_end: return {-1, 8};
+      case AtiOpcode::row_end: return {{}, 8};
       case AtiOpcode::serial_number:
       case AtiOpcode::counts: return {0, 8};
       case AtiOpcode::calibration: return {1, 1};
       case AtiOpcode::units: return {0, 2};
       case AtiOpcode::diagnostic: return {1, 2};
-      case AtiOpcode::reset: return {0, -1};
+      case AtiOpcode::reset: return {0, {}};
       case AtiOpcode::set_base:
       case AtiOpcode::set_baud: return {1, 0};
       case AtiOpcode::firmware: return {0, 4};
     }
-    return {-1, -1};
+    return {};
   }();
   if (frame.length == lengths.request)
     return lengths.request == lengths.answer ? AtiWord::either : AtiWord::request;

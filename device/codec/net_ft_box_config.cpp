@@ -277,7 +277,7 @@ std::string encode_net_ft_page(const NetFtBoxConfig& config) {
   }
   if (config.filter_Hz)
     add("setuserfilter", std::to_string(net_ft_filter_code(*config.filter_Hz).value_or(0)));
-  add("comrdtrate", number(config.rate_Hz));
+  add("comrdtrate", number(config.rate_Hz.value_or(0.0)));
   add("comrdtbsiz", "1");
   return text + "</netft>\n";
 }

@@ -25,10 +25,10 @@ struct NetFtAddress {
 struct NetFtBoxConfig {
   /// Axia if the product's name says so; every other name, or none, is read as a Net box.
   NetFtProduct product = NetFtProduct::net_box;
-  std::string product_name;   ///< prodname; empty: the page does not tell
-  std::string serial_number;  ///< cfgcalsn, of the transducer's calibration: "FT27462"
-  NetFtScale scale;           ///< cfgcpf, cfgcpt, scfgfu, scfgtu
-  double rate_Hz = 0.0;       ///< comrdtrate, of the records; 0: the page does not tell
+  std::string product_name;       ///< prodname; empty: the page does not tell
+  std::string serial_number;      ///< cfgcalsn, of the transducer's calibration: "FT27462"
+  NetFtScale scale;               ///< cfgcpf, cfgcpt, scfgfu, scfgtu
+  std::optional<double> rate_Hz;  ///< comrdtrate, of the records; nothing: the page does not tell
   /// setuserfilter of a Net box [Hz]; 0: no filter; none: the page does not tell in words that are
   /// known here (Axia).
   std::optional<double> filter_Hz;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a sensor with an ATI NETCANOEM board is reached and set (SensorConfig::way).
+// How a sensor with an ATI NETCANOEM board is reached and set (SensorConfig::connection).
 #pragma once
 
 #include <cstdint>

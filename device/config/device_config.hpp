@@ -46,20 +46,21 @@ struct ClinicCalibration {
 };
 
 struct SensorConfig {
-  std::any way;  ///< how it is reached and set: RftSensor, AtiSensor, …, as its family has it
+  std::any
+      connection;  ///< how it is reached and set: RftSensor, AtiSensor, …, as its family has it
   std::string serial_number;                                   ///< empty: any sensor is accepted
   Vec6 range = (Vec6() << 150, 150, 200, 4, 4, 4).finished();  ///< rating [N, N m], sensor axes
   std::optional<ClinicCalibration> calibration;
   Mounting mounting;
 
   /// @pre the family of the sensor has this type
-  template <class Way>
-  [[nodiscard]] const Way& as() const {
-    return std::any_cast<const Way&>(way);
+  template <class Connection>
+  [[nodiscard]] const Connection& as() const {
+    return std::any_cast<const Connection&>(connection);
   }
-  template <class Way>
-  [[nodiscard]] Way& as() {
-    return std::any_cast<Way&>(way);
+  template <class Connection>
+  [[nodiscard]] Connection& as() {
+    return std::any_cast<Connection&>(connection);
   }
   /// By the clinic's calibration, if there is one; sensor frame. Real-time safe.
   [[nodiscard]] Wrench corrected(const Wrench& wrench_S) const noexcept;

@@ -55,7 +55,7 @@ struct FamilyFacts {
   // The configuration (docs/devices.md).
   /// Low-pass in the sensors that is used if none is named [Hz]; 0: none.
   double filter_Hz = 0.0;
-  /// A sensor as its maker or this program recommends it: `way` and `range`.
+  /// A sensor as its maker or this program recommends it: `connection` and `range`.
   SensorConfig (*standard)(std::size_t finger) = nullptr;
   /// Reads the keys that hold for all three sensors; nullptr: there are none.
   void (*read_device)(TomlReader& root, DeviceConfig& config) = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a JR3 sensor on a PCI card is reached (SensorConfig::way).
+// How a JR3 sensor on a PCI card is reached (SensorConfig::connection).
 #pragma once
 
 namespace isograsp {

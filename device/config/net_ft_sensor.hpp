@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an ATI Net F/T box is reached (SensorConfig::way).
+// How an ATI Net F/T box is reached (SensorConfig::connection).
 #pragma once
 
 #include <string>

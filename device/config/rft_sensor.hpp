@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a Robotous RFT sensor is reached and set (SensorConfig::way).
+// How a Robotous RFT sensor is reached and set (SensorConfig::connection).
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ namespace {
 
 SensorConfig standard_ati(std::size_t finger) {
   SensorConfig sensor;
-  sensor.way = AtiSensor{static_cast<std::uint8_t>(0x20 + finger), 0};
+  sensor.connection = AtiSensor{static_cast<std::uint8_t>(0x20 + finger), 0};
   sensor.range << 145, 145, 290, 5, 5, 5;
   return sensor;
 }

@@ -15,7 +15,7 @@ namespace {
 
 SensorConfig standard_jr3_comedi(std::size_t finger) {
   SensorConfig sensor;
-  sensor.way = Jr3ComediSensor{static_cast<unsigned>(finger)};
+  sensor.connection = Jr3ComediSensor{static_cast<unsigned>(finger)};
   sensor.range << 150, 150, 300, 8, 8, 8;
   return sensor;
 }

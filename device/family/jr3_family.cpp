@@ -14,7 +14,7 @@ namespace {
 
 SensorConfig standard_jr3(std::size_t finger) {
   SensorConfig sensor;
-  sensor.way = Jr3Sensor{static_cast<std::uint8_t>(1 + finger)};
+  sensor.connection = Jr3Sensor{static_cast<std::uint8_t>(1 + finger)};
   sensor.range << 150, 150, 300, 8, 8, 8;
   return sensor;
 }

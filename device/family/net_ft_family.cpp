@@ -16,7 +16,7 @@ namespace {
 
 SensorConfig standard_net_ft(std::size_t finger) {
   SensorConfig sensor;
-  sensor.way = NetFtSensor{"192.168.1." + std::to_string(1 + finger)};
+  sensor.connection = NetFtSensor{"192.168.1." + std::to_string(1 + finger)};
   sensor.range << 145, 145, 290, 5, 5, 5;
   return sensor;
 }

@@ -16,7 +16,7 @@ namespace {
 
 SensorConfig standard_rft(std::size_t finger) {
   SensorConfig sensor;
-  sensor.way = RftSensor{kRftIds[finger], "", {}};
+  sensor.connection = RftSensor{kRftIds[finger], "", {}};
   return sensor;
 }
 
@@ -96,9 +96,9 @@ std::unique_ptr<SensorSession> make_rft_session(const DeviceConfig& config, std:
   const auto& rft = sensor.as<RftSensor>();
   RftSession::Settings settings;
   if (rft.address.empty())
-    settings.way = rft.ids;
+    settings.on_bus = rft.ids;
   else
-    settings.way = RftPeer{static_cast<std::uint32_t>(finger)};
+    settings.on_bus = RftPeer{static_cast<std::uint32_t>(finger)};
   settings.address = rft.address;
   settings.serial_number = sensor.serial_number;
   settings.divisors = rft.divisors;

@@ -87,8 +87,8 @@ void AtiSession::forget() noexcept {
   awaits_ = Awaits::nothing;
 }
 
-SensorSession::Heard AtiSession::hear(int step, const BusFrame& frame, Timestamp stamp,
-                                      Measurement& out) noexcept {
+SensorSession::Heard AtiSession::hear(std::optional<int> step, const BusFrame& frame,
+                                      Timestamp stamp, Measurement& out) noexcept {
   switch (ati_word(frame)) {
     case AtiWord::either: return hear_slot(step, frame.data[0]);
     case AtiWord::answer: return hear_answer(step, frame, stamp, out);
@@ -98,7 +98,7 @@ SensorSession::Heard AtiSession::hear(int step, const BusFrame& frame, Timestamp
   }
 }
 
-SensorSession::Heard AtiSession::hear_slot(int step, std::uint8_t slot) noexcept {
+SensorSession::Heard AtiSession::hear_slot(std::optional<int> step, std::uint8_t slot) noexcept {
   if (step == AtiStep::calibration) {
     if (slot == slot_) return Heard::answer;
     objection_ = Objection::slot;
@@ -110,8 +110,8 @@ SensorSession::Heard AtiSession::hear_slot(int step, std::uint8_t slot) noexcept
   return Heard::nothing;
 }
 
-SensorSession::Heard AtiSession::hear_answer(int step, const BusFrame& frame, Timestamp stamp,
-                                             Measurement& out) noexcept {
+SensorSession::Heard AtiSession::hear_answer(std::optional<int> step, const BusFrame& frame,
+                                             Timestamp stamp, Measurement& out) noexcept {
   switch (ati_opcode(frame)) {
     case AtiOpcode::gages:
     case AtiOpcode::odd_gages: {
@@ -123,11 +123,11 @@ SensorSession::Heard AtiSession::hear_answer(int step, const BusFrame& frame, Ti
     case AtiOpcode::matrix_row:
     case AtiOpcode::row_middle:
     case AtiOpcode::row_end: {
-      if (step < AtiStep::first_row || step > AtiStep::last_row) return Heard::nothing;
+      if (!step || *step < AtiStep::first_row || *step > AtiStep::last_row) return Heard::nothing;
       const auto row = assembly_.push(frame);
       if (!row) return Heard::nothing;
       for (std::size_t i = 0; i < row->size(); ++i)
-        calibration_.matrix(step - AtiStep::first_row, static_cast<Eigen::Index>(i)) = (*row)[i];
+        calibration_.matrix(*step - AtiStep::first_row, static_cast<Eigen::Index>(i)) = (*row)[i];
       return Heard::answer;
     }
     case AtiOpcode::serial_number:

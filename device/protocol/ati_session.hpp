@@ -38,7 +38,7 @@ class AtiSession final : public SensorSession {
 
   [[nodiscard]] int steps() const noexcept override;
   [[nodiscard]] std::optional<Question> question(int step) const noexcept override;
-  [[nodiscard]] Heard hear(int step, const BusFrame& frame, Timestamp stamp,
+  [[nodiscard]] Heard hear(std::optional<int> step, const BusFrame& frame, Timestamp stamp,
                            Measurement& out) noexcept override;
   [[nodiscard]] std::optional<BusFrame> start(Timestamp now) noexcept override;
   [[nodiscard]] std::optional<BusFrame> pace(Timestamp now) noexcept override;
@@ -49,9 +49,9 @@ class AtiSession final : public SensorSession {
   [[nodiscard]] Text refusal() const override;
   [[nodiscard]] Text no_answer_remedy() const override;
 
-  [[nodiscard]] Heard hear_answer(int step, const BusFrame& frame, Timestamp stamp,
+  [[nodiscard]] Heard hear_answer(std::optional<int> step, const BusFrame& frame, Timestamp stamp,
                                   Measurement& out) noexcept;
-  [[nodiscard]] Heard hear_slot(int step, std::uint8_t slot) noexcept;
+  [[nodiscard]] Heard hear_slot(std::optional<int> step, std::uint8_t slot) noexcept;
   [[nodiscard]] Heard hear_first_reading(const AtiReading& reading) noexcept;
   [[nodiscard]] Heard hear_reading(const AtiReading& reading, Timestamp stamp,
                                    Measurement& out) noexcept;

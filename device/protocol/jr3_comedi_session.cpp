@@ -48,8 +48,8 @@ std::optional<SensorSession::Question> Jr3ComediSession::question(int) const noe
   return Question{ask(Jr3ComediQuestion::Kind::identity), kCardAnswerTime};
 }
 
-SensorSession::Heard Jr3ComediSession::hear(int step, const BusFrame& frame, Timestamp,
-                                            Measurement& out) noexcept {
+SensorSession::Heard Jr3ComediSession::hear(std::optional<int> step, const BusFrame& frame,
+                                            Timestamp, Measurement& out) noexcept {
   if (const auto identity = jr3_comedi_identity(frame))
     return step == 0 ? hear_identity(*identity) : Heard::nothing;
   const auto samples = jr3_comedi_samples(frame);

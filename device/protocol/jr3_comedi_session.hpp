@@ -28,7 +28,7 @@ class Jr3ComediSession final : public SensorSession {
  private:
   [[nodiscard]] int steps() const noexcept override { return 1; }
   [[nodiscard]] std::optional<Question> question(int step) const noexcept override;
-  [[nodiscard]] Heard hear(int step, const BusFrame& frame, Timestamp stamp,
+  [[nodiscard]] Heard hear(std::optional<int> step, const BusFrame& frame, Timestamp stamp,
                            Measurement& out) noexcept override;
   [[nodiscard]] std::optional<BusFrame> start(Timestamp now) noexcept override;
   [[nodiscard]] std::optional<BusFrame> pace(Timestamp now) noexcept override;

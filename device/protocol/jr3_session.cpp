@@ -74,8 +74,8 @@ void Jr3Session::forget() noexcept {
   newest_.reset();
 }
 
-SensorSession::Heard Jr3Session::hear(int step, const BusFrame& frame, Timestamp stamp,
-                                      Measurement& out) noexcept {
+SensorSession::Heard Jr3Session::hear(std::optional<int> step, const BusFrame& frame,
+                                      Timestamp stamp, Measurement& out) noexcept {
   if (jr3_word(frame) != Jr3Word::answer) {
     ++counters_.foreign;
     return Heard::nothing;
@@ -87,7 +87,7 @@ SensorSession::Heard Jr3Session::hear(int step, const BusFrame& frame, Timestamp
   }
 }
 
-SensorSession::Heard Jr3Session::hear_acknowledge(int step,
+SensorSession::Heard Jr3Session::hear_acknowledge(std::optional<int> step,
                                                   const Jr3Acknowledge& content) noexcept {
   const bool asked_scales = step == Jr3Step::force_scales || step == Jr3Step::moment_scales;
   const bool asked = asked_scales || step == Jr3Step::state || step == Jr3Step::start_sync;

@@ -39,7 +39,7 @@ class Jr3Session final : public SensorSession {
 
   [[nodiscard]] int steps() const noexcept override;
   [[nodiscard]] std::optional<Question> question(int step) const noexcept override;
-  [[nodiscard]] Heard hear(int step, const BusFrame& frame, Timestamp stamp,
+  [[nodiscard]] Heard hear(std::optional<int> step, const BusFrame& frame, Timestamp stamp,
                            Measurement& out) noexcept override;
   [[nodiscard]] std::optional<BusFrame> start(Timestamp now) noexcept override;
   [[nodiscard]] std::optional<BusFrame> pace(Timestamp now) noexcept override;
@@ -49,7 +49,8 @@ class Jr3Session final : public SensorSession {
   [[nodiscard]] SessionCounters protocol_counters() const noexcept override;
   [[nodiscard]] Text refusal() const override;
 
-  [[nodiscard]] Heard hear_acknowledge(int step, const Jr3Acknowledge& content) noexcept;
+  [[nodiscard]] Heard hear_acknowledge(std::optional<int> step,
+                                       const Jr3Acknowledge& content) noexcept;
   [[nodiscard]] Heard hear_values(const BusFrame& frame, Timestamp stamp,
                                   Measurement& out) noexcept;
 

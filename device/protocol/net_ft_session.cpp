@@ -55,8 +55,8 @@ std::optional<BusFrame> NetFtSession::start(Timestamp now) noexcept {
   return encode_net_ft_request(finger_, {NetFtCommand::start, 0});
 }
 
-SensorSession::Heard NetFtSession::hear(int step, const BusFrame& frame, Timestamp stamp,
-                                        Measurement& out) noexcept {
+SensorSession::Heard NetFtSession::hear(std::optional<int> step, const BusFrame& frame,
+                                        Timestamp stamp, Measurement& out) noexcept {
   const auto record = frame.is_standard() && frame.length == kNetFtRecord
                           ? decode_net_ft_record(frame.bytes())
                           : std::nullopt;

@@ -34,7 +34,7 @@ class NetFtSession final : public SensorSession {
  private:
   [[nodiscard]] int steps() const noexcept override;
   [[nodiscard]] std::optional<Question> question(int step) const noexcept override;
-  [[nodiscard]] Heard hear(int step, const BusFrame& frame, Timestamp stamp,
+  [[nodiscard]] Heard hear(std::optional<int> step, const BusFrame& frame, Timestamp stamp,
                            Measurement& out) noexcept override;
   [[nodiscard]] std::optional<BusFrame> start(Timestamp now) noexcept override;
   [[nodiscard]] Text no_answer_remedy() const override {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -64,8 +65,8 @@ class Box {
   Timestamp until_;
 };
 
-bool same_rate(double a_Hz, double b_Hz) noexcept {
-  return std::abs(a_Hz - b_Hz) <= kSameRate * b_Hz;
+bool same_rate(std::optional<double> a_Hz, double b_Hz) noexcept {
+  return a_Hz && std::abs(*a_Hz - b_Hz) <= kSameRate * b_Hz;
 }
 
 }  // namespace
@@ -79,26 +80,26 @@ Result<NetFtBoxConfig> set_up_net_ft_box(const DeviceConfig& config, std::size_t
     return refused("'%1' is no address in numbers"_text(host), "write it as 192.168.1.1"_text)
         .about("address");
   Box box(finger, address->pages, limit);
-  auto said = box.ask();
-  if (!said) return said;
-  if (!sensor.serial_number.empty() && said->serial_number != sensor.serial_number)
+  auto answer = box.ask();
+  if (!answer) return answer;
+  if (!sensor.serial_number.empty() && answer->serial_number != sensor.serial_number)
     return box.error("cfgcalsn",
                      "has the serial number '%1', but the configuration says '%2'"_text(
-                         said->serial_number, sensor.serial_number),
+                         answer->serial_number, sensor.serial_number),
                      "connect the right sensor or correct serial_number"_text);
-  if (said->transformed)
+  if (answer->transformed)
     return box.error("cfgtfx", "shifts or turns its forces before it sends them"_text,
                      "set the tool transformation to zero on the box's page Configurations"_text);
-  if (same_rate(said->rate_Hz, config.rate_Hz)) return said;
+  if (same_rate(answer->rate_Hz, config.rate_Hz)) return answer;
 
   if (auto set = box.get("/comm.cgi?comrdtrate=" + number(std::round(config.rate_Hz))); !set)
     return set.error();
-  said = box.ask();
-  if (!said || same_rate(said->rate_Hz, config.rate_Hz)) return said;
+  answer = box.ask();
+  if (!answer || same_rate(answer->rate_Hz, config.rate_Hz)) return answer;
   return box.error("comrdtrate",
-                   said->rate_Hz > 0.0 ? "sends at %1 Hz, not at %2"_text(shortest(said->rate_Hz),
-                                                                          shortest(config.rate_Hz))
-                                       : "does not tell its rate"_text,
+                   answer->rate_Hz ? "sends at %1 Hz, not at %2"_text(shortest(*answer->rate_Hz),
+                                                                      shortest(config.rate_Hz))
+                                   : "does not tell its rate"_text,
                    "use a rate that the box has: a whole fraction of 7000 Hz"_text);
 }
 

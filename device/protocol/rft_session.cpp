@@ -18,35 +18,35 @@ struct RftStep {
   enum : int { stop, serial_number, read_filter, set_filter, read_rate, set_rate, clear_bias, all };
 };
 
-std::string name_of(const RftWay& way, const std::string& address) {
-  const auto* ids = std::get_if<RftIds>(&way);
+std::string name_of(const RftOnBus& on_bus, const std::string& address) {
+  const auto* ids = std::get_if<RftIds>(&on_bus);
   if (ids == nullptr) return "at " + address;
   char text[24];
   std::snprintf(text, sizeof text, "identifier 0x%02X", static_cast<unsigned>(ids->command));
   return text;
 }
 
-std::variant<RftPairing, RftStream> frames_of(const RftWay& way) {
-  if (const auto* ids = std::get_if<RftIds>(&way)) return RftPairing(*ids);
+std::variant<RftPairing, RftStream> frames_of(const RftOnBus& on_bus) {
+  if (const auto* ids = std::get_if<RftIds>(&on_bus)) return RftPairing(*ids);
   return RftStream();
 }
 
 }  // namespace
 
 RftSession::RftSession(const Settings& settings)
-    : SensorSession({settings.serial_number, name_of(settings.way, settings.address),
+    : SensorSession({settings.serial_number, name_of(settings.on_bus, settings.address),
                      1.0 / settings.rate_Hz}),
-      way_(settings.way),
+      on_bus_(settings.on_bus),
       divisors_(settings.divisors),
       filter_Hz_(settings.filter_Hz),
       rate_code_(*rft_rate_code(settings.rate_Hz)),
       filter_code_(*rft_filter_code(settings.filter_Hz, settings.filter_table)),
-      frames_(frames_of(settings.way)) {}
+      frames_(frames_of(settings.on_bus)) {}
 
 bool RftSession::owns(const BusFrame& frame) const noexcept {
-  if (const auto* ids = std::get_if<RftIds>(&way_))
+  if (const auto* ids = std::get_if<RftIds>(&on_bus_))
     return frame.id == ids->first || frame.id == ids->second;
-  return frame.id == std::get<RftPeer>(way_).number;
+  return frame.id == std::get<RftPeer>(on_bus_).number;
 }
 
 Vec6 RftSession::units_per_count() const noexcept {
@@ -63,9 +63,9 @@ double RftSession::sensor_delay_s() const noexcept {
 
 BusFrame RftSession::command(RftCommand command,
                              std::initializer_list<std::uint8_t> parameters) const noexcept {
-  if (const auto* ids = std::get_if<RftIds>(&way_))
+  if (const auto* ids = std::get_if<RftIds>(&on_bus_))
     return encode_command(*ids, command, parameters);
-  return encode_stream_command(std::get<RftPeer>(way_).number, command, parameters);
+  return encode_stream_command(std::get<RftPeer>(on_bus_).number, command, parameters);
 }
 
 std::optional<BusFrame> RftSession::stop_frame() const noexcept {
@@ -99,16 +99,16 @@ std::optional<BusFrame> RftSession::start(Timestamp) noexcept {
   return command(RftCommand::start);
 }
 
-SensorSession::Heard RftSession::hear(int step, const BusFrame& frame, Timestamp stamp,
-                                      Measurement& out) noexcept {
+SensorSession::Heard RftSession::hear(std::optional<int> step, const BusFrame& frame,
+                                      Timestamp stamp, Measurement& out) noexcept {
   const auto packet = std::holds_alternative<RftPairing>(frames_)
                           ? std::get<RftPairing>(frames_).push(frame, stamp)
                           : std::get<RftStream>(frames_).push(frame.bytes(), stamp);
   return packet ? hear_packet(step, *packet, stamp, out) : Heard::nothing;
 }
 
-SensorSession::Heard RftSession::hear_packet(int step, const RftPacket& packet, Timestamp stamp,
-                                             Measurement& out) noexcept {
+SensorSession::Heard RftSession::hear_packet(std::optional<int> step, const RftPacket& packet,
+                                             Timestamp stamp, Measurement& out) noexcept {
   if (packet.is_data()) {
     if (packet.command != static_cast<std::uint8_t>(RftCommand::start) || !streaming())
       return Heard::nothing;
@@ -126,7 +126,8 @@ SensorSession::Heard RftSession::hear_packet(int step, const RftPacket& packet, 
   const auto answers = [&](RftCommand asked) {
     return packet.command == static_cast<std::uint8_t>(asked);
   };
-  switch (step) {
+  if (!step) return Heard::nothing;
+  switch (*step) {
     case RftStep::serial_number: {
       if (!answers(RftCommand::serial_number)) return Heard::nothing;
       std::array<char, 15> text{};
@@ -144,7 +145,7 @@ SensorSession::Heard RftSession::hear_packet(int step, const RftPacket& packet, 
       return Heard::answer;
     case RftStep::set_filter:
     case RftStep::set_rate:
-      if (!answers(step == RftStep::set_filter ? RftCommand::set_filter : RftCommand::set_rate))
+      if (!answers(*step == RftStep::set_filter ? RftCommand::set_filter : RftCommand::set_rate))
         return Heard::nothing;
       if (r[0] == 1) return Heard::answer;
       refusal_ = r[1];
@@ -158,7 +159,7 @@ Text RftSession::refusal() const {
 }
 
 Text RftSession::no_answer_remedy() const {
-  if (std::holds_alternative<RftIds>(way_)) return SensorSession::no_answer_remedy();
+  if (std::holds_alternative<RftIds>(on_bus_)) return SensorSession::no_answer_remedy();
   return "check its power, its cable, its address and the baud rate"_text;
 }
 
@@ -168,7 +169,7 @@ void RftSession::forget() noexcept {
 }
 
 void RftSession::reset_protocol_counters() noexcept {
-  frames_ = frames_of(way_);
+  frames_ = frames_of(on_bus_);
 }
 
 SessionCounters RftSession::protocol_counters() const noexcept {

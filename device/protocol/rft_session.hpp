@@ -17,13 +17,13 @@ namespace isograsp {
 struct RftPeer {
   std::uint32_t number = 0;  ///< BusFrame::id
 };
-using RftWay = std::variant<RftIds, RftPeer>;
+using RftOnBus = std::variant<RftIds, RftPeer>;
 
 class RftSession final : public SensorSession {
  public:
   struct Settings {
-    RftWay way;
-    std::string address;        ///< for people, where the way has no identifiers
+    RftOnBus on_bus;
+    std::string address;        ///< for people, where the bus has no identifiers
     std::string serial_number;  ///< that the sensor must have; empty: any
     RftDivisors divisors;
     double rate_Hz = 100.0;
@@ -41,7 +41,7 @@ class RftSession final : public SensorSession {
  private:
   [[nodiscard]] int steps() const noexcept override;
   [[nodiscard]] std::optional<Question> question(int step) const noexcept override;
-  [[nodiscard]] Heard hear(int step, const BusFrame& frame, Timestamp stamp,
+  [[nodiscard]] Heard hear(std::optional<int> step, const BusFrame& frame, Timestamp stamp,
                            Measurement& out) noexcept override;
   [[nodiscard]] std::optional<BusFrame> start(Timestamp now) noexcept override;
   void forget() noexcept override;
@@ -52,10 +52,10 @@ class RftSession final : public SensorSession {
 
   [[nodiscard]] BusFrame command(
       RftCommand command, std::initializer_list<std::uint8_t> parameters = {}) const noexcept;
-  [[nodiscard]] Heard hear_packet(int step, const RftPacket& packet, Timestamp stamp,
+  [[nodiscard]] Heard hear_packet(std::optional<int> step, const RftPacket& packet, Timestamp stamp,
                                   Measurement& out) noexcept;
 
-  RftWay way_;
+  RftOnBus on_bus_;
   RftDivisors divisors_;
   double filter_Hz_;
   std::uint8_t rate_code_;

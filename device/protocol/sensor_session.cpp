@@ -107,7 +107,7 @@ void SensorSession::fail(Failure failure, Timestamp now) noexcept {
 
 bool SensorSession::take(const BusFrame& frame, Timestamp stamp, Measurement& out) noexcept {
   const bool waits = phase_ == Phase::setup && sent_ && question(step_)->answered;
-  const Heard heard = hear(waits ? step_ : -1, frame, stamp, out);
+  const Heard heard = hear(waits ? std::optional(step_) : std::nullopt, frame, stamp, out);
   switch (heard) {
     case Heard::nothing: return false;
     case Heard::answer:

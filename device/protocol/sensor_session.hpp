@@ -118,8 +118,8 @@ class SensorSession {
   /// The set-up is steps 0 … steps() - 1; one without a question is skipped.
   [[nodiscard]] virtual int steps() const noexcept = 0;
   [[nodiscard]] virtual std::optional<Question> question(int step) const noexcept = 0;
-  /// `step` is the one whose answer is awaited; -1: none is.
-  [[nodiscard]] virtual Heard hear(int step, const BusFrame& frame, Timestamp stamp,
+  /// `step` is the one whose answer is awaited; nothing: none is.
+  [[nodiscard]] virtual Heard hear(std::optional<int> step, const BusFrame& frame, Timestamp stamp,
                                    Measurement& out) noexcept = 0;
   /// Begins to stream; the frame that asks for it, if there is one.
   [[nodiscard]] virtual std::optional<BusFrame> start(Timestamp now) noexcept = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "core/csv.hpp"
 #include "core/toml_reader.hpp"
@@ -105,13 +106,12 @@ struct Log {
   const MappedFinger* finger = nullptr;
   CsvReader reader;
   std::vector<double> fields;
-  std::array<int, 6> columns{};
-  int time = -1;
+  std::array<std::optional<std::size_t>, 6> columns{};  ///< nothing: the axis is not measured
+  std::optional<std::size_t> time;                      ///< nothing: the mapping names a rate
 };
 
-Result<int> column_of(const CsvReader& reader, const std::string& name) {
-  const int column = reader.find(name);
-  if (column >= 0) return column;
+Result<std::size_t> column_of(const CsvReader& reader, const std::string& name) {
+  if (const auto column = reader.find(name)) return *column;
   std::string names;
   for (const auto& existing : reader.columns()) names += (names.empty() ? "" : ", ") + existing;
   return reader.error_here(name, "the column is missing"_text,
@@ -122,10 +122,9 @@ Result<Log> open_log(const CsvMapping& mapping, const MappedFinger& finger,
                      const std::filesystem::path& folder) {
   auto reader = CsvReader::open(folder / finger.file);
   if (!reader) return reader.error();
-  Log log{&finger, std::move(*reader), {}, {}, -1};
+  Log log{&finger, std::move(*reader), {}, {}, {}};
   log.fields.resize(log.reader.columns().size());
   for (std::size_t axis = 0; axis < 6; ++axis) {
-    log.columns[axis] = -1;
     if (finger.axes[axis].column.empty()) continue;
     const auto column = column_of(log.reader, finger.axes[axis].column);
     if (!column) return column.error();
@@ -142,26 +141,24 @@ Result<Log> open_log(const CsvMapping& mapping, const MappedFinger& finger,
 /// Appends ",fx,fy,…" of the row read last; empty fields if the finger has no sample there.
 Result<void> append_sample(std::string& text, const Log& log) {
   int given = 0;
-  int empty = -1;
-  for (const int column : log.columns) {
-    if (column < 0) continue;
-    if (std::isnan(log.fields[static_cast<std::size_t>(column)]))
+  std::optional<std::size_t> empty;
+  for (const auto& column : log.columns) {
+    if (!column) continue;
+    if (std::isnan(log.fields[*column]))
       empty = column;
     else
       ++given;
   }
-  if (empty >= 0 && given > 0)
-    return log.reader.error_here(log.reader.columns()[static_cast<std::size_t>(empty)],
+  if (empty && given > 0)
+    return log.reader.error_here(log.reader.columns()[*empty],
                                  "the field is empty while others of this finger are not"_text,
                                  "give the value, or leave all fields of the finger empty"_text);
   for (std::size_t axis = 0; axis < 6; ++axis) {
     text += ',';
-    if (empty >= 0) continue;
-    const int column = log.columns[axis];
+    if (empty) continue;
+    const auto& column = log.columns[axis];
     const double scale = axis < 3 ? log.finger->N_per_unit : log.finger->Nm_per_unit;
-    const double value = column < 0 ? 0.0
-                                    : log.finger->axes[axis].sign * scale *
-                                          log.fields[static_cast<std::size_t>(column)];
+    const double value = column ? log.finger->axes[axis].sign * scale * log.fields[*column] : 0.0;
     if (!std::isfinite(value))
       return log.reader.error_here(log.finger->axes[axis].column, "is too large in SI units"_text,
                                    "correct the number, or the scale of the mapping"_text);
@@ -204,9 +201,9 @@ std::vector<std::string> provenance(const CsvMapping& mapping) {
 /// Time of the row that all logs have read: the first log's; the others must agree.
 Result<double> row_time(const CsvMapping& mapping, const std::vector<Log>& logs, std::int64_t row) {
   if (mapping.rate_Hz) return static_cast<double>(row) / *mapping.rate_Hz;
-  const double time = logs.front().fields[static_cast<std::size_t>(logs.front().time)];
+  const double time = logs.front().fields[*logs.front().time];
   for (const Log& log : logs) {
-    const double here = log.fields[static_cast<std::size_t>(log.time)];
+    const double here = log.fields[*log.time];
     if (std::isnan(here))
       return log.reader.error_here(mapping.time_column, "the time is empty"_text,
                                    "give every row a time"_text);

@@ -18,7 +18,7 @@ class Background : public QObject {
     pool_.setMaxThreadCount(1);
     pool_.setExpiryTimeout(-1);
   }
-  /// Waits for the jobs; results that nobody received are dropped.
+  /// Waits for the jobs; results that have not been received yet are dropped.
   ~Background() override { pool_.waitForDone(); }
 
   /// Runs `work()` on the worker, then `done(result)` on the thread of this object. What `work`

@@ -11,7 +11,7 @@ namespace isograsp::gui {
 
 namespace {
 constexpr int kLookEvery_ms = 15 * 60 * 1000;
-constexpr int kAfterStart_ms = 20 * 1000;  // the window is there first
+constexpr int kAfterStart_ms = 20 * 1000;  // so that the window appears first
 }  // namespace
 
 BackupWork::BackupWork(const std::string& database, QObject* parent)
@@ -36,7 +36,8 @@ void BackupWork::look() {
               [this](const Made& outcome) {
                 running_ = false;
                 if (!outcome) {
-                  const auto why = tr("No backup could be made: %1").arg(shown(outcome.error()));
+                  const auto why =
+                      tr("No backup could be made: %1").arg(translated(outcome.error()));
                   const QDate today = QDate::currentDate();
                   const bool told = std::exchange(told_, today) == today;
                   if (std::exchange(problem_, why) != why || !told) Q_EMIT failed(why);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checked copies of the database in time: one a day, begun when the program starts or the day
-// begins, never while a session is open; one that a session overtakes is finished. Own worker; GUI
-// thread.
+// Daily backups: one checked copy of the database a day, made when the program starts or a new day
+// begins. None is begun while a session is open; one that is being made then is finished. Own
+// worker; GUI thread.
 #pragma once
 
 #include <QDate>

@@ -11,7 +11,7 @@ namespace isograsp::gui {
 namespace {
 
 QString words(const Error& error) {
-  return shown(error);
+  return translated(error);
 }
 
 Result<std::vector<HistorySeries>> read_history(storage::SessionStore& store,

@@ -30,13 +30,13 @@ class Clinic final : public QObject {
   ~Clinic() override;  ///< cancels a report and an export; waits for the worker
 
   /// -> opened(), patients_changed() or open_failed(). `to_read`: by somebody who may not write.
-  /// One that is open is opened anew, for somebody else.
+  /// A database that is open already is opened again, for the user who is logged in now.
   void open(bool to_read = false);
   /// When all that was asked for before is done.
   void when_done(std::function<void()> then);
   void add_patient();  ///< with a generated code -> patients_changed(), patient_added()
-  /// Until the answer comes, the history of another patient is empty and that of the same one is
-  /// as it was -> history_changed(), twice for another patient.
+  /// -> history_changed() when the answer comes. Until then the old history of the same patient
+  /// stays; for another patient it is emptied at once (-> history_changed(), too).
   void load_history(const std::string& code);
   [[nodiscard]] ReportWork& report() noexcept { return report_; }
   [[nodiscard]] ExportWork& research_export() noexcept { return export_; }

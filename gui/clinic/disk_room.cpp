@@ -14,7 +14,7 @@ namespace {
 constexpr off_t kEnoughRoom_bytes = 4 << 20;
 constexpr qint64 kRoomLookEvery_ms = 2000;
 
-/// A file without a name takes the room for a moment.
+/// Reserves the room for a moment in a file without a name.
 bool has_room(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
   if (descriptor < 0) return false;

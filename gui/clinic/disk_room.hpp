@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether there is room on a disk again that was full: what failed for want of it need not stand on
-// the screen any longer. GUI thread; the disk is asked on a worker.
+// Watches a full disk until it has room again, so that a message about a lack of room can be taken
+// off the screen. GUI thread; the disk is asked on a worker.
 #pragma once
 
 #include <QElapsedTimer>

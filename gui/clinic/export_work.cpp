@@ -47,7 +47,7 @@ void ExportWork::start(const exports::ExportRequest& request, exports::ExportFor
         else if (stop.stop_requested())
           Q_EMIT cancelled();
         else
-          Q_EMIT failed(shown(written.error()));
+          Q_EMIT failed(translated(written.error()));
       });
   Q_EMIT progress(0.0, "");
 }

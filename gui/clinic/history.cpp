@@ -27,10 +27,10 @@ SeriesKey series_of(const storage::MeasurePoint& point) {
   return {task_of(point), measure.name, measure.channel, measure.version};
 }
 
-QString title_of(const storage::MeasurePoint& point) {
+QString series_words(const storage::MeasurePoint& point) {
   const auto hand = point.hand == Hand::right ? QObject::tr("right") : QObject::tr("left");
-  auto title =
-      QObject::tr("%1 (%2): %3").arg(shown(point.task_name), hand, measure_title(point.measure));
+  auto title = QObject::tr("%1 (%2): %3")
+                   .arg(translated(point.task_name), hand, measure_title(point.measure));
   if (point.simulated) title += QObject::tr(", simulated");
   return title;
 }
@@ -43,7 +43,8 @@ std::vector<HistorySeries> sort_history(const std::vector<storage::MeasurePoint>
   for (const auto& point : points) {
     const auto [place, is_new] = places.try_emplace(series_of(point), series.size());
     if (is_new)
-      series.push_back({title_of(point), shown(tasks::printed_unit(point.measure.unit).text), {}});
+      series.push_back(
+          {series_words(point), translated(tasks::printed_unit(point.measure.unit).text), {}});
     series[place->second].points.push_back(point);
   }
   // The task of the newest trial is what the therapist wants to see; inside a task the order in

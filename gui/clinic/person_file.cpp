@@ -84,7 +84,7 @@ void PersonFile::change(const std::string& code, Change change, Stored then) {
       [this, code, then = std::move(then)](Answer answer) {
         if (then) then(answer.stored);
         if (!answer.records) {
-          Q_EMIT failed(QString::fromStdString(code), shown(answer.records.error()));
+          Q_EMIT failed(QString::fromStdString(code), translated(answer.records.error()));
           return;
         }
         if (code != code_) return;  // somebody else is shown by now; it is stored

@@ -35,9 +35,9 @@ class PersonFile final : public QObject {
 
   /// Until the answer comes, the records of another patient are absent. No code: of nobody.
   void load(const std::string& code);
-  /// Nobody may read on what was decrypted for somebody else -> changed().
+  /// Forgets what was read: it was decrypted for a user who is no longer logged in -> changed().
   void forget();
-  /// Hears before the signals whether the change is stored.
+  /// Called before the signals; tells whether the change is stored.
   using Stored = std::function<void(bool)>;
   void save(const std::string& code, const storage::PatientProfile& profile, Stored then = {});
   /// A function of the store that adds such an entry of a patient, or takes one away.

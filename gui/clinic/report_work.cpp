@@ -36,7 +36,7 @@ void ReportWork::start(const std::string& code, const std::string& path,
     QMetaObject::invokeMethod(
         this,
         [this, stop, fraction, words] {
-          if (!stop.stop_requested()) Q_EMIT progress(kGathered * fraction, shown(words));
+          if (!stop.stop_requested()) Q_EMIT progress(kGathered * fraction, translated(words));
         },
         Qt::QueuedConnection);
     return !stop.stop_requested();
@@ -51,7 +51,7 @@ void ReportWork::start(const std::string& code, const std::string& path,
         if (stop.stop_requested()) return;
         if (!content) {
           end();
-          Q_EMIT failed(shown(content.error()));
+          Q_EMIT failed(translated(content.error()));
           return;
         }
         stage_ = Stage::painting;
@@ -65,7 +65,7 @@ void ReportWork::start(const std::string& code, const std::string& path,
 void ReportWork::paint_next() {
   if (writer_->complete()) return save();
   const double painted = static_cast<double>(writer_->steps_done()) / writer_->steps();
-  Q_EMIT progress(kGathered + (1.0 - kGathered) * painted, shown(writer_->words()));
+  Q_EMIT progress(kGathered + (1.0 - kGathered) * painted, translated(writer_->words()));
   // Whoever listens may have cancelled.
   if (writer_ != nullptr) writer_->paint_next();
 }
@@ -80,7 +80,7 @@ void ReportWork::save() {
                 if (saved)
                   Q_EMIT written(QString::fromStdString(path));
                 else
-                  Q_EMIT failed(shown(saved.error()));
+                  Q_EMIT failed(translated(saved.error()));
               });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writing a report without holding up the windows: the worker gathers and saves, this thread paints
-// in steps of some milliseconds between its other events. One report at a time. GUI thread.
+// Writes a report while the windows stay usable: the worker gathers and saves, the GUI thread
+// paints in steps of some milliseconds between its other events. One report at a time. GUI thread.
 #pragma once
 
 #include <QObject>

@@ -27,7 +27,7 @@ struct Staff::Answer {
 
 namespace {
 
-/// Who is there and who is in, after whatever was asked for.
+/// The users and the one who is logged in, after any of these requests.
 template <class Answer>
 void look_around(Answer& answer) {
   if (auto users = answer.access->users()) answer.users = *std::move(users);
@@ -129,7 +129,7 @@ void Staff::take(const Answer& answer) {
     // Whoever stands at the login knows which file it is and what was typed.
     Error why = *answer.error;
     if (answer.access != nullptr) why.file = why.field = "";
-    Q_EMIT login_refused(shown(why));
+    Q_EMIT login_refused(translated(why));
     return;
   }
   in_ = answer.in;
@@ -160,7 +160,7 @@ void Staff::lock() {
 
 void Staff::lock_if_due() {
   if (!in_ || busy_) return;
-  // Behind a long trial there is time to go on.
+  // After a long trial the time without a touch begins at zero.
   if (trial_runs_ && trial_runs_()) {
     touched_ = clock_->now();
     return;
@@ -202,7 +202,7 @@ void Staff::show_names() {
   worker_.run([access = access_]() -> Names { return storage::all_identities(*access); },
               [this](const Names& names) {
                 if (!names) {
-                  Q_EMIT refused(shown(names.error()));
+                  Q_EMIT refused(translated(names.error()));
                   return;
                 }
                 if (closed()) return;
@@ -219,11 +219,11 @@ void Staff::log(const std::string& act, const std::string& object, bool done) {
         return storage::log_act_of(database, access.get(), act, object, done);
       },
       [this](const Result<void>& logged) {
-        if (!logged) Q_EMIT refused(shown(logged.error()));
+        if (!logged) Q_EMIT refused(translated(logged.error()));
       });
 }
 
-/// Whatever a hand does at this station puts the lock off.
+/// Every press or movement at this station delays the lock.
 bool Staff::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::KeyPress:

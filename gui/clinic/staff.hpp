@@ -52,12 +52,12 @@ class Staff final : public QObject {
   void lock();
   /// lock(), if nobody has touched anything for as long as the policy says. Asked every second.
   void lock_if_due();
-  /// What locking() has asked to be stored needs the rights that the lock takes: `then` is called
-  /// when it is.
+  /// What is stored on locking() needs rights that end with the lock: `then` is called when it is
+  /// stored.
   using AfterStoring = std::function<void(std::function<void()> then)>;
   void set_after_storing(AfterStoring after_storing) { after_storing_ = std::move(after_storing); }
-  /// A trial or a protocol runs, or will begin by itself: nothing locks meanwhile, and the time
-  /// begins anew behind it.
+  /// While a trial or a protocol runs or will begin by itself, nothing locks; afterwards the time
+  /// without a touch is counted from zero.
   void set_trial_runs(std::function<bool()> trial_runs) { trial_runs_ = std::move(trial_runs); }
   // Who a code is. Refused without Right::identities; every reading is logged with its reader.
   /// Nothing: not told.

@@ -16,7 +16,7 @@ namespace isograsp::gui {
 
 enum class LibraryKind : std::uint8_t { tasks, scenes, protocols };
 inline constexpr std::size_t kLibraryKindCount = 3;
-/// For what a scene is compiled to be checked and described: that of a session at 100 Hz [s].
+/// Hold for which a scene is compiled when it is checked and described: of a session at 100 Hz [s].
 inline constexpr double kLibraryHold_s = 0.01;
 /// Its folder: "tasks", "scenes", "protocols".
 [[nodiscard]] std::string_view folder_of(LibraryKind kind) noexcept;
@@ -28,7 +28,7 @@ struct LibraryEntry {
   std::string name;    ///< for people; that of the file if it cannot be read
   std::string group;   ///< heading among shipped tasks; empty for other kinds
   bool own = false;    ///< may be edited
-  bool sound = true;   ///< its reader takes it
+  bool sound = true;   ///< it can be read without an error
   bool draft = false;  ///< an unsaved text of it is kept
 };
 

@@ -10,7 +10,7 @@ namespace isograsp::gui {
 
 namespace {
 
-/// What is stored is the file, perhaps with its curve and the level of the trial behind it.
+/// Stored is the text of the file, perhaps followed by its curve and the level of the trial.
 bool is_text_of(const std::string& stored, const std::string& file) {
   if (!stored.starts_with(file)) return false;
   const auto rest = std::string_view(stored).substr(file.size());

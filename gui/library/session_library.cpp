@@ -23,10 +23,11 @@ std::vector<std::string> files_in(const fs::path& folder) {
 }
 
 template <class All, class FileOf>
-int place(const All& all, const std::string& file, FileOf file_of) {
+std::optional<int> place(const All& all, const std::string& file, FileOf file_of) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& one) { return file_of(one) == file; });
-  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+  if (found == all.end()) return std::nullopt;
+  return static_cast<int>(found - all.begin());
 }
 
 }  // namespace
@@ -64,11 +65,13 @@ SessionLibrary read_session_library(const std::string& shipped, const std::strin
   return library;
 }
 
-int place_of_file(const std::vector<tasks::TaskSpec>& tasks, const std::string& file) {
+std::optional<int> place_of_file(const std::vector<tasks::TaskSpec>& tasks,
+                                 const std::string& file) {
   return place(tasks, file, [](const tasks::TaskSpec& task) { return task.file; });
 }
 
-int place_of_file(const std::vector<session::ReadyProtocol>& protocols, const std::string& file) {
+std::optional<int> place_of_file(const std::vector<session::ReadyProtocol>& protocols,
+                                 const std::string& file) {
   return place(protocols, file,
                [](const session::ReadyProtocol& protocol) { return protocol.spec.file; });
 }

@@ -18,7 +18,7 @@ struct SessionLibrary {
   std::vector<Text> problems;                     ///< files that cannot be used, in words
 };
 
-/// Reads all files; any thread. A name that two files bear belongs to the shipped one.
+/// Reads all files; any thread. Where two files have the same name, the shipped one is used.
 [[nodiscard]] SessionLibrary read_session_library(const std::string& shipped,
                                                   const std::string& own);
 
@@ -29,9 +29,10 @@ template <class Fits>
   if (found == tasks.end()) return std::nullopt;
   return static_cast<int>(found - tasks.begin());
 }
-/// The place of the element that was read from `file`; -1: there is none.
-[[nodiscard]] int place_of_file(const std::vector<tasks::TaskSpec>& tasks, const std::string& file);
-[[nodiscard]] int place_of_file(const std::vector<session::ReadyProtocol>& protocols,
-                                const std::string& file);
+/// The place of the element that was read from `file`; nothing: there is none.
+[[nodiscard]] std::optional<int> place_of_file(const std::vector<tasks::TaskSpec>& tasks,
+                                               const std::string& file);
+[[nodiscard]] std::optional<int> place_of_file(const std::vector<session::ReadyProtocol>& protocols,
+                                               const std::string& file);
 
 }  // namespace isograsp::gui

@@ -102,7 +102,7 @@ void LibraryPage::open(const LibraryEntry& entry, bool select_name) {
         showing_ = true;
         editor_->show_text(QString::fromStdString(former_));
         former_shown_ = text();
-        // What was typed before the program ended stands there as if just typed.
+        // A draft from before the program ended is shown as if it had been typed now.
         if (opened.draft) editor_->replace_text(QString::fromStdString(*opened.draft));
         showing_ = false;
         refresh();  // it can be typed into from now on
@@ -194,7 +194,7 @@ void LibraryPage::keep_draft_now() {
         return {};
       },
       [this](const Result<void>& kept) {
-        if (!kept) say(tr("Not kept: %1").arg(shown(kept.error())));
+        if (!kept) say(tr("Not kept: %1").arg(translated(kept.error())));
       });
 }
 
@@ -205,7 +205,7 @@ void LibraryPage::duplicate() {
   worker_.run([files = files_, entry = *entry_,
                text = text()]() -> Made { return files.duplicate(entry, text); },
               [this](const Made& made) {
-                if (!made) return say(shown(made.error()));
+                if (!made) return say(translated(made.error()));
                 search_->clear();
                 presenter_.library().reload();
                 list_files(made->path, true);
@@ -225,7 +225,7 @@ void LibraryPage::save() {
                 [this, entry, now](const Saved& saved) {
                   saving_ = false;
                   if (saved) return show_saved(entry, *saved, now);
-                  say(tr("Not saved: %1").arg(shown(saved.error())));
+                  say(tr("Not saved: %1").arg(translated(saved.error())));
                 });
   };
   const bool asked = clinic_.read(
@@ -240,7 +240,7 @@ void LibraryPage::save() {
       [this, save_as](const Result<FileUse>& use) {
         if (use) return save_as(*use);
         saving_ = false;
-        say(tr("Not saved: %1").arg(shown(use.error())));
+        say(tr("Not saved: %1").arg(translated(use.error())));
       });
   if (asked) return;
   saving_ = false;
@@ -279,7 +279,7 @@ void LibraryPage::revert() {
   worker_.run([files = files_, entry = *entry_] { return files.read(entry); },
               [this, number = opened_](const Result<std::string>& text) {
                 if (number != opened_) return;
-                if (!text) return say(shown(text.error()));
+                if (!text) return say(translated(text.error()));
                 former_ = *text;
                 editor_->replace_text(QString::fromStdString(former_));
                 former_shown_ = this->text();
@@ -294,7 +294,7 @@ void LibraryPage::remove() {
   using Put = Result<std::string>;
   worker_.run([files = files_, entry = *entry_]() -> Put { return files.remove(entry); },
               [this, entry = *entry_](const Put& put) {
-                if (!put) return say(shown(put.error()));
+                if (!put) return say(translated(put.error()));
                 removed_ = Removed{entry, *put};
                 entry_.reset();
                 loaded_ = false;
@@ -310,7 +310,7 @@ void LibraryPage::bring_back() {
         return files.bring_back(removed.place, removed.entry);
       },
       [this, entry = removed_->entry](const Result<void>& done) {
-        if (!done) return say(shown(done.error()));
+        if (!done) return say(translated(done.error()));
         removed_.reset();
         kind_ = entry.kind;
         presenter_.library().reload();

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/files.hpp"
-#include "grasp_model/describe.hpp"
 #include "grasp_model/grasp.hpp"
+#include "grasp_model/plan_words.hpp"
 #include "gui/words/words.hpp"
 #include "session/library/library.hpp"
 #include "session/platform/plan_cost.hpp"
@@ -25,17 +25,13 @@ struct PreviewTexts {
 constexpr double kPeriod_s = 0.02;  ///< of the curve: fine enough for 600 pixels
 constexpr double kWhole_percent = 100.0;
 
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
-
 QString duration_words_of(const tasks::Duration& duration) {
   if (duration.worst_s - duration.nominal_s < 1.0) return time_words(duration.nominal_s);
   return PreviewTexts::tr("%1, at most %2")
       .arg(time_words(duration.nominal_s), time_words(duration.worst_s));
 }
 
-/// One unit of every scale is a hundred newtons, so that forces read as percent.
+/// One unit of every scale is set to 100 N, so that newtons can be read as percent.
 tasks::TaskContext sample_context(const tasks::TaskSpec& spec) {
   tasks::TaskContext context;
   context.period_s = kPeriod_s;
@@ -87,7 +83,7 @@ std::optional<LibraryPreview::Curve> pose_curve(const tasks::TaskSpec& spec) {
   const bool turns = axis->axis >= 3;
   const double factor = turns ? 180.0 / M_PI : 1000.0;
   LibraryPreview::Curve curve{PreviewTexts::tr("%1 of the target (%2)")
-                                  .arg(text_of(kDofNames[static_cast<std::size_t>(axis->axis)]),
+                                  .arg(qt(kDofNames[static_cast<std::size_t>(axis->axis)]),
                                        turns ? QStringLiteral("°") : QStringLiteral("mm")),
                               kPeriod_s,
                               {},
@@ -185,7 +181,7 @@ QString closed_by(const Scene& scene) {
     for (std::size_t i = 0; i < scene.contacts.size(); ++i)
       if ((mask >> i & 1U) != 0) {
         contacts.push_back(scene.contacts[i]);
-        fingers << text_of(name_of(scene.contacts[i].finger));
+        fingers << qt(name_of(scene.contacts[i].finger));
       }
     if (force_closure(contacts, rows)) sets << fingers.join(QStringLiteral(" + "));
   }
@@ -208,7 +204,7 @@ LibraryPreview of_scene(const Scene& scene, const Plan& plan) {
     if (name == "limits") return PreviewTexts::tr("Limits of travel");
     return {};
   };
-  for (const auto& [name, text] : describe(plan))
+  for (const auto& [name, text] : words_of(plan))
     if (const auto label = word(name); !label.isEmpty())
       preview.facts.push_back({label, QString::fromStdString(text)});
   preview.facts.push_back(

@@ -45,7 +45,7 @@ struct LibraryPreview {
   };
   struct Step {
     QString words;
-    tasks::Duration duration;  ///< what the protocol takes longer for it
+    tasks::Duration duration;  ///< by which this step makes the protocol longer
   };
 
   QString title;

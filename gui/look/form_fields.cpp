@@ -84,7 +84,7 @@ Typed<Date> DateField::typed() const {
 }
 
 void DateField::show_date(std::optional<Date> date) {
-  setText(date ? shown_date(iso_text(*date)) : QString());
+  setText(date ? translated_date(iso_text(*date)) : QString());
 }
 
 void DateField::keyPressEvent(QKeyEvent* event) {
@@ -98,7 +98,7 @@ void DateField::keyPressEvent(QKeyEvent* event) {
   if (const auto now = typed().value) next = plus_days(*now, days);
   if (ahead_ == Ahead::refused) next = std::min(next, today);
   selectAll();
-  insert(shown_date(iso_text(next)));  // as if typed: Ctrl+Z takes it back
+  insert(translated_date(iso_text(next)));  // as if typed: Ctrl+Z takes it back
 }
 
 Remark::Remark() {
@@ -252,7 +252,7 @@ QPushButton* add_button(const QString& object_name, const QString& name, QWidget
 }
 
 QString removed_words(const std::string& date, const QString& what) {
-  return QObject::tr("Removed: %1, %2.").arg(shown_date(date), what);
+  return QObject::tr("Removed: %1, %2.").arg(translated_date(date), what);
 }
 
 }  // namespace isograsp::gui

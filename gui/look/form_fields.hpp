@@ -99,7 +99,7 @@ class DatedList final : public QWidget {
   QPushButton* undo_;
 };
 
-// The row in which an entry of a DatedList is typed.
+// Fields for a new entry of a DatedList.
 /// Today, until another day is typed. `key` gives it the focus while that is in `card`.
 [[nodiscard]] DateField* entry_date(const QString& object_name, const QString& name,
                                     const QString& key, Ahead ahead, QWidget* card);

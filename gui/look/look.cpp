@@ -138,7 +138,7 @@ constexpr int kChoices_px = 264;
 constexpr int kMostSideBySide_percent = 130;
 int letters_percent = 100;
 
-/// Signs grow with the letters beside them: what is ticked is to be seen as well as read.
+/// Check marks grow with the letters beside them, so that both can be seen equally well.
 class GrowingSigns final : public QProxyStyle {
  public:
   GrowingSigns() : QProxyStyle(QStyleFactory::create("Fusion")) {}

@@ -49,8 +49,8 @@ inline const QColor kObject{0x33, 0x6B, 0xA8, 40};  ///< its body, seen through
 void dress(QApplication& application, int font_percent = 100);
 /// A length that goes with letters, e.g. the height of a row, at the size that is set.
 [[nodiscard]] int scaled(int usual_px) noexcept;
-/// Side by side with usual letters; below each other with large ones: nobody scrolls sideways to
-/// read.
+/// Side by side with letters of the usual size, below each other with large ones, so that nobody
+/// has to scroll sideways.
 [[nodiscard]] QBoxLayout::Direction side_by_side() noexcept;
 
 /// Fills a page with choices, in a column of their own width, and what they are about beside them.

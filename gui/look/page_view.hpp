@@ -30,7 +30,7 @@ class PageView final : public QScrollArea {
   [[nodiscard]] double scale() const noexcept { return scale_; }  ///< pixels per point
   /// No painting while a trial needs an even picture.
   void hold(bool wait);
-  /// What is seen is painted at this scale.
+  /// The visible pages are painted at this scale.
   [[nodiscard]] bool complete() const;
 
  Q_SIGNALS:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Live forces and the short history; with trend_plot and trial_plot the doors to the plotting
-// library. Pens of live curves are 1 px wide: wider ones cost twenty
+// Live forces and the short history. With trend_plot and trial_plot the only files that use the
+// plotting library. Pens of live curves are 1 px wide: wider ones cost twenty
 // times as much.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far something is that is being written, and its Cancel.
+// Shows how much of a file is written, with a button Cancel.
 #pragma once
 
 #include <QLabel>

@@ -196,7 +196,7 @@ void ExportPanel::list_files() {
       [this, number = ++lists_](const Files& files) {
         if (number != lists_) return;
         if (!files) {
-          problem_ = shown(files.error());
+          problem_ = translated(files.error());
           return refresh();
         }
         int listed = 0;

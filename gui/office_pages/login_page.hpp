@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Covers the therapist's window while nobody is in: who, and what only they know. Nothing of a
-// patient is on it.
+// Covers the therapist's window while nobody is logged in: name, and password or PIN. It shows
+// nothing of a patient.
 #pragma once
 
 #include <QComboBox>

@@ -227,7 +227,7 @@ void ReportPanel::show_pages(Result<reports::ReportContent> content) {
   } else {
     pages_.reset();
     view_->show_pages(nullptr);
-    remark_->setText(shown(content.error()).toHtmlEscaped());
+    remark_->setText(translated(content.error()).toHtmlEscaped());
   }
   refresh();
 }

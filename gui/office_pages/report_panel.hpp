@@ -35,8 +35,8 @@ class ReportPanel final : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  Q_SIGNALS:
-  void sent(const QString& code, bool done);  ///< a report to the printer, or not all of it
-  void printed();                             ///< or not: the printer has nothing to do any more
+  void sent(const QString& code, bool done);  ///< to the printer; `done`: all of the report
+  void printed();                             ///< printing has ended, with or without success
 
  private:
   [[nodiscard]] QWidget* make_choices();

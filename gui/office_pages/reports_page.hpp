@@ -22,7 +22,7 @@ class ReportsPage final : public QWidget {
   void forget();  ///< what is shown; it is read again when it is shown again
 
  Q_SIGNALS:
-  void sent(const QString& code, bool done);  ///< a report to the printer, or not all of it
+  void sent(const QString& code, bool done);  ///< to the printer; `done`: all of the report
   void printed();                             ///< nothing is printed any more
 
  private:

@@ -21,8 +21,8 @@ QString say(const char* text) {
 /// Empty: it is in the database now.
 QString take_back(const std::string& database, const storage::EmergencyFile& file) {
   const auto done = storage::rescue(database, file);
-  if (!done) return shown(done.error());
-  return done->conflicts.empty() ? QString() : shown(done->conflicts.front());
+  if (!done) return translated(done.error());
+  return done->conflicts.empty() ? QString() : translated(done->conflicts.front());
 }
 
 QString command_words(const std::string& database) {

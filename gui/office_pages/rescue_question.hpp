@@ -7,9 +7,9 @@
 
 namespace isograsp::gui {
 
-/// Asks whether to take them in, and says what went wrong; nothing is asked if there are none, and
-/// without a yes they stay. A protected database needs a login: what to do is said. GUI thread;
-/// nobody else may work with the file.
+/// Asks whether to merge these sessions into the database, and says what went wrong. Asks nothing
+/// if there are none; without a yes they stay where they are. A protected database needs a login
+/// first: then it says what to do. GUI thread; nobody else may work with the file.
 void ask_about_emergency_files(const std::string& database);
 
 }  // namespace isograsp::gui

@@ -52,7 +52,7 @@ void SessionSpan::show_sessions(const std::vector<storage::SessionRecord>& sessi
                                 bool same_patient) {
   const int from = same_patient ? std::max(0, first_->currentIndex()) : 0;
   const int to =
-      same_patient && last() != 0 ? last_->currentIndex() : static_cast<int>(sessions.size()) - 1;
+      same_patient && last() ? last_->currentIndex() : static_cast<int>(sessions.size()) - 1;
   for (auto* box : {first_, last_}) {
     const QSignalBlocker quiet(box);
     box->clear();
@@ -65,8 +65,9 @@ void SessionSpan::show_sessions(const std::vector<storage::SessionRecord>& sessi
   }
 }
 
-int SessionSpan::last() const {
-  return last_->currentIndex() == last_->count() - 1 ? 0 : last_->currentIndex() + 1;
+std::optional<int> SessionSpan::last() const {
+  if (last_->currentIndex() == last_->count() - 1) return std::nullopt;
+  return last_->currentIndex() + 1;
 }
 
 }  // namespace isograsp::gui

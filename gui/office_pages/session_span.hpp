@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From which to which of a patient's sessions: two lists that never cross.
+// The first and the last session of a patient that are asked for: two lists; the first never lies
+// behind the last.
 #pragma once
 
 #include <QComboBox>
 #include <QLabel>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "storage/records/records.hpp"
@@ -22,8 +24,8 @@ class SessionSpan final : public QWidget {
   /// Oldest first. All of them are chosen; a choice stays while the same patient is shown.
   void show_sessions(const std::vector<storage::SessionRecord>& sessions, bool same_patient);
   [[nodiscard]] int first() const { return first_->currentIndex() + 1; }
-  /// 0: up to the newest, also one that is to come.
-  [[nodiscard]] int last() const;
+  /// Nothing: up to the newest, also one that is to come.
+  [[nodiscard]] std::optional<int> last() const;
 
  Q_SIGNALS:
   void changed();  ///< by the user

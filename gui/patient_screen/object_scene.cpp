@@ -94,7 +94,8 @@ ObjectScene::ObjectScene() {
   p.root->addChild(object);
   for (auto& finger : p.fingers) p.root->addChild(finger.shown);
   auto* ghost = new SoSeparator;
-  // A hair larger than the block: equal faces would show stripes when the block is in place.
+  // Slightly larger than the block: faces in the same plane would flicker when the block is in
+  // place.
   p.ghost_place->scaleFactor.setValue(1.01F, 1.01F, 1.01F);
   ghost->addChild(p.ghost_place);
   ghost->addChild(p.ghost_form);

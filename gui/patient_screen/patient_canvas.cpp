@@ -59,7 +59,8 @@ QRectF badge_place(const QRectF& area, const PatientPicture& picture) {
   return {area.right() - width - edge, area.top() + edge, width, 0.046 * area.height()};
 }
 
-/// What the patient must not take for their own, said on every picture of it.
+/// The mark on every picture of an example or a simulation, which the patient must not take for
+/// their own.
 void draw_badge(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
   const QRectF badge = badge_place(area, picture);
   if (badge.isEmpty()) return;
@@ -95,8 +96,8 @@ void draw_progress(QPainter& painter, const QRectF& area, double fraction) {
   painter.drawRoundedRect(done, radius, radius);
 }
 
-/// Headline and detail at the top. What is to be done now stands white on dark: a change that is
-/// seen without reading and without colours.
+/// Headline and detail at the top, white on dark while something is to be done: a change that can
+/// be seen without reading and without colours.
 void draw_words(QPainter& painter, const QRectF& area, const PatientPicture& picture,
                 double left = 0.06) {
   if (picture.urgent) painter.fillRect(part(area, 0.0, 0.0, 1.0, 0.28), kInk);
@@ -158,9 +159,9 @@ void draw_effort(QPainter& painter, const QRectF& area, const PatientPicture& pi
       picture);
 }
 
-/// A field of time to the right and force up. It moves with the present, which stays where it is. A
-/// calm one that shows a future stands still while the present crosses it, and turns to the next
-/// page before less of the future than usual would be seen.
+/// A diagram with time to the right and force up. It moves, and the present stays at one place. In
+/// the calm form the diagram stands still while the present moves across it; it shows the next page
+/// before less of the future than usual would be visible.
 class Field {
  public:
   Field(const QRectF& field, const PatientPicture& picture, double behind_s, double ahead_s)

@@ -19,8 +19,7 @@ void paint_banner(QPainter& painter, const QRectF& area, const PatientPicture& p
 /// Height of that strip as a share of the screen.
 inline constexpr double kBannerShare = 0.19;
 
-/// A ring that closes while the block is held, round `centre`; what stands behind it stays in
-/// sight.
+/// A ring around `centre` that closes while the block is held; what is behind it stays visible.
 void paint_hold_ring(QPainter& painter, const QPointF& centre, double radius, double fraction);
 /// The mark of a finger that touches: a check in a disc.
 void paint_check(QPainter& painter, const QPointF& centre, double radius);

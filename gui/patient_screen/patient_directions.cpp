@@ -88,7 +88,7 @@ PadMark mark_on_pad(const Vec3& force_C, double full_N) noexcept {
   mark.y = along(force_C.x());
   mark.radius = kSmallest + (kLargest - kSmallest) *
                                 (depth.share(std::abs(force_C.z())) - at_rest) / (1.0 - at_rest);
-  // Sensor noise round zero must not flip the shape.
+  // Sensor noise around zero must not change the shape back and forth.
   constexpr double kPulls = 0.05;
   mark.pulls = force_C.z() < -kPulls * full;
   return mark;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forces of given direction and size: one pad per asked digit, a ring that is to be filled and a
 // disc that the digit moves. The pads stand as the hand does, opened like a book whose spine is
-// next to the person: x of the contact frame is up, y to the right; sideways is place, pressing is
-// size. What pulls is a diamond instead of a circle.
+// next to the person: x of the contact frame is up, y to the right; a sideways
+// force moves the disc, a pressing force changes its size. A pulling force is a diamond.
 #pragma once
 
 #include <QPainter>

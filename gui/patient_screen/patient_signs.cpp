@@ -28,7 +28,7 @@ void draw_arrow(QPainter& painter, QPointF from, QPointF to, double width = kStr
   painter.drawPolyline(polygon({to - head * (along - across), to, to - head * (along + across)}));
 }
 
-/// Toward the person the arrow grows, away from them it shrinks, as things do.
+/// The arrow is larger toward the person and smaller away from them, as in perspective.
 void draw_depth_arrow(QPainter& painter, bool toward) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(kDot);

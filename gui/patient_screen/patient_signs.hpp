@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signs of the patient's screen: each instruction as a picture that needs no words.
+// Pictograms of the patient's screen: each instruction as a picture without words.
 #pragma once
 
 #include <QPainter>

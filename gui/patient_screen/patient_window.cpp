@@ -171,10 +171,10 @@ void PatientWindow::sound() {
   say_once(speaker_.hear(sounds.force));
 }
 
-/// The patient was to hear something and did not: the therapist learns it, once.
+/// There was no sound where there should have been one: the therapist is told once.
 void PatientWindow::say_once(const QString& why) {
-  if (why.isEmpty() || said_.contains(why)) return;
-  said_ += why;
+  if (why.isEmpty() || told_.contains(why)) return;
+  told_ += why;
   Q_EMIT presenter_.flow().failed(why);
 }
 

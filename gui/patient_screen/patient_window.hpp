@@ -57,7 +57,7 @@ class PatientWindow final : public QOpenGLWindow {
   PatientPicture shown_;  ///< drawn last
   Soundtrack soundtrack_;
   Speaker speaker_;
-  QStringList said_;  ///< what cannot be heard, and why
+  QStringList told_;  ///< reasons why there is no sound that the therapist was told already
   std::unique_ptr<ObjectScene> scene_;
   QImage page_;  ///< pages without an object are painted here: smooth edges without a GPU
   QImage banner_;

@@ -32,8 +32,8 @@ QAudioFormat format() {
 
 }  // namespace
 
-/// What the sound card pulls: tones that are not over yet, and the force. Read on a thread of the
-/// sound system.
+/// The samples that the sound card reads: tones that have not ended, and the force. Read on a
+/// thread of the sound system.
 class ToneMixer final : public QIODevice {
  public:
   void play(Tone tone) {
@@ -100,7 +100,7 @@ struct Speaker::Parts {
   std::unique_ptr<QAudioOutput> output;
   std::unique_ptr<QTextToSpeech> voice;
 
-  /// Opens the output at first; why it cannot.
+  /// Opens the output in the first call; returns why it cannot.
   QString open() {
     if (output == nullptr) {
       if (auto why = why_silent(); !why.isEmpty()) return why;

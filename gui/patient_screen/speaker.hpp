@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loudspeaker and voice of this computer. Nothing is opened before the first sound is wanted; what
-// cannot be opened is said, not passed over. GUI thread.
+// Loudspeaker and voice of this computer. Each is opened when the first sound is to be
+// played; one that cannot be opened is an error that is shown. GUI thread.
 #pragma once
 
 #include <QString>
@@ -20,9 +20,9 @@ class Speaker {
   void set_volume(int percent);
   // Each returns why nothing is heard, with a remedy; empty: it is.
   QString play(Tone tone);
-  /// From now on, until it is told otherwise.
+  /// Plays until it is called again.
   QString hear(const HeardForce& force);
-  /// Speaks in the language of the application; what is being said is cut short.
+  /// Speaks in the language of the application; a sentence that is still being spoken is cut short.
   QString speak(const QString& words);
   void be_silent();
 

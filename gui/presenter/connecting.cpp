@@ -93,7 +93,7 @@ void Connecting::take(Result<std::unique_ptr<session::Session>> opened,
     Error error = opened.error();
     const bool asks_clock = error.field == "clock";
     if (asks_clock) error.remedy = "set the clock, or connect again if it is right"_text;
-    state_.connection.failure = {shown(error).toStdString(), false, asks_clock};
+    state_.connection.failure = {translated(error).toStdString(), false, asks_clock};
     room_.begin();  // perhaps the disk is full
   }
   flow_.update();
@@ -107,7 +107,7 @@ void Connecting::begin(std::unique_ptr<session::Session> session, const Presenta
                                session->known().device.recorded ? is_free_handling : is_rest);
   state_.left = {};
   state_.open.emplace(std::move(session), clock_.now(), numb_skin, stored,
-                      task.value_or(choices.task));
+                      task ? task : choices.task);
   state_.connection.phase = Connection::open;
   take_earlier_work();
   if (const auto got = state_.realtime(); !got.empty() && !std::exchange(realtime_said_, true))
@@ -151,7 +151,7 @@ void Connecting::break_off(const std::string& why) {
   close();
 }
 
-/// What was measured of a trial that could not be ended is that trial's, and no other one's.
+/// Measures of a trial that could not be ended must not be shown for another one.
 void Connecting::keep_broken_trial(const std::string& why) {
   room_.begin();
   OpenSession& open = *state_.open;
@@ -176,7 +176,7 @@ void Connecting::close() {
     connection.phase = Connection::none;
     connection.lost = lost;
     if (lost && !state_.broken_off())  // the last look found it
-      connection.failure = {shown(*lost).toStdString(), true, false};
+      connection.failure = {translated(*lost).toStdString(), true, false};
     choices_.ask_anew();
     clinic_.load_history(state_.choices.patient);
     flow_.update();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way to the device and back: sessions are opened and closed on the worker. An act that the
-// flow does not allow is ignored. GUI thread.
+// Connects to the device and disconnects: sessions are opened and closed on the worker. An act that
+// the flow does not allow is ignored. GUI thread.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,8 @@ class Connecting {
   // -> SessionFlow::settled()
   /// Opens a session with what is chosen.
   void connect_device();
-  /// At once for the therapist; what the worker has opened meanwhile is closed there.
+  /// For the therapist it is over at once; a session that the worker has opened meanwhile is closed
+  /// there.
   void cancel();
   void disconnect_device();
   /// At once, whatever is running or being opened: the program is about to end.

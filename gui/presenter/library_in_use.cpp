@@ -12,13 +12,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The protocol that is proposed; any other is one choice away.
+/// The protocol that is proposed at first.
 constexpr const char* kUsualProtocol = "battery";
 
-int place_of_usual(const std::vector<session::ReadyProtocol>& protocols) {
+std::optional<int> place_of_usual(const std::vector<session::ReadyProtocol>& protocols) {
   for (std::size_t i = 0; i < protocols.size(); ++i)
     if (fs::path(protocols[i].spec.file).stem() == kUsualProtocol) return static_cast<int>(i);
-  return Choices::kByHand;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -58,28 +58,28 @@ void LibraryInUse::take(SessionLibrary library) {
 
 /// By the file that it was read from; where that is gone, the first that is to be done.
 void LibraryInUse::keep_tasks(const SessionLibrary& before) {
-  const auto keep = [&](int& task) {
-    const std::string file = task < 0 ? "" : before.tasks[static_cast<std::size_t>(task)].file;
-    task = place_of_file(state_.library.tasks, file);
-    if (task < 0) task = first_task(state_.library.tasks, is_rest).value_or(-1);
+  const auto keep = [&](std::optional<int>& task) {
+    if (task)
+      task =
+          place_of_file(state_.library.tasks, before.tasks[static_cast<std::size_t>(*task)].file);
+    if (!task) task = first_task(state_.library.tasks, is_rest);
   };
   keep(state_.choices.task);
   if (state_.open) keep(state_.open->work.task);
 }
 
 void LibraryInUse::keep_protocol(const SessionLibrary& before) {
-  int& protocol = state_.choices.protocol;
-  if (protocol == Choices::kByHand) return;
-  const session::ReadyProtocol& chosen = before.protocols[static_cast<std::size_t>(protocol)];
+  std::optional<int>& protocol = state_.choices.protocol;
+  if (!protocol) return;
+  const session::ReadyProtocol& chosen = before.protocols[static_cast<std::size_t>(*protocol)];
   auto& protocols = state_.library.protocols;
   protocol = place_of_file(protocols, chosen.spec.file);
   // A session that follows a protocol whose file is gone follows it to its end.
-  if (protocol < 0 && state_.busy()) {
+  if (!protocol && state_.busy()) {
     protocol = static_cast<int>(protocols.size());
     protocols.push_back(chosen);
   }
-  const bool same =
-      protocol != Choices::kByHand && state_.chosen_protocol().spec.text == chosen.spec.text;
+  const bool same = protocol && state_.chosen_protocol().spec.text == chosen.spec.text;
   if (!same) choices_.look_for_earlier();
 }
 

@@ -66,7 +66,7 @@ void NextWork::look_at_task() {
 }
 
 void NextWork::select(std::optional<int> task) {
-  if (task) (state_.open ? state_.open->work.task : state_.choices.task) = *task;
+  if (task) (state_.open ? state_.open->work.task : state_.choices.task) = task;
   look_at_task();
 }
 

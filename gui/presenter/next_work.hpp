@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inside gui/presenter/ only: what comes next in the work, the protocol's act or a task chosen by
 // hand. Looked up once per act, choice and measurement: the flow is decided sixty times a second.
-// None of it tells the windows; whoever acts does. GUI thread.
+// Nothing here tells the windows; the act that calls it does. GUI thread.
 #pragma once
 
 #include <optional>

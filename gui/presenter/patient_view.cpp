@@ -74,7 +74,7 @@ void PatientView::picture_shown(const PatientPicture& picture) {
 
 /// Once a trial.
 void PatientView::say_smaller_gain(std::optional<double> shown) {
-  constexpr double kSame = 1.0 - 1e-9;  // of the same number, reckoned twice
+  constexpr double kSame = 1.0 - 1e-9;  // the same number, computed in two ways
   const auto& asked = state_.open->trial->preview->gain_deg_per_N;
   if (!asked || !shown || *shown >= kSame * *asked) return;
   Q_EMIT flow_.failed(

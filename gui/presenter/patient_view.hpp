@@ -17,7 +17,8 @@ class PatientView {
   /// A picture has appeared on the patient's screen: its age, and how large a force is on it, are
   /// kept with the trial.
   void picture_shown(const PatientPicture& picture);
-  /// How the patient sees was said anew: what is changed while a session is open is stored with it.
+  /// What the therapist said of how the patient sees has changed; while a session is open it is
+  /// stored with it.
   void store_presentation();
 
  private:

@@ -19,8 +19,8 @@ class Preparing {
 
   // @pre a session is open
   void take(const session::ZeroOutcome& zero);
-  /// Once a poll. A finger that moved is noted with the session, once: its forces mean something
-  /// else since then.
+  /// Called in every poll. Where a finger has moved on its pad, a note is stored with the session,
+  /// once: from then on its forces mean something else.
   void look();
 
  private:

@@ -52,7 +52,7 @@ void ProtocolActs::leave_out(const Error& why) {
   const std::string& task = open.work.guide.act()->task->name;
   open.session->note("Left out: " + task + ": " + english("%1; %2"_text(why.what, why.remedy)));
   Q_EMIT flow_.failed(SessionFlow::tr("Left out: %1: %2; %3")
-                          .arg(shown(task), translated(why.what), translated(why.remedy)));
+                          .arg(translated(task), translated(why.what), translated(why.remedy)));
   open.work.guide.skip(open.time_s());
   next_.look_at_act();
   flow_.update();

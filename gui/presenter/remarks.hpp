@@ -16,10 +16,10 @@ class Remarks {
   /// What the patient says of the work, 0 to 10 each; nothing is stored before both are known.
   void rate_effort(int effort);
   void rate_pain(int pain);
-  void show_rated();  ///< to correct it, after it was put away for the next answer
-  /// Another block of work begins: what was answered is put away.
+  void show_rated();  ///< shows the last answer again, so that it can be corrected
+  /// Another block of work begins: the last answer is no longer shown.
   void ask_rating_anew();
-  /// The therapist helps, or did in the last trial; again: takes it back.
+  /// The therapist helps, or helped in the last trial; called again it takes that back.
   void toggle_helped();
   [[nodiscard]] bool may_help() const noexcept;
   /// A remark at this moment, kept with the session.

@@ -23,7 +23,7 @@ storage::SessionRecord session_to_come(storage::RowId patient, Hand hand,
 
 }  // namespace
 
-// Whoever goes on with the next session has read why the last one ended.
+// Someone who begins the next session has read why the last one ended.
 
 SessionChoices::SessionChoices(const ActContext& with)
     : state_(with.state),
@@ -77,10 +77,10 @@ void SessionChoices::choose_device(const std::string& uri) {
   flow_.update();
 }
 
-void SessionChoices::choose_protocol(int index) {
-  if (state_.busy() || index == state_.choices.protocol) return;
+void SessionChoices::choose_protocol(std::optional<int> place) {
+  if (state_.busy() || place == state_.choices.protocol) return;
   state_.connection.failure.reset();
-  state_.choices.protocol = index;
+  state_.choices.protocol = place;
   look_for_earlier();
   flow_.update();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 #include <string>
 
 #include "gui/presenter/act_context.hpp"
@@ -22,8 +23,8 @@ class SessionChoices final : public QObject {
   void confirm_hand();
   void answer_screening(const Screening& answers);
   void choose_device(const std::string& uri);
-  /// Place in the library; Choices::kByHand: none, tasks are chosen one by one.
-  void choose_protocol(int index);
+  /// Place in the library; nothing: tasks are chosen one by one.
+  void choose_protocol(std::optional<int> place);
   /// An interrupted protocol may be taken up: go on with it, or begin anew.
   void decide_earlier(bool go_on);
   /// Who works at this station, from the next session on; empty: as the settings say.

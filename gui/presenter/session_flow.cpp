@@ -67,7 +67,7 @@ void SessionFlow::update() {
 }
 
 void SessionFlow::refuse(const Error& error) {
-  Q_EMIT failed(shown(error));
+  Q_EMIT failed(translated(error));
 }
 
 FlowFacts SessionFlow::facts() const {
@@ -122,8 +122,8 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.task_done = open.work.task_done;
   // From the press of Start until the trial's outcome is stored, with the trial itself in between.
   facts.starting = open.trial && (!open.trial->arrived || facts.stage == session::Stage::idle);
-  const auto& said = open.rating.stop_reason;
-  facts.stop_reason = said.empty() ? open.limits.reason_to_stop().value_or("") : said;
+  const auto& reason = open.rating.stop_reason;
+  facts.stop_reason = reason.empty() ? open.limits.reason_to_stop().value_or("") : reason;
   if (follows)
     facts.protocol = protocol_facts(open.work.guide, state_.choices.by_itself, open.time_s());
   if (open.ended) facts.last_rested = is_rest(*open.ended->task);

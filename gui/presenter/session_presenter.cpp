@@ -68,7 +68,7 @@ void SessionPresenter::look_at_session() {
   for (const auto& news : state_.open->session->take_news()) {
     if (news.zero) preparing_.take(*news.zero);
     if (news.trial) trials_.take(*news.trial);
-    if (news.failure) return connecting_.break_off(shown(*news.failure).toStdString());
+    if (news.failure) return connecting_.break_off(translated(*news.failure).toStdString());
   }
   trials_.renew_score();
 }

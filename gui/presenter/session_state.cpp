@@ -76,14 +76,14 @@ const std::vector<Measure>& SessionState::live_score() const noexcept {
 }
 
 bool SessionState::has_protocol() const noexcept {
-  return choices.protocol != Choices::kByHand && choices.device_uri.rfind("replay://", 0) != 0;
+  return choices.protocol && choices.device_uri.rfind("replay://", 0) != 0;
 }
 
 const tasks::TaskSpec* SessionState::next_task() const noexcept {
   if (follows()) return open->work.act_task ? &*open->work.act_task : nullptr;
-  if (!open && has_protocol()) return nullptr;  // the protocol will say
-  const int task = task_by_hand();
-  return task < 0 ? nullptr : &library.tasks[static_cast<std::size_t>(task)];
+  if (!open && has_protocol()) return nullptr;  // the protocol decides
+  const auto task = task_by_hand();
+  return task ? &library.tasks[static_cast<std::size_t>(*task)] : nullptr;
 }
 
 bool SessionState::zero_is_next() const noexcept {

@@ -30,13 +30,12 @@ namespace isograsp::gui {
 
 /// What the therapist chose. It stays for the next session, but for what is asked anew.
 struct Choices {
-  static constexpr int kByHand = -1;
-
   std::string operator_name;  ///< who has logged in; empty: as the settings say
   std::string patient;        ///< code; empty: nobody
   std::string device_uri;     ///< empty: none
-  int protocol = kByHand;     ///< place in the library
-  int task = -1;              ///< by hand, while no session is open: place in the library
+  /// Places in the library. No protocol: tasks are chosen by hand, one by one.
+  std::optional<int> protocol;
+  std::optional<int> task;  ///< by hand, while no session is open
   bool practice = false;
   bool by_itself = true;  ///< acts of the protocol begin by themselves
 
@@ -55,7 +54,7 @@ struct Choices {
   } interrupted;
 };
 
-/// The way to the device and back. Made anew by every attempt to connect.
+/// The connection to the device. Made anew by every attempt to connect.
 struct ConnectionState {
   struct Failure {
     std::string words;
@@ -65,7 +64,7 @@ struct ConnectionState {
 
   Connection phase = Connection::none;
   std::stop_source opening;
-  std::optional<Failure> failure;  ///< until whoever goes on has read it
+  std::optional<Failure> failure;  ///< until the next act, so that it can be read
   std::optional<Error> lost;       ///< why not all of the session is in the database
 };
 
@@ -74,8 +73,8 @@ struct DeviceFaultSeen {
   Words words;
 };
 
-/// What is to be seen of a session, also after its end: until the next one begins or another
-/// patient is chosen.
+/// What can still be shown after a session has ended: until the next one begins or another patient
+/// is chosen.
 struct SessionTraces {
   ForceHistory forces{};
   std::vector<DeviceFaultSeen> faults;  ///< oldest first
@@ -136,9 +135,9 @@ struct Rating {
 /// What is to be done next in a session.
 struct Work {
   ProtocolGuide guide;
-  bool by_hand = false;                     ///< beside the protocol
+  bool by_hand = false;                     ///< tasks are chosen beside the protocol
   std::optional<tasks::TaskSpec> act_task;  ///< of the next act, at its level
-  int task = -1;                            ///< by hand: place in the library
+  std::optional<int> task;                  ///< by hand: place in the library
   std::string task_lacks;                   ///< what it is scaled to and has not been measured
   std::map<std::string, double> levels;     ///< that the therapist chose, by task file
   int maximum_attempts = 0;
@@ -146,16 +145,16 @@ struct Work {
 
   /// The protocol, not the therapist, says what comes.
   [[nodiscard]] bool follows() const noexcept { return guide.active() && !by_hand; }
-  /// As the therapist made it easier or harder; else as it is.
+  /// At the difficulty that the therapist chose; otherwise unchanged.
   [[nodiscard]] Result<tasks::TaskSpec> at_chosen_level(const tasks::TaskSpec& spec) const;
 };
 
-/// Dies with the session.
+/// Exists as long as the session is open.
 struct OpenSession {
   /// `numb_skin`: the screening says so. `stored`: how the patient's screen is, as the session
   /// knows it. `task`: the first by hand.
   OpenSession(std::unique_ptr<session::Session> of, Timestamp now, bool numb_skin,
-              const Presentation& stored, int task)
+              const Presentation& stored, std::optional<int> task)
       : session(std::move(of)), opened(now), stored_presentation(stored) {
     limits.begin(numb_skin);
     work.task = task;
@@ -221,16 +220,20 @@ struct SessionState {
   /// The session follows, or will follow, the chosen protocol. A recording follows none: whatever
   /// was done in it is done.
   [[nodiscard]] bool has_protocol() const noexcept;
-  /// @pre choices.protocol is not kByHand
+  /// @pre choices.protocol
   [[nodiscard]] const session::ReadyProtocol& chosen_protocol() const {
-    return library.protocols[static_cast<std::size_t>(choices.protocol)];
+    return library.protocols[static_cast<std::size_t>(*choices.protocol)];
   }
   /// The protocol, not the therapist, says what comes.
   [[nodiscard]] bool follows() const noexcept { return open && open->work.follows(); }
-  /// Chosen by hand, place in the library; -1: none, or the protocol says what comes.
-  [[nodiscard]] int task() const noexcept { return follows() ? -1 : task_by_hand(); }
+  /// Chosen by hand, place in the library; nothing: none is, or the protocol says what comes.
+  [[nodiscard]] std::optional<int> task() const noexcept {
+    return follows() ? std::nullopt : task_by_hand();
+  }
   /// Of a protocol that stands by, too.
-  [[nodiscard]] int task_by_hand() const noexcept { return open ? open->work.task : choices.task; }
+  [[nodiscard]] std::optional<int> task_by_hand() const noexcept {
+    return open ? open->work.task : choices.task;
+  }
   /// The task that Start begins, at its level in the protocol; null: none.
   [[nodiscard]] const tasks::TaskSpec* next_task() const noexcept;
   /// The protocol asks for a zero of the empty device.

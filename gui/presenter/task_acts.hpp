@@ -22,7 +22,8 @@ class TaskActs {
   [[nodiscard]] std::optional<double> difficulty() const;
   /// -1 easier, +1 harder; for this session.
   void adjust_difficulty(int direction);
-  /// The patient's screen shows how the next task is done; again: it stops. So does any act.
+  /// The patient's screen shows how the next task is done. Called again, it stops; any other act
+  /// stops it, too.
   void show_how();
   /// A demonstration is being made or is on the patient's screen.
   [[nodiscard]] bool showing_how() const noexcept { return example_.showing(); }

@@ -103,7 +103,7 @@ void Trials::start_pause_resume() {
   const FlowView& view = flow_.view();
   if (view.may_pause) return pause();
   if (view.may_resume) return resume();
-  // What would begin by itself is held: the key never makes it begin sooner.
+  // The key holds back what would begin by itself; it never makes it begin sooner.
   if (view.may_stand_by) return protocol_.stand_by();
   start();
 }
@@ -129,7 +129,7 @@ void Trials::follow_time() {
   flow_.decide();
   const FlowView& view = flow_.view();
   if (view.must_stand_by) return next_.hold();
-  // Nothing begins by itself before the word that the hand is in.
+  // Nothing begins by itself before the therapist says that the hand is in.
   const bool hand_is_in =
       view.situation != Situation::strap_in && view.situation != Situation::strap_again;
   if (view.may_begin && hand_is_in && guide.start_in_s(open.time_s()) <= 0.0) begin_next();

@@ -17,12 +17,12 @@ class Trials {
   /// What is not in the context outlives it, too.
   Trials(const ActContext& with, NextWork& next, ProtocolActs& protocol, Remarks& remarks);
 
-  /// The trial; in a protocol that waits: it goes on by itself from now on.
+  /// Starts the trial; a protocol that waits goes on by itself from now on.
   void start();
   void pause();
   void resume();
   void stop();
-  void start_pause_resume();  ///< the one big key
+  void start_pause_resume();  ///< what the one large key does, by the state
   void repeat();              ///< the last trial once more, beside the protocol
 
   /// Pauses of the protocol end, and what begins by itself begins. Once a poll.

@@ -17,7 +17,7 @@ namespace {
 
 QString day_of(const std::string& utc) {
   constexpr std::size_t kDate = 10;  // characters of "2026-11-21"
-  return shown_date(utc.substr(0, kDate));
+  return translated_date(utc.substr(0, kDate));
 }
 
 QString words_of(const storage::PrimaryMeasure& primary) {
@@ -25,7 +25,7 @@ QString words_of(const storage::PrimaryMeasure& primary) {
   measure.name = primary.measure;
   measure.channel = primary.channel;
   return QObject::tr("%1 · %2, %3")
-      .arg(measure_title(measure), shown(primary.task_name), hand_words(primary.hand));
+      .arg(measure_title(measure), translated(primary.task_name), hand_words(primary.hand));
 }
 
 bool same(const storage::PrimaryMeasure& a, const storage::PrimaryMeasure& b) {
@@ -46,7 +46,7 @@ QLineEdit* who_field(const QString& object_name, const QString& name, const QStr
 template <class Entry>
 void take_out(std::vector<Entry>& entries, int row, std::vector<Entry>& gone) {
   gone.push_back(entries[static_cast<std::size_t>(row)]);
-  entries.erase(entries.begin() + row);  // at once: nobody removes it twice
+  entries.erase(entries.begin() + row);  // at once, so that it cannot be removed twice
 }
 
 /// What a list says of its last removed entry; nothing: there is none.

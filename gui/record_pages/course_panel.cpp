@@ -23,7 +23,7 @@ TwoLines lines_of(const CourseSession& session) {
         return trial.record.status != storage::TrialStatus::completed;
       });
   const auto what = session.record.protocol_name.empty() ? QObject::tr("single tasks")
-                                                         : shown(session.record.protocol_name);
+                                                         : translated(session.record.protocol_name);
   QStringList words{QObject::tr("No. %1").arg(session.number), hand_words(session.record.hand),
                     trials_words(static_cast<int>(session.trials.size())), what};
   if (unfinished > 0)
@@ -36,7 +36,8 @@ TwoLines lines_of(const CourseSession& session) {
 
 TwoLines lines_of(const CourseTrial& trial) {
   TwoLines lines;
-  lines.title = QObject::tr("%1  %2").arg(trial.record.number).arg(shown(trial.record.task_name));
+  lines.title =
+      QObject::tr("%1  %2").arg(trial.record.number).arg(translated(trial.record.task_name));
   QStringList words{standing_words(trial.record)};
   if (const Measure* key = key_measure(trial))
     words.insert(0, QObject::tr("%1 %2").arg(measure_title(*key), measure_value(*key)));

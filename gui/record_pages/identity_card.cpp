@@ -64,7 +64,7 @@ void IdentityCard::read() {
   staff_.read_identity(
       this, code_, [this, code = code_](const Result<std::optional<storage::Identity>>& read) {
         if (code != code_ || staff_.closed()) return;
-        if (!read) return remark_->warn(shown(read.error()));
+        if (!read) return remark_->warn(translated(read.error()));
         open_ = true;
         const storage::Identity identity = read->value_or(storage::Identity{});
         name_->setText(QString::fromStdString(identity.name));
@@ -88,7 +88,7 @@ void IdentityCard::store() {
     if (stored)
       remark_->say(tr("Kept."));
     else
-      remark_->warn(shown(stored.error()));
+      remark_->warn(translated(stored.error()));
   });
 }
 

@@ -40,7 +40,7 @@ QString task_words(const storage::MeasurePoint& point, bool several_versions, bo
   QStringList words;  // what must not be cut off comes first
   if (point.simulated) words << QObject::tr("SIMULATED");
   if (mixed) words << QObject::tr("levels differ");
-  words << shown(point.task_name) << hand_words(point.hand);
+  words << translated(point.task_name) << hand_words(point.hand);
   if (several_versions)
     words.insert(words.size() - 1, QObject::tr("version %1").arg(point.task_version));
   return words.join(QStringLiteral(" · "));

@@ -34,8 +34,8 @@ struct MeasureTrend {
   int task_version = 1;
   bool key = false;
   bool simulated = false;
-  /// The trials differ in parameters, level or object: `task` says so. What changes then is not
-  /// the patient alone.
+  /// The trials differ in parameters, level or object; `task` says so. A change of the value may
+  /// then come from the task instead of the patient.
   bool mixed = false;
   std::vector<Point> points;     ///< trials with a value, oldest first
   std::vector<Mean> means;       ///< sessions with an assessment, oldest first

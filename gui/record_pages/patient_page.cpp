@@ -170,7 +170,7 @@ void PatientPage::load() {
             comparison_->show_course(course_);
             trends_->show_trends(std::move((*outcome)->trends));
           } else {
-            problem_ = shown(outcome->error());
+            problem_ = translated(outcome->error());
           }
           tell();
           Q_EMIT loaded();
@@ -184,7 +184,7 @@ void PatientPage::open_trial(int session_index, int trial_index) {
   const auto& record = chosen.trials.at(static_cast<std::size_t>(trial_index)).record;
   sessions_->choose(session_index, trial_index);
   show_view(View::trial);
-  trial_->show_loading(tr("trial %1, %2").arg(record.number).arg(shown(record.task_name)));
+  trial_->show_loading(tr("trial %1, %2").arg(record.number).arg(translated(record.task_name)));
   const int mine = ++*wanted_trial_;
   using Loaded = std::optional<Result<LoadedTrial>>;
   loading_trial_ = clinic_.read(
@@ -199,11 +199,12 @@ void PatientPage::open_trial(int session_index, int trial_index) {
         loading_trial_ = false;
         if (*outcome) {
           trial_->show_trial(std::make_shared<const LoadedTrial>(**std::move(outcome)));
-          // Whoever has gone elsewhere meanwhile stays there.
+          // If another page was opened meanwhile, it stays open.
           if (views_->currentWidget() == trial_ && isAncestorOf(QApplication::focusWidget()))
             trial_->take_focus();
         } else {
-          trial_->show_problem(tr("This trial cannot be read: %1").arg(shown(outcome->error())));
+          trial_->show_problem(
+              tr("This trial cannot be read: %1").arg(translated(outcome->error())));
         }
         Q_EMIT trial_loaded();
       });

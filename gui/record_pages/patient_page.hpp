@@ -53,7 +53,7 @@ class PatientPage final : public QWidget {
   bool loading_course_ = false;
   bool loading_trial_ = false;
   QString problem_;
-  /// Only the newest wish is read: whoever walks through the trials does not wait for each.
+  /// Only the newest request is read: someone who goes through the trials does not wait for each.
   std::shared_ptr<std::atomic<int>> wanted_course_ = std::make_shared<std::atomic<int>>(0);
   std::shared_ptr<std::atomic<int>> wanted_trial_ = std::make_shared<std::atomic<int>>(0);
   QLabel* title_;

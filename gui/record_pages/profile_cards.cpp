@@ -89,7 +89,7 @@ void PersonCard::make_onset() {
   connect(onset_, &QLineEdit::textChanged, this, [this](const QString& text) {
     onset_remark_->say({});
     const auto day = onset_->typed().value;
-    if (!day || text != shown_date(iso_text(*day))) return;
+    if (!day || text != translated_date(iso_text(*day))) return;
     finish();
     Q_EMIT typed();
   });
@@ -199,7 +199,7 @@ void PersonCard::show_profile(const storage::PatientProfile& profile) {
   onset_iso_ = profile.onset_date;
   {
     const QSignalBlocker quiet(onset_);
-    onset_->setText(shown_date(profile.onset_date));  // also forgets what was typed
+    onset_->setText(translated_date(profile.onset_date));  // also forgets what was typed
   }
   finish();
   const std::pair<QPlainTextEdit*, const std::string*> texts[] = {{goals_, &profile.goals},
@@ -229,7 +229,7 @@ void PersonCard::finish() {
     onset_remark_->say({});
   } else if (onset.value) {
     onset_iso_ = iso_text(*onset.value);
-    const QString iso = shown_date(onset_iso_);
+    const QString iso = translated_date(onset_iso_);
     const QSignalBlocker quiet(onset_);
     if (onset_->text() != iso) onset_->setText(iso);
     onset_remark_->say(onset_words(*onset.value, local_today()));
@@ -277,7 +277,7 @@ TreatmentCard::TreatmentCard(QWidget* parent) : Card({}, parent) {
   connect(list_, &DatedList::remove_pressed, this, [this](int row) {
     gone_.push_back(marks_[static_cast<std::size_t>(row)]);
     list_->offer_undo(mark_removed(gone_));
-    marks_.erase(marks_.begin() + row);  // at once: nobody removes it twice
+    marks_.erase(marks_.begin() + row);  // at once, so that it cannot be removed twice
     show_marks(std::vector(marks_));
     Q_EMIT removed(gone_.back().id);
   });
@@ -293,8 +293,8 @@ void TreatmentCard::show_marks(const std::vector<storage::TreatmentMark>& marks)
   marks_ = marks;
   std::vector<QStringList> rows;
   for (const auto& mark : marks_)
-    rows.push_back(
-        {shown_date(mark.on_date), treatment_words(mark.kind), QString::fromStdString(mark.text)});
+    rows.push_back({translated_date(mark.on_date), treatment_words(mark.kind),
+                    QString::fromStdString(mark.text)});
   list_->show_rows(rows);
 }
 
@@ -368,7 +368,7 @@ ScoreCard::ScoreCard(QWidget* parent) : Card({}, parent) {
   connect(list_, &DatedList::remove_pressed, this, [this](int row) {
     gone_.push_back(scores_[static_cast<std::size_t>(row)]);
     list_->offer_undo(score_removed(gone_));
-    scores_.erase(scores_.begin() + row);  // at once: nobody removes it twice
+    scores_.erase(scores_.begin() + row);  // at once, so that it cannot be removed twice
     show_scores(std::vector(scores_));
     Q_EMIT removed(gone_.back().id);
   });
@@ -399,7 +399,7 @@ void ScoreCard::show_scores(const std::vector<storage::ClinicalScore>& scores) {
   std::vector<QStringList> rows;
   for (const auto& score : scores_)
     rows.push_back(
-        {shown_date(score.on_date),
+        {translated_date(score.on_date),
          score.scale == "sensation" ? tr("Sensation") : QString::fromStdString(score.scale),
          score_words(score), QString::fromStdString(score.text)});
   list_->show_rows(rows);

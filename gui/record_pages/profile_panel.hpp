@@ -50,7 +50,7 @@ class ProfilePanel final : public QWidget {
   /// Connects a card of entries that are added and removed.
   template <class Entry, class Card>
   void connect_card(Card* card, PersonFile::Add<Entry> add, PersonFile::Remove remove);
-  /// Only for eyes: nothing waits behind it while the form is hidden.
+  /// Only a delay for reading: nothing depends on it while the form is hidden.
   void load_choices();
   void try_again();
   void take_answer();

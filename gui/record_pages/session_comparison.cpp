@@ -62,7 +62,7 @@ SessionWork collect(const CourseSession& session) {
         collected.sum += *measure.value;
       } else {
         ++collected.mean.without;
-        collected.mean.reason = shown(measure.reason);
+        collected.mean.reason = translated(measure.reason);
       }
     }
   }
@@ -70,7 +70,7 @@ SessionWork collect(const CourseSession& session) {
     for (auto& [name, collected] : task.measures) {
       SessionMean& mean = collected.mean;
       const bool censored =
-          tasks::words_for(collected.first->name, collected.first->channel).censored;
+          tasks::words_of(collected.first->name, collected.first->channel).censored;
       if (mean.trials > 0 && !(censored && mean.without > 0)) {
         mean.value = collected.sum / mean.trials;
         mean.reason.clear();
@@ -102,7 +102,7 @@ QString task_difference(const TaskKey& a, const TaskKey& b) {
 void add_rows(const TaskOfSession& in_a, const TaskOfSession& in_b, SessionComparison& comparison) {
   const auto spec = tasks::parse_task(in_b.trial->task_text, in_b.trial->task_name);
   const auto task_spec = spec ? std::optional(*spec) : std::nullopt;
-  const auto name = shown(in_b.trial->task_name);
+  const auto name = translated(in_b.trial->task_name);
   std::vector<std::pair<tasks::Place, ComparedMeasure>> rows;
   std::set<QString> other_version;
   for (const auto& key : in_b.order) {
@@ -158,7 +158,7 @@ SessionComparison compare_sessions(const CourseSession& a, const CourseSession& 
     });
     if (like == in_a.order.end()) continue;
     const auto note =
-        QObject::tr("%1: %2").arg(shown(std::get<0>(key)), task_difference(*like, key));
+        QObject::tr("%1: %2").arg(translated(std::get<0>(key)), task_difference(*like, key));
     if (std::find(comparison.left_out.begin(), comparison.left_out.end(), note) ==
         comparison.left_out.end())
       comparison.left_out.push_back(note);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two sessions of a patient side by side: only like with like.
+// Two sessions of a patient side by side; only comparable trials are compared.
 #pragma once
 
 #include <QString>
@@ -37,7 +37,8 @@ struct SessionComparison {
 /// Compared are assessments (completed, neither practice nor helped) of the same task, version and
 /// parameters, by the same version of a measure. Sessions of different hands or sources, or with
 /// another frame rate or device delay, have nothing to compare. A measure that counts how long
-/// something took has no mean if a trial waited in vain: failures must not drop out of it.
+/// something took has no mean if a trial ended without it: a mean of the others would hide the
+/// failure.
 [[nodiscard]] SessionComparison compare_sessions(const CourseSession& a, const CourseSession& b);
 
 }  // namespace isograsp::gui

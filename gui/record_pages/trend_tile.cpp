@@ -15,9 +15,9 @@ constexpr int kTileEdge_px = 10;
 constexpr int kPlot_px = 96;
 constexpr int kTileText_px = 60;  // title, task and remark: three lines
 
-/// As much of a text as has room. What tells it from others stands behind its last separator, the
-/// finger in "Maximum force above rest, thumb", the hand in "Maximum force · right hand", and is
-/// kept.
+/// As much of a text as has room. What distinguishes it from others comes after its last separator:
+/// the finger in "Maximum force above rest, thumb", the hand in "Maximum force · right hand", and
+/// is kept.
 QString shortened(const QString& text, const QString& separator, const QFontMetrics& metrics,
                   int width_px) {
   const int last = text.lastIndexOf(separator);
@@ -49,12 +49,12 @@ TrendTile::TrendTile(const MeasureTrend& trend, QWidget* parent)
 
 void TrendTile::set_remark(const QString& remark) {
   remark_ = remark;
-  const QString said = remark_.isEmpty() ? QString() : tr("\n%1").arg(remark_);
+  const QString below = remark_.isEmpty() ? QString() : tr("\n%1").arg(remark_);
   describe(
-      *this, tr("%1, %2: %3").arg(title_, task_, last_) + said,
+      *this, tr("%1, %2: %3").arg(title_, task_, last_) + below,
       tr("%1\n%2\nNewest value %3.%4 Arrow keys go to the next picture, Enter or a click shows "
          "this one large (F4)")
-          .arg(title_, task_, last_, said.isEmpty() ? said : said + QStringLiteral(".\n")));
+          .arg(title_, task_, last_, below.isEmpty() ? below : below + QStringLiteral(".\n")));
   update();
 }
 

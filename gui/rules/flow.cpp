@@ -11,7 +11,7 @@ FlowView judge(const FlowFacts& facts) {
   view.device_mood = mood_of(view.device);
   view.situation = situation_of(facts, view.device);
   view.mood = mood_of(view.situation);
-  // What the small light asks for, the sentence says; no check or dots stand beside it.
+  // The sentence says what the small light shows; it has no check mark or dots.
   const bool content = view.mood == Mood::ready || view.mood == Mood::busy;
   view.device_speaks = (view.device == DeviceCondition::degraded && view.mood != Mood::fault) ||
                        (view.device_mood == Mood::attention && content);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The logic of a session as a therapist lives it: where it stands, which step comes next, what may
-// be pressed now, and the one sentence that says so. Light, sentence, steps and the one button that
+// The flow of a session for the therapist: its state, which step comes next, what may be pressed
+// now, and one sentence that says so. Light, sentence, steps and the one button that
 // is filled all follow from one Situation. Pure: same facts, same view (in the language that is
 // set). No widget, no clock, no thread.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace isograsp::gui {
 
-/// The way from an empty chair to a result, in order.
+/// The steps of a session, in order.
 enum class Step : std::uint8_t { patient, hand, screening, device, zero, rest, work };
 inline constexpr std::size_t kStepCount = 7;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the session stands.
+// The situation of the session, from the facts.
 #include "gui/rules/flow_parts.hpp"
 
 namespace isograsp::gui {

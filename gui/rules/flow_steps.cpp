@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way from an empty chair to a result: which step is done, which is next.
+// The steps of a session: which is done, which is next.
 #include "gui/rules/flow_parts.hpp"
 
 namespace isograsp::gui {

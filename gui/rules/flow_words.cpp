@@ -51,7 +51,7 @@ QString maximum_words(const FlowFacts& facts) {
 
 QString strap_words(const FlowFacts& facts) {
   const auto zero =
-      facts.zero_remark.empty() ? FlowTexts::tr("Zero is set.") : shown(facts.zero_remark);
+      facts.zero_remark.empty() ? FlowTexts::tr("Zero is set.") : translated(facts.zero_remark);
   if (facts.protocol.active && facts.protocol.by_itself)
     return FlowTexts::tr(
                "%1 Strap the hand in and say so; after a minute the resting force begins.")
@@ -121,7 +121,7 @@ QString words_in_work(Situation situation, const FlowFacts& facts) {
     case Situation::first_maximum:
       return FlowTexts::tr("%1 Next: the maximum grip force.")
           .arg(facts.rest_words.empty() ? FlowTexts::tr("Resting force is known.")
-                                        : shown(facts.rest_words));
+                                        : translated(facts.rest_words));
     case Situation::next_maximum:
       return FlowTexts::tr("%1 Repeat it after one minute, or choose a task and press Start.")
           .arg(maximum_words(facts));
@@ -136,7 +136,7 @@ QString words_in_work(Situation situation, const FlowFacts& facts) {
 QString words_with_hand(Situation situation, const FlowFacts& facts) {
   switch (situation) {
     case Situation::zero_refused:
-      return FlowTexts::tr("Zero refused: %1").arg(shown(facts.zero_refusal));
+      return FlowTexts::tr("Zero refused: %1").arg(translated(facts.zero_refusal));
     case Situation::zero_outdated: return restart_words(facts);
     case Situation::zero_missing:
       return FlowTexts::tr("Device connected. Set the zero with the device empty.");
@@ -144,7 +144,7 @@ QString words_with_hand(Situation situation, const FlowFacts& facts) {
       return FlowTexts::tr(
           "The straps have been on for 20 minutes: look at the skin, then confirm that the hand is "
           "in and strapped.");
-    case Situation::stop_work: return shown(facts.stop_reason);
+    case Situation::stop_work: return translated(facts.stop_reason);
     case Situation::strap_in: return strap_words(facts);
     case Situation::strap_again:
       return FlowTexts::tr("Zero is set. Strap the hand in again and say so.");
@@ -166,7 +166,8 @@ QString words_in_session(Situation situation, const FlowFacts& facts, const Flow
       return FlowTexts::tr("The recording is over. Disconnect to end the session.");
     case Situation::wait_for_forces: return FlowTexts::tr("Waiting for the first forces …");
     case Situation::zeroing: return FlowTexts::tr("Setting the zero. Nobody touches the device.");
-    case Situation::in_trial: return FlowTexts::tr("Recording: %1.").arg(shown(facts.task_name));
+    case Situation::in_trial:
+      return FlowTexts::tr("Recording: %1.").arg(translated(facts.task_name));
     case Situation::paused: return FlowTexts::tr("Paused. Resume when the patient is ready.");
     case Situation::paused_by_fault: return translated(session::words_of(facts.pause_cause));
     case Situation::let_go:

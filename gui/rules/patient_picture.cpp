@@ -105,7 +105,7 @@ void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
   if (facts.task->kind->course != nullptr)
     return say(picture, Sign::wait, PictureTexts::tr("Stay on the outline"),
                PictureTexts::tr("It moves: go with it"));
-  if (task.target_count == 0) return say(picture, Sign::wait, shown(facts.task->instruction));
+  if (task.target_count == 0) return say(picture, Sign::wait, translated(facts.task->instruction));
   picture.progress = static_cast<double>(task.targets_reached) / task.target_count;
   if (task.cue == Cue::let_go)
     return say(picture, Sign::wait, PictureTexts::tr("Let go"), PictureTexts::tr("Leave it there"));
@@ -115,14 +115,14 @@ void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
   if (facts.task->kind->carries)
     return say(picture, Sign::wait, PictureTexts::tr("Bring it to the outline"),
                PictureTexts::tr("Take it and carry it there"));
-  say(picture, Sign::wait, words_for(Cue::move, force.channel, facts.hand));
+  say(picture, Sign::wait, words_of(Cue::move, force.channel, facts.hand));
 }
 
 /// "Next: thumb, push up".
 std::string next_words(const TargetPreview::Part& part, Hand hand) {
   QString words = QString::fromStdString(part.cue == Cue::squeeze
                                              ? act_of(part.channel, hand)
-                                             : words_for(part.cue, part.channel, hand).headline);
+                                             : words_of(part.cue, part.channel, hand).headline);
   // One colon is enough.
   static const QRegularExpression kColon(QStringLiteral("[\\s\u00a0]*:\\s*"));
   words.replace(kColon, QStringLiteral(", "));
@@ -131,7 +131,7 @@ std::string next_words(const TargetPreview::Part& part, Hand hand) {
 
 void add_rest(const PatientFacts& facts, PatientPicture& picture) {
   const int segment = facts.snapshot.task.segment;
-  say(picture, Sign::rest, words_for(Cue::relax, picture.channel, facts.hand));
+  say(picture, Sign::rest, words_of(Cue::relax, picture.channel, facts.hand));
   const auto* effort = facts.preview == nullptr ? nullptr : facts.preview->next_effort(segment);
   if (effort == nullptr) return;
   const bool at_once = effort == &facts.preview->parts[static_cast<std::size_t>(segment) + 1];
@@ -156,14 +156,14 @@ void add_directions(const PatientFacts& facts, PatientPicture& picture) {
     digit.force_C = facts.snapshot.forces.wrench_C[f].force;
     digit.on_target = (digit.force_C - digit.target_C).norm() <= kOnTarget * picture.digits_N;
   }
-  say(picture, Sign::act, words_for_digits(force.digit_targets.shown));
+  say(picture, Sign::act, words_of_digits(force.digit_targets.shown));
 }
 
 void add_follow(const PatientFacts& facts, PatientPicture& picture) {
   const tasks::TaskProgress& task = facts.snapshot.task;
   const tasks::ForceView& force = facts.snapshot.special.force();
   picture.page = Page::tracking;
-  say(picture, Sign::act, words_for(Cue::follow, force.channel, facts.hand));
+  say(picture, Sign::act, words_of(Cue::follow, force.channel, facts.hand));
   if (!force.force_shown) {
     picture.detail = PictureTexts::tr("Without seeing your force").toStdString();
     return;
@@ -182,7 +182,7 @@ void add_follow(const PatientFacts& facts, PatientPicture& picture) {
 void add_force(const PatientFacts& facts, PatientPicture& picture) {
   const tasks::TaskProgress& task = facts.snapshot.task;
   const tasks::ForceView& force = facts.snapshot.special.force();
-  const auto words = [&] { return words_for(task.cue, force.channel, facts.hand); };
+  const auto words = [&] { return words_of(task.cue, force.channel, facts.hand); };
   switch (task.cue) {
     case Cue::relax: return add_rest(facts, picture);
     case Cue::squeeze:

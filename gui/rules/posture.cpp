@@ -48,7 +48,7 @@ const char* name_of(PostureItem item) noexcept {
   return "";
 }
 
-QString title_of(PostureItem item) {
+QString words_of(PostureItem item) {
   switch (item) {
     case PostureItem::seat: return PostureTexts::tr("Seat");
     case PostureItem::elbow: return PostureTexts::tr("Elbow");
@@ -78,7 +78,7 @@ const std::vector<const char*>& choices_of(PostureItem item) {
   }
 }
 
-QString words_for(PostureItem item, const std::string& value) {
+QString words_of(PostureItem item, const std::string& value) {
   if (value.empty()) return PostureTexts::tr("not said");
   const auto as_stored = QString::fromStdString(value);
   if (item == PostureItem::elbow) return PostureTexts::tr("%1°").arg(as_stored);
@@ -109,7 +109,7 @@ QString deviations(const Posture& now, const Posture& last) {
     if (!last.of(item).empty() && now.of(item) != last.of(item))
       found +=
           PostureTexts::tr("%1: %2 instead of %3")
-              .arg(title_of(item), words_for(item, now.of(item)), words_for(item, last.of(item)));
+              .arg(words_of(item), words_of(item, now.of(item)), words_of(item, last.of(item)));
   return found.join(QStringLiteral("; "));
 }
 

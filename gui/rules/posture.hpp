@@ -27,11 +27,11 @@ inline constexpr std::array<PostureItem, kPostureItems> kPostureOrder{
 
 /// As stored.
 [[nodiscard]] const char* name_of(PostureItem item) noexcept;
-[[nodiscard]] QString title_of(PostureItem item);
+[[nodiscard]] QString words_of(PostureItem item);
 /// What may be chosen, as stored; empty: marks that are written down.
 [[nodiscard]] const std::vector<const char*>& choices_of(PostureItem item);
 /// A stored value in words.
-[[nodiscard]] QString words_for(PostureItem item, const std::string& value);
+[[nodiscard]] QString words_of(PostureItem item, const std::string& value);
 
 struct Posture {
   std::array<std::string, kPostureItems> values;  ///< empty: not said

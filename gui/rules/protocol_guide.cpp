@@ -18,8 +18,8 @@ struct GuideTexts {
 };
 
 /// "Maximum grip force and 4 more"
-std::string title_of(const std::vector<tasks::TaskSpec>& tasks) {
-  const auto first = shown(tasks.front().name);
+std::string tasks_words(const std::vector<tasks::TaskSpec>& tasks) {
+  const auto first = translated(tasks.front().name);
   if (tasks.size() == 1) return first.toStdString();
   return GuideTexts::tr("%1 and %n more", "", static_cast<int>(tasks.size()) - 1)
       .arg(first)
@@ -73,7 +73,7 @@ std::vector<ProtocolGuide::Row> ProtocolGuide::rows() const {
             GuideTexts::tr("Pause, %1 s").arg(static_cast<int>(step.duration_s)).toStdString();
         break;
       case tasks::ProtocolStep::Kind::task:
-        row.title = title_of(protocol_->tasks[i]);
+        row.title = tasks_words(protocol_->tasks[i]);
         row.count = step.repetitions * static_cast<int>(protocol_->tasks[i].size());
         row.practice = step.practice;
         break;

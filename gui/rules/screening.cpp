@@ -29,7 +29,7 @@ const char* name_of(Caution caution) noexcept {
   return "";
 }
 
-QString title_of(Caution caution) {
+QString words_of(Caution caution) {
   switch (caution) {
     case Caution::no_clearance: return ScreeningTexts::tr("No clearance for maximal effort");
     case Caution::injury: return ScreeningTexts::tr("Injury or inflammation of the hand");
@@ -84,7 +84,7 @@ QString advice(const Screening& screening) {
   return sentences.join(QLatin1Char(' '));
 }
 
-QString words_for(tasks::Effort effort) {
+QString words_of(tasks::Effort effort) {
   switch (effort) {
     case tasks::Effort::maximum: return ScreeningTexts::tr("Maximum allowed");
     case tasks::Effort::comfortable: return ScreeningTexts::tr("Comfortable force only");

@@ -28,7 +28,7 @@ inline constexpr std::array<Caution, kCautionCount> kCautions{
 /// As stored.
 [[nodiscard]] const char* name_of(Caution caution) noexcept;
 /// The question in a few words, and what it is about at length.
-[[nodiscard]] QString title_of(Caution caution);
+[[nodiscard]] QString words_of(Caution caution);
 [[nodiscard]] QString details_of(Caution caution);
 
 struct Screening {
@@ -52,7 +52,7 @@ inline constexpr int kTooMuchPain = 4;
 /// What to mind in the session; empty: nothing.
 [[nodiscard]] QString advice(const Screening& screening);
 /// "Maximum allowed", "Comfortable force only", "No force".
-[[nodiscard]] QString words_for(tasks::Effort effort);
+[[nodiscard]] QString words_of(tasks::Effort effort);
 /// "maximum, pain 0, ≤ 40 N"
 [[nodiscard]] QString summary(const Screening& screening);
 

@@ -34,7 +34,7 @@ constexpr std::array<Counter, 9> kCounters{
       &SensorCounters::status_errors},
      {QT_TRANSLATE_NOOP("isograsp::gui::DevicePage", "Set up again"), &SensorCounters::restarts}}};
 
-QString title_of(const Counter& counter) {
+QString words_of(const Counter& counter) {
   return DevicePage::tr(counter.title);
 }
 
@@ -139,7 +139,7 @@ QWidget* DevicePage::make_sensors() {
            tr("Counted since the device was connected (Tab, arrow keys)"));
   for (std::size_t row = 0; row < kCounters.size(); ++row)
     for (int column = 0; column <= static_cast<int>(kFingerCount); ++column) {
-      auto* item = new QTableWidgetItem(column == 0 ? title_of(kCounters[row]) : QString());
+      auto* item = new QTableWidgetItem(column == 0 ? words_of(kCounters[row]) : QString());
       item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
       sensors_->setItem(static_cast<int>(row), column, item);
     }

@@ -169,7 +169,7 @@ void LivePanel::refresh() {
   constexpr int kTextEvery = 30;
   if (polls_ % kTextEvery != 1) return;
   if (channels_->isVisible()) channels_->show_channels(now);
-  // What was seen before forces failed to arrive says nothing about now.
+  // The last state is too old once no more forces arrive.
   const bool arrive = known && presenter_.flow().view().device_mood != Mood::fault;
   const auto beside = arrive ? compensation_words(presenter_.state().compensation()) : QString();
   compensation_->setText(beside);

@@ -16,7 +16,7 @@ namespace isograsp::gui {
 
 namespace {
 
-QString title_of(Step step) {
+QString words_of(Step step) {
   switch (step) {
     case Step::patient: return PreparePanel::tr("Patient");
     case Step::hand: return PreparePanel::tr("Hand today");
@@ -47,7 +47,7 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
   column->setSpacing(5);
   for (std::size_t i = 0; i < kStepCount; ++i) {
     sections_[i] =
-        new StepSection(static_cast<int>(i) + 1, title_of(static_cast<Step>(i)), bodies[i]);
+        new StepSection(static_cast<int>(i) + 1, words_of(static_cast<Step>(i)), bodies[i]);
     column->addWidget(sections_[i]);
   }
   column->addStretch(1);
@@ -115,8 +115,7 @@ QString PreparePanel::summary_of(Step step) const {
       if (guide.over()) return tr("finished");
       if (guide.active()) return tr("%1 of %2").arg(guide.acts_done()).arg(guide.acts());
       if (!presenter_.state().has_protocol()) return tr("one by one");
-      const auto chosen = static_cast<std::size_t>(presenter_.state().choices.protocol);
-      return shown(presenter_.state().library.protocols[chosen].spec.name);
+      return translated(presenter_.state().chosen_protocol().spec.name);
     }
   }
   return {};

@@ -73,7 +73,7 @@ ProtocolForm::ProtocolForm(SessionPresenter& presenter, QWidget* parent)
   column->addWidget(steps_, 1);
   connect(protocols_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     const bool by_hand = index == protocols_->count() - 1;
-    presenter_.choices().choose_protocol(by_hand ? Choices::kByHand : index);
+    presenter_.choices().choose_protocol(by_hand ? std::nullopt : std::optional(index));
   });
   connect(&presenter_.flow(), &SessionFlow::changed, this, &ProtocolForm::refresh);
   connect(&presenter_.flow(), &SessionFlow::library_changed, this, &ProtocolForm::fill_protocols);
@@ -118,31 +118,28 @@ void ProtocolForm::fill_protocols() {
     const QSignalBlocker quiet(protocols_);
     protocols_->clear();
     for (const auto& protocol : presenter_.state().library.protocols)
-      protocols_->addItem(shown(protocol.spec.name));
+      protocols_->addItem(translated(protocol.spec.name));
     protocols_->addItem(tr("Tasks one by one"));
   }
-  described_ = kNothing;
+  is_described_ = false;
   refresh();
 }
 
 void ProtocolForm::refresh() {
   const bool by_hand = !presenter_.state().has_protocol();
-  const int chosen = by_hand ? Choices::kByHand : presenter_.state().choices.protocol;
+  const auto chosen = by_hand ? std::nullopt : presenter_.state().choices.protocol;
   {
     const QSignalBlocker quiet(protocols_);
-    protocols_->setCurrentIndex(by_hand ? protocols_->count() - 1 : chosen);
+    protocols_->setCurrentIndex(chosen.value_or(protocols_->count() - 1));
   }
   protocols_->setEnabled(presenter_.flow().view().may_change_hand);
-  if (described_ != chosen) {
+  if (!is_described_ || described_ != chosen) {
+    is_described_ = true;
     described_ = chosen;
     preview_.end();
-    if (!by_hand)
-      preview_.begin(presenter_.state().library.protocols[static_cast<std::size_t>(chosen)], {}, 0);
-    duration_->setText(by_hand
-                           ? tr("You choose every task yourself.")
-                           : duration_words(presenter_.state()
-                                                .library.protocols[static_cast<std::size_t>(chosen)]
-                                                .duration()));
+    if (!by_hand) preview_.begin(presenter_.state().chosen_protocol(), {}, 0);
+    duration_->setText(by_hand ? tr("You choose every task yourself.")
+                               : duration_words(presenter_.state().chosen_protocol().duration()));
   }
   const auto earlier = presenter_.state().choices.interrupted.acts;
   earlier_->setVisible(earlier.has_value() && presenter_.flow().view().may_change_hand);

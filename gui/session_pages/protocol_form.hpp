@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QWidget>
+#include <optional>
 
 #include "gui/presenter/session_presenter.hpp"
 
@@ -34,9 +35,9 @@ class ProtocolForm final : public QWidget {
   QPushButton* go_on_;
   QPushButton* anew_;
   QListWidget* steps_;
-  static constexpr int kNothing = -2;
-  int described_ = kNothing;  ///< protocol whose duration is shown
-  ProtocolGuide preview_;     ///< its steps
+  bool is_described_ = false;     ///< the duration that is shown is that of
+  std::optional<int> described_;  ///< this protocol; nothing: of tasks chosen one by one
+  ProtocolGuide preview_;         ///< its steps
   std::vector<ProtocolGuide::Row> shown_;
 };
 

@@ -221,9 +221,9 @@ void RunPanel::fill_list() {
       heading->setFlags(Qt::NoItemFlags);  // keys and clicks pass over it
       heading->setSizeHint({0, scaled(kRow_px)});
     }
-    auto* item = new QListWidgetItem(QStringLiteral("   ") + shown(tasks[i].name), list_);
+    auto* item = new QListWidgetItem(QStringLiteral("   ") + translated(tasks[i].name), list_);
     item->setData(Qt::UserRole, static_cast<int>(i));
-    item->setData(Qt::AccessibleTextRole, shown(tasks[i].name));
+    item->setData(Qt::AccessibleTextRole, translated(tasks[i].name));
     item->setSizeHint({0, scaled(kRow_px)});
   }
   take_rest(*list_, 3 * kRow_px);
@@ -235,7 +235,7 @@ void RunPanel::refresh() {
   const auto* spec = presenter_.state().next_task();
   next_->setText(QString::fromStdString(next_words(presenter_.state())));
   next_->setVisible(!next_->text().isEmpty());
-  instruction_->setText(spec == nullptr ? QString() : shown(spec->instruction));
+  instruction_->setText(spec == nullptr ? QString() : translated(spec->instruction));
   instruction_->setVisible(!instruction_->text().isEmpty());
   show_how_->setText(presenter_.tasks().showing_how() ? tr("Stop sho&wing")
                                                       : tr("Show the patient ho&w"));
@@ -288,7 +288,7 @@ void RunPanel::refresh_choice() {
     const QSignalBlocker quiet(by_itself_);
     by_itself_->setChecked(presenter_.state().choices.by_itself);
   }
-  const int task = presenter_.state().task();
+  const auto task = presenter_.state().task();
   const QSignalBlocker quiet(list_);
   for (int row = 0; row < list_->count(); ++row) {
     const auto number = list_->item(row)->data(Qt::UserRole);

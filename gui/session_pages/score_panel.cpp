@@ -32,13 +32,14 @@ void ScorePanel::refresh() {
   if (presenter_.flow().view().may_stop) {
     remark_->setText(tr("So far, renewed every second"));
   } else if (last) {
-    const auto name = shown(last->trial.task_name);
+    const auto name = translated(last->trial.task_name);
     const bool whole =
         last->trial.status == storage::TrialStatus::completed && last->trial.dropped == 0;
-    remark_->setText(
-        tr("%1: %2").arg(name, status_words(last->trial.status)) +
-        (last->trial.practice ? tr(", practice") : QString()) +
-        (whole || last->reason.empty() ? QString() : QStringLiteral(". ") + shown(last->reason)));
+    remark_->setText(tr("%1: %2").arg(name, status_words(last->trial.status)) +
+                     (last->trial.practice ? tr(", practice") : QString()) +
+                     (whole || last->reason.empty()
+                          ? QString()
+                          : QStringLiteral(". ") + translated(last->reason)));
   } else {
     remark_->setText(tr("No trial in this session yet."));
   }

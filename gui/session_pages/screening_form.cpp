@@ -48,9 +48,9 @@ void ScreeningForm::make_questions(QVBoxLayout& column) {
     answer(answers);
   });
   for (const Caution caution : kCautions) {
-    auto* box = new QCheckBox(title_of(caution));
+    auto* box = new QCheckBox(words_of(caution));
     box->setObjectName(QStringLiteral("screening_%1").arg(QLatin1String(name_of(caution))));
-    describe(*box, title_of(caution), tr("%1 (Tab, then space)").arg(details_of(caution)));
+    describe(*box, words_of(caution), tr("%1 (Tab, then space)").arg(details_of(caution)));
     cautions_[static_cast<std::size_t>(caution)] = box;
     column.addWidget(box);
     connect(box, &QCheckBox::toggled, this, [this, caution](bool on) {
@@ -75,12 +75,12 @@ void ScreeningForm::make_questions(QVBoxLayout& column) {
 void ScreeningForm::make_decision(QVBoxLayout& column) {
   column.addWidget(new QLabel(tr("You decide for this hand")));
   for (const tasks::Effort effort : kEfforts) {
-    auto* button = new QPushButton(words_for(effort));
+    auto* button = new QPushButton(words_of(effort));
     button->setObjectName(QStringLiteral("screening_allow_%1")
                               .arg(QString::fromStdString(std::string(tasks::name_of(effort)))));
     button->setCheckable(true);
-    describe(*button, words_for(effort),
-             tr("%1 of this hand today (Tab, then space)").arg(words_for(effort)));
+    describe(*button, words_of(effort),
+             tr("%1 of this hand today (Tab, then space)").arg(words_of(effort)));
     efforts_[static_cast<std::size_t>(effort)] = button;
     column.addWidget(button);
     connect(button, &QPushButton::clicked, this, [this, effort] {
@@ -150,7 +150,7 @@ void ScreeningForm::refresh() {
   }
   if (!answers.ceiling_N) {
     const QSignalBlocker quiet(ceiling_);
-    ceiling_->setValue(kUsualCeiling_N);  // nobody begins with another one's limit
+    ceiling_->setValue(kUsualCeiling_N);  // not the limit of the patient before
   }
   ceiling_->setEnabled(limited_->isChecked());
   advice_->setText(advice(answers));

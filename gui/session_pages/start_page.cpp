@@ -174,7 +174,7 @@ void StartPage::fill() {
   const QSignalBlocker quiet(list_);
   list_->clear();
   const auto chosen = QString::fromStdString(presenter_.state().choices.patient);
-  // Who was here last, or was added last, is the likeliest one to be sought.
+  // The newest sessions and patients come first: they are the most likely ones to be looked for.
   auto patients = clinic_.patients();
   const auto newest = [this](const storage::PatientRecord& patient) {
     const auto session = newest_.find(patient.id);
@@ -238,7 +238,7 @@ void StartPage::fill_recent(const std::vector<storage::SessionRecord>& sessions)
     for (const auto& patient : clinic_.patients())
       if (patient.id == session.patient_id) code = QString::fromStdString(patient.code);
     const auto hand = session.hand == Hand::left ? tr("left") : tr("right");
-    auto what = gui::shown(session.protocol_name);
+    auto what = gui::translated(session.protocol_name);
     if (what.isEmpty()) what = tr("Tasks one by one");
     if (session.simulated) what = tr("%1, simulated").arg(what);
     const std::array<QString, 4> texts{local_time(session.started_utc), code, hand, what};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a day begins: find or add a patient, begin a session; on the first start a look around.
+// The first page: find or add a patient, begin a session; on the first start it offers a
+// demonstration clinic.
 #pragma once
 
 #include <QLabel>

@@ -66,7 +66,7 @@ StepSection::StepSection(int number, const QString& title, QWidget* body, QWidge
 }
 
 void StepSection::show_state(StepState state, const QString& summary) {
-  // A step that becomes the next one opens, one that is done makes room.
+  // A step that becomes the next one is opened; one that is done is closed.
   if (state != state_) open(state == StepState::next);
   state_ = state;
   const bool done = state == StepState::done;

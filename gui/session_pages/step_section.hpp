@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One step of a session: a line that says how it stands, and below it what there is to do. Only the
-// step that is next is open, unless the therapist opens another one.
+// One step of a session: a line with its state, and below it what there is to do. Only the next
+// step is open, unless the therapist opens another one.
 #pragma once
 
 #include <QFrame>

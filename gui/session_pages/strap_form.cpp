@@ -20,10 +20,10 @@ QString in_words(const Posture& posture) {
   QStringList words;
   for (const auto item : kPostureOrder) {
     if (posture.of(item).empty()) continue;
-    const auto value = words_for(item, posture.of(item));
+    const auto value = words_of(item, posture.of(item));
     words += item == PostureItem::seat
                  ? value
-                 : StrapForm::tr("%1 %2").arg(in_sentence(title_of(item)), value);
+                 : StrapForm::tr("%1 %2").arg(in_sentence(words_of(item)), value);
   }
   return words.join(QStringLiteral(", "));
 }
@@ -85,16 +85,16 @@ QWidget* StrapForm::make_fields() {
       connect(written_[i], &QLineEdit::editingFinished, this, &StrapForm::say);
     } else {
       auto* box = choices_[i] = new ChoiceBox;
-      box->addItem(words_for(item, ""), QString());
-      for (const char* choice : choices) box->addItem(words_for(item, choice), QString(choice));
+      box->addItem(words_of(item, ""), QString());
+      for (const char* choice : choices) box->addItem(words_of(item, choice), QString(choice));
       connect(box, QOverload<int>::of(&QComboBox::activated), this, &StrapForm::say);
       field = box;
     }
     field->setObjectName(name);
-    describe(*field, title_of(item),
-             choices.empty() ? tr("%1: the marks as written on them (Tab)").arg(title_of(item))
-                             : tr("%1 (Tab, then arrow keys)").arg(title_of(item)));
-    auto* label = new QLabel(title_of(item));
+    describe(*field, words_of(item),
+             choices.empty() ? tr("%1: the marks as written on them (Tab)").arg(words_of(item))
+                             : tr("%1 (Tab, then arrow keys)").arg(words_of(item)));
+    auto* label = new QLabel(words_of(item));
     label->setBuddy(field);
     grid->addWidget(label, static_cast<int>(i), 0);
     grid->addWidget(field, static_cast<int>(i), 1);
@@ -123,7 +123,7 @@ void StrapForm::refresh() {
     const auto value = QString::fromStdString(posture.of(item));
     if (auto* box = choices_[i]) {
       // A value of another station is kept, in its own words.
-      if (box->findData(value) < 0) box->addItem(words_for(item, posture.of(item)), value);
+      if (box->findData(value) < 0) box->addItem(words_of(item, posture.of(item)), value);
       box->setCurrentIndex(box->findData(value));
     } else if (!written_[i]->hasFocus()) {
       const QSignalBlocker quiet(written_[i]);
@@ -147,7 +147,7 @@ void StrapForm::refresh() {
   mark_next(*strapped_, view.press == NextPress::strap);
   const auto rest = presenter_.state().rest_words();
   words_->setText(rest.empty() ? tr("After a minute of settling the resting force is measured.")
-                               : shown(rest));
+                               : translated(rest));
 }
 
 }  // namespace isograsp::gui

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hand goes in: how the patient sits and where the straps are, as last time until it is said
-// otherwise; one press says that it is so.
+// Posture and straps, when the hand is put in: filled in as last time; one press confirms it.
 #pragma once
 
 #include <QLabel>

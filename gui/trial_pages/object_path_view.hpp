@@ -38,7 +38,7 @@ class ObjectPathView final : public QWidget {
 
   std::shared_ptr<const LoadedTrial> trial_;
   ReplayState state_;
-  QPixmap backdrop_;             ///< frame, titles and path: they stay while the object moves
+  QPixmap backdrop_;  ///< frame, titles and path: they do not change while the object moves
   Vec3 least_m_ = Vec3::Zero();  ///< of the box around path, targets and object
   Vec3 most_m_ = Vec3::Zero();
 };

@@ -38,7 +38,7 @@ struct OpenedTrial {
 struct TrialFact {
   QString what;
   QString value;
-  bool doubtful = false;  ///< it says that the trial may not mean what it seems to
+  bool doubtful = false;  ///< a reason to doubt the values of the trial
 };
 [[nodiscard]] std::vector<TrialFact> facts_of(const OpenedTrial& trial);
 

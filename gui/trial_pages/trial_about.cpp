@@ -18,7 +18,7 @@ constexpr int kMarkTime = Qt::UserRole;
 }  // namespace
 
 QString seconds_text(double t_s) {
-  return shown_number(t_s, 2);
+  return translated_number(t_s, 2);
 }
 
 TrialAbout::TrialAbout(QWidget* parent) : QTableWidget(0, 2, parent) {
@@ -86,10 +86,10 @@ void TrialAbout::add_marks(const std::vector<TrialMark>& marks) {
   for (const auto& mark : marks) {
     const auto what = tr("%1 %2").arg(mark_letter(mark.kind), mark_words(mark.kind));
     const bool typed = mark.kind == "note";  // by a person, in any language
-    const auto text =
-        mark.text.empty()
-            ? what
-            : tr("%1: %2").arg(what, typed ? QString::fromStdString(mark.text) : shown(mark.text));
+    const auto text = mark.text.empty()
+                          ? what
+                          : tr("%1: %2").arg(what, typed ? QString::fromStdString(mark.text)
+                                                         : translated(mark.text));
     const int row = add(text, tr("%1 s").arg(seconds_text(mark.t_s)), false);
     item(row, 0)->setData(kMarkTime, mark.t_s);
   }

@@ -72,7 +72,7 @@ std::vector<CurveSet> sets_of(const TrialReplay& replay) {
   return sets;
 }
 
-QString title_of(CurveSet set) {
+QString words_of(CurveSet set) {
   switch (set) {
     case CurveSet::forces: return QObject::tr("Forces and target");
     case CurveSet::position: return QObject::tr("Position of the object");
@@ -123,13 +123,13 @@ SampleQuality quality_of(const TrialReplay& replay, const TrialCurve& curve, std
 }
 
 QString reading(const TrialReplay& replay, const TrialCurve& curve, double t_s) {
-  if (replay.rows() == 0 || curve.column < 0) return {};
+  if (replay.rows() == 0 || !curve.column) return {};
   const std::size_t row = replay.row_at(t_s);
   const auto times = replay.signals().column(columns::t_s);
   const bool in_gap = replay.gap_after(row) && t_s - times[row] >= replay.period_s();
   const auto quality = quality_of(replay, curve, row);
   if (in_gap || quality == SampleQuality::missing) return QObject::tr("no sample");
-  const double value = replay.signals().column(static_cast<std::size_t>(curve.column))[row];
+  const double value = replay.signals().column(*curve.column)[row];
   if (!std::isfinite(value)) return QStringLiteral("–");
   const auto number = short_number(curve.factor * value);
   const auto text = curve.unit.isEmpty() ? number : QObject::tr("%1 %2").arg(number, curve.unit);

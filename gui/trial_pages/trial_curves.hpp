@@ -16,9 +16,9 @@ namespace isograsp::gui {
 enum class CurveSet : std::uint8_t { forces, position, attitude, chosen };
 
 struct TrialCurve {
-  int column = -1;  ///< of the signals
-  QString name;     ///< "Thumb"
-  QString unit;     ///< as drawn: mm and degrees for people
+  std::optional<std::size_t> column;  ///< of the signals
+  QString name;                       ///< "Thumb"
+  QString unit;                       ///< as drawn: mm and degrees for people
   double factor = 1.0;
   QColor colour;
   bool target = false;           ///< drawn dashed
@@ -28,7 +28,7 @@ struct TrialCurve {
 
 /// The sets that this trial has something for.
 [[nodiscard]] std::vector<CurveSet> sets_of(const TrialReplay& replay);
-[[nodiscard]] QString title_of(CurveSet set);
+[[nodiscard]] QString words_of(CurveSet set);
 /// `chosen`: columns by name, for CurveSet::chosen only.
 [[nodiscard]] std::vector<TrialCurve> curves_of(const TrialReplay& replay, CurveSet set,
                                                 const std::vector<std::string>& chosen = {});

@@ -72,9 +72,9 @@ TrialPlot::TrialPlot(QWidget* parent) : QWidget(parent), plot_(make_plot(*this))
 }
 
 void TrialPlot::add_curve(const TrialReplay& replay, const TrialCurve& curve) {
-  if (curve.column < 0) return;
+  if (!curve.column) return;
   const auto t_s = replay.signals().column(columns::t_s);
-  const auto values = replay.signals().column(static_cast<std::size_t>(curve.column));
+  const auto values = replay.signals().column(*curve.column);
   QVector<QCPGraphData> measured;
   QVector<QCPGraphData> held;
   measured.reserve(static_cast<int>(values.size()) + 16);

@@ -15,7 +15,7 @@ constexpr double kNoCourse = std::numeric_limits<double>::quiet_NaN();
 /// recordings may differ by less than half a period from an even grid.
 constexpr double kLongestStep = 1.5;
 
-/// Whatever moves faster was not carried: it was put somewhere else.
+/// An object that moves faster was not carried: it was put somewhere else.
 constexpr double kFastestHand_mps = 2.0;
 
 double median_step(std::span<const double> t_s) {
@@ -53,11 +53,12 @@ tasks::Phase phase_of(double value) {
 }  // namespace
 
 Result<TrialReplay> TrialReplay::make(Signals signals) {
+  const auto time = signals.find(columns::t_s);
   const auto t_s = signals.column(columns::t_s);
   const auto refuse = [](Words what) {
     return refused(what, "look at its measures"_text).about(columns::t_s);
   };
-  if (t_s.empty()) return refuse("the trial has no samples"_text);
+  if (!time || t_s.empty()) return refuse("the trial has no samples"_text);
   for (std::size_t row = 0; row < t_s.size(); ++row)
     if (!std::isfinite(t_s[row]) || (row > 0 && t_s[row] <= t_s[row - 1]))
       return refuse("the times of the samples do not increase"_text);
@@ -73,7 +74,7 @@ Result<TrialReplay> TrialReplay::make(Signals signals) {
     return pose;
   };
   Columns& found = replay.columns_;
-  found.t_s = signals.find(columns::t_s);
+  found.t_s = *time;
   found.phase = signals.find(columns::phase);
   found.flags = signals.find(columns::sample_flags);
   found.actual_N = signals.find(columns::actual_force_N);
@@ -105,19 +106,19 @@ double TrialReplay::end_s() const noexcept {
 
 bool TrialReplay::has_fingers() const noexcept {
   return std::any_of(columns_.force_N.begin(), columns_.force_N.end(),
-                     [](const auto& axes) { return axes[2] >= 0; });
+                     [](const auto& axes) { return axes[2].has_value(); });
 }
 
 bool TrialReplay::has_object() const noexcept {
-  return columns_.object.place_m[0] >= 0 && columns_.object.place_m[1] >= 0;
+  return columns_.object.place_m[0] && columns_.object.place_m[1];
 }
 
-double TrialReplay::value(int column, std::size_t row) const {
-  return column < 0 ? kNoCourse : signals_.column(static_cast<std::size_t>(column))[row];
+double TrialReplay::value(Place column, std::size_t row) const {
+  return column ? signals_.column(*column)[row] : kNoCourse;
 }
 
 std::size_t TrialReplay::row_at(double t_s) const noexcept {
-  const auto times = signals_.column(static_cast<std::size_t>(columns_.t_s));
+  const auto times = signals_.column(columns_.t_s);
   const auto after = std::upper_bound(times.begin(), times.end(), t_s);
   if (std::isnan(t_s) || after == times.begin()) return 0;
   return static_cast<std::size_t>(after - times.begin()) - 1;
@@ -130,17 +131,17 @@ bool TrialReplay::gap_after(std::size_t row) const noexcept {
 
 SampleQuality TrialReplay::quality(std::size_t row) const noexcept {
   // A recording that came without flags was measured as it is.
-  return columns_.flags < 0 ? SampleQuality::measured : quality_of(value(columns_.flags, row));
+  return columns_.flags ? quality_of(value(columns_.flags, row)) : SampleQuality::measured;
 }
 
 SampleQuality TrialReplay::quality(std::size_t row, Finger finger) const noexcept {
   const auto f = index_of(finger);
   if (!std::isfinite(value(columns_.force_N[f][2], row))) return SampleQuality::missing;
-  const int flags = columns_.finger_flags[f];
-  return flags < 0 ? quality(row) : quality_of(value(flags, row));
+  const Place flags = columns_.finger_flags[f];
+  return flags ? quality_of(value(flags, row)) : quality(row);
 }
 
-double TrialReplay::between(int column, std::size_t row, double share) const {
+double TrialReplay::between(Place column, std::size_t row, double share) const {
   const double here = value(column, row);
   if (share <= 0.0) return here;
   const double next = value(column, row + 1);
@@ -149,7 +150,7 @@ double TrialReplay::between(int column, std::size_t row, double share) const {
 
 std::optional<Pose> TrialReplay::pose(const PoseColumns& columns, std::size_t row) const {
   const auto& [x, y, z] = columns.place_m;
-  const Vec3 place(value(x, row), value(y, row), z < 0 ? 0.0 : value(z, row));
+  const Vec3 place(value(x, row), value(y, row), z ? value(z, row) : 0.0);
   if (!place.allFinite()) return std::nullopt;
   Eigen::Vector4d turn = Eigen::Vector4d::Constant(kNoCourse);
   for (const int i : {0, 1, 2, 3})
@@ -167,7 +168,7 @@ std::optional<Pose> TrialReplay::pose(const PoseColumns& columns, std::size_t ro
 
 bool TrialReplay::object_moves_on(std::size_t row) const {
   if (row + 1 >= rows() || gap_after(row)) return false;
-  const auto changes = [&](int column) {
+  const auto changes = [&](Place column) {
     return whole(value(column, row), 0) != whole(value(column, row + 1), 0);
   };
   if (!changes(columns_.drops) && !changes(columns_.target_index)) return true;
@@ -216,7 +217,7 @@ ReplayState TrialReplay::at(double t_s) const {
   const bool gap = gap_after(row);
   if (gap && since_s >= period_s_) return state;
 
-  // How far the way to the next row is gone; 0 where no way leads there.
+  // Share of the time to the next row that has passed; 0 across a gap.
   const bool goes_on = row + 1 < rows() && !gap;
   const double share =
       goes_on ? since_s / (value(columns_.t_s, row + 1) - value(columns_.t_s, row)) : 0.0;

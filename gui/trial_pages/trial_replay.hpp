@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stored trial at any instant: what the fingers pressed, what was asked, where the object was.
-// Nothing is made up: between two measured samples the value is linear; a held sample is called
+// No value is invented: between two measured samples the value is linear; a held sample is called
 // held; where samples are missing or were not recorded there is no value. SI units.
 #pragma once
 
@@ -73,23 +73,24 @@ class TrialReplay {
   [[nodiscard]] std::vector<Vec3> path(double least_step_m) const;
 
  private:
-  /// Where a pose stands in the signals; -1: it does not.
+  /// Of the signals; nothing: they have none.
+  using Place = std::optional<std::size_t>;
   struct PoseColumns {
-    std::array<int, 3> place_m{};
-    std::array<int, 4> quaternion{};  ///< w x y z
-    int angle_rad = -1;
+    std::array<Place, 3> place_m{};
+    std::array<Place, 4> quaternion{};  ///< w x y z
+    Place angle_rad;
   };
   /// Columns are looked up once: a trial has tens of thousands of rows.
   struct Columns {
-    int t_s = -1, phase = -1, flags = -1, actual_N = -1, target_N = -1;
-    int target_index = -1, targets_reached = -1, drops = -1;
-    std::array<std::array<int, 3>, kFingerCount> force_N{};
-    std::array<int, kFingerCount> finger_flags{};
-    std::array<int, kFingerCount> contact{};
+    std::size_t t_s = 0;
+    Place phase, flags, actual_N, target_N, target_index, targets_reached, drops;
+    std::array<std::array<Place, 3>, kFingerCount> force_N{};
+    std::array<Place, kFingerCount> finger_flags{};
+    std::array<Place, kFingerCount> contact{};
     PoseColumns object, target;
   };
-  [[nodiscard]] double value(int column, std::size_t row) const;
-  [[nodiscard]] double between(int column, std::size_t row, double share) const;
+  [[nodiscard]] double value(Place column, std::size_t row) const;
+  [[nodiscard]] double between(Place column, std::size_t row, double share) const;
   [[nodiscard]] std::optional<Pose> pose(const PoseColumns& columns, std::size_t row) const;
   [[nodiscard]] ReplayFinger finger_at(std::size_t f, std::size_t row, double share) const;
   [[nodiscard]] bool object_moves_on(std::size_t row) const;
@@ -100,7 +101,7 @@ class TrialReplay {
   double period_s_ = 0.0;
 };
 
-/// The hand on the replay: runs at a speed, stands, is moved. It reads no clock.
+/// Position of the replay: it runs at a speed, stands still or is moved. It reads no clock.
 class Playback {
  public:
   static constexpr std::array<double, 5> kSpeeds{0.25, 0.5, 1.0, 2.0, 4.0};

@@ -195,7 +195,7 @@ void TrialView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
   playback_ = Playback(replay.begin_s(), replay.end_s());
   playback_.set_speed(speed);
   choose_speed(speed_->currentIndex());
-  title_->setText(tr("Trial %1: %2").arg(record.number).arg(shown(record.task_name)));
+  title_->setText(tr("Trial %1: %2").arg(record.number).arg(translated(record.task_name)));
   const auto mark = source_mark(trial_->opened.session);
   subtitle_->setText(mark.isEmpty() ? standing_words(record)
                                     : tr("%1 · %2").arg(standing_words(record), mark));
@@ -222,7 +222,7 @@ void TrialView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
     const QSignalBlocker quiet(set_);
     const auto before = set_->currentData();
     set_->clear();
-    for (const CurveSet set : sets_of(replay)) set_->addItem(title_of(set), static_cast<int>(set));
+    for (const CurveSet set : sets_of(replay)) set_->addItem(words_of(set), static_cast<int>(set));
     set_->setCurrentIndex(std::max(0, set_->findData(before)));
   }
   about_->show_trial(*trial_);

@@ -85,7 +85,7 @@ std::string act_of(ForceChannel channel, Hand hand) {
   return act_words(channel, hand).toStdString();
 }
 
-CueWords words_for(Cue cue, ForceChannel channel, Hand hand) {
+CueWords words_of(Cue cue, ForceChannel channel, Hand hand) {
   const QString act = act_words(channel, hand);
   const QString sentence = CueTexts::tr("%1.").arg(act);
   const bool grip =
@@ -125,7 +125,7 @@ CueWords words_for(Cue cue, ForceChannel channel, Hand hand) {
   return {};
 }
 
-CueWords words_for_digits(const std::array<bool, kFingerCount>& asked) {
+CueWords words_of_digits(const std::array<bool, kFingerCount>& asked) {
   QString who;
   int count = 0;
   for (const Finger finger : kFingers) {

@@ -22,10 +22,10 @@ inline constexpr std::size_t kMostDetail = 42;
 /// for the fingers of the left one.
 [[nodiscard]] std::string act_of(ForceChannel channel, Hand hand);
 
-[[nodiscard]] CueWords words_for(Cue cue, ForceChannel channel, Hand hand);
+[[nodiscard]] CueWords words_of(Cue cue, ForceChannel channel, Hand hand);
 
 /// Forces asked of these digits, each with its own picture.
-[[nodiscard]] CueWords words_for_digits(const std::array<bool, kFingerCount>& asked);
+[[nodiscard]] CueWords words_of_digits(const std::array<bool, kFingerCount>& asked);
 
 /// +y of the finger's contact frame points toward the person.
 [[nodiscard]] constexpr bool plus_y_is_toward(Finger finger, Hand hand) noexcept {

@@ -47,10 +47,10 @@ class OnScreen : public Language {
     return languages::language(now).words(english);
   }
   [[nodiscard]] std::string number(std::string_view digits) const override {
-    return shown_digits(digits).toStdString();
+    return translated_digits(digits).toStdString();
   }
   [[nodiscard]] std::string day(Date date) const override {
-    return shown_date(iso_text(date)).toStdString();
+    return translated_date(iso_text(date)).toStdString();
   }
 };
 

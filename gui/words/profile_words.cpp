@@ -20,7 +20,7 @@ struct ProfileTexts {
 constexpr double kOnePlus = 1.5;  // MAS between 1 and 2
 
 QString number_words(double value) {
-  return shown_digits(format_number(value));
+  return translated_digits(format_number(value));
 }
 
 /// Year, month and day as ISO 8601 has them; empty: another form.
@@ -53,7 +53,7 @@ Date local_today() {
 
 Typed<Date> typed_date(const QString& text, Date today, Ahead ahead) {
   const QString typed = text.simplified();
-  const QString example = shown_date(iso_text(today));
+  const QString example = translated_date(iso_text(today));
   if (typed.isEmpty())
     return {{}, ProfileTexts::tr("Give year, month and day, such as %1.").arg(example)};
   const std::string iso = iso_of(typed).toStdString();
@@ -70,7 +70,7 @@ Typed<Date> typed_date(const QString& text, Date today, Ahead ahead) {
                 .arg(storage::kFirstYear)
                 .arg(storage::kLastYear)};
   if (ahead == Ahead::refused && *date > today)
-    return {{}, ProfileTexts::tr("%1 has not come yet.").arg(shown_date(iso))};
+    return {{}, ProfileTexts::tr("%1 has not come yet.").arg(translated_date(iso))};
   return {date, {}};
 }
 

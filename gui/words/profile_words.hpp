@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dates, scores and kinds of treatment between what a therapist types and what is stored.
+// Dates, scores and kinds of treatment: from what a therapist types to what is stored, and back.
 #pragma once
 
 #include <QString>

@@ -35,7 +35,7 @@ std::optional<QString> known_with_numbers(const QString& english) {
   QStringList numbers;
   const auto words = known(without_numbers(english, numbers));
   if (!words || numbers.isEmpty()) return std::nullopt;
-  for (auto& number : numbers) number = shown_digits(number.toStdString());
+  for (auto& number : numbers) number = translated_digits(number.toStdString());
   return filled(*words, numbers);
 }
 

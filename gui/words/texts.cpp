@@ -9,15 +9,11 @@
 
 namespace isograsp::gui {
 
-namespace {
-
 QString qt(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
 }
 
-}  // namespace
-
-QString shown(std::string_view english) {
+QString translated(std::string_view english) {
   const QString text = qt(english);
   return spoken() == "en" ? text : stored_text(text);
 }
@@ -26,7 +22,7 @@ QString translated(const Text& text) {
   return QString::fromStdString(translated(text, spoken_language()));
 }
 
-QString shown(const Error& error) {
+QString translated(const Error& error) {
   return QString::fromStdString(translated(error, spoken_language()));
 }
 
@@ -35,11 +31,11 @@ QString in_sentence(QString words) {
   return words;
 }
 
-QString shown_number(double value, int decimals) {
+QString translated_number(double value, int decimals) {
   return QLocale().toString(value, 'f', decimals);
 }
 
-QString shown_digits(std::string_view digits) {
+QString translated_digits(std::string_view digits) {
   return qt(digits).replace(QLatin1Char('.'), QLocale().decimalPoint());
 }
 
@@ -52,7 +48,7 @@ QString date_form() {
   return form;
 }
 
-QString shown_date(std::string_view iso) {
+QString translated_date(std::string_view iso) {
   const auto day = QDate::fromString(qt(iso), Qt::ISODate);
   return day.isValid() ? QLocale().toString(day, date_form()) : qt(iso);
 }

@@ -12,27 +12,29 @@
 
 namespace isograsp::gui {
 
+/// The same letters as Qt has them.
+[[nodiscard]] QString qt(std::string_view text);
 /// A text that a database, or the name of a file of the library, has as English words
 /// (gui/words/stored_texts.hpp).
-[[nodiscard]] QString shown(std::string_view english);
+[[nodiscard]] QString translated(std::string_view english);
 /// A text of the layers below in the language of the screen.
 [[nodiscard]] QString translated(const Text& text);
 /// Error::message() in the language of the screen.
-[[nodiscard]] QString shown(const Error& error);
+[[nodiscard]] QString translated(const Error& error);
 
-/// Words that begin a sentence, in the middle of one: small, unless nouns of the language are
-/// large.
+/// Words from the beginning of a sentence as they stand in the middle of one: with a small first
+/// letter, except where the language writes nouns with a large one.
 [[nodiscard]] QString in_sentence(QString words);
 
 /// "1.25", "1,25".
-[[nodiscard]] QString shown_number(double value, int decimals);
+[[nodiscard]] QString translated_number(double value, int decimals);
 /// "−4.20" as "−4,20": digits that a layer below has formed.
-[[nodiscard]] QString shown_digits(std::string_view digits);
+[[nodiscard]] QString translated_digits(std::string_view digits);
 
 /// How a day is written: "dd.MM.yyyy". English-speaking countries order day and month in opposite
 /// ways, so in English it is year, month, day.
 [[nodiscard]] QString date_form();
 /// "2026-03-05" as "05.03.2026"; what is no day stays as it is.
-[[nodiscard]] QString shown_date(std::string_view iso);
+[[nodiscard]] QString translated_date(std::string_view iso);
 
 }  // namespace isograsp::gui

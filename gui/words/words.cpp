@@ -16,7 +16,7 @@ namespace isograsp::gui {
 QString short_number(double value) {
   const double size = std::abs(value);
   const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2;
-  QString text = shown_number(value, decimals);
+  QString text = translated_number(value, decimals);
   return text.replace(QLatin1Char('-'), QChar(0x2212));  // a real minus sign
 }
 
@@ -24,27 +24,27 @@ QString measure_title(const Measure& measure) {
   if (measure.name == "resting_force" && measure.channel != "grip") {
     std::string axis = measure.channel;
     std::replace(axis.begin(), axis.end(), '_', ' ');
-    return QObject::tr("Resting force, %1").arg(shown(axis));
+    return QObject::tr("Resting force, %1").arg(translated(axis));
   }
-  const auto whole = tasks::words_for(measure.name, measure.channel).title;
-  auto title = tasks::words_for(measure.name, measure.channel == "grip" ? "grip" : "").title;
+  const auto whole = tasks::words_of(measure.name, measure.channel).title;
+  auto title = tasks::words_of(measure.name, measure.channel == "grip" ? "grip" : "").title;
   const auto channel = whole.substr(std::min(title.size(), whole.size()));
   if (!title.empty())
     title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-  return shown(title) + shown(channel);
+  return translated(title) + translated(channel);
 }
 
 QString measure_value(const Measure& measure) {
   if (!measure.value) return QStringLiteral("–");
-  const auto unit = shown(tasks::printed_unit(measure.unit).text);  // also "of 5"
+  const auto unit = translated(tasks::printed_unit(measure.unit).text);  // also "of 5"
   const bool count = measure.name == "targets_reached";
   const auto number = count ? QString::number(std::lround(*measure.value))
-                            : shown_digits(tasks::format_value(*measure.value, measure.unit));
+                            : translated_digits(tasks::format_value(*measure.value, measure.unit));
   return unit.isEmpty() ? number : QStringLiteral("%1 %2").arg(number, unit);
 }
 
 QString measure_remark(const Measure& measure) {
-  if (!measure.value) return shown(measure.reason);
+  if (!measure.value) return translated(measure.reason);
   if (measure.excluded > 0) return QObject::tr("%1 samples left out").arg(measure.excluded);
   return {};
 }
@@ -89,7 +89,7 @@ QString health_line(const session::Snapshot& snapshot, double worst_lateness_s) 
 
 QString timing_details(const session::TimingSummary& timing, const Text& realtime) {
   const auto line = [](const QString& what, const session::Quantiles& q) {
-    const auto ms = [](double duration_s) { return shown_number(duration_s * 1e3, 2); };
+    const auto ms = [](double duration_s) { return translated_number(duration_s * 1e3, 2); };
     return QObject::tr("%1: half within %2 ms, 99 % within %3, 99.9 % within %4, longest %5\n")
         .arg(what, ms(q.median_s), ms(q.most_of_100_s), ms(q.most_of_1000_s), ms(q.largest_s));
   };

@@ -132,7 +132,7 @@ bool is_positive(const Pair& pair) {
 /// little about it, and the one that happens to give the smaller error would be chosen too often.
 /// Box and Cox (1964) compare the likelihoods of transformed values through the Jacobian:
 /// logarithms are (s_linear / (geometric mean * s_log))^people times as likely as the values
-/// themselves. Pairs that lie far outside on the usual scale have no say.
+/// themselves. Pairs that lie far outside on the usual scale do not count.
 ErrorScale scale_of(const People& people, ErrorScale usual) {
   constexpr double kMuchMoreLikely = 20.0;
   double all = 0.0;

@@ -59,7 +59,7 @@ struct StablePool {
 };
 /// Days that failed make no pair. Each person weighs the same, however many pairs they have; pairs
 /// that lie far outside of the others count for the number of people, not for the error. The scale
-/// is `usual` unless the values speak clearly for the other; linear where values of more than
+/// is `usual` unless the values clearly fit the other one better; linear where values of more than
 /// kMostWithoutLogarithm of the pairs are not positive, such pairs lie far outside otherwise.
 [[nodiscard]] StablePool pool_of(std::span<const StableDays> stable, ErrorScale usual);
 

@@ -41,7 +41,7 @@ struct Share {
   double low = 0.0;    ///< 95 % interval
   double high = 0.0;
 };
-/// Day-to-day SD of a logarithm that is taken for granted at least: the upper end of what the
+/// Least day-to-day SD of a logarithm that is assumed: the upper end of what the
 /// verdicts of change are proven for (docs/change.md).
 inline constexpr double kLeastDaySd = 0.20;
 /// Of means of logarithms over days, each with the SD of its days, kLeastDaySd at least.

@@ -50,7 +50,7 @@ void summarise(MeasureSeries& series, const std::vector<ReportSession>& sessions
 
 std::vector<AssessmentDay> assessment_days(const MeasureSeries& series,
                                            const std::vector<ReportSession>& sessions) {
-  const bool censored = tasks::words_for(series.name, series.channel).censored;
+  const bool censored = tasks::words_of(series.name, series.channel).censored;
   std::vector<AssessmentDay> days;
   for (const auto& value : series.values) {
     const double day = sessions[value.session].day;
@@ -84,7 +84,7 @@ MeasureSeries make_series(const Measure& like, const std::vector<const StoredTri
   series.channel = like.channel;
   series.unit = like.unit;
   series.version = like.version;
-  const bool censored = tasks::words_for(like.name, like.channel).censored;
+  const bool censored = tasks::words_of(like.name, like.channel).censored;
   std::set<std::size_t> other_version;
   for (const StoredTrial* entry : entries)
     for (const auto& measure : entry->measures) {

@@ -41,7 +41,7 @@ Result<PatientRecords> read_about(storage::SessionStore& store, const std::strin
 /// Leaves out the sessions beyond the scope.
 void keep(const ReportScope& scope, PatientRecords& records) {
   const int all = records.sessions_stored;
-  const int last = scope.last == 0 ? all : std::min(scope.last, all);
+  const int last = std::min(scope.last.value_or(all), all);
   records.first_number = std::clamp(scope.first, 1, last + 1);
   auto& sessions = records.sessions;
   sessions.erase(sessions.begin() + last, sessions.end());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,10 +14,10 @@
 
 namespace isograsp::reports {
 
-/// Which sessions of the patient a report is about, both counted from 1; last 0: up to the newest.
+/// Which sessions of the patient a report is about, both counted from 1; no last: up to the newest.
 struct ReportScope {
   int first = 1;
-  int last = 0;
+  std::optional<int> last = {};
   friend bool operator==(const ReportScope&, const ReportScope&) = default;
 };
 

@@ -54,7 +54,7 @@ Result<std::vector<storage::PrimaryMeasure>> primary_choices(storage::SessionSto
     for (const auto& measure : trials.back()->measures) {
       const auto place = tasks::place_of(spec, measure.name, measure.channel);
       if (place.prominence == tasks::Prominence::none ||
-          tasks::words_for(measure.name, measure.channel).better == tasks::Better::unknown)
+          tasks::words_of(measure.name, measure.channel).better == tasks::Better::unknown)
         continue;
       choices.push_back({place,
                          spec ? tasks::order_of(*spec->kind) : tasks::all_kinds().size(),

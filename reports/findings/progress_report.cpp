@@ -35,7 +35,7 @@ bool is_early(const std::string& onset_date, const std::string& session_date) {
 DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
                  const TaskSection& section) {
   DrawnTrial drawn{trial.session, trial.trial.number, {}, trial.measures, {}};
-  const bool fingers = section.spec && section.spec->kind->way_drawn;
+  const bool fingers = section.spec && section.spec->kind->path_drawn;
   const auto is_finger_force = [](const std::string& name) {
     for (const auto& axes : columns::finger_force)
       if (std::find(axes.begin(), axes.end(), name) != axes.end()) return true;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A corrected measure ends no course: where a stored result is of an older version than this
-// program's, reports and verdicts use the one that follows from the stored signals, and put it into
-// the database beside the old one, so that it is computed once. What is stored stays as it is.
+// A corrected measure does not interrupt a series: where a stored result is of an older version
+// than this program's, reports and verdicts use the one that follows from the stored signals, and
+// put it into the database beside the old one, so that it is computed once. What is stored stays as
+// it is.
 #pragma once
 
 #include <cstdint>

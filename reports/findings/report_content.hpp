@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a progress report says, before anybody decides how it looks: PDF and HTML are written from
+// What a progress report says, independent of how it looks: PDF and HTML are written from
 // the same content. SI units, radians; times of day in UTC.
 #pragma once
 

@@ -126,11 +126,11 @@ std::vector<GlanceRow> glance_rows(const ReportContent& content, const Language&
   for (const auto& section : content.sections)
     for (const auto& series : section.series) {
       if (!series.key) continue;
-      const auto shown = [&](const std::optional<double>& value) {
+      const auto cell = [&](const std::optional<double>& value) {
         return value ? say(value_words(*value, series.unit)) : std::string(kNoValue);
       };
-      const auto words = tasks::words_for(series.name, series.channel);
-      std::string last = shown(series.last);
+      const auto words = tasks::words_of(series.name, series.channel);
+      std::string last = cell(series.last);
       if (!series.last && !series.values.empty() && series.values.back().without_value > 0)
         last = say("no value"_text);
       GlanceRow row;
@@ -138,7 +138,7 @@ std::vector<GlanceRow> glance_rows(const ReportContent& content, const Language&
       row.hand = say(hand_words(section.hand));
       row.measure = say(series_title(series));
       row.unit = series.unit;
-      row.baseline = shown(series.baseline);
+      row.baseline = cell(series.baseline);
       row.baseline_basis = series.baseline ? say(series.baseline_basis) : "";
       row.last = last;
       row.beside = say(apart({other_hand_words(content, section, series), healthy_words(series)}));
@@ -216,7 +216,7 @@ Text better_words(tasks::Better better) {
 
 Text series_subtitle(const MeasureSeries& series) {
   return middle_dotted({unit_words(tasks::printed_unit(series.unit).text),
-                        better_words(tasks::words_for(series.name, series.channel).better)});
+                        better_words(tasks::words_of(series.name, series.channel).better)});
 }
 
 Text last_trial_title(const TaskSection& section, const ReportContent& content) {
@@ -253,7 +253,7 @@ Text last_trial_results(const TaskSection& section) {
         std::any_of(section.series.begin(), section.series.end(), [&](const auto& series) {
           return series.name == measure.name && series.channel == measure.channel;
         });
-    const auto words = tasks::words_for(measure.name, measure.channel);
+    const auto words = tasks::words_of(measure.name, measure.channel);
     if (in_trend || !words.clinical) continue;
     results.push_back("%1: %2"_text(
         measure_title(measure.name, measure.channel),

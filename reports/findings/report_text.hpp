@@ -44,7 +44,7 @@ struct GlanceRow {
                                                  const Language& language = kEnglish);
 /// "improved (confirmed)", "not larger than measurement error", "cannot be judged yet".
 [[nodiscard]] Text verdict_words(const ChangeVerdict& verdict);
-/// What stands behind it: "two assessments in a row, 12 stable people", or why it cannot be judged.
+/// The reasons for it: "two assessments in a row, 12 stable people", or why it cannot be judged.
 [[nodiscard]] Text verdict_basis(const ChangeVerdict& verdict);
 /// "MDC95 2.1 N", "MDC95 −2.1 / +2.9 N"; empty: none.
 [[nodiscard]] Text mdc_words(const ChangeJudgement& change, const std::string& unit);

@@ -55,7 +55,7 @@ std::vector<statistics::CensoredDay> censored_days(const MeasureSeries& series,
 }  // namespace
 
 Text trend_words(const MeasureSeries& series, const std::vector<ReportSession>& sessions) {
-  if (tasks::words_for(series.name, series.channel).censored) {
+  if (tasks::words_of(series.name, series.channel).censored) {
     const auto trend = statistics::rank_trend(censored_days(series, sessions));
     if (!trend) return {};
     return "reached in %1 of %2 trials, ranks %3 (%4 to %5)"_text(

@@ -55,7 +55,7 @@ Result<void> add_norms(const VerdictContext& context, const StoredTrial& like,
         renewed_values(context.renewal, query, context.store.healthy_values(query));
     if (!healthy) return healthy.error();
     series.norm = norm_band(*healthy, like, context.profile,
-                            tasks::words_for(series.name, series.channel).censored);
+                            tasks::words_of(series.name, series.channel).censored);
   }
   return {};
 }
@@ -139,7 +139,7 @@ Extremes extremes_of(const TaskSection& section, const std::vector<const StoredT
   const auto key = std::find_if(section.series.begin(), section.series.end(),
                                 [](const MeasureSeries& series) { return series.key; });
   if (key == section.series.end()) return extremes;
-  const tasks::Better better = tasks::words_for(key->name, key->channel).better;
+  const tasks::Better better = tasks::words_of(key->name, key->channel).better;
   if (better == tasks::Better::unknown) return extremes;
   const auto badness = [better](double value) {
     return better == tasks::Better::higher  ? -value

@@ -71,11 +71,11 @@ Result<ChangeVerdict> judge(const VerdictContext& context, const storage::Primar
   const auto days = assessment_days(series, sessions);
   verdict.reason = obstacle(context, primary, section, days, sessions);
   if (!verdict.reason.empty()) return verdict;
-  const auto words = tasks::words_for(series.name, series.channel);
+  const auto words = tasks::words_of(series.name, series.channel);
   const auto query = pool_query(like, series);
   auto values = renewed_values(context.renewal, query, context.store.stable_values(query));
   if (!values) return values.error();
-  // Nobody is judged by their own variation.
+  // A person's own variation is no part of what they are judged with.
   std::erase_if(*values, [&](const storage::PooledValue& value) {
     return value.patient_id == like.session_record->patient_id;
   });

@@ -73,10 +73,10 @@ Text digit_words(Finger finger) {
 }
 
 Text measure_title(std::string_view name, std::string_view channel) {
-  const std::string whole = tasks::words_for(name, channel).title;
+  const std::string whole = tasks::words_of(name, channel).title;
   // Its channel is said behind the title, which a grip changes.
   for (const std::string_view plain : {std::string_view(), std::string_view("grip")}) {
-    const std::string title = tasks::words_for(name, plain).title;
+    const std::string title = tasks::words_of(name, plain).title;
     if (whole.size() <= title.size() || !whole.starts_with(title)) continue;
     const std::string behind = whole.substr(title.size());
     constexpr std::string_view kAt = " at ";

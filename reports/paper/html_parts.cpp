@@ -90,7 +90,7 @@ QString escaped(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped();
 }
 
-/// A plot as an <svg> element that speaks: role, title and description.
+/// A plot as an <svg> element with role, title and description for screen readers.
 QString svg_of(PlotView view, const std::string& title, const std::string& description) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -145,7 +145,7 @@ QString html_table(const QString& caption, const std::vector<QString>& heads,
     return column >= first_number ? " class=\"number\"" : "";
   };
   // Where the screen is narrow the rows of a wide table become blocks, and each cell says its
-  // column. The roles keep it a table for who hears it.
+  // column. With the roles it is still a table for a screen reader.
   constexpr std::size_t kWide = 5;
   const bool wide = heads.size() >= kWide;
   const auto role = [wide](const char* name) {

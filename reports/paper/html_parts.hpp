@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all HTML reports are made of: head and foot with their furniture, tables, plots that speak.
+// What all HTML reports are made of: head and foot with their furniture, tables, plots with
+// descriptions for screen readers.
 #pragma once
 
 #include <QString>

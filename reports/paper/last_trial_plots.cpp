@@ -72,7 +72,7 @@ double tolerance(const TaskSection& section, const Channel& channel, double targ
   constexpr double kBand = 0.05;  // of the target: measure time_in_range
   if (section.spec->kind->follows_curve) return kBand * target;
   const auto pose = section.spec->tolerance();
-  if (!pose || !section.spec->kind->way_drawn) return 0.0;
+  if (!pose || !section.spec->kind->path_drawn) return 0.0;
   return channel.factor *
          (channel.actual == columns::actual_angle_rad ? pose->angle_rad : pose->position_m);
 }

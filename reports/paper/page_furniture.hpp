@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands around the content of a report, on every page or at its beginning. UTF-8.
+// Header, footer, watermark and facts around the content of a report, on every page or at its
+// beginning. UTF-8.
 #pragma once
 
 #include <string>

@@ -21,7 +21,8 @@ void set_up(QTextDocument& document, const QString& text, double width_px, const
   document.setDocumentMargin(0.0);
   document.setUseDesignMetrics(true);
   QTextOption option(style.align);
-  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);  // nothing leaves its width
+  option.setWrapMode(
+      QTextOption::WrapAtWordBoundaryOrAnywhere);  // no text is wider than its column
   document.setDefaultTextOption(option);
   document.setPlainText(text);
   QTextCursor cursor(&document);
@@ -83,7 +84,7 @@ std::vector<PageRange> break_into_pages(const std::vector<Block>& blocks, double
   double left = first_height;
   std::size_t broken_until = 0;  // blocks before it stand one by one
   for (std::size_t i = 0; i < blocks.size();) {
-    // Blocks that hang together move together, but for those that fit on no page.
+    // Blocks that belong together move to the next page together, unless they fit on no page.
     std::size_t end = i + 1;
     double height = blocks[i].height;
     while (i >= broken_until && blocks[end - 1].keep_with_next && end < blocks.size()) {

@@ -32,7 +32,7 @@ struct Spots {
 
 Spots spots_of(const TaskSection& section) {
   Spots spots;
-  if (!section.spec || !section.spec->kind->way_drawn) return spots;
+  if (!section.spec || !section.spec->kind->path_drawn) return spots;
   const auto tolerance = section.spec->tolerance();
   if (!tolerance) return spots;
   spots.radius_mm = kMillimetres * tolerance->position_m;

@@ -140,7 +140,7 @@ PlotView dose_plot(const PracticeDose& dose, bool large, QSizeF size, double uni
   }
   const int first = dose.weeks.front().week;
   const int last = dose.weeks.back().week;
-  constexpr int kLeastSpan = 6;  // weeks: a single one is no wall
+  constexpr int kLeastSpan = 6;  // weeks: a single bar is not as wide as the plot
   rect.axis(QCPAxis::atBottom)->setRange(first - 0.6, std::max(last, first + kLeastSpan - 1) + 0.6);
   constexpr double kAir = 1.1;
   rect.axis(QCPAxis::atLeft)->setRange(0.0, kAir * most);

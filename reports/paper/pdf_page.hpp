@@ -24,14 +24,28 @@ inline const TextPainter kText{kUnit};
 inline const TextStyle kBody{8.0};
 inline const TextStyle kStrong{8.0, true};
 inline const TextStyle kQuiet{7.2, false, Palette::quiet()};
+inline const TextStyle kUnder{6.8, false, Palette::quiet()};
 inline const TextStyle kHeading{11.5, true};
 
-[[nodiscard]] inline QString text_of(const std::string& text) {
+[[nodiscard]] inline QString qt(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-/// A line from margin to margin.
-void rule(QPainter& painter, double y, double width, const QColor& color);
+/// A line from the left margin to `right`.
+void rule(QPainter& painter, double y, double width, const QColor& color,
+          double right = kPageWidth - kSide);
+
+/// A cell of a row of a table; `under`: smaller, below the text.
+struct RowCell {
+  double x = 0.0;
+  double width = 0.0;
+  QString text;
+  TextStyle style;
+  QString under = {};
+};
+/// As high as its highest cell, with `pad` above and below, and a line from the margin to `right`.
+[[nodiscard]] Block table_row(const std::vector<RowCell>& cells, double right, double pad,
+                              bool is_head);
 
 /// What stands on a page besides its content. `page` counts from 1.
 void draw_head(QPainter& painter, const PageFurniture& furniture, int page);

@@ -37,9 +37,8 @@ LargePrint fitted(const Panel& panel) {
   const double least = std::min(wanted, kLeastPlot);
   for (const double size : kSizes) {
     const TextStyle style = large_style(size);
-    double left = kPage - kText.height(text_of(panel.heading), kWidth, kLargeHeading);
-    for (const auto& line : panel.lines)
-      left -= kLargeGap + kText.height(text_of(line), kWidth, style);
+    double left = kPage - kText.height(qt(panel.heading), kWidth, kLargeHeading);
+    for (const auto& line : panel.lines) left -= kLargeGap + kText.height(qt(line), kWidth, style);
     if (!panel.plots.empty()) left -= kLargePlotGap + kLargePlotTitle;
     if (left >= least) return {style, std::min(wanted, left)};
   }
@@ -50,7 +49,7 @@ LargePrint fitted(const Panel& panel) {
 void add_text(std::vector<Block>& blocks, const std::string& text, const TextStyle& style,
               double gap_above) {
   constexpr double kTallest = 300.0;
-  const QString whole = text_of(text);
+  const QString whole = qt(text);
   const int pieces = 1 + static_cast<int>(kText.height(whole, kWidth, style) / kTallest);
   const int length = whole.size() / pieces + 1;
   for (int from = 0; from < whole.size() || from == 0;) {
@@ -75,7 +74,7 @@ Block plot_row(const std::vector<PanelPlot>& plots, const std::optional<LargePri
     const double width = plot.share * (kWidth + kPlotGap) - kPlotGap;
     const double height = large ? large->plot_height : plot.height;
     block.height = std::max(block.height, title_height + height);
-    block.parts.push_back([=, text = text_of(plot.title)](QCPPainter& painter, double y) {
+    block.parts.push_back([=, text = qt(plot.title)](QCPPainter& painter, double y) {
       kText.draw(painter, x, y, width, text, title);
     });
     // The plot is made when it is painted: all of them at once would take much memory.
@@ -90,17 +89,15 @@ Block plot_row(const std::vector<PanelPlot>& plots, const std::optional<LargePri
   return block;
 }
 
-const TextStyle kUnder{6.8, false, Palette::quiet()};
-
 /// No word of a column is broken, if there is room for it.
 std::vector<double> widths_of(const PanelTable& table) {
   std::vector<double> widths;
   std::vector<double> least;
   for (std::size_t i = 0; i < table.shares.size(); ++i) {
     widths.push_back(kWidth * table.shares[i]);
-    double word = kText.word_width(text_of(table.heads[i]), kQuiet);
+    double word = kText.word_width(qt(table.heads[i]), kQuiet);
     for (const auto& row : table.rows) {
-      const auto lines = text_of(row[i]).split('\n');
+      const auto lines = qt(row[i]).split('\n');
       word = std::max(
           {word, kText.word_width(lines.front(), kBody), kText.word_width(lines.value(1), kUnder)});
     }
@@ -110,41 +107,19 @@ std::vector<double> widths_of(const PanelTable& table) {
 }
 
 /// A row whose cells may have a second, smaller line behind a line break.
-Block table_row(const std::vector<double>& widths, const std::vector<std::string>& cells,
+Block panel_row(const std::vector<double>& widths, const std::vector<std::string>& cells,
                 bool is_head) {
-  struct Placed {
-    double x;
-    double width;
-    QString text;
-    QString under;
-    double first_height;
-  };
-  std::vector<Placed> placed;
+  constexpr double kPad = 3.0;
+  std::vector<RowCell> placed;
   double x = kSide;
-  double height = 0.0;
-  const TextStyle& style = is_head ? kQuiet : kBody;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double width = widths[i];
-    const auto lines = text_of(cells[i]).split('\n');
-    Placed one{x, width - kCellSpace, lines.front(), lines.value(1), 0.0};
-    one.first_height = kText.height(one.text, one.width, style);
-    const double second = one.under.isEmpty() ? 0.0 : kText.height(one.under, one.width, kUnder);
-    height = std::max(height, one.first_height + second);
-    placed.push_back(std::move(one));
+    const auto lines = qt(cells[i]).split('\n');
+    placed.push_back(
+        {x, width - kCellSpace, lines.front(), is_head ? kQuiet : kBody, lines.value(1)});
     x += width;
   }
-  constexpr double kPad = 3.0;
-  height += 2.0 * kPad;
-  return {0.0, height, is_head, {[=](QCPPainter& painter, double y) {
-            for (const auto& one : placed) {
-              kText.draw(painter, one.x, y + kPad, one.width, one.text, style);
-              if (!one.under.isEmpty())
-                kText.draw(painter, one.x, y + kPad + one.first_height, one.width, one.under,
-                           kUnder);
-            }
-            rule(painter, y + height, is_head ? 0.7 : 0.5,
-                 is_head ? Palette::quiet() : Palette::line());
-          }}};
+  return table_row(placed, kPageWidth - kSide, kPad, is_head);
 }
 
 Block blanks_row(const std::vector<std::string>& words) {
@@ -157,7 +132,7 @@ Block blanks_row(const std::vector<std::string>& words) {
               painter.setPen(QPen(Palette::ink(), 0.7 * kUnit));
               painter.drawLine(QPointF(x * kUnit, (y + kRoom) * kUnit),
                                QPointF((x + width) * kUnit, (y + kRoom) * kUnit));
-              kText.draw(painter, x, y + kRoom + 3.0, width, text_of(word), kQuiet);
+              kText.draw(painter, x, y + kRoom + 3.0, width, qt(word), kQuiet);
               x += width + kPlotGap;
             }
           }}};
@@ -168,11 +143,11 @@ void add_panel(std::vector<Block>& blocks, const Panel& panel) {
   std::optional<LargePrint> large;
   if (panel.large_print) {
     large = fitted(panel);
-    blocks.push_back(text_block(text_of(panel.heading), kLargeHeading, 0.0));
+    blocks.push_back(text_block(qt(panel.heading), kLargeHeading, 0.0));
     blocks.back().new_page = true;
     for (const auto& line : panel.lines) add_text(blocks, line, large->text, kLargeGap);
   } else {
-    blocks.push_back(heading_block(text_of(panel.heading), kSectionGap));
+    blocks.push_back(heading_block(qt(panel.heading), kSectionGap));
     double gap = 0.0;
     for (const auto& line : panel.lines) {
       add_text(blocks, line, kBody, gap);
@@ -182,16 +157,16 @@ void add_panel(std::vector<Block>& blocks, const Panel& panel) {
   if (!panel.plots.empty()) blocks.push_back(plot_row(panel.plots, large));
   if (panel.table) {
     const auto widths = widths_of(*panel.table);
-    blocks.push_back(table_row(widths, panel.table->heads, true));
+    blocks.push_back(panel_row(widths, panel.table->heads, true));
     blocks.back().gap_above = 4.0;
     const std::size_t head = blocks.size() - 1;
     for (const auto& row : panel.table->rows) {
-      blocks.push_back(table_row(widths, row, false));
+      blocks.push_back(panel_row(widths, row, false));
       blocks.back().below_head = blocks.size() - 1 - head;
     }
   }
   if (!panel.blanks.empty()) blocks.push_back(blanks_row(panel.blanks));
-  for (const auto& note : panel.notes) blocks.push_back(text_block(text_of(note), kQuiet, 4.0));
+  for (const auto& note : panel.notes) blocks.push_back(text_block(qt(note), kQuiet, 4.0));
   // A panel stands on one page.
   for (std::size_t i = first; i + 1 < blocks.size(); ++i) blocks[i].keep_with_next = true;
 }

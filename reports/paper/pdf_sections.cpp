@@ -62,7 +62,7 @@ class SectionLayout {
   [[nodiscard]] std::vector<Draw> take() { return std::move(parts_); }
 
  private:
-  [[nodiscard]] QString said(const Text& text) const { return text_of(say_(text)); }
+  [[nodiscard]] QString said(const Text& text) const { return qt(say_(text)); }
 
   /// Returns the height of the text.
   double add_text(double x, double top, double width, const QString& text, const TextStyle& style) {
@@ -226,7 +226,7 @@ Block section_row(const ReportContent& content, const std::vector<const TaskSect
 void add_sections(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say) {
   if (std::any_of(content.sections.begin(), content.sections.end(),
                   [](const auto& section) { return !section.series.empty(); })) {
-    blocks.push_back(text_block(text_of(say(trend_key(content))), kQuiet, kSectionGap));
+    blocks.push_back(text_block(qt(say(trend_key(content))), kQuiet, kSectionGap));
     blocks.back().keep_with_next = true;
   }
   std::vector<const TaskSection*> row;

@@ -108,20 +108,19 @@ Block heading_block(const QString& text, double gap_above) {
 void add_glance(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say) {
   const auto rows = glance_rows(content, say.language());
   if (rows.empty()) return;
-  blocks.push_back(heading_block(text_of(say("At a glance"_text)), kSectionGap));
+  blocks.push_back(heading_block(qt(say("At a glance"_text)), kSectionGap));
   std::vector<Cell> head;
   for (const Words title :
        {"Task"_text, "Measure"_text, "Baseline"_text, "Last"_text, "Change"_text, "Verdict"_text})
-    head.push_back({text_of(say(title)), kQuiet, ""});
+    head.push_back({qt(say(title)), kQuiet, ""});
   std::vector<std::vector<Cell>> cells{std::move(head)};
   for (const auto& row : rows)
-    cells.push_back(
-        {{text_of(row.task), kBody, text_of(row.hand)},
-         {text_of(row.measure), kBody, text_of(row.direction)},
-         {text_of(row.baseline), kBody, text_of(row.baseline_basis)},
-         {text_of(row.last), kStrong, text_of(row.beside)},
-         {text_of(row.change), kBody, text_of(row.mdc)},
-         {text_of(row.verdict), row.primary ? kStrong : kBody, text_of(row.verdict_basis)}});
+    cells.push_back({{qt(row.task), kBody, qt(row.hand)},
+                     {qt(row.measure), kBody, qt(row.direction)},
+                     {qt(row.baseline), kBody, qt(row.baseline_basis)},
+                     {qt(row.last), kStrong, qt(row.beside)},
+                     {qt(row.change), kBody, qt(row.mdc)},
+                     {qt(row.verdict), row.primary ? kStrong : kBody, qt(row.verdict_basis)}});
   const auto widths = widths_of(cells);
   blocks.push_back(row_block(std::move(cells.front()), widths, true, 0.7, Palette::quiet()));
   for (std::size_t row = 1; row < cells.size(); ++row) {
@@ -131,15 +130,14 @@ void add_glance(std::vector<Block>& blocks, const ReportContent& content, const 
   double gap = 6.0;
   for (const auto& note : verdict_notes(content)) {
     blocks.back().keep_with_next = true;
-    blocks.push_back(text_block(text_of(say(note)), kQuiet, gap));
+    blocks.push_back(text_block(qt(say(note)), kQuiet, gap));
     gap = 2.0;
   }
 }
 
 void add_quality(std::vector<Block>& blocks, const ReportContent& content, const Speaker& say) {
   if (content.quality.empty() || content.sessions.empty()) return;
-  blocks.push_back(
-      heading_block(text_of(say("Was the last measurement valid?"_text)), kSectionGap));
+  blocks.push_back(heading_block(qt(say("Was the last measurement valid?"_text)), kSectionGap));
   constexpr double kPad = 10.0;
   constexpr double kLabel = 84.0;
   struct Line {
@@ -153,8 +151,8 @@ void add_quality(std::vector<Block>& blocks, const ReportContent& content, const
   const double text_width = kWidth - 2.0 * kPad - kLabel;
   const auto add = [&](const Text& label, const Text& words, bool attention) {
     const TextStyle& style = attention ? kStrong : kBody;
-    const QString text = text_of(say(words));
-    const QString name = text_of(say(label));
+    const QString text = qt(say(words));
+    const QString name = qt(say(label));
     const double tallest =
         std::max(kText.height(text, text_width, style), kText.height(name, kLabel, style));
     lines.push_back({name, text, attention, tallest + 3.0});

@@ -22,7 +22,7 @@ struct PdfReport::Parts {
     writer->setResolution(kResolution);
     writer->setPageSize(QPageSize(QPageSize::A4));
     writer->setPageMargins(QMarginsF(0, 0, 0, 0));
-    writer->setTitle(text_of(pages.furniture().kind + " " + pages.furniture().title));
+    writer->setTitle(qt(pages.furniture().kind + " " + pages.furniture().title));
     writer->setCreator("IsoGrasp " ISOGRASP_VERSION);
     printer.emplace(pages, *writer);
   }
@@ -58,7 +58,7 @@ std::string PdfReport::words() const {
 void PdfReport::paint_next() {
   assert(!complete());
   [[maybe_unused]] const bool painted = parts_->printer->paint_next();
-  assert(painted);  // memory takes everything
+  assert(painted);  // writing into memory does not fail
 }
 
 std::string PdfReport::take() {

@@ -24,8 +24,7 @@ struct ReportPages::Parts {
   Parts(ReportContent of, const Language& language)
       : content(std::move(of)), furniture(furniture_of(content, language)) {
     const Speaker say(language);
-    if (content.sections.empty())
-      blocks.push_back(text_block(text_of(say(nothing_yet())), kBody, 0.0));
+    if (content.sections.empty()) blocks.push_back(text_block(qt(say(nothing_yet())), kBody, 0.0));
     add_panels(blocks, panels_above(content, language));
     add_glance(blocks, content, say);
     add_quality(blocks, content, say);

@@ -50,12 +50,12 @@ std::vector<std::vector<std::string>> score_rows(const std::vector<storage::Clin
       last = &score;
     }
     if (first == nullptr) continue;
-    const auto shown = [&](const storage::ClinicalScore& score) {
+    const auto cell = [&](const storage::ClinicalScore& score) {
       return say(
           listed({value_words(score.value, std::string(scale.unit)), day_words(score.on_date)}));
     };
     rows.push_back({say(Known{std::string(scale.name)}),
-                    first == last ? std::string(kNoValue) : shown(*first), shown(*last)});
+                    first == last ? std::string(kNoValue) : cell(*first), cell(*last)});
   }
   return rows;
 }
@@ -124,11 +124,11 @@ std::optional<Panel> limits_panel(const ReportContent& content, const Speaker& s
     const auto cell = [&](const Text& above, const Text& below) {
       return say(above) + (below.empty() ? "" : "\n" + say(below));
     };
-    const auto shown = [&](const std::optional<double>& value, const Text& below) {
+    const auto value_cell = [&](const std::optional<double>& value, const Text& below) {
       return value ? cell(value_words(*value, one.unit), below) : std::string(kNoValue);
     };
-    table.rows.push_back({say(at_the_beginning(one.component)), shown(one.value, one.measure),
-                          shown(one.reference, one.reference_basis),
+    table.rows.push_back({say(at_the_beginning(one.component)), value_cell(one.value, one.measure),
+                          value_cell(one.reference, one.reference_basis),
                           one.share ? cell(percent_words(one.share->share), interval(*one.share))
                                     : std::string(kNoValue),
                           cell(standing_words(one.standing), one.reason),
@@ -179,18 +179,18 @@ std::optional<Panel> compass_panel(const ReportContent& content, const Speaker& 
          }});
     for (const auto& compass : content.compasses) {
       const CompassDigit& digit = compass.digits[index_of(finger)];
-      const auto shown = [&](const std::optional<double>& value, const char* unit) {
+      const auto cell = [&](const std::optional<double>& value, const char* unit) {
         return value ? say(value_number(*value, unit)) : std::string(kNoValue);
       };
       std::vector<std::string> row{say(at_the_beginning(finger)), say(side_words(compass.hand))};
-      for (const auto& force : digit.force_N) row.push_back(shown(force, "N"));
-      row.push_back(shown(digit.resting_N, "N"));
-      row.push_back(shown(digit.coflexion_percent, "%"));
+      for (const auto& force : digit.force_N) row.push_back(cell(force, "N"));
+      row.push_back(cell(digit.resting_N, "N"));
+      row.push_back(cell(digit.coflexion_percent, "%"));
       double sum = 0.0;
       int count = 0;
       for (const auto& error : digit.error_rad)
         if (error) sum += *error, ++count;
-      row.push_back(shown(count > 0 ? std::optional(sum / count) : std::nullopt, "rad"));
+      row.push_back(cell(count > 0 ? std::optional(sum / count) : std::nullopt, "rad"));
       table.rows.push_back(std::move(row));
     }
   }
@@ -231,12 +231,12 @@ std::optional<Panel> dose_panel(const ReportContent& content, const Speaker& say
   const std::size_t first = dose.weeks.size() > kMostRows ? dose.weeks.size() - kMostRows : 0;
   for (std::size_t i = first; i < dose.weeks.size(); ++i) {
     const DoseWeek& week = dose.weeks[i];
-    const auto rated = [](const std::optional<int>& value) {
+    const auto number_or_dash = [](const std::optional<int>& value) {
       return value ? std::to_string(*value) : std::string(kNoValue);
     };
     table.rows.push_back({std::to_string(week.week), std::to_string(week.sessions),
                           say(fixed(week.active_s / 60.0, 1)), std::to_string(week.repetitions),
-                          rated(week.most_effort), rated(week.most_pain)});
+                          number_or_dash(week.most_effort), number_or_dash(week.most_pain)});
   }
   panel.table = std::move(table);
   panel.notes.push_back(say(joined(

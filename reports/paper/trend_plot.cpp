@@ -25,7 +25,7 @@ std::vector<ErrorBand> error_bands(const MeasureSeries& series) {
   const double down = *change.mdc_down;
   const double up = *change.mdc_up;
   const double baseline = *change.baseline;
-  if (tasks::words_for(series.name, series.channel).better != tasks::Better::near_zero)
+  if (tasks::words_of(series.name, series.channel).better != tasks::Better::near_zero)
     return {{baseline + down, baseline + up}};
   // Judged by their distance from zero: so far away on either side.
   const double near = std::abs(baseline) + down;

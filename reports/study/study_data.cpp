@@ -177,7 +177,7 @@ class CellMaker {
   [[nodiscard]] StudyCell make(const TrialSelection& selection,
                                const std::vector<const StoredTrial*>& trials) {
     const std::string channel = selection.channel.value_or("");
-    const bool censored = tasks::words_for(study_.measure, channel).censored;
+    const bool censored = tasks::words_of(study_.measure, channel).censored;
     StudyCell cell;
     std::map<std::size_t, std::vector<double>> values;  // by session
     for (const StoredTrial* trial : trials) {
@@ -187,7 +187,8 @@ class CellMaker {
       if (why.empty() && !same_kind(*measure)) why = "another version of the measure"_text;
       if (why.empty() && !measure->value) {
         why = Known{measure->reason};
-        // A time that did not come is longer than all others: leaving it out would flatter.
+        // A time that did not come is longer than all others: without it the result would look too
+        // good.
         if (censored) return {{}, 0, 0, "a trial has no value: %1"_text(why)};
       }
       if (!why.empty()) {

@@ -181,7 +181,7 @@ std::string study_json(const Study& study, const StudyData& data,
   json["groups"] = Json::array();
   for (std::size_t g = 0; g < data.groups.size(); ++g)
     json["groups"].push_back(as_json(data.groups[g], analyses[g], conditions));
-  // ASCII: names may hold what a terminal obeys.
+  // ASCII: names may contain control characters of a terminal.
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 

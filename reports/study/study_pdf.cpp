@@ -26,7 +26,7 @@ constexpr double kMostWidening =
 std::vector<double> column_widths(const StudyTable& table) {
   const QFontMetricsF metrics(report_font(kBody.size * kUnit, false));
   const auto width_of = [&metrics](const std::string& text) {
-    return metrics.horizontalAdvance(text_of(text)) / kUnit + 1.0;
+    return metrics.horizontalAdvance(qt(text)) / kUnit + 1.0;
   };
   std::vector<double> widths;
   for (std::size_t column = 0; column < table.heads.size(); ++column) {
@@ -52,51 +52,33 @@ std::vector<double> column_widths(const StudyTable& table) {
 /// One row with a line below it.
 Block row_block(const std::vector<std::string>& cells, const std::vector<double>& widths,
                 std::size_t words, bool is_head) {
-  struct Cell {
-    double x;
-    double width;
-    QString text;
-    TextStyle style;
-  };
-  std::vector<Cell> placed;
+  std::vector<RowCell> placed;
   double x = kSide;
-  double height = 0.0;
   for (std::size_t column = 0; column < cells.size(); ++column) {
     TextStyle style = is_head ? kQuiet : kBody;
     if (column >= words) style.align = Qt::AlignRight;
     const double indent = column >= words && column > 0 ? kColumnGap : 0.0;
     const double width = widths[column] - (column >= words ? indent : kColumnGap);
-    placed.push_back({x + indent, width, text_of(cells[column]), style});
-    height = std::max(height, kText.height(placed.back().text, width, style));
+    placed.push_back({x + indent, width, qt(cells[column]), style});
     x += widths[column];
   }
-  height += kRowPad;
-  const double right = x;
-  return {0.0, height, is_head, {[=](QCPPainter& painter, double y) {
-            for (const auto& cell : placed)
-              kText.draw(painter, cell.x, y + kRowPad / 2.0, cell.width, cell.text, cell.style);
-            painter.setPen(
-                QPen(is_head ? Palette::quiet() : Palette::line(), (is_head ? 0.7 : 0.5) * kUnit));
-            painter.drawLine(QPointF(kSide * kUnit, (y + height) * kUnit),
-                             QPointF(right * kUnit, (y + height) * kUnit));
-          }}};
+  return table_row(placed, x, kRowPad / 2.0, is_head);
 }
 
 struct PdfBlocks {
   std::vector<Block>& blocks;
 
   void operator()(const StudyHeading& heading) const {
-    blocks.push_back(heading.large
-                         ? heading_block(text_of(heading.text), kSectionGap)
-                         : text_block(text_of(heading.text), {9.5, true}, kSectionGap * 0.7));
+    blocks.push_back(heading.large ? heading_block(qt(heading.text), kSectionGap)
+                                   : text_block(qt(heading.text), {9.5, true}, kSectionGap * 0.7));
     blocks.back().keep_with_next = true;
   }
   void operator()(const StudyParagraph& paragraph) const {
-    blocks.push_back(text_block(text_of(paragraph.text), paragraph.quiet ? kQuiet : kBody, 5.0));
+    blocks.push_back(text_block(qt(paragraph.text), paragraph.quiet ? kQuiet : kBody, 5.0));
   }
   void operator()(const StudyTable& table) const {
     const auto widths = column_widths(table);
-    blocks.push_back(text_block(text_of(table.caption), kStrong, 10.0));
+    blocks.push_back(text_block(qt(table.caption), kStrong, 10.0));
     blocks.back().keep_with_next = true;
     blocks.push_back(row_block(table.heads, widths, table.words, true));
     constexpr std::size_t kMostTogether = 16;  // rows of a table that is not broken
@@ -107,7 +89,7 @@ struct PdfBlocks {
     }
   }
   void operator()(const StudyPlot& plot) const {
-    blocks.push_back(text_block(text_of(plot.title), kStrong, 12.0));
+    blocks.push_back(text_block(qt(plot.title), kStrong, 12.0));
     blocks.back().keep_with_next = true;
     blocks.push_back({4.0, kPlotHeight, false, {[plot](QCPPainter& painter, double y) {
                         painter.save();

@@ -66,7 +66,7 @@ class Composer {
 
   void design() {
     heading("Design"_text, true);
-    const auto words = tasks::words_for(study_.measure, common_channel());
+    const auto words = tasks::words_of(study_.measure, common_channel());
     paragraph(
         "%1 (%2). Each value of a person is the mean over the chosen sessions of the means "
         "of their trials; practice, helped and incomplete trials do not count."_text(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clockwork of a session: every frame of the apparatus is received, prepared or tried with,
+// Handles the frames of a session: each one is received, used for a preparation or a trial,
 // recorded and published. After construction everything here is real-time: no allocation, lock, log
 // or exception.
 #pragma once
@@ -71,7 +71,7 @@ class Acquisition {
   void push(RecordItem::Kind kind) noexcept;
   void push_event(const char* kind, const char* text) noexcept;
   void publish(Timestamp frame_ready) noexcept;
-  /// Counts how punctual the frame just published is.
+  /// Counts period, lateness and work of the frame that was published last.
   void measure_timing() noexcept;
 
   Apparatus& apparatus_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What patients are measured with: a platform of force sensors, cameras that see an arm, …. A
-// session runs the same clockwork with all of them (acquisition.hpp); what is special stands behind
-// this interface. Life: start() -> next()… -> stop().
+// What patients are measured with: a platform of force sensors, cameras that see an arm, …. The
+// acquisition (acquisition.hpp) is the same for all of them; what is special is behind this
+// interface. Order of calls: start() -> next()… -> stop().
 //
 // Threads: the owner's functions before the session's threads begin, after their end or where
 // noted; the others belong to the acquisition thread and are real-time safe (no allocation, lock,
@@ -44,7 +44,7 @@ enum class PreparationStep : std::uint8_t {
   rest   ///< the hand at rest in it
 };
 
-/// How a frame came.
+/// How a frame was received.
 struct Reception {
   enum class Sight : std::uint8_t {
     clear,     ///< all that matters is there, or stands in for a moment
@@ -55,7 +55,7 @@ struct Reception {
   Sight sight = Sight::clear;
 };
 
-/// What is wrong with the device; two are the same where their numbers are.
+/// What is wrong with the device; two faults are the same if their numbers are.
 struct ApparatusFault {
   int number = 0;         ///< 0: nothing
   Words words = ""_text;  ///< for people, with what to do
@@ -119,19 +119,19 @@ class Apparatus {
   [[nodiscard]] virtual const Moment& newest() noexcept = 0;
 
   // Every frame, in this order.
-  /// Waits for it and writes its session time into now(); false: there will be none.
+  /// Waits for the next frame and writes its session time into now(); false: no frame will come.
   [[nodiscard]] virtual bool next() noexcept = 0;
   /// Adds the frame to a preparation that runs, and its progress to now(); true: it has ended.
   [[nodiscard]] virtual bool measure(Preparation& preparation) noexcept = 0;
-  /// Makes values of it: zeroed, with what stands in for a missing part.
+  /// Computes its values: less the zero, with substitutes for missing parts.
   [[nodiscard]] virtual Reception receive() noexcept = 0;
   /// One step of the task of the running trial, unless it is paused; its progress goes to now().
   virtual void step() noexcept = 0;
   /// Fills `row`, which is empty, with one value per column of the running trial.
   virtual void write(const RowFrame& frame, TrialRow& row) noexcept = 0;
-  /// What follows from the step until the next frame: an object moves.
+  /// Moves what moves until the next frame, such as an object.
   virtual void move() noexcept = 0;
-  /// Publishes now() with what the apparatus shows itself.
+  /// Publishes now() together with the state of the apparatus.
   virtual void publish() noexcept = 0;
   /// Shows a simulated person what a patient would see.
   virtual void show() noexcept = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of a session at one frame, whatever is measured. Every apparatus publishes it
-// together with what it shows itself.
+// The state of a session at one frame, the same for every apparatus, which publishes it together
+// with its own.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ enum class Stage : std::uint8_t {
 };
 [[nodiscard]] std::string_view name_of(Stage stage) noexcept;
 
-/// `occluded`: what is measured is out of sight, which is ordinary where cameras look: the trial
+/// `occluded`: what is measured is out of sight, which happens often with cameras: the trial
 /// goes on by itself. The others are resumed by the therapist.
 enum class PauseCause : std::uint8_t { none, therapist, missing_samples, device_fault, occluded };
 /// One plain sentence: why the trial stands still and what to do. Static text.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the acquisition thread may ask of Linux so that nobody else makes it late: the scheduling
-// class SCHED_FIFO, memory that is never paged out, and a stack that is already there.
+// What the acquisition thread may ask of Linux so that other programs do not delay it: the
+// scheduling class SCHED_FIFO, memory that is never paged out, and a stack whose pages exist
+// already.
 #pragma once
 
 #include <optional>

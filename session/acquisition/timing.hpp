@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How punctual the frames were: histograms that cost nothing while frames come, and what is read
-// from them afterwards.
+// Timing of the frames: histograms that are cheap to fill for every frame, and a summary of them.
 #pragma once
 
 #include <string>

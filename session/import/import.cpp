@@ -88,7 +88,7 @@ Result<std::vector<Measure>> store_trial(const RecordedTrial& recorded, int numb
   trial.id = *id;
   const auto stored = store_signals(recorded.signals, rate_Hz, *id, store);
   if (!stored) {
-    trial.status = storage::TrialStatus::aborted;  // what is not whole counts for nothing
+    trial.status = storage::TrialStatus::aborted;  // an incomplete trial gives no values
     static_cast<void>(store.end_trial(trial, {}).ok());
     return stored.error();
   }

@@ -210,7 +210,7 @@ void ForcePlatform::begin(TrialSetup& setup) noexcept {
   now_.has_object = plan.has_value();
   now_.object = plan ? plan->initial_state() : ObjectState{};
   now_.grasp = {};
-  // A simulated person gets acquainted with the object; nobody else is here to be disturbed.
+  // A simulated person gets to know the object before the trial.
   if (person_ != nullptr) person_->meet_object(plan ? std::optional(plan->scene()) : std::nullopt);
 }
 

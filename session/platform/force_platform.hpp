@@ -43,7 +43,7 @@ class ForcePlatform final : public Apparatus {
   void set_last_zero(const SixAxes& mean) noexcept { last_zero_ = mean; }
   Latest<Snapshot>& snapshots() noexcept { return snapshots_; }  ///< acquisition -> owner
 
-  // The rest of an apparatus is for those who hold one.
+  // The other functions of Apparatus are called through a pointer to it.
   [[nodiscard]] const ApparatusInfo& info() const noexcept override { return info_; }
   [[nodiscard]] Result<void> start(Clock& clock) override;
   void stop() noexcept override;
@@ -52,7 +52,7 @@ class ForcePlatform final : public Apparatus {
   [[nodiscard]] std::span<const PreparationStep> steps() const noexcept override;
   void describe(storage::SessionRecord& session) const override;
   /// An outdated zero would be subtracted from the forces of a sensor that it does not belong to.
-  /// Trials without any zero are the owner's affair.
+  /// Whether a trial may begin without any zero is decided by the owner.
   [[nodiscard]] Result<void> ready() override;
   [[nodiscard]] Result<std::unique_ptr<Preparation>> make_preparation(
       const ZeroRequest& request) override;

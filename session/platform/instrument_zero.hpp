@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The instrument zero as a preparation: what is asked for, what is being measured, what came of it.
+// The instrument zero as a preparation: the request, the measurement, the result.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct InstrumentZero final : public Preparation {
   double wait_s = 0.0;                                 ///< left before zeroing begins
   std::array<std::uint64_t, kFingerCount> restarts{};  ///< of each sensor, when it was asked for
 
-  // What came of it.
+  // The result.
   Zeroing::Statistics statistics;
   std::optional<ZeroRefusal> refusal;  ///< nothing: it is in force
   std::optional<double> change_N;      ///< from the last one of the same device

@@ -22,7 +22,7 @@ struct NetPush {
   std::optional<double> share_of_grip_percent;
 };
 inline constexpr double kLeastGripForPush_N = 0.5;
-/// From here on it is remarked on: the trial measures more than the hand.
+/// From this net push on the therapist is told: the trial measures more than the hand.
 inline constexpr double kRemarkablePush_percent = 20.0;
 /// `forces` after zero, held values in place. Real-time safe.
 [[nodiscard]] NetPush net_push(const Platform& platform, const FingerFrame& forces,

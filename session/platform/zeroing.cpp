@@ -98,7 +98,7 @@ std::optional<ZeroRefusal> check_zero(
   return std::nullopt;
 }
 
-std::string describe(const ZeroRefusal& refusal) {
+std::string words_of(const ZeroRefusal& refusal) {
   using Why = ZeroRefusal::Why;
   if (refusal.why == Why::gaps)
     return "Samples are missing: check the cables of the device, then set the zero again.";

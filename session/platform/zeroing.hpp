@@ -81,16 +81,16 @@ struct ZeroRefusal {
     const ZeroLimits& limits = {}) noexcept;
 
 /// The reason and the remedy in words for the therapist.
-[[nodiscard]] std::string describe(const ZeroRefusal& refusal);
+[[nodiscard]] std::string words_of(const ZeroRefusal& refusal);
 
-/// What the zero in force is worth when a trial is to begin.
+/// Whether the present zero can be used for a trial that is to begin.
 enum class ZeroStanding : std::uint8_t {
   missing,
   outdated,  ///< a sensor started anew after it was measured: it is that of another sensor
   good
 };
-/// The one rule of windows and unattended runs. `recorded`: forces from a recording have had their
-/// zero. `zeroed`, `restarted`: of the newest snapshot.
+/// The rule for windows and unattended runs alike. `recorded`: the zero of recorded forces has been
+/// subtracted already. `zeroed`, `restarted`: of the newest snapshot.
 [[nodiscard]] constexpr ZeroStanding standing_of_zero(bool recorded, bool zeroed,
                                                       bool restarted) noexcept {
   if (recorded) return ZeroStanding::good;

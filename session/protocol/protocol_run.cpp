@@ -56,7 +56,7 @@ class Run {
     if (progress_) progress_(position_);
   }
 
-  /// What cannot be stored is not measured.
+  /// Nothing more is measured once it cannot be stored.
   Result<void> may_go_on() {
     if (const auto lost = session_.failure()) return *lost;
     if (session_.is_to_stop())
@@ -69,7 +69,7 @@ class Run {
     Text remedy;
     for (int attempt = 0; attempt < kZeroAttempts; ++attempt) {
       ZeroRequest request;
-      request.device_is_empty = true;  // whoever starts a session without a window promises it
+      request.device_is_empty = true;  // starting a session without a window confirms it
       request.settle_s = kSettle_s;
       request.accept_changed = serviced_;
       if (auto started = session_.start_zero(request); !started) return started;

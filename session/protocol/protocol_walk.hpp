@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way through a protocol, act by act, whoever carries the acts out: a program without a window
-// or a therapist with one. No thread, no clock: told what came of an act, it says the next one.
+// Goes through a protocol act by act, for a program without windows or a therapist with them. No
+// thread, no clock: it is told the outcome of an act and gives the next one.
 #pragma once
 
 #include <deque>

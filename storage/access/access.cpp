@@ -211,7 +211,7 @@ Result<AccessPolicy> Access::policy() {
 
 Result<void> Access::log_in(const std::string& user, const Secret& password) {
   SlotOwner owner{parts_->login->database_id(), SlotKind::user, {}};
-  owner.user.id = -1;  // nobody's, if there is no such name
+  owner.user.id = -1;  // no account, if there is no such name
   owner.user.name = user;
   return open_for(*parts_, owner, password, path());
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who works with a database, and what they may do: login, fast change of user, lock. Of a database
-// without protection everybody may do all, nobody logs in, and no identity is stored. How keys hang
-// together: docs/storage.md, "Protected databases". A protected database is opened for the whole
-// process: while an Access is logged in, open_store() works on the file and its copies.
+// without protection everybody may do all, nobody logs in, and no identity is stored. How the keys
+// depend on each other: docs/storage.md, "Protected databases". A protected database is opened for
+// the whole process: while an Access is logged in, open_store() works on the file and its copies.
 #pragma once
 
 #include <cstdint>
@@ -93,7 +93,7 @@ class Access {
   // replaces the one before and ends a lock.
   [[nodiscard]] Result<void> log_in(const std::string& user, const Secret& password);
   [[nodiscard]] Result<void> log_in_with_passphrase(const Secret& passphrase);
-  /// Blanks, '-' and capitals do not matter.
+  /// Blanks, '-' and capital letters are ignored.
   [[nodiscard]] Result<void> log_in_with_recovery_key(const Secret& key);
   /// Names another person (or the same one again, after a lock) without a password: only in a
   /// process that somebody with keys for as much has opened. Three wrong ones: the password.

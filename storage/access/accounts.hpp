@@ -15,7 +15,7 @@ inline constexpr std::size_t kLeastPin = 4;       ///< digits
 inline constexpr std::size_t kMostPin = 12;
 
 // By an administrator.
-/// A name that somebody had stays theirs: the audit log names people.
+/// A name is never given to somebody else, because the audit log names people.
 [[nodiscard]] Result<User> add_user(Access& access, const std::string& name, Role role,
                                     const Secret& password, const KeyCost& cost = {});
 [[nodiscard]] Result<void> remove_user(Access& access, const std::string& name);

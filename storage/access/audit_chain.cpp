@@ -52,7 +52,7 @@ AuditHead append_audit(soci::session& sql, const LoginState& state, AuditEntry e
     entry.actor = login.user->name;
     entry.role = name_of(login.user->role);
   }
-  // From the anchor on: after a cut the gap stays to be seen.
+  // From the anchor on, so that a gap after a cut remains visible.
   AuditHead head;
   long long count = 0;
   sql << "SELECT count, hash FROM audit_anchor", soci::into(count), soci::into(head.hash);

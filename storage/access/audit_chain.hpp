@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Adding to the audit log: the hash of an entry, the anchor that a cut is noticed by, and acts that
-// are stored with their entry or not at all. Inside storage/ only.
+// Adding to the audit log: the hash of an entry, the anchor by which a shortened log is noticed,
+// and acts that are stored together with their entry or not at all. Inside storage/ only.
 #pragma once
 
 #include <ctime>
@@ -22,7 +22,7 @@ inline constexpr const char* kProtectAct = "protect";
 [[nodiscard]] std::string first_hash(const Secret* key, const std::string& database_id);
 [[nodiscard]] std::string entry_hash(const Secret* key, const std::string& before,
                                      const AuditEntry& entry);
-/// Made by a holder of the key: the log has come so far.
+/// States how far the log had come; only a holder of the key can make it.
 [[nodiscard]] std::string head_proof(const Secret* key, const std::string& database_id,
                                      const AuditHead& head);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proving the chain of the audit log on any connection. Inside storage/ only.
+// Checks the chain of the audit log on any connection. Inside storage/ only.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace isograsp::storage {
 
-/// While others add to the log, too: all is read as of one moment. @pre no transaction is open
+/// Others may add to the log meanwhile: all is read in one transaction. @pre no transaction is open
 [[nodiscard]] Result<std::vector<std::string>> audit_problems(Database& database,
                                                               const LoginState& state);
 

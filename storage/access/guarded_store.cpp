@@ -51,7 +51,7 @@ Result<void> GuardedStore::may_write() const {
   return {};
 }
 
-std::string GuardedStore::text_of(const std::string& query, RowId id) {
+std::string GuardedStore::query_text(const std::string& query, RowId id) {
   std::string text;
   const auto read = database().guard("reading a code"_text, [&] {
     database().sql() << query, soci::use(id), soci::into(text);
@@ -61,11 +61,11 @@ std::string GuardedStore::text_of(const std::string& query, RowId id) {
 }
 
 std::string GuardedStore::code_of(RowId patient) {
-  return text_of("SELECT code FROM patients WHERE id = :id", patient);
+  return query_text("SELECT code FROM patients WHERE id = :id", patient);
 }
 
 std::string GuardedStore::code_of_session(RowId session) {
-  return text_of(
+  return query_text(
       "SELECT p.code FROM sessions s JOIN patients p ON p.id = s.patient_id WHERE s.id = :id",
       session);
 }
@@ -101,7 +101,7 @@ Result<RowId> GuardedStore::begin_session(const SessionRecord& session,
                                           std::span<const SessionAnswer> answers) {
   const std::string code = code_of(session.patient_id);
   const std::string until =
-      text_of("SELECT until_date FROM restrictions WHERE patient_id = :id", session.patient_id);
+      query_text("SELECT until_date FROM restrictions WHERE patient_id = :id", session.patient_id);
   if (!until.empty())
     return refused("the records of %1 are restricted until %2: the person asked for erasure"_text(
                        code, until),
@@ -284,9 +284,10 @@ Result<std::vector<StablePeriod>> GuardedStore::stable_periods(RowId patient) {
 
 template <class Work>
 Result<void> GuardedStore::removed(const char* table, const char* what, RowId id, Work work) {
-  const std::string code = text_of("SELECT p.code FROM " + std::string(table) +
-                                       " x JOIN patients p ON p.id = x.patient_id WHERE x.id = :id",
-                                   id);
+  const std::string code =
+      query_text("SELECT p.code FROM " + std::string(table) +
+                     " x JOIN patients p ON p.id = x.patient_id WHERE x.id = :id",
+                 id);
   return logged("change profile", code, std::string(what) + " removed", work);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guard before a session store, as open_store() gives it: free text is sealed where the
-// database is protected, acts are logged with the transaction that they are, restricted and erased
-// people stay so. Inside storage/ only.
+// The guard around a session store, as open_store() gives it: seals free text where the database is
+// protected, logs every act in its own transaction, refuses to change or show records of restricted
+// and erased people. Inside storage/ only.
 #pragma once
 
 #include <functional>
@@ -37,8 +37,8 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
   [[nodiscard]] Result<void> mark_helped(RowId trial, bool helped) override;
   [[nodiscard]] Result<bool> add_newer_measures(RowId patient,
                                                 std::span<const ScoredTrial> trials) override;
-  // Who is logged in does not matter to what follows, so that a recording that runs is brought to
-  // its end whoever takes over meanwhile; the same holds for append_blocks() and end_trial().
+  // The functions that follow do not ask who is logged in, so that a running recording can be
+  // finished whoever logs in meanwhile; nor do append_blocks() and end_trial().
   [[nodiscard]] Result<void> end_session(RowId session, const std::string& ended_utc) override;
   [[nodiscard]] Result<void> add_event(RowId session, const EventRecord& event) override;
   [[nodiscard]] Result<void> set_profile(RowId patient, const PatientProfile& profile) override;
@@ -65,8 +65,8 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
 
  private:
   [[nodiscard]] Database& database() noexcept { return behind().database(); }
-  /// Of who is logged in now: another one may have taken over since the store was opened. A lock
-  /// does not matter, a session goes on behind it.
+  /// Of the user who is logged in now, who may be another one than when the store was opened. A
+  /// lock is ignored: a session goes on while the windows are locked.
   [[nodiscard]] Result<void> may_write() const;
   /// may_write(), then `work`, with its entry.
   template <class Work>
@@ -76,7 +76,7 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
   template <class Work>
   [[nodiscard]] Result<void> removed(const char* table, const char* what, RowId id, Work work);
   /// `query` gives one text; empty if there is none.
-  [[nodiscard]] std::string text_of(const std::string& query, RowId id);
+  [[nodiscard]] std::string query_text(const std::string& query, RowId id);
   [[nodiscard]] std::string code_of(RowId patient);
   [[nodiscard]] std::string code_of_session(RowId session);
   /// Seals or opens in place, where the database is protected. `column`: "table.column".

@@ -15,7 +15,7 @@
 
 namespace isograsp::storage {
 
-/// A picture of one moment. Keys are wiped when nobody uses them any more.
+/// A copy of the state at one moment. Keys are wiped when nobody uses them any more.
 struct Login {
   std::shared_ptr<const Keys> keys;  ///< empty: nobody is logged in
   std::optional<User> user;
@@ -45,7 +45,7 @@ class LoginState {
   Login login_;
 };
 
-/// Reads who the file is; in a guard of the caller. Files of older formats: not protected.
+/// Reads the identity of the file; in a guard of the caller. Files of older formats: not protected.
 [[nodiscard]] std::shared_ptr<LoginState> login_state_of(Database& database);
 
 /// Why `right` is not there now, and what to do.

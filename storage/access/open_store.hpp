@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How everybody gets a session store: on SQLite, behind the rules of access.
+// Opens a session store: on SQLite, with the rules of access around it.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A database that was made without protection gets it.
+// Adds protection to a database that was made without it.
 #pragma once
 
 #include <memory>

@@ -17,7 +17,7 @@ class session;
 
 namespace isograsp::storage {
 
-/// What somebody holds; absent: not theirs.
+/// The keys that a role holds; absent: the role may not have it.
 struct Keys {
   Secret data;      ///< administrators: wraps what others need
   Secret audit;     ///< all: the chain of the audit log
@@ -64,7 +64,7 @@ void write_slot(soci::session& sql, const SlotOwner& owner, const Secret& passwo
 [[nodiscard]] std::optional<Keys> open_slot(const KeySlot& slot, const SlotOwner& owner,
                                             const Secret& password);
 
-// The recovery key on paper: 52 digits of Crockford's base 32 and four that notice a slip, in
+// The recovery key on paper: 52 digits of Crockford's base 32 and four check digits, in
 // groups of four.
 [[nodiscard]] Secret make_recovery_key();
 /// Its 52 digits; nothing: mistyped.

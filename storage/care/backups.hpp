@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checked copies beside the database, made in time and thinned out; and the way back from one.
+// Checked copies beside the database, made daily, with old ones removed; and restoring from one.
 #pragma once
 
 #include <ctime>

@@ -90,14 +90,7 @@ bool same_signals(const Signals& a, const Signals& b) {
   return true;
 }
 
-bool same_measures(const std::vector<Measure>& a, const std::vector<Measure>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Measure& x, const Measure& y) {
-    return x.name == y.name && x.channel == y.channel && x.value == y.value &&
-           x.version == y.version && x.samples == y.samples && x.excluded == y.excluded;
-  });
-}
-
-/// Every trial of a file.
+/// All trials of a file.
 Result<std::vector<TrialRecord>> trials_of(SessionStore& store) {
   constexpr int kAll = 1'000'000;
   const auto sessions = store.recent_sessions(kAll);
@@ -141,7 +134,7 @@ Result<Twins> compare(const std::string& database, const std::string& emergency)
     if (!scored) return scored.error();
     const auto scored_there = (*ours)->measures(twin->id);
     const bool same = there && twin->status == trial.status && same_signals(*good, *there) &&
-                      scored_there && same_measures(*scored, *scored_there);
+                      scored_there && *scored == *scored_there;
     if (!same && (!there || twin->samples <= trial.samples)) twins.poorer.push_back(twin->id);
   }
   return twins;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a session goes on when its database is taken away: a small database of its own in the state
-// folder, with the same UUIDs, and the way back (`isograsp db rescue`). It holds codes, signals and
-// measures as the main file does, texts sealed as they are there, and never an identity.
+// The emergency file, into which a session is recorded when its database has disappeared: a small
+// database in the state folder, with the same UUIDs; and its return (`isograsp db rescue`). It
+// holds codes, signals and measures as the main file does, texts sealed as they are there, and
+// never an identity.
 #pragma once
 
 #include <string>

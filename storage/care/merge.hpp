@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two databases become one: what one station recorded is taken into the file of another.
+// Merges two databases: what one station recorded is added to the file of another.
 #pragma once
 
 #include <span>

@@ -54,7 +54,7 @@ void find_conflicts(soci::session& sql, const MergeTable& table, bool links_miss
   };
   for (const auto& column : columns_of(sql, table.name)) {
     if (column == "id" || (links_missing && column == "resumes_id")) continue;
-    std::string differ = "m." + column + " IS NOT " + translated(table.references, column);
+    std::string differ = "m." + column + " IS NOT " + column_here(table.references, column);
     if (column == "signals_blake2b")
       differ = content_of("m", "main") + " IS NOT " + content_of("o", "other");
     if (std::find(table.late.begin(), table.late.end(), column) != table.late.end())

@@ -17,7 +17,7 @@ std::string content(soci::session& sql, const MergeTable& table, const std::stri
   for (const auto& column : columns_of(sql, table.name))
     if (column != "id")
       parts.push_back("quote(" +
-                      (file == "other" ? translated(table.references, column) : "o." + column) +
+                      (file == "other" ? column_here(table.references, column) : "o." + column) +
                       ")");
   for (const MergePart& part : merge_parts())
     if (part.is_content && part.owner() == table.name)
@@ -37,7 +37,7 @@ std::pair<std::string, std::string> names_and_values(const MergeReferences& refe
                                                      const std::vector<std::string>& columns) {
   std::vector<std::string> values;
   for (const auto& column : columns)
-    values.push_back(column == "id" ? "n.here" : translated(references, column));
+    values.push_back(column == "id" ? "n.here" : column_here(references, column));
   return {joined(columns, ", "), joined(values, ", ")};
 }
 
@@ -47,7 +47,7 @@ void number_rows(soci::session& sql, const MergeTable& table) {
   const std::string name(table.name);
   const std::string column(table.key);
   const std::string their_key =
-      column.empty() ? content(sql, table, "other") : translated(table.references, column);
+      column.empty() ? content(sql, table, "other") : column_here(table.references, column);
   const std::string our_key = column.empty() ? content(sql, table, "main") : "o." + column;
   const std::string id = table.id();
   sql << "CREATE TEMP TABLE theirs AS " + keyed("other", table, id, their_key);

@@ -76,8 +76,8 @@ std::string number_here(std::string_view table, const std::string& expression) {
          "' AND there = " + expression + ")";
 }
 
-std::string translated(const MergeReferences& references, const std::string& column,
-                       const std::string& row) {
+std::string column_here(const MergeReferences& references, const std::string& column,
+                        const std::string& row) {
   for (const MergeReference& reference : references)
     if (reference.column == column) return number_here(reference.table, row + "." + column);
   return row + "." + column;
@@ -90,7 +90,8 @@ std::string content_of_part(soci::session& sql, const MergePart& part, const std
     if (column != part.key)
       values.push_back(
           "quote(" +
-          (file == "other" ? translated(part.references, column, "part") : "part." + column) + ")");
+          (file == "other" ? column_here(part.references, column, "part") : "part." + column) +
+          ")");
   return "coalesce((SELECT group_concat(line, char(10)) FROM (SELECT " +
          joined(values, " || ',' || ") + " AS line FROM " + file + "." + std::string(part.name) +
          " part WHERE part." + std::string(part.key) + " = " + id + " ORDER BY line)), '')";

@@ -60,8 +60,8 @@ struct MergePart {
 /// SQL: the number here of the row of `table` whose number there is `expression`.
 [[nodiscard]] std::string number_here(std::string_view table, const std::string& expression);
 /// SQL: the column of row `row` of the other file as it is to stand here.
-[[nodiscard]] std::string translated(const MergeReferences& references, const std::string& column,
-                                     const std::string& row = "o");
+[[nodiscard]] std::string column_here(const MergeReferences& references, const std::string& column,
+                                      const std::string& row = "o");
 /// SQL: one text of the rows of a part in `file` (main, other) that belong to the row with number
 /// `id`, an expression there; numbers in it are those of main.
 [[nodiscard]] std::string content_of_part(soci::session& sql, const MergePart& part,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of older formats are brought to the one of this program.
+// Converts files of older formats to the format of this program.
 #pragma once
 
 #include <string>

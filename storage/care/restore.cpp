@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way back from a backup: a copy is made, checked and given its entry in the log beside the
+// Restoring from a backup: a copy is made, checked and given its entry in the log beside the
 // file; only then does it take the place of what is there, and every step of that can be taken
 // back.
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What content is, in 32 bytes: BLAKE2b-256 (Aumasson et al. 2013, RFC 7693), as in Python's
+// A hash of content, 32 bytes: BLAKE2b-256 (Aumasson et al. 2013, RFC 7693), as in Python's
 // hashlib.blake2b(…, digest_size=32). And UUIDs, which tell rows of different stations apart.
 #pragma once
 
@@ -15,7 +15,7 @@ using ContentHash = std::array<std::uint8_t, 32>;
 
 [[nodiscard]] ContentHash content_hash(std::string_view bytes);
 
-/// Of content that comes in pieces.
+/// Of content that is given in pieces.
 class ContentHasher {
  public:
   /// With a key (at most 64 bytes) only its holders can make the hash.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libsodium must be told to begin. Inside storage/ only.
+// libsodium has to be initialised. Inside storage/ only.
 #pragma once
 
 namespace isograsp::storage {
 
-/// Before anything of libsodium is used. Thread-safe, and quick after the first time. Throws on a
-/// system without random bytes.
+/// Call before anything of libsodium is used. Thread-safe, and quick after the first time. Throws
+/// on a system without random bytes.
 void start_sodium();
 
 }  // namespace isograsp::storage

@@ -179,8 +179,8 @@ void limit(soci::session& sql) {
   sql << "PRAGMA cell_size_check=ON";
 }
 
-/// Our tables hold what was written. A view or a computed column makes what it likes when it is
-/// read, as often and as large as it likes.
+/// Our tables hold what was written. A view or a computed column could produce any values when it
+/// is read, in any number and of any size.
 void refuse_what_computes(soci::session& sql, const std::string& path) {
   int views = 0;
   sql << "SELECT count(*) FROM sqlite_schema WHERE type = 'view' OR sql LIKE 'CREATE VIRTUAL%'",
@@ -387,7 +387,7 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
       throw Refusal{failed("the database cannot be set to durable writing"_text,
                            "keep it on a local disk"_text)
                         .at(path)};
-    if (database.scratch_ && made_now)  // the same each time; nobody's keys hang on it
+    if (database.scratch_ && made_now)  // the same each time; no keys depend on it
       sql << "UPDATE access_settings SET database_id = lower(hex(zeroblob(16)))";
     if (!read_only && (database.format_ < oldest || database.format_ > kDatabaseFormat))
       throw Refusal{refused("has a format that this program does not know"_text,

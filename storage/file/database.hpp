@@ -30,7 +30,7 @@ class RecordingLock {
   /// Not held (see held()) if somebody records.
   [[nodiscard]] static Result<RecordingLock> exclusive_if_free(const std::string& path);
   [[nodiscard]] bool held() const noexcept { return descriptor_ >= 0; }
-  /// Others who ask for the lock of `path` still come to this one.
+  /// Other programs that ask for the lock of `path` still find this one.
   [[nodiscard]] bool in_place(const std::string& path) const noexcept;
 
  private:
@@ -61,9 +61,9 @@ class Database {
   /// The same in one transaction: durable when it returns, or nothing done. Refused, and nothing
   /// done, once the file or those beside it are not what was opened (storage/file/file_watch.hpp).
   [[nodiscard]] Result<void> transact(const Text& doing, const std::function<void()>& work);
-  /// transact() that waits for nobody. False, and nothing done: another program writes just now.
+  /// transact() that does not wait. False, and nothing done: another program is writing.
   [[nodiscard]] Result<bool> transact_if_free(const Text& doing, const std::function<void()>& work);
-  /// The question of transact() outside of a transaction.
+  /// The check that transact() makes, outside of a transaction.
   [[nodiscard]] Result<void> in_place();
   void watch_no_more() { watch_.reset(); }
   /// The file was unlinked: its content ends with this connection.

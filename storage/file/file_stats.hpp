@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large a database is, and what of.
+// How large a database is, and which parts are how large.
 #pragma once
 
 #include <cstdint>

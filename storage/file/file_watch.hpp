@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Are the file of an open connection and the files beside it still those that it was opened with,
-// and untouched by anything but SQLite? SQLite itself goes on without a word when its file is
+// and untouched by anything but SQLite? SQLite itself reports nothing when its file is
 // unlinked, moved or overwritten. Inside storage/ only.
 #pragma once
 
@@ -26,9 +26,9 @@ class FileWatch {
   FileWatch& operator=(const FileWatch&) = delete;
 
   /// What has happened, for a user: "the file was deleted or moved away". Nothing: all is in place.
-  /// Once it has found something it stays with it. `writing`: inside a write transaction, when the
-  /// write-ahead log stands still and can be compared, too.
-  /// Looks at names, inodes, sizes, headers and times; microseconds.
+  /// Once it has found something it returns that every time. `writing`: inside a write transaction,
+  /// when the write-ahead log stands still and can be compared, too. Looks at names, inodes, sizes,
+  /// headers and times; microseconds.
   [[nodiscard]] const std::optional<Text>& fault(bool writing);
   /// After a fault, once, outside of a transaction: what was confirmed and stands in the log is
   /// brought into the file of this connection if both are sound, so that no other file can take

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that older programs made: how they become files of today, and how they are read as they
-// are. Inside storage/ only.
+// Files of older programs: how they are converted to the present format, and how they are read
+// without being changed. Inside storage/ only.
 #pragma once
 
 #include <string>

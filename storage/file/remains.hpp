@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What this program wrote elsewhere and cannot reach, as far as the audit log tells it. Inside
-// storage/ only.
+// Files that this program wrote elsewhere and cannot change any more, as far as the audit log
+// knows. Inside storage/ only.
 #pragma once
 
 #include <string>

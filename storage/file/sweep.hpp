@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removed content leaves the file and its log, too. Inside storage/ only.
+// Wipes removed content from the file and from its log. Inside storage/ only.
 #pragma once
 
 #include "storage/file/database.hpp"

@@ -20,7 +20,7 @@ constexpr std::size_t kLongestHolder = 300;  // bytes
 void write_holder(const std::string& side_file, const std::string& who) {
   const int descriptor =
       ::open(side_file.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) return;  // then it is not known who has it
+  if (descriptor < 0) return;  // unknown who has it
   (void)!::write(descriptor, who.data(), who.size());
   ::close(descriptor);
 }

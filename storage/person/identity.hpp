@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who a code is. Only in a protected database, encrypted with a key of its own; every reading is
-// logged with the name of the reader. Needs Right::identities.
+// The person behind a code. Only in a protected database, encrypted with a key of its own; every
+// reading is logged with the name of the reader. Needs Right::identities.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside storage/ only: a store that hands every call to another one, for what stands between.
+// Inside storage/ only: a store that hands every call to another one: base of stores that change
+// some calls.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clinic's memory: patients by code, sessions, trials with their signals (in blocks of one
-// second while they are recorded, then packed), measures, events. One SQLite file (WAL,
+// The records of the clinic: patients by code, sessions, trials with their signals (in blocks of
+// one second while they are recorded, then packed), measures, events. One SQLite file (WAL,
 // synchronous=FULL); format: docs/file_formats.md. A store is used by one thread at a time; several
 // stores may be open on one file.
 #pragma once
@@ -26,7 +26,7 @@ class SessionStore {
   // Writing. Each call is one transaction, durable when it returns (not in a scratch file).
   // All are refused once the file, its write-ahead log or (in a trial) its lock were deleted,
   // moved, replaced, cut off or overwritten by something else.
-  /// The same question without writing.
+  /// The same check without writing.
   [[nodiscard]] virtual Result<void> in_place() = 0;
   /// The file was unlinked: what is in it ends with this store, unless save_copy() keeps it.
   [[nodiscard]] virtual bool is_last_hold() = 0;
@@ -76,7 +76,8 @@ class SessionStore {
   [[nodiscard]] virtual Result<void> add_event(RowId session, const EventRecord& event) = 0;
   [[nodiscard]] virtual Result<RowId> add_rating(const RatingRecord& rating) = 0;
   /// Effort and pain of the stored rating `rating.id` become these; what they were is kept in a
-  /// note of the session at `rating.session_time_s`. When they were asked stays.
+  /// note of the session at `rating.session_time_s`. The time at which they were asked is not
+  /// changed.
   [[nodiscard]] virtual Result<void> correct_rating(const RatingRecord& rating) = 0;
   /// Of a trial that has ended.
   [[nodiscard]] virtual Result<void> mark_helped(RowId trial, bool helped) = 0;
@@ -121,7 +122,7 @@ class SessionStore {
   [[nodiscard]] virtual Result<std::vector<PooledValue>> stable_values(const PoolQuery& query) = 0;
   /// The same of the people of whom neither side is affected, of whatever day.
   [[nodiscard]] virtual Result<std::vector<PooledValue>> healthy_values(const PoolQuery& query) = 0;
-  /// False: the last word on research was no, or the person's records are restricted.
+  /// False: the last answer about research was no, or the person's records are restricted.
   [[nodiscard]] virtual Result<bool> may_be_used_for_research(RowId patient) = 0;
   [[nodiscard]] virtual Result<std::vector<SessionRecord>> sessions(RowId patient) = 0;
   /// Of all patients, newest first.

@@ -15,7 +15,7 @@
 namespace isograsp::storage {
 
 /// Most values of one trial, of all its columns together: two hours of 150 columns at 100 Hz, 0.8
-/// GiB. A file that says more is damaged or made to fill all memory; nobody may store more.
+/// GiB. A file that claims more is damaged, or made to fill the memory; more cannot be stored.
 inline constexpr std::size_t kMostTrialValues = 108'000'000;
 
 /// CRC-32 (polynomial 0xEDB88320, as in zlib) of some bytes.

@@ -64,7 +64,7 @@ void SqliteStore::pack_group(const TrialRecord& trial, std::size_t group, Conten
   read_parts(trial, group, whole,
              [&](int part, std::size_t rows, const Planes& planes, const ContentHash& values) {
                const std::string bytes = compress(planes);
-               // The only copy of a patient's work is about to be removed.
+               // Checked, because the only copy of a patient's work is removed next.
                const auto back = decompress(bytes, rows, trial.groups[group].columns.size());
                if (!back || back->bytes() != planes.bytes())
                  throw damaged(trial, {}, "the signals cannot be packed without loss"_text);
@@ -130,7 +130,7 @@ Result<void> SqliteStore::pack_trial(RowId id) {
   });
 }
 
-void SqliteStore::pack_or_say(RowId trial) {
+void SqliteStore::pack_or_note(RowId trial) {
   const auto packed = pack_trial(trial);
   if (packed) return;
   const std::string text =

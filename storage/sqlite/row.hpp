@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside storage/sqlite/ only: what is asked of a row stands beside where it goes, and what is
-// written beside its column, so that no list is matched with another one by position.
+// Inside storage/sqlite/ only: each column that is read stands beside the variable it is read into,
+// each value that is written beside its column: no two lists have to agree by position.
 #pragma once
 
 #include <functional>

@@ -98,11 +98,11 @@ class SqliteStore final : public SessionStore {
   /// Puts the blocks of a closed trial together, in one transaction; if it fails they stay.
   [[nodiscard]] Result<void> pack_trial(RowId trial);
   /// The same; why it failed becomes an event of the session.
-  void pack_or_say(RowId trial);
+  void pack_or_note(RowId trial);
   /// The hash that packing would give a closed trial; nothing: it is packed.
   [[nodiscard]] Result<std::optional<ContentHash>> hash_of_blocks(RowId trial);
 
-  // For what stands between this store and its users.
+  // For stores that wrap this one.
   [[nodiscard]] Database& database() noexcept { return database_; }
   /// check(), where what is known of people is read through `door`, which may open what is sealed.
   [[nodiscard]] Result<std::vector<std::string>> check_through(SessionStore& door);
@@ -191,7 +191,8 @@ void keep_newest(std::vector<Measure>& measures);
 /// Adds what makes no sense in what is known of people, as `store` reads it.
 [[nodiscard]] Result<void> check_told(SessionStore& store, std::vector<std::string>& problems);
 
-/// Of a packed block. A minute would save another 2 %, and damage would cost a minute.
+/// Of a packed block. One minute would save another 2 % of room, but damage would then destroy a
+/// minute.
 inline constexpr int kSecondsPerPart = 10;
 
 /// The part of a trial's hash that says what its columns are.

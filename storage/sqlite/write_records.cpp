@@ -41,7 +41,7 @@ Result<void> SqliteStore::repair() {
                        "WHERE trial_id = trials.id AND position = 0) WHERE status = 'running'";
   });
   if (!marked) return marked.error();
-  for (const RowId trial : running) pack_or_say(trial);
+  for (const RowId trial : running) pack_or_note(trial);
   return {};
 }
 

@@ -228,7 +228,7 @@ Result<void> SqliteStore::end_trial(const TrialRecord& end, std::span<const Meas
   });
   if (!done) return done.error();
   recording_.reset();
-  pack_or_say(end.id);
+  pack_or_note(end.id);
   return {};
 }
 

@@ -242,7 +242,7 @@ std::string number(double value, bool with_sign) {
 
 }  // namespace
 
-MeasureWords words_for(std::string_view name, std::string_view channel) {
+MeasureWords words_of(std::string_view name, std::string_view channel) {
   const auto* found = std::find_if(kEntries.begin(), kEntries.end(),
                                    [&](const Entry& entry) { return entry.name == name; });
   MeasureWords words;
@@ -271,7 +271,7 @@ std::vector<std::string_view> worded_measures() {
   return names;
 }
 
-std::string_view describe(Better better) noexcept {
+std::string_view words_of(Better better) noexcept {
   switch (better) {
     case Better::lower: return "lower is better";
     case Better::higher: return "higher is better";

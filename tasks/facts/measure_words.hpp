@@ -24,10 +24,10 @@ struct MeasureWords {
 };
 /// Words for a measure, with those for its channel: "Maximum force above rest, thumb opening". An
 /// unknown one is called by its own name.
-[[nodiscard]] MeasureWords words_for(std::string_view name, std::string_view channel);
+[[nodiscard]] MeasureWords words_of(std::string_view name, std::string_view channel);
 /// Names of all measures that have words here, in the order of the report.
 [[nodiscard]] std::vector<std::string_view> worded_measures();
-[[nodiscard]] std::string_view describe(Better better) noexcept;  ///< "lower is better"
+[[nodiscard]] std::string_view words_of(Better better) noexcept;  ///< "lower is better"
 
 /// Stored unit -> printed unit: rad -> degrees, m -> mm; all else as it is.
 struct PrintedUnit {

@@ -66,13 +66,13 @@ double path_length(std::span<const Vec3> position_m) {
   return length_m;
 }
 
-statistics::Computed path_efficiency(std::span<const std::vector<Vec3>> ways_m) {
+statistics::Computed path_efficiency(std::span<const std::vector<Vec3>> paths_m) {
   double straight_m = 0.0;
   double length_m = 0.0;
-  for (const auto& way_m : ways_m) {
-    if (way_m.empty()) continue;
-    straight_m += path_length(std::array{way_m.front(), way_m.back()});
-    length_m += path_length(way_m);
+  for (const auto& path_m : paths_m) {
+    if (path_m.empty()) continue;
+    straight_m += path_length(std::array{path_m.front(), path_m.back()});
+    length_m += path_length(path_m);
   }
   if (!(length_m > 0.0)) return "nothing moved";
   return 100.0 * straight_m / length_m;

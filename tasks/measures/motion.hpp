@@ -36,6 +36,6 @@ namespace isograsp::tasks {
 [[nodiscard]] double path_length(std::span<const Vec3> position_m);
 /// Path efficiency, version 1, in %: 100 sum of straight distances from first to last / sum of path
 /// lengths, over one way or several.
-[[nodiscard]] statistics::Computed path_efficiency(std::span<const std::vector<Vec3>> ways_m);
+[[nodiscard]] statistics::Computed path_efficiency(std::span<const std::vector<Vec3>> paths_m);
 
 }  // namespace isograsp::tasks

@@ -12,7 +12,7 @@ namespace {
 using test::isograsp;
 using test::TemporaryFolder;
 
-std::string text_of(const std::string& path) {
+std::string content_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream all;
   all << in.rdbuf();
@@ -26,7 +26,7 @@ TEST(DecodeCommand, DecodesTheGoldenLogToTheLastCharacter) {
                                "/tests/data/golden_rft.log --out " +
                                out);
   ASSERT_EQ(result.status, 0) << result.err;
-  EXPECT_EQ(text_of(out),
+  EXPECT_EQ(content_of(out),
             "t_s,sensor,fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm,valid,flags\n"
             "1700000000.076610,thumb,12.34,-5.5,-48.02,0.1235,-0.75,0.0405,1,\n"
             "1700000000.077441,index,-0.8,6.2,18.1,-0.006,0.032,-0.0015,1,\n"
@@ -59,7 +59,7 @@ TEST(DecodeCommand, CountsDamageAndWritesOnlyWholeSamples) {
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("1 samples; frames: 2 torn, 1 duplicate, 3 foreign"), std::string::npos)
       << result.err;
-  EXPECT_EQ(text_of(out),
+  EXPECT_EQ(content_of(out),
             "t_s,sensor,fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm,valid,flags\n"
             "1.020130,thumb,12.34,-5.5,-48.02,0.1235,-0.75,0.0405,1,overload_fx+overload_fy+"
             "overload_fz+overload_tx+overload_ty+overload_tz\n");
@@ -72,7 +72,7 @@ std::string decoded(const std::string& protocol, const std::string& log) {
   const auto result = isograsp("decode --protocol " + protocol + " " + folder.write("x.log", log) +
                                " --out " + out);
   EXPECT_EQ(result.status, 0) << result.err;
-  const auto text = text_of(out);
+  const auto text = content_of(out);
   return text.substr(text.find('\n') + 1);
 }
 
@@ -206,7 +206,7 @@ TEST(DeviceCommands, MonitorAndRecordTheSimulatedPatient) {
   const auto recorded =
       isograsp("record --device 'sim://healthy?seed=3' --duration 0.5 --out " + out);
   ASSERT_EQ(recorded.status, 0) << recorded.err;
-  EXPECT_NE(text_of(out).find("# simulated\n"), std::string::npos);
+  EXPECT_NE(content_of(out).find("# simulated\n"), std::string::npos);
   // What was recorded is a device again.
   const auto replayed = isograsp("monitor --device 'replay://" + out + "?speed=0' --json");
   ASSERT_EQ(replayed.status, 0) << replayed.err;

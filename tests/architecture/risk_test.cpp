@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
+std::string content_of(const fs::path& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
@@ -34,16 +34,16 @@ TEST(Risk, EveryProofThatIsNamedIsATest) {
   std::set<std::string> tests;
   for (const auto& file : fs::recursive_directory_iterator(ISOGRASP_SOURCE_DIR "/tests"))
     if (file.path().extension() == ".cpp")
-      tests.merge(matches(text_of(file.path()), R"re(\nTEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))re",
-                          "$1.$2"));
-  const auto risk = text_of(ISOGRASP_SOURCE_DIR "/docs/risk.md");
+      tests.merge(matches(content_of(file.path()),
+                          R"re(\nTEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))re", "$1.$2"));
+  const auto risk = content_of(ISOGRASP_SOURCE_DIR "/docs/risk.md");
   const auto proofs = matches(risk, R"(`([A-Z]\w+\.[A-Z]\w+)`)", "$1");
   EXPECT_GT(proofs.size(), 60U);
   for (const auto& proof : test::every(proofs)) EXPECT_TRUE(tests.contains(proof)) << proof;
 }
 
 TEST(Risk, EveryHazardHasAProofOrIsLeftToTheClinicInWords) {
-  std::istringstream lines(text_of(ISOGRASP_SOURCE_DIR "/docs/risk.md"));
+  std::istringstream lines(content_of(ISOGRASP_SOURCE_DIR "/docs/risk.md"));
   int hazards = 0;
   for (std::string line; std::getline(lines, line);) {
     if (!std::regex_search(line, std::regex(R"(^\| [WNPD]\d+ \|)"))) continue;

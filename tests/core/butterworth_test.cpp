@@ -33,9 +33,7 @@ TEST(Butterworth2, CoefficientsAndStepResponseAgreeWithTheReference) {
   auto csv = CsvReader::open(ISOGRASP_SOURCE_DIR "/tests/data/golden/filter_butter2.csv");
   ASSERT_TRUE(csv) << csv.error().message();
   std::vector<double> row(csv->columns().size());
-  const auto value = [&](const char* name) {
-    return row[static_cast<std::size_t>(csv->find(name))];
-  };
+  const auto value = [&](const char* name) { return row[csv->find(name).value()]; };
   int rows = 0;
   while (*csv->next(row)) {
     ++rows;

@@ -30,7 +30,7 @@ BusFrame frame(const std::string& text) {
 DeviceConfig config_of(std::uint8_t slot = 0, double rate_Hz = kRate_Hz) {
   DeviceConfig config = DeviceConfig::standard(kAtiFamily);
   config.rate_Hz = rate_Hz;
-  config.sensors[0].way = AtiSensor{0x20, slot};
+  config.sensors[0].connection = AtiSensor{0x20, slot};
   return config;
 }
 

@@ -177,16 +177,16 @@ TEST(NetFtFingers, AddressesInAscendingOrderAreThumbIndexMiddle) {
 
 TEST(NetFtFingers, TheConfigurationMaySayOtherwise) {
   auto config = DeviceConfig::standard(kNetFtFamily);
-  config.sensors[0].way = NetFtSensor{"192.168.1.9"};
-  config.sensors[1].way = NetFtSensor{"192.168.1.3:50000"};
-  config.sensors[2].way = NetFtSensor{"192.168.1.1:49152:8080"};
+  config.sensors[0].connection = NetFtSensor{"192.168.1.9"};
+  config.sensors[1].connection = NetFtSensor{"192.168.1.3:50000"};
+  config.sensors[2].connection = NetFtSensor{"192.168.1.1:49152:8080"};
   const auto fingers = NetFtFingers::of(config);
   ASSERT_TRUE(fingers) << fingers.error().message();
   EXPECT_EQ(fingers->finger_of({0xC0A80109, 1234}), 0u) << "any port";
   EXPECT_EQ(fingers->finger_of({0xC0A80103, 50000}), 1u);
   EXPECT_EQ(fingers->finger_of({0xC0A80103, 49152}), std::nullopt);
   EXPECT_EQ(fingers->finger_of({0xC0A80101, 49152}), 2u);
-  config.sensors[2].way = NetFtSensor{"box.clinic"};
+  config.sensors[2].connection = NetFtSensor{"box.clinic"};
   EXPECT_FALSE(NetFtFingers::of(config));
 }
 

@@ -93,7 +93,7 @@ inline std::unique_ptr<SensorDevice> open_boxes(const Boxes& boxes, DeviceConfig
   std::array<std::string, kFingerCount> addresses;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     addresses[f] = boxes.address(f);
-    config.sensors[f].way = NetFtSensor{addresses[f]};
+    config.sensors[f].connection = NetFtSensor{addresses[f]};
     sessions[f] = std::make_unique<NetFtSession>(config, f, NetFtBoxConfig{});
   }
   auto bus = open_udp(addresses);

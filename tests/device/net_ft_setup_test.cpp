@@ -55,7 +55,7 @@ class Boxes {
     auto config = DeviceConfig::standard(kNetFtFamily);
     config.rate_Hz = rate_Hz;
     for (std::size_t f = 0; f < kFingerCount; ++f)
-      config.sensors[f].way =
+      config.sensors[f].connection =
           NetFtSensor{server->records(f).text() + ":" + std::to_string(server->pages(f).port)};
     return config;
   }
@@ -162,7 +162,7 @@ TEST(NetFtSetup, NamesTheFingerOfABoxThatIsNotThere) {
   const auto said = set_up_net_ft_box(config, 2, kPatience);
   ASSERT_FALSE(said);
   EXPECT_NE(english(said.error().what).find("the middle's sensor"), std::string::npos);
-  config.sensors[2].way = NetFtSensor{"box.clinic"};
+  config.sensors[2].connection = NetFtSensor{"box.clinic"};
   const auto named = set_up_net_ft_box(config, 2, kPatience);
   ASSERT_FALSE(named);
   EXPECT_EQ(named.error().code, Error::Code::bad_input);

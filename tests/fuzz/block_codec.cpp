@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } else {
     const auto rest = in.bytes(size);
     std::vector<std::vector<double>> decoded(columns);
-    if (!storage::decode_block(fuzz::text_of(rest.data(), rest.size()), rows, decoded)) return 0;
+    if (!storage::decode_block(fuzz::as_text(rest.data(), rest.size()), rows, decoded)) return 0;
     for (std::size_t i = 0; i < rows * columns; ++i)
       values.push_back(decoded[i % columns].at(i / columns));
   }

@@ -7,7 +7,7 @@ using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::MemoryFile file;
-  auto text = fuzz::text_of(data, size);
+  auto text = fuzz::as_text(data, size);
   file.write(text);
   auto log = CandumpReader::open(file.path());
   fuzz::require(log.ok(), "a file that exists is opened");

@@ -6,7 +6,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto line = fuzz::text_of(data, size);
+  const auto line = fuzz::as_text(data, size);
   const auto parsed = parse_candump_line(line);
   if (!parsed) {
     fuzz::require_helpful(parsed.error(), line);

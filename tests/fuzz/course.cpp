@@ -7,7 +7,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto course = virtual_patient::parse_course(text, "course.toml");
   if (!course) {
     fuzz::require_helpful(course.error(), text);

@@ -84,7 +84,7 @@ void check_column(CsvReader& table, std::span<const std::string_view> lines) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::MemoryFile file;
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   file.write(text);
   auto table = CsvReader::open(file.path());
   if (!table) {

@@ -41,7 +41,7 @@ void require_readable(const std::string& path, std::int64_t count) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::MemoryFile log;
   static const test::TemporaryFolder folder;
-  const auto input = fuzz::text_of(data, size);
+  const auto input = fuzz::as_text(data, size);
   const auto border = input.find('\0');
   const auto text = input.substr(0, border);
   auto mapping = parse_csv_mapping(text, "mapping.toml");

@@ -10,7 +10,7 @@ using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr double kRounding = 1e-9;
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto config = DeviceConfig::parse(text, "device.toml");
   if (!config) {
     fuzz::require(!config.error().what.empty() && !config.error().remedy.empty(),

@@ -9,7 +9,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto fault = Fault::parse(text);
   if (!fault) {
     fuzz::require_helpful(fault.error(), text);

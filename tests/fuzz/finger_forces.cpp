@@ -28,7 +28,7 @@ std::vector<FingerForcesRow> read(FingerForcesReader& reader, std::string_view t
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::MemoryFile file;
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   file.write(text);
   auto reader = FingerForcesReader::open(file.path());
   if (!reader) {

@@ -9,7 +9,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto page = fuzz::text_of(data, size);
+  const auto page = fuzz::as_text(data, size);
   const auto config = NetFtBoxConfig::parse(page, "192.168.1.1");
   if (!config) {
     fuzz::require_helpful(config.error(), page);
@@ -19,7 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const double number : {scale.counts_per_unit_force, scale.counts_per_unit_torque,
                               scale.unit_force_N, scale.unit_torque_Nm})
     fuzz::require(std::isfinite(number) && number > 0.0, "counts are a number of newtons");
-  fuzz::require(std::isfinite(config->rate_Hz) && config->rate_Hz >= 0.0, "a rate is no surprise");
+  fuzz::require(!config->rate_Hz || (std::isfinite(*config->rate_Hz) && *config->rate_Hz > 0.0),
+                "a rate is no surprise");
   fuzz::require(!config->range || (config->range->allFinite() && config->range->minCoeff() > 0.0),
                 "a range is a range");
   const auto again = NetFtBoxConfig::parse(encode_net_ft_page(*config), "192.168.1.1");

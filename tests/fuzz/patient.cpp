@@ -6,7 +6,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto patient = virtual_patient::parse_patient(text, "patient.toml");
   if (!patient) {
     fuzz::require_helpful(patient.error(), text);

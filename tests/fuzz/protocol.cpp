@@ -9,7 +9,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto protocol = tasks::parse_protocol(text, "protocol.toml");
   if (!protocol) {
     fuzz::require_helpful(protocol.error(), text);

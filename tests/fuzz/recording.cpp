@@ -10,7 +10,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto spec = session::parse_recording(text, "recording.toml");
   if (!spec) {
     fuzz::require_helpful(spec.error(), text);

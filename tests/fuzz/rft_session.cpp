@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const DeviceConfig config = DeviceConfig::standard(kRftFamily);
   const RftIds ids = config.sensors[kFinger].as<RftSensor>().ids;
   RftSession::Settings settings;
-  settings.way = ids;
+  settings.on_bus = ids;
   RftSession session(settings);
   const auto sensor = make_emulated_rft(kFinger, config);
   fuzz::Numbers in(data, size);

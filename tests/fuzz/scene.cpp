@@ -8,7 +8,7 @@ using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr double kRounding = 1e-9;  // a rotation is a few products of numbers up to 1
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto scene = parse_scene(text, "scene.toml");
   if (!scene) {
     fuzz::require_helpful(scene.error(), text);

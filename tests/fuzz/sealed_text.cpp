@@ -10,7 +10,7 @@ using namespace isograsp;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const storage::Secret key = storage::derived_key(storage::Secret(storage::kKeySize), 1);
   static const std::string sealed = storage::seal(key, "place", "text");
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto opened = storage::unseal(key, "place", text);
   fuzz::require(!opened || text == sealed, "nobody without the key makes a sealed text");
   fuzz::require(storage::unseal(key, "place", storage::seal(key, "place", text))->text() == text,

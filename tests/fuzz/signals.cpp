@@ -12,7 +12,7 @@ using namespace isograsp;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::MemoryFile file;
   static const test::TemporaryFolder folder;
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   file.write(text);
   const auto signals = read_signals(file.path());
   if (!signals) {

@@ -7,7 +7,7 @@ using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   SlcanLines lines;
-  for (const char c : fuzz::text_of(data, size)) {
+  for (const char c : fuzz::as_text(data, size)) {
     const auto line = lines.take(c);
     if (!line) continue;
     const auto command = parse_slcan(*line);

@@ -26,7 +26,7 @@ inline void require(bool holds, const char* law) noexcept {
   std::abort();
 }
 
-inline std::string_view text_of(const std::uint8_t* data, std::size_t size) noexcept {
+inline std::string_view as_text(const std::uint8_t* data, std::size_t size) noexcept {
   return {reinterpret_cast<const char*>(data), size};
 }
 

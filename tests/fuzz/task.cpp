@@ -8,7 +8,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto task = tasks::parse_task(text, "task.toml");
   if (!task) {
     fuzz::require_helpful(task.error(), text);

@@ -7,7 +7,7 @@
 using namespace isograsp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   constexpr std::size_t kLongest = 1000;
   auto reader = TomlReader::parse(text, "x.toml", "isograsp-scene-1");
   if (!reader) {

@@ -21,7 +21,7 @@ std::string escaped(std::string_view text) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto text = fuzz::text_of(data, size);
+  const auto text = fuzz::as_text(data, size);
   const auto uri = Uri::parse(text);
   if (!uri) {
     fuzz::require_helpful(uri.error(), text);

@@ -31,7 +31,7 @@ std::vector<Cue> every_cue() {
 }
 
 std::string whole(Cue cue, ForceChannel channel, Hand hand = Hand::right) {
-  const auto words = words_for(cue, channel, hand);
+  const auto words = words_of(cue, channel, hand);
   return words.headline + " / " + words.detail;
 }
 
@@ -46,7 +46,7 @@ TEST(CueWords, AreThereAndShortForEveryCueChannelAndHand) {
   for (const Cue cue : test::every(every_cue()))
     for (const ForceChannel channel : test::every(every_channel()))
       for (const Hand hand : {Hand::right, Hand::left}) {
-        const auto [headline, detail] = words_for(cue, channel, hand);
+        const auto [headline, detail] = words_of(cue, channel, hand);
         const std::string where =
             std::string(name_of(cue)) + ", " + name_of(channel) + ": " + headline + " / " + detail;
         EXPECT_FALSE(headline.empty()) << where;
@@ -72,15 +72,15 @@ TEST(CueWords, SayEveryCueDifferentlyInTheLargeLineOfTheGrip) {
   for (const ForceChannel channel : {ForceChannel{}, channel_of(Finger::index)})
     for (const Cue a : test::every(every_cue()))
       for (const Cue b : test::every(every_cue()))
-        EXPECT_EQ(words_for(a, channel, Hand::right).headline ==
-                      words_for(b, channel, Hand::right).headline,
+        EXPECT_EQ(words_of(a, channel, Hand::right).headline ==
+                      words_of(b, channel, Hand::right).headline,
                   a == b)
             << name_of(a) << " and " << name_of(b);
 }
 
 TEST(CueWords, ComfortableForceNeverReadsLikeAMaximum) {
   for (const ForceChannel channel : test::every(every_channel())) {
-    const auto words = words_for(Cue::press, channel, Hand::right);
+    const auto words = words_of(Cue::press, channel, Hand::right);
     EXPECT_NE(words.headline.find("comfortably"), std::string::npos);
     EXPECT_EQ(whole(Cue::press, channel).find('!'), std::string::npos);
     EXPECT_EQ(whole(Cue::press, channel).find("hard"), std::string::npos);

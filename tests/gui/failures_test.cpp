@@ -50,7 +50,7 @@ class FailuresInEachLanguage : public QtTest, public ::testing::WithParamInterfa
   void expect_translated(Error error) {
     error.file = folder_.path();  // names of files and keys are as somebody gave them
     error.field = "key";
-    EXPECT_EQ(english_in(shown(error)), "") << shown(error).toStdString();
+    EXPECT_EQ(english_in(translated(error)), "") << translated(error).toStdString();
     EXPECT_EQ(english_in(translated(error.what)), "") << english(error.what);
     EXPECT_EQ(english_in(translated(error.remedy)), "") << english(error.remedy);
   }

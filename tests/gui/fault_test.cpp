@@ -48,7 +48,7 @@ class FaultDuringATrial : public QtTest {
     if (!fault.empty()) options.faults.push_back(*Fault::parse(fault));
     boxes_ = std::make_unique<Boxes>(options, at_rest());
     operator_.prepare_person();
-    presenter_.choices().choose_protocol(Choices::kByHand);
+    presenter_.choices().choose_protocol(std::nullopt);
     presenter_.choices().choose_device("udp://" + boxes_->full_address(0) + "," +
                                        boxes_->full_address(1) + "," + boxes_->full_address(2) +
                                        "?protocol=net-ft");
@@ -227,7 +227,7 @@ TEST_F(FaultDuringATrial, AFullDiskEndsTheSessionInWordsAndKeepsWhatWasWritten) 
 
 TEST_F(FaultDuringATrial, ASessionThatAFullDiskRefusedIsToldUntilThereIsRoom) {
   operator_.prepare_person();
-  presenter_.choices().choose_protocol(Choices::kByHand);
+  presenter_.choices().choose_protocol(std::nullopt);
   presenter_.choices().choose_device("sim://healthy?seed=7");
   {
     const FullDisk full(0);

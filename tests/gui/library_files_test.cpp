@@ -29,12 +29,12 @@ class OwnLibrary : public ::testing::Test {
     ADD_FAILURE() << file << " is not shipped";
     return {};
   }
-  [[nodiscard]] std::string text_of(const LibraryEntry& entry) const {
+  [[nodiscard]] std::string content_of(const LibraryEntry& entry) const {
     return files_.read(entry).value();
   }
   [[nodiscard]] LibraryEntry copy_of(LibraryKind kind, const std::string& file) const {
     const auto original = shipped(kind, file);
-    auto copy = files_.duplicate(original, text_of(original));
+    auto copy = files_.duplicate(original, content_of(original));
     EXPECT_TRUE(copy.ok()) << copy.error().message();
     return *copy;
   }
@@ -62,7 +62,7 @@ TEST_F(OwnLibrary, EveryShippedFileIsListedSoundAndUnderANameOfItsOwn) {
     for (const auto& entry : every(entries)) {
       EXPECT_TRUE(entry.sound) << entry.path;
       EXPECT_FALSE(entry.own);
-      const auto good = files_.check_name(kind, text_of(entry), entry.path);
+      const auto good = files_.check_name(kind, content_of(entry), entry.path);
       EXPECT_TRUE(good.ok()) << good.error().message();
     }
   }
@@ -90,12 +90,12 @@ TEST_F(OwnLibrary, ADuplicateIsAnOwnFileWithAFreeName) {
   ASSERT_TRUE(spec.ok());
   EXPECT_EQ(spec->name, first.name);
   EXPECT_EQ(spec->version, 1) << "it is another task: its versions begin anew";
-  const auto second = files_.duplicate(first, text_of(first));
+  const auto second = files_.duplicate(first, content_of(first));
   ASSERT_TRUE(second.ok());
   EXPECT_EQ(second->name, original.name + " (copy 2)");
   const auto listed = files_.list(LibraryKind::tasks);
   EXPECT_TRUE(listed[0].own && listed[1].own) << "own ones come first";
-  EXPECT_EQ(text_of(original), text_of(shipped(LibraryKind::tasks, "grip_sine.toml")));
+  EXPECT_EQ(content_of(original), content_of(shipped(LibraryKind::tasks, "grip_sine.toml")));
 }
 
 TEST_F(OwnLibrary, ADuplicateDoesNotMeetTheDraftOfAFileThatIsGone) {
@@ -109,7 +109,7 @@ TEST_F(OwnLibrary, ADuplicateDoesNotMeetTheDraftOfAFileThatIsGone) {
 TEST_F(OwnLibrary, EveryShippedFileCanBeDuplicatedAndUsed) {
   for (const auto kind : {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols})
     for (const auto& entry : every(files_.list(kind))) {
-      const auto copy = files_.duplicate(entry, text_of(entry));
+      const auto copy = files_.duplicate(entry, content_of(entry));
       ASSERT_TRUE(copy.ok()) << copy.error().message();
       EXPECT_TRUE(copy->sound) << entry.path;
     }
@@ -125,7 +125,7 @@ TEST_F(OwnLibrary, AnOwnTaskFindsOwnAndShippedScenesAndAShippedOneOnlyShipped) {
   EXPECT_EQ(found("planar_block_copy", task), fs::path(scene.path));
   EXPECT_EQ(found("planar_block", task), fs::path(kShipped) / "scenes/planar_block.toml");
   EXPECT_TRUE(found("planar_block_copy", shipped(LibraryKind::tasks, "two_target.toml")).empty());
-  const auto text = text_of(copy_of(LibraryKind::protocols, "short.toml"));
+  const auto text = content_of(copy_of(LibraryKind::protocols, "short.toml"));
   const auto path = files_.own() + "/protocols/mine.toml";
   EXPECT_TRUE(
       session::read_protocol(replaced(text, "two_target", "two_target_copy"), path, kShipped).ok());
@@ -134,19 +134,19 @@ TEST_F(OwnLibrary, AnOwnTaskFindsOwnAndShippedScenesAndAShippedOneOnlyShipped) {
 
 TEST_F(OwnLibrary, ShippedFilesAreNeitherSavedNorRemoved) {
   const auto entry = shipped(LibraryKind::tasks, "grip_sine.toml");
-  const auto text = text_of(entry);
+  const auto text = content_of(entry);
   EXPECT_FALSE(files_.save(entry, text, text + "# mine\n", {}).ok());
   EXPECT_FALSE(files_.remove(entry).ok());
-  EXPECT_EQ(text_of(entry), text);
+  EXPECT_EQ(content_of(entry), text);
 }
 
 TEST_F(OwnLibrary, ATextThatNoTrialUsedIsReplaced) {
   const auto entry = copy_of(LibraryKind::tasks, "grip_sine.toml");
-  const auto former = text_of(entry);
+  const auto former = content_of(entry);
   const auto text = replaced(former, "duration_s = 30", "duration_s = 20");
   const auto saved = files_.save(entry, former, text, {});
   ASSERT_TRUE(saved.ok()) << saved.error().message();
-  EXPECT_EQ(text_of(entry), text);
+  EXPECT_EQ(content_of(entry), text);
   EXPECT_EQ(saved->version, 1);
   EXPECT_FALSE(saved->raised);
   EXPECT_FALSE(fs::exists(files_.own() + "/history"));
@@ -154,7 +154,7 @@ TEST_F(OwnLibrary, ATextThatNoTrialUsedIsReplaced) {
 
 TEST_F(OwnLibrary, ATextThatATrialUsedIsKeptAndTheTaskGetsTheNextVersion) {
   const auto entry = copy_of(LibraryKind::tasks, "grip_sine.toml");
-  const auto former = text_of(entry);
+  const auto former = content_of(entry);
   auto text = replaced(former, "duration_s = 30", "duration_s = 20");
   const auto saved = files_.save(entry, former, text, {true, 4});
   ASSERT_TRUE(saved.ok());
@@ -172,49 +172,49 @@ TEST_F(OwnLibrary, ATextThatATrialUsedIsKeptAndTheTaskGetsTheNextVersion) {
 
 TEST_F(OwnLibrary, WhatCannotBeReadIsNotSaved) {
   const auto entry = copy_of(LibraryKind::tasks, "two_target.toml");
-  const auto former = text_of(entry);
+  const auto former = content_of(entry);
   for (const auto& text :
        {former + "unknown_key = 1\n", replaced(former, "scene = \"", "scene = \"no_"),
         std::string("name = ")}) {
     EXPECT_FALSE(files_.save(entry, former, text, {}).ok()) << text;
-    EXPECT_EQ(text_of(entry), former);
+    EXPECT_EQ(content_of(entry), former);
   }
   const auto taken = with_name(former, shipped(LibraryKind::tasks, "two_target.toml").name);
-  const auto refused = files_.save(entry, text_of(entry), taken, {});
+  const auto refused = files_.save(entry, content_of(entry), taken, {});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().field, "name");
 }
 
 TEST_F(OwnLibrary, AFileThatSomebodyElseChangedIsNotOverwritten) {
   const auto entry = copy_of(LibraryKind::scenes, "firm_block.toml");
-  const auto former = text_of(entry);
+  const auto former = content_of(entry);
   ASSERT_TRUE(write_text(entry.path, former + "# theirs\n").ok());
   EXPECT_FALSE(files_.save(entry, former, former + "# mine\n", {}).ok());
-  EXPECT_EQ(text_of(entry), former + "# theirs\n");
+  EXPECT_EQ(content_of(entry), former + "# theirs\n");
 }
 
 TEST_F(OwnLibrary, WhatWasRemovedComesBack) {
   const auto entry = copy_of(LibraryKind::protocols, "short.toml");
-  const auto text = text_of(entry);
+  const auto text = content_of(entry);
   const auto removed = files_.remove(entry);
   ASSERT_TRUE(removed.ok());
   EXPECT_FALSE(fs::exists(entry.path));
   ASSERT_TRUE(files_.bring_back(*removed, entry).ok());
-  EXPECT_EQ(text_of(entry), text);
+  EXPECT_EQ(content_of(entry), text);
   const auto again = files_.remove(entry);
   ASSERT_TRUE(write_text(entry.path, "another").ok());
   EXPECT_FALSE(files_.bring_back(*again, entry).ok()) << "nothing is overwritten";
-  EXPECT_EQ(text_of(entry), "another");
+  EXPECT_EQ(content_of(entry), "another");
 }
 
 TEST_F(OwnLibrary, ADraftOutlivesTheProgramAndGoesWithSave) {
   const auto entry = copy_of(LibraryKind::tasks, "grip_sine.toml");
-  const auto former = text_of(entry);
+  const auto former = content_of(entry);
   ASSERT_TRUE(files_.keep_draft(entry, "name = ").ok());
   const LibraryFiles later(kShipped, files_.own());
   EXPECT_EQ(later.draft(entry), "name = ");
   EXPECT_TRUE(later.list(LibraryKind::tasks).front().draft);
-  EXPECT_EQ(text_of(entry), former) << "the file itself is untouched";
+  EXPECT_EQ(content_of(entry), former) << "the file itself is untouched";
   ASSERT_TRUE(later.save(entry, former, former + "# more\n", {}).ok());
   EXPECT_FALSE(later.draft(entry).has_value());
 }

@@ -94,7 +94,7 @@ class Operator {
   /// From an empty window to a device that has its zero; tasks are chosen one by one.
   void prepare(const QString& uri, const char* hand = "hand_right") const {
     prepare_person(hand);
-    windows_.presenter().choices().choose_protocol(Choices::kByHand);
+    windows_.presenter().choices().choose_protocol(std::nullopt);
     if (windows_.presenter().state().choices.device_uri != uri.toStdString()) choose_device(uri);
     press("connect");
     set_zero();

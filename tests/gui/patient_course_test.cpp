@@ -78,7 +78,7 @@ TEST_F(PatientCourseTest, KeyMeasuresComeFirstAndNoneIsForResearchOnly) {
                                   [](const MeasureTrend& trend) { return trend.key; }));
   std::set<QString> research;
   for (const auto& point : all.points)
-    if (!tasks::words_for(point.measure.name, point.measure.channel).clinical)
+    if (!tasks::words_of(point.measure.name, point.measure.channel).clinical)
       research.insert(QString::fromStdString(point.measure.name));
   EXPECT_LT(trends.size(), 15U) << "a choice, not everything";
 }
@@ -192,7 +192,7 @@ TEST_F(PatientCourseTest, AWaitInVainDoesNotDropOutOfAMean) {
   CourseTrial trial;
   trial.record.status = storage::TrialStatus::completed;
   trial.measures = {{"reaction_time", "", 2.0, "s", 1, 10, 0, ""}};
-  ASSERT_TRUE(tasks::words_for("reaction_time", "").censored);
+  ASSERT_TRUE(tasks::words_of("reaction_time", "").censored);
   CourseSession a{1, {}, {trial}};
   CourseSession b{2, {}, {trial, trial}};
   b.record.id = 2;

@@ -223,7 +223,7 @@ class LongWorkInTheWindow : public LongWork {
     EXPECT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
     windows_.presenter().choices().choose_patient(kCode);
     EXPECT_TRUE(wait_until([&] { return !windows_.clinic().history_loading(); }));
-    windows_.presenter().choices().choose_protocol(Choices::kByHand);
+    windows_.presenter().choices().choose_protocol(std::nullopt);
   }
   /// Up to the press of Connect.
   void begin_connecting() {

@@ -128,7 +128,7 @@ void photograph(const QString& output, const std::string& language) {
         [&] {
           const auto& now = presenter.state().snapshot();
           return now.stage == session::Stage::trial && now.task.task_time_s > task_time_s &&
-                 presenter.flow().view().sentence.find(shown(name).toStdString()) !=
+                 presenter.flow().view().sentence.find(translated(name).toStdString()) !=
                      std::string::npos;
         },
         180);

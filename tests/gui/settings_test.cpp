@@ -156,7 +156,7 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
   const Operator therapist(windows);
   therapist.prepare_person();
   auto& presenter = windows.presenter();
-  presenter.choices().choose_protocol(Choices::kByHand);
+  presenter.choices().choose_protocol(std::nullopt);
   Presentation half;
   half.half = Presentation::Half::left;
   presenter.seating().say_presentation(half);

@@ -105,7 +105,7 @@ TEST_P(EachLanguage, HasNoEnglishLeftInTheSentencesOfASession) {
   facts.database_open = facts.patient_chosen = facts.hand_chosen = facts.screened = true;
   facts.device_chosen = facts.anything_arrived = true;
   facts.connection = Connection::open;
-  facts.zero_refusal = session::describe(
+  facts.zero_refusal = session::words_of(
       session::ZeroRefusal{session::ZeroRefusal::Why::drift, Finger::index, 0.5, 0.3});
   const auto english = sentence(facts);
   const Spoken spoken(GetParam());
@@ -125,7 +125,7 @@ TEST_P(EachLanguage, WritesNumbersAndDatesOnTheScreenAndTakesThemBack) {
   measure.value = 1.25;
   measure.unit = "N";
   EXPECT_EQ(measure_value(measure), "1,25 N");
-  EXPECT_EQ(shown_date("2026-03-05"), date);
+  EXPECT_EQ(translated_date("2026-03-05"), date);
   const Date today{std::chrono::year{2026}, std::chrono::month{6}, std::chrono::day{1}};
   for (const QString& typed : {date, QString("2026-03-05"), QString("5.3.2026")})
     EXPECT_EQ(iso_text(typed_date(typed, today, Ahead::refused).value.value_or(today)),
@@ -142,13 +142,13 @@ TEST_P(EachLanguage, ChangesNothingThatIsStored) {
   storage::PatientProfile known;
   known.onset_date = "2026-03-05";
   person.show_profile(known);
-  EXPECT_EQ(person.findChild<QLineEdit*>("onset")->text(), shown_date("2026-03-05"));
+  EXPECT_EQ(person.findChild<QLineEdit*>("onset")->text(), translated_date("2026-03-05"));
   EXPECT_EQ(person.profile().onset_date, "2026-03-05");
   ScoreCard scores;
   std::optional<storage::ClinicalScore> added;
   QObject::connect(&scores, &ScoreCard::added,
                    [&](const storage::ClinicalScore& score) { added = score; });
-  scores.findChild<QLineEdit*>("score_date")->setText(shown_date("2026-03-05"));
+  scores.findChild<QLineEdit*>("score_date")->setText(translated_date("2026-03-05"));
   scores.findChild<QLineEdit*>("score_value")->setText("31,5");
   scores.findChild<QPushButton*>("score_add")->click();
   ASSERT_TRUE(added.has_value());
@@ -178,7 +178,7 @@ TEST_P(EachLanguage, HeadlinesOfThePatientStayLarge) {
       for (std::size_t way = 0; way < kDirectionCount; ++way)
         for (const Cue cue : {Cue::hand_out, Cue::relax, Cue::squeeze, Cue::press, Cue::follow,
                               Cue::reproduce, Cue::let_go, Cue::move})
-          check(words_for(cue, {static_cast<Digits>(d), static_cast<Direction>(way)}, hand));
+          check(words_of(cue, {static_cast<Digits>(d), static_cast<Direction>(way)}, hand));
 }
 
 TEST_P(EachLanguage, SpeaksToThePatient) {
@@ -206,7 +206,8 @@ TEST_F(QtTest, AnUnknownLanguageIsThatOfTheDesktopAndEnglishComesBack) {
     EXPECT_EQ(gui::spoken(), languages::desktop_language());
     speak("en");
     EXPECT_EQ(status_words(storage::TrialStatus::completed), english);
-    EXPECT_EQ(shown_date("2026-03-05"), "2026-03-05") << "countries order day and month otherwise";
+    EXPECT_EQ(translated_date("2026-03-05"), "2026-03-05")
+        << "countries order day and month otherwise";
   }
   EXPECT_EQ(status_words(storage::TrialStatus::completed), english);
 }
@@ -219,9 +220,9 @@ TEST_F(QtTest, ATextIsFoundWholeByItsNumbersOrSentenceBySentence) {
   EXPECT_EQ(without_numbers("P-3AB has t63", numbers), "P-3AB has t63")
       << "digits of a name are no numbers";
   const Spoken spoken("de");
-  EXPECT_EQ(shown("Time to 63 % of the step"), "Zeit bis 63 % der Stufe");
-  EXPECT_EQ(shown("Wrist of 3.5 N"), "Wrist of 3.5 N") << "what is not known stays as it is";
-  EXPECT_EQ(shown("It is kept as it is and never subtracted. Unknown."),
+  EXPECT_EQ(translated("Time to 63 % of the step"), "Zeit bis 63 % der Stufe");
+  EXPECT_EQ(translated("Wrist of 3.5 N"), "Wrist of 3.5 N") << "what is not known stays as it is";
+  EXPECT_EQ(translated("It is kept as it is and never subtracted. Unknown."),
             "Sie bleibt, wie sie ist, und wird nie abgezogen. Unknown.");
 }
 

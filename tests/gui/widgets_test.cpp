@@ -14,6 +14,7 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolButton>
+#include <optional>
 #include <set>
 
 #include "gui/patient_screen/patient_canvas.hpp"
@@ -162,7 +163,7 @@ TEST_F(TherapistWindowTest, ANumberIsAnsweredFromTheKeyboard) {
 
 TEST_F(TherapistWindowTest, ARecordingFollowsNoProtocol) {
   auto& presenter = windows_.presenter();
-  ASSERT_NE(presenter.state().choices.protocol, Choices::kByHand) << "one is proposed";
+  ASSERT_TRUE(presenter.state().choices.protocol) << "one is proposed";
   operator_.prepare_person();
   presenter.choices().choose_device("replay://" + write_recording_with_gap(folder_));
   EXPECT_FALSE(presenter.state().has_protocol());
@@ -246,7 +247,7 @@ TEST_F(TherapistWindowTest, KeysAndClicksPassOverTheHeadingsOfTheTaskList) {
             static_cast<int>(windows_.presenter().state().library.tasks.size()));
   EXPECT_FALSE(number(0).isValid()) << "a heading comes first";
   list.setFocus();
-  std::set<int> visited{windows_.presenter().state().task()};
+  std::set<std::optional<int>> visited{windows_.presenter().state().task()};
   for (int step = 0; step < list.count(); ++step) {
     QTest::keyClick(&list, Qt::Key_Down);
     ASSERT_TRUE(number(list.currentRow()).isValid()) << list.currentRow();
@@ -254,7 +255,7 @@ TEST_F(TherapistWindowTest, KeysAndClicksPassOverTheHeadingsOfTheTaskList) {
     visited.insert(windows_.presenter().state().task());
   }
   EXPECT_EQ(visited.size(), windows_.presenter().state().library.tasks.size());
-  const int chosen = windows_.presenter().state().task();
+  const auto chosen = windows_.presenter().state().task();
   QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier,
                     list.visualItemRect(list.item(0)).center());
   EXPECT_EQ(windows_.presenter().state().task(), chosen);

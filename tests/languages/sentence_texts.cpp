@@ -53,7 +53,7 @@ void add_session(Texts& texts) {
   for (const Why why :
        {Why::gaps, Why::noisy_force, Why::noisy_torque, Why::drift, Why::loaded, Why::changed})
     for (const Finger finger : kFingers)
-      add_sentences(texts, session::describe(session::ZeroRefusal{why, finger, 0.5, 0.25}));
+      add_sentences(texts, session::words_of(session::ZeroRefusal{why, finger, 0.5, 0.25}));
   session::ZeroRecord zero;
   zero.change_confirmed = zero.drifted = true;
   zero.change_N = zero.drift_N = 0.5;
@@ -69,7 +69,7 @@ void add_session(Texts& texts) {
       digits /= 3;
     }
     for (auto& sd : rest.sd) sd.setConstant(kForce_N);
-    add_sentences(texts, session::describe(rest));
+    add_sentences(texts, session::words_of(rest));
   }
   std::vector<storage::RatingRecord> ratings(2);
   for (const auto& [first, last] : {std::pair{0, 9}, std::pair{0, 3}}) {
@@ -108,7 +108,7 @@ void add_measures(Texts& texts) {
   };
   for (const auto name : tasks::worded_measures())
     for (const char* channel : {"", "grip"})
-      texts.insert(capital(tasks::words_for(name, channel).title));
+      texts.insert(capital(tasks::words_of(name, channel).title));
   // Of a change, with how sure it is, or why there is no verdict.
   for (const char* verdict :
        {"improved (possible)", "improved (confirmed)", "worsened (possible)",
@@ -121,10 +121,10 @@ void add_measures(Texts& texts) {
     texts.insert(verdict);
   for (const tasks::Better better :
        {tasks::Better::lower, tasks::Better::higher, tasks::Better::near_zero})
-    texts.insert(std::string(tasks::describe(better)));
-  const std::string plain = tasks::words_for("gain", "").title;
+    texts.insert(std::string(tasks::words_of(better)));
+  const std::string plain = tasks::words_of("gain", "").title;
   const auto add = [&](const std::string& channel) {
-    const auto behind = tasks::words_for("gain", channel).title.substr(plain.size());
+    const auto behind = tasks::words_of("gain", channel).title.substr(plain.size());
     if (!behind.empty()) texts.insert(pattern_of(behind));
   };
   for (std::size_t d = 0; d < kDigitsCount; ++d)

@@ -92,8 +92,7 @@ TEST(MeasureDocs, EveryMeasureHasASectionOfItsVersionAndClass) {
       continue;
     }
     EXPECT_EQ(section->second.version, measure.version) << measure.name;
-    EXPECT_EQ(section->second.clinical, tasks::words_for(measure.name, "").clinical)
-        << measure.name;
+    EXPECT_EQ(section->second.clinical, tasks::words_of(measure.name, "").clinical) << measure.name;
     EXPECT_TRUE(section->first == measure.name || section->second.censored) << measure.name;
   }
 }
@@ -103,7 +102,7 @@ TEST(MeasureDocs, EverySectionIsAboutAMeasureThatSomeTaskGives) {
   for (const Measure& measure : all_measures()) given.insert(measure.name);
   for (const auto& [name, section] : test::every(sections())) {
     EXPECT_TRUE(given.contains(name)) << name;
-    EXPECT_NE(tasks::words_for(name, "").title, own_name(name)) << name << " has no words";
+    EXPECT_NE(tasks::words_of(name, "").title, own_name(name)) << name << " has no words";
   }
 }
 

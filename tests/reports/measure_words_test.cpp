@@ -25,7 +25,7 @@ TEST(MeasureWords, EveryMeasureOfEveryKindOfTaskHasWords) {
     kinds.insert(task.spec.kind->name);
     for (const Measure& measure : test::every(task.measures)) {
       names.insert(measure.name);
-      EXPECT_NE(tasks::words_for(measure.name, "").title, own_name(measure.name))
+      EXPECT_NE(tasks::words_of(measure.name, "").title, own_name(measure.name))
           << "kind " << task.spec.kind->name;
     }
   }
@@ -41,14 +41,14 @@ TEST(MeasureWords, EveryMeasureWithoutATaskHasWords) {
       Signals({"t_s", "target_force_N", "actual_force_N", "actual_x_m", "actual_y_m"}));
   ASSERT_FALSE(measures.empty());
   for (const Measure& measure : test::every(measures))
-    EXPECT_NE(tasks::words_for(measure.name, "").title, own_name(measure.name));
+    EXPECT_NE(tasks::words_of(measure.name, "").title, own_name(measure.name));
 }
 
 TEST(MeasureWords, NoTwoMeasuresOfATaskHaveTheSameTitle) {
   for (const Emitted& task : test::every(emitted())) {
     std::set<std::string> titles;
     for (const Measure& measure : test::every(task.measures)) {
-      const std::string title = tasks::words_for(measure.name, measure.channel).title;
+      const std::string title = tasks::words_of(measure.name, measure.channel).title;
       EXPECT_TRUE(titles.insert(title).second)
           << title << ", kind " << task.spec.kind->name << ", channel " << measure.channel;
     }
@@ -60,12 +60,12 @@ TEST(MeasureWords, NoResearchMeasureHasAPlaceInTheReport) {
     for (const Measure& measure : test::every(task.measures)) {
       const tasks::Place place = tasks::place_of(task.spec, measure.name, measure.channel);
       EXPECT_TRUE(place.prominence == tasks::Prominence::none ||
-                  tasks::words_for(measure.name, measure.channel).clinical)
+                  tasks::words_of(measure.name, measure.channel).clinical)
           << measure.name;
     }
   for (const char* name : {"sample_entropy", "power_0.1_0.3_Hz", "throughput", "ldlj", "t63"})
-    EXPECT_FALSE(tasks::words_for(name, "").clinical) << name;
-  EXPECT_FALSE(tasks::words_for("a_measure_of_tomorrow", "").clinical);
+    EXPECT_FALSE(tasks::words_of(name, "").clinical) << name;
+  EXPECT_FALSE(tasks::words_of("a_measure_of_tomorrow", "").clinical);
 }
 
 TEST(MeasureWords, EveryForceTaskThatIsScoredShowsATrend) {
@@ -82,10 +82,10 @@ TEST(MeasureWords, EveryForceTaskThatIsScoredShowsATrend) {
 TEST(MeasureWords, TimesThatMayBeLongerThanTheLimitAreCensored) {
   for (const char* name : {"reaction_time", "settling_time", "release_time", "endurance",
                            "release_initiation", "completion_time"})
-    EXPECT_TRUE(tasks::words_for(name, "").censored) << name;
+    EXPECT_TRUE(tasks::words_of(name, "").censored) << name;
   // These have a value whatever happens: nothing is hidden in them.
   for (const char* name : {"release_time_share", "release_time_restricted", "residual_force"})
-    EXPECT_FALSE(tasks::words_for(name, "").censored) << name;
+    EXPECT_FALSE(tasks::words_of(name, "").censored) << name;
 }
 
 TEST(MeasureWords, ReleasesCompletedAreReadBeforeTheirTime) {
@@ -99,7 +99,7 @@ TEST(MeasureWords, ReleasesCompletedAreReadBeforeTheirTime) {
 
 TEST(MeasureWords, ATitleSaysTheChannel) {
   const auto title = [](const char* name, const char* channel) {
-    return tasks::words_for(name, channel).title;
+    return tasks::words_of(name, channel).title;
   };
   EXPECT_EQ(title("maximum_force", "grip"), "Maximum grip above rest");
   EXPECT_EQ(title("maximum_force", "thumb"), "Maximum force above rest, thumb");
@@ -123,11 +123,11 @@ TEST(MeasureWords, ATitleSaysTheChannel) {
 
 TEST(MeasureWords, ErrorsOfSizesGrowWithTheirMeanThoseOfSharesAndSignedOnesDoNot) {
   for (const char* size : {"maximum_force", "rmse", "relative_rmse", "cv", "release_time"})
-    EXPECT_TRUE(tasks::words_for(size, "grip").error_grows) << size;
+    EXPECT_TRUE(tasks::words_of(size, "grip").error_grows) << size;
   for (const char* steady : {"time_in_range", "release_time_share", "targets_reached", "lag",
                              "constant_error", "individuation_index", "sparc", "resting_force",
                              "pauses", "anticipations", "drops", "net_push_time", "slip"})
-    EXPECT_FALSE(tasks::words_for(steady, "grip").error_grows) << steady;
+    EXPECT_FALSE(tasks::words_of(steady, "grip").error_grows) << steady;
 }
 
 }  // namespace

@@ -98,14 +98,8 @@ class Renewed : public testing::Test {
   void expect_kept(const std::vector<Measure>& as_stored, std::size_t newer) {
     const auto all = stored("TK-1");
     EXPECT_EQ(all.size(), as_stored.size() + newer);
-    const auto same = [](const Measure& a, const Measure& b) {
-      return a.name == b.name && a.channel == b.channel && a.value == b.value && a.unit == b.unit &&
-             a.version == b.version && a.samples == b.samples && a.excluded == b.excluded &&
-             a.reason == b.reason;
-    };
     for (const Measure& one : test::every(as_stored))
-      EXPECT_TRUE(std::any_of(all.begin(), all.end(),
-                              [&](const Measure& other) { return same(one, other); }))
+      EXPECT_NE(std::find(all.begin(), all.end(), one), all.end())
           << one.name << " of " << one.channel;
   }
   PatientRecords records(const std::string& code = "TK-1") {

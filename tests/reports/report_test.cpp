@@ -169,7 +169,7 @@ TEST_F(Report, ComparesOnlyEqualTaskVersionsAndSources) {
 }
 
 TEST_F(Report, AFailedTargetDoesNotDropOutOfTheMeanTime) {
-  tasks::MeasureWords words = tasks::words_for("completion_time", "target_5");
+  tasks::MeasureWords words = tasks::words_of("completion_time", "target_5");
   EXPECT_TRUE(words.censored);
   test::DemoSession demo;
   demo.skill = 0.1;  // never reaches the fifth target

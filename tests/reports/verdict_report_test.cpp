@@ -544,10 +544,10 @@ TEST_F(VerdictReport, SaysWhichPairsWereLeftOutAndWhereAFallCannotBeTold) {
 }
 
 TEST(MeasuresBelowZero, AreThoseWhoseScaleHasNoEndAtZero) {
-  EXPECT_TRUE(tasks::words_for("individuation_index", "").below_zero);
-  EXPECT_TRUE(tasks::words_for("grip_load_correlation", "").below_zero);
-  EXPECT_FALSE(tasks::words_for("maximum_force", "grip").below_zero);
-  EXPECT_FALSE(tasks::words_for("lag", "force").below_zero) << "judged by its distance";
+  EXPECT_TRUE(tasks::words_of("individuation_index", "").below_zero);
+  EXPECT_TRUE(tasks::words_of("grip_load_correlation", "").below_zero);
+  EXPECT_FALSE(tasks::words_of("maximum_force", "grip").below_zero);
+  EXPECT_FALSE(tasks::words_of("lag", "force").below_zero) << "judged by its distance";
 }
 
 }  // namespace

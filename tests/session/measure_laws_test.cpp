@@ -376,7 +376,7 @@ bool is_same(const Measure& a, const Measure& b) {
   return a.value == b.value && a.samples == b.samples && a.excluded == b.excluded;
 }
 
-std::string text_of(const Measure& measure) {
+std::string words_of(const Measure& measure) {
   return (measure.value ? std::to_string(*measure.value) : measure.reason) + " of " +
          std::to_string(measure.samples) + ", " + std::to_string(measure.excluded) + " excluded";
 }
@@ -404,8 +404,8 @@ TEST(MeasureLaws, AnEmptyFieldInAColumnThatIsReadIsAMissingSample) {
         EXPECT_TRUE(has_two_selections(trial.spec, whole[i]) || is_same(empty[i], whole[i]) ||
                     is_same(empty[i], missing[i]))
             << trial.spec.name << ": " << whole[i].name << " " << whole[i].channel << " without "
-            << column << ": " << text_of(empty[i]) << "; whole " << text_of(whole[i])
-            << "; missing " << text_of(missing[i]);
+            << column << ": " << words_of(empty[i]) << "; whole " << words_of(whole[i])
+            << "; missing " << words_of(missing[i]);
     }
   }
 }

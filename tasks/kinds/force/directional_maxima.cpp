@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The direction error of an effort counts rows with |force| > total / 2; total: the largest mean
+// force over window_s.
 #include "tasks/kinds/force/directional_maxima.hpp"
 
 #include <algorithm>

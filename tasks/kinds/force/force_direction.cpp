@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A target is level * unit * direction_C, |direction_C| = 1. Of one digit in one push:
+//   rmse = sqrt(sum w (|force| - |target|)^2 / sum w), w: how long a row lasts
+// Rows with |force| <= 3 noise_sd have no direction.
 #include "tasks/kinds/force/force_direction.hpp"
 
 #include <algorithm>

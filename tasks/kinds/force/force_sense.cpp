@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// reproduced = mean of the force over the last window_s of a repetition, weighted by how long the
+// rows last; it is compared with the target of that repetition.
 #include "tasks/kinds/force/force_sense.hpp"
 
 #include "tasks/kinds/tools/of_kind.hpp"

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures of a force that follows a target over time.
+//   lag_corrected = lag - known delay of the device
+//   slope of a ramp = (last target - first target) / (last time - first time)
+//   direction of the target at row k: the sign of target_(k + 1) - target_k, 0 where that is within
+//   1e-9 of its range
+//   cycle c of frequency f begins c / f after the waveform
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Where the hand opens afterwards, the opening has a channel of its own: force_N, positive when the
+// digits open, is turned to -force_N, so that one trace goes from the grip through zero.
+//   opening force = largest mean of the opening's own force over 0.5 s
 #include "tasks/kinds/force/grip_release.hpp"
 
 #include <cmath>
@@ -69,14 +72,15 @@ std::vector<Measure> score_grip_release(const GripReleaseSpec& spec, const Recor
                           known_or_zero(record, held, columns::resting_force_N),
                           known_or_zero(record, held, columns::noise_sd_N),
                           known_or_zero(record, part, columns::resolution_N)};
-    const Release let_go = release(trace.t_s, trace.force_N, record.task_time_s(part.first), asked);
-    if (!let_go.grip_made.value_or(true)) ++missed;
-    initiations.push_back(let_go.initiation);
+    const Release released =
+        release(trace.t_s, trace.force_N, record.task_time_s(part.first), asked);
+    if (!released.grip_made.value_or(true)) ++missed;
+    initiations.push_back(released.initiation);
     const bool rested = !std::isnan(resting_N);
     const char* unknown = "the resting force was not measured";
-    releases.push_back(rested ? let_go.release : statistics::EventTime{unknown, std::nullopt});
-    residual.push_back(rested ? let_go.residual_N : statistics::Computed(unknown));
-    fastest.push_back(let_go.fastest_N_per_s);
+    releases.push_back(rested ? released.release : statistics::EventTime{unknown, std::nullopt});
+    residual.push_back(rested ? released.residual_N : statistics::Computed(unknown));
+    fastest.push_back(released.fastest_N_per_s);
     const Trace after = trace_of(record, part.first, part.last);
     sections.push_back(after.section);
     if (!spec.open) continue;

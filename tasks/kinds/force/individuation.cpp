@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// One press of a digit; start: its mean force in the rest before, mean: that in the press:
+//   rise = mean - start
+// The index and the slope are of the points (rise of the digit asked for, uninstructed deviation of
+// the others). Enslaving counts presses whose rise is above 3 noise_sd.
 #include "tasks/kinds/force/individuation.hpp"
 
 #include <cmath>

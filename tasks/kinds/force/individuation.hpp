@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One digit presses, the others are watched.
+// One digit is asked to press; the forces of the others are measured.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recordings made elsewhere: their keys in a task file and their measures.
+// Recordings made elsewhere: their keys in a task file and their measures. Weights are how long the
+// rows last; of n rows, the window is from row n - window.first to row n - window.last:
+//   maximum window mean = weighted mean of |force| in the window
+//   sharing of a finger = 100 (weighted mean of its force) / (weighted mean of the sum of all)
+//   rhythm = frequency of the largest line of Welch's spectrum of the sum, 0.1 to 5 Hz
 #include "tasks/kinds/force/recorded.hpp"
 
 #include <algorithm>

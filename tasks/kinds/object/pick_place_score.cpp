@@ -43,7 +43,7 @@ class PickPlaceScore {
 
   /// The way that ended at the target: from where the object appeared last. In the row in which it
   /// is put there it is still where it was before.
-  [[nodiscard]] Section last_way(const Attempt& attempt) const {
+  [[nodiscard]] Section last_path(const Attempt& attempt) const {
     const auto drops = record_.signals().column(columns::drops);
     std::size_t first = attempt.first_row + 1;
     if (!drops.empty()) {
@@ -57,17 +57,17 @@ class PickPlaceScore {
   }
 
   [[nodiscard]] Measure path_efficiency() const {
-    Section ways;
-    ways.reason = attempts_.absent;
-    std::vector<std::vector<Vec3>> ways_m;
+    Section paths;
+    paths.reason = attempts_.absent;
+    std::vector<std::vector<Vec3>> paths_m;
     for (const Attempt& attempt : attempts_.all) {
       if (!attempt.reached) continue;
-      const Section way = last_way(attempt);
-      append(ways, way);
-      ways_m.push_back(path_of(way));
+      const Section path = last_path(attempt);
+      append(paths, path);
+      paths_m.push_back(path_of(path));
     }
-    if (ways.reason.empty() && ways.rows.empty()) ways.reason = kNothingPlaced;
-    return make_measure("path_efficiency", "position", "%", ways, tasks::path_efficiency(ways_m));
+    if (paths.reason.empty() && paths.rows.empty()) paths.reason = kNothingPlaced;
+    return make_measure("path_efficiency", "position", "%", paths, tasks::path_efficiency(paths_m));
   }
 
   /// While the object that was placed then was held inside the tolerance, until it was let go.

@@ -154,6 +154,6 @@ constinit const KindFacts PoseTargetsSpec::kFacts{.name = "pose_targets",
                                                   .make = of_kind<make_pose_targets>,
                                                   .measures = of_kind<score_pose_targets>,
                                                   .places = kPoseTargetsPlaces,
-                                                  .way_drawn = true};
+                                                  .path_drawn = true};
 
 }  // namespace isograsp::tasks

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures of the pose-target tasks. Time is task time: a device fault costs the patient nothing.
+// Movements after Fitts: from where the target appeared (start) to the target (goal):
+//   distance = |goal - start|
+//   end = mean over the hold of (position - start) . (goal - start) / distance
+//   error = end - distance
+//   index of difficulty = mean of those of the movements (tasks/measures/fitts.cpp)
 #include <algorithm>
 #include <cmath>
 
@@ -87,12 +92,12 @@ class PoseScore {
   }
 
   /// From the appearance of a target to the start of its hold.
-  [[nodiscard]] Section way_to(const Attempt& attempt) const {
+  [[nodiscard]] Section path_to(const Attempt& attempt) const {
     return object_.select_positions(attempt.first_row, attempt.hold_row + 1, kMoving);
   }
   /// The object had to be moved there, not only turned.
-  [[nodiscard]] bool is_transport(const Section& way) const {
-    return way.rows.size() > 1 && object_.distance(way.rows.front()) > spec_.position_tolerance_m;
+  [[nodiscard]] bool is_transport(const Section& path) const {
+    return path.rows.size() > 1 && object_.distance(path.rows.front()) > spec_.position_tolerance_m;
   }
 
   void add_path(std::vector<Measure>& all) const {
@@ -100,17 +105,17 @@ class PoseScore {
     all.push_back(path_length(motion));
     Section transports;
     transports.reason = attempts_.absent.empty() ? motion.reason : attempts_.absent;
-    std::vector<std::vector<Vec3>> ways_m;
+    std::vector<std::vector<Vec3>> paths_m;
     for (const Attempt& attempt : attempts_.all) {
       if (!attempt.reached) continue;
-      const Section way = way_to(attempt);
-      if (!is_transport(way)) continue;
-      ways_m.push_back(path_of(way));
-      append(transports, way);
+      const Section path = path_to(attempt);
+      if (!is_transport(path)) continue;
+      paths_m.push_back(path_of(path));
+      append(transports, path);
     }
     if (transports.reason.empty() && transports.rows.empty()) transports.reason = nothing_reached();
     all.push_back(
-        make_measure("path_efficiency", "position", "%", transports, path_efficiency(ways_m)));
+        make_measure("path_efficiency", "position", "%", transports, path_efficiency(paths_m)));
   }
 
   /// Touch lost on the way; across a pause nothing is the patient's doing.
@@ -146,9 +151,9 @@ class PoseScore {
       const Attempt& attempt = attempts_.all[i];
       if (!attempt.reached || (has_level && !spec_.targets[i].level)) continue;
       const std::size_t end = attempt.hold_row + 1;
-      const Section way = record_.select_position(attempt.first_row, end, kMoving);
-      append(motion, way);
-      const Smoothness of_motion = object_.smoothness_of_motion(way);
+      const Section path = record_.select_position(attempt.first_row, end, kMoving);
+      append(motion, path);
+      const Smoothness of_motion = object_.smoothness_of_motion(path);
       motion_arcs.push_back(of_motion.sparc);
       motion_jerks.push_back(of_motion.ldlj);
       const Section grip =
@@ -185,14 +190,14 @@ class PoseScore {
     for (std::size_t i = 0; i < attempts_.all.size(); ++i) {
       if (!held(i)) continue;
       const Attempt& attempt = attempts_.all[i];
-      const Section way = way_to(attempt);
+      const Section path = path_to(attempt);
       const Section hold =
           object_.select_positions(attempt.hold_row, attempt.last_row, {Phase::hold});
-      if (section.reason.empty()) section.reason = way.reason;
-      if (!is_transport(way) || hold.rows.empty()) continue;
-      append(section, way);
-      const Vec3 start = object_.position(way.rows.front());
-      const Vec3 goal = object_.target(way.rows.front());
+      if (section.reason.empty()) section.reason = path.reason;
+      if (!is_transport(path) || hold.rows.empty()) continue;
+      append(section, path);
+      const Vec3 start = object_.position(path.rows.front());
+      const Vec3 goal = object_.target(path.rows.front());
       const double distance_m = (goal - start).norm();
       double end_m = 0.0;
       for (const std::size_t row : hold.rows)

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures of pose tracking: every driven degree of freedom by itself, and object and target as
 // wholes. Lead-ins and pauses are not scored.
+// Angle about the axis of a degree of freedom, of an attitude q, and its continuation from row to
+// row:
+//   angle = 2 atan2(q_axis, q_w)
+//   angle_k = angle_(k - 1) + remainder(angle_k - angle_(k - 1), 2 pi)
+// The object's angle begins in the turn that is nearest to the target's. Of the whole:
+//   rmse = sqrt(sum w e^2 / sum w),  e: distance, or angle, between object and target
 #include <cmath>
 #include <numbers>
 

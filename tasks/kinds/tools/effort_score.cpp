@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// One effort, force over time:
+//   peak = largest force,  total = largest mean force over window_s without interruption
+//   above rest = total - resting force
+// Coflexion is computed from force - mean force of the lead-in before the effort, digit by digit.
 #include "tasks/kinds/tools/effort_score.hpp"
 
 #include <cmath>

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Grip and load of the virtual object, from the forces of the fingers and the share of the friction
-// limit that each of them used: no measure needs to know the scene.
+// limit that each of them used (utilisation): no measure needs to know the scene.
+// Row by row, of the fingers that touch:
+//   normal = max(0, fz),  grip = (normal of the thumb + normals of the fingers) / 2
+//   load = sum sqrt(fx^2 + fy^2) / 2,  needed = sum utilisation normal / 2
+//   used = largest utilisation
+// touch_s: how long a row lasts, 0 where nothing touches:
+//   impulse = sum touch_s grip,  friction utilisation = 100 (95 % quantile of used by touch_s)
 #include <algorithm>
 #include <cmath>
 #include <functional>

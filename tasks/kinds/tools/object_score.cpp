@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sums over rows, w: how long a row lasts:
+//   slip = 100 (sum of w where a finger touches and one slips) / (sum of w where one touches)
+// Times on the task's own clock:
+//   completion time = time at the end row - time at which the target appeared; at most limit_s
 #include "tasks/kinds/tools/object_score.hpp"
 
 #include <algorithm>

@@ -129,7 +129,8 @@ struct Attempts {
 };
 [[nodiscard]] Attempts attempts_of(const Record& record, std::size_t count);
 
-/// From the appearance of the target to `end`, or how long it was tried in vain, up to the limit.
+/// From the appearance of the target to `end`, or how long it was tried without success, up to the
+/// limit.
 /// Time is task time: a device fault costs the patient nothing. @pre attempt.shown
 [[nodiscard]] statistics::Completion completion_of(const Record& record, const Attempt& attempt,
                                                    std::size_t end_row, double limit_s);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// force of maximum = largest mean over 0.5 s of 100 (force - resting force) / maximum force
+// net push = sqrt(net_fx^2 + net_fy^2 + net_fz^2), as a share of |force|
+// share of events that came = 100 (number that came) / (number that were asked for)
 #include "tasks/kinds/tools/score_tools.hpp"
 
 #include <cmath>

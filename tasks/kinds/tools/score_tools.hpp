@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside tasks/ only: a trial cut into the parts of its timeline, and measures put on record.
+// Inside tasks/ only: divides a trial into the parts of its timeline, and collects its measures.
 #pragma once
 
 #include <array>
@@ -75,7 +75,7 @@ struct Vectors {
 [[nodiscard]] statistics::Computed mean_of_repetitions(
     std::span<const statistics::Computed> each, const char* none = "there was no repetition");
 
-/// Measures on their way to the record.
+/// Collects the measures of a trial.
 class MeasureList {
  public:
   void add(std::string name, std::string channel, std::string unit, const Section& section,
@@ -101,8 +101,8 @@ void add_net_push(const Record& record, ForceChannel channel, MeasureList& list)
 /// where all three press together.
 void add_sharing(const Record& record, ForceChannel channel, MeasureList& list);
 
-/// The hardest effort in % of the maximum of the session, where that is known: above 110 % it was
-/// none.
+/// The hardest effort in % of the maximum of the session, where that is known: above 110 % that was
+/// no maximum.
 void add_force_of_maximum(const Record& record, ForceChannel channel, MeasureList& list);
 
 /// synergy_index and the two variances behind it.

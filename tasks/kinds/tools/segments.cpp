@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A ramp of n frames: target_k = from + (k / n) (to - from), k = 0 ... n - 1.
 #include "tasks/kinds/tools/segments.hpp"
 
 namespace isograsp::tasks {

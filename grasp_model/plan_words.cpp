@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plan in words, for `isograsp grasp`.
-#include "grasp_model/describe.hpp"
+#include "grasp_model/plan_words.hpp"
 
 #include <algorithm>
 
@@ -61,7 +61,7 @@ int flops_per_frame(const Plan& plan) {
   return flops;
 }
 
-std::vector<std::pair<std::string, std::string>> describe(const Plan& plan) {
+std::vector<std::pair<std::string, std::string>> words_of(const Plan& plan) {
   const Scene& scene = plan.scene();
   const auto axes = [&](std::size_t first) {
     std::string names;

@@ -11,8 +11,8 @@
 
 namespace isograsp {
 
-/// Pairs of a name (a JSON key) and a text.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> describe(const Plan& plan);
+/// Pairs of a name (a JSON key) and words.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> words_of(const Plan& plan);
 
 /// Additions, multiplications, divisions and roots of Plan::step with all fingers pressing within
 /// their cones; three free rotations: in one step a hold.

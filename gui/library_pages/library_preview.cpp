@@ -8,6 +8,7 @@
 #include "core/files.hpp"
 #include "grasp_model/grasp.hpp"
 #include "grasp_model/plan_words.hpp"
+#include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 #include "session/library/library.hpp"
 #include "session/platform/plan_cost.hpp"

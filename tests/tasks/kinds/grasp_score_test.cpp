@@ -167,7 +167,7 @@ TEST(ScoreGrasp, ARowWithAnEmptyForceContactOrShareIsExcludedAsOneWithAFlag) {
 
 TEST(ScoreGrasp, AFingerThatTheSceneLacksExcludesNoRow) {
   const Signals whole = carried(0.0);
-  const auto index = static_cast<std::size_t>(whole.find("contact_middle"));
+  const auto index = whole.find("contact_middle").value();
   const auto measures =
       score(tracking(), edited(whole, [&](std::size_t, auto& row) { row[index] = std::nan(""); }));
   EXPECT_EQ(find(measures, "grip_variation")->samples, 2000);

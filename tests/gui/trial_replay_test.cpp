@@ -231,7 +231,7 @@ TEST(TrialCurves, EveryRecordedChannelCanBeChosen) {
   for (const auto& name : every(replay.signals().names())) {
     const auto curves = curves_of(replay, CurveSet::chosen, {name});
     ASSERT_EQ(curves.size(), 1U) << name;
-    EXPECT_EQ(replay.signals().names()[static_cast<std::size_t>(curves[0].column)], name);
+    EXPECT_EQ(replay.signals().names()[curves[0].column.value()], name);
   }
   EXPECT_TRUE(curves_of(replay, CurveSet::chosen, {"no_such_channel"}).empty());
   const auto place = curves_of(replay, CurveSet::chosen, {"actual_z_m"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person in front of the device can see, and what their fingers answer. A virtual person
-// gets to know the task through this alone.
+// What a person in front of the device can see, and what their fingers answer. A person (real or
+// virtual) gets to know the task through this alone. What is not on the screen is not in it: a
+// hidden force or target is 0 here.
 #pragma once
 
 #include <array>
@@ -19,20 +20,41 @@ struct DigitTargets {
   [[nodiscard]] bool any() const noexcept { return shown[0] || shown[1] || shown[2]; }
 };
 
+/// How far the task on the screen has come.
+struct ShownProgress {
+  bool getting_ready = false;  ///< nothing counts yet
+  bool holding = false;        ///< what was reached is to be kept
+  double task_time_s = 0.0;    ///< stands still in a pause
+  double duration_s = 0.0;     ///< expected; 0: no bar
+  int segment = 0;             ///< which part of the task, from 0
+  int target_index = -1;       ///< which of target_count
+  int target_count = 0;
+  int targets_reached = 0;
+  double hold_fraction = 0.0;  ///< 0 … 1: the ring of a hold
+};
+
 /// One picture of the patient's screen.
 struct Stimulus {
-  double t_s = 0.0;  ///< session time of the picture [s]
-  Cue cue = Cue::hand_out;
+  double t_s = 0.0;              ///< session time of the picture [s]
+  Cue cue = Cue::hand_out;       ///< what is to be done now; in a pause: relax
+  Cue page_cue = Cue::hand_out;  ///< of the page, over which a pause lays its notice
+  ShownProgress progress;
   ForceChannel channel;  ///< which force the cue is about
   bool force_target_shown = false;
   double target_force_N = 0.0;
   bool force_shown = true;     ///< false: feedback is off, the next value is not on the screen
   double shown_force_N = 0.0;  ///< the force of the channel
   DigitTargets digit_targets;
-  bool object_shown = false;  ///< object and target pose below are on the screen
+  /// Own force of the digits that one is asked of, contact frames [N].
+  std::array<Vec3, kFingerCount> digit_force_C{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  bool object_shown = false;  ///< the object and what follows are on the screen
   Pose X_WO;
+  Vec3 v_WO_W = Vec3::Zero();      ///< by which it is drawn where it is now [m/s]
+  Vec3 w_WO_W = Vec3::Zero();      ///< [rad/s]
+  bool pose_target_shown = false;  ///< false: X_WT is that of the object
   Pose X_WT;
-  std::array<bool, kFingerCount> contact{};  ///< virtual finger touches (drawn green)
+  std::array<bool, kFingerCount> contact{};    ///< virtual finger touches (drawn green)
+  std::array<double, kFingerCount> press_N{};  ///< >= 0, by which a virtual finger approaches
 };
 
 /// A source of finger forces that reacts to what it sees. One thread uses it.

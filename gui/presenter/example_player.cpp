@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/presenter/example_player.hpp"
 
+#include "gui/presenter/patient_facts.hpp"
+
 namespace isograsp::gui {
 
 void ExamplePlayer::show(const tasks::TaskSpec& spec, const tasks::ForceReferences& references,
@@ -47,11 +49,10 @@ void ExamplePlayer::tick() {
 }
 
 PatientFacts ExamplePlayer::facts() const {
-  PatientFacts facts;
+  PatientFacts facts = patient_facts(example_->frames[frame_]);
   facts.session_open = true;
   facts.example = true;
   facts.hand = hand_;
-  facts.snapshot = example_->frames[frame_];
   facts.task = example_->task;
   facts.scene = example_->scene;
   facts.preview = preview_;

@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "gui/presenter/patient_facts.hpp"
+
 namespace isograsp::gui {
 
 namespace {
@@ -25,7 +27,7 @@ PatientView::PatientView(const ActContext& with)
       clock_(with.clock) {}
 
 PatientFacts PatientView::facts() const {
-  PatientFacts facts;
+  PatientFacts facts = state_.open ? patient_facts(state_.open->snapshot) : PatientFacts{};
   facts.simulated = state_.simulated();
   facts.broken_off = !state_.open && state_.broken_off();
   if (!state_.open) return facts;
@@ -35,7 +37,6 @@ PatientFacts PatientView::facts() const {
   facts.device_fault = now.frames > 0 && now.stage != session::Stage::finished &&
                        flow_.view().device_mood == Mood::fault;
   facts.hand = open.session->known().record.hand;
-  facts.snapshot = now;
   facts.maximum_force_N = open.session->known().maximum_force_N().value_or(0.0);
   if (const auto& trial = open.trial) {
     facts.task = trial->task;

@@ -35,29 +35,29 @@ constexpr double kFullOther_N = 12.0;
 /// Distance of a digit's force from its target that looks like "on it", of the largest target.
 constexpr double kOnTarget = 0.15;
 
-/// Where the object is `ahead_s` after its state, at the velocity that it had then.
-Pose moved(const ObjectState& state, double ahead_s) {
-  Pose X_WO = state.X_WO;
-  X_WO.p += ahead_s * state.v_WO_W;
-  const double angle_rad = ahead_s * state.w_WO_W.norm();
-  if (angle_rad > 0.0) X_WO.q = Eigen::AngleAxisd(angle_rad, state.w_WO_W.normalized()) * X_WO.q;
+/// Where the object is `ahead_s` after the frame, at the velocity that it had then.
+Pose moved(const Stimulus& seen, double ahead_s) {
+  Pose X_WO = seen.X_WO;
+  X_WO.p += ahead_s * seen.v_WO_W;
+  const double angle_rad = ahead_s * seen.w_WO_W.norm();
+  if (angle_rad > 0.0) X_WO.q = Eigen::AngleAxisd(angle_rad, seen.w_WO_W.normalized()) * X_WO.q;
   return X_WO;
 }
 
 FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) {
-  const session::Snapshot& now = facts.snapshot;
+  const Stimulus& seen = facts.stimulus;
   const auto f = index_of(contact.finger);
   FingerPicture finger;
   finger.shown = true;
-  finger.touching = now.grasp.contact[f];
-  const double normal_N = std::max(0.0, now.forces.wrench_C[f].force.z());
+  finger.touching = seen.contact[f];
+  const double normal_N = seen.press_N[f];
   const double maximum_N = facts.maximum_force_N > 0.0 ? facts.maximum_force_N : kAssumedMaximum_N;
   finger.effort = std::clamp(normal_N / maximum_N, 0.0, 1.0);
   const double reach_N = contact.threshold_N > 0.0 ? contact.threshold_N : kApproach_N;
   const double approach = facts.calm ? 0.0 : 0.8 * std::min(1.0, normal_N / reach_N);
   const double gap_m = finger.touching ? 0.0 : kStandOff_m * (1.0 - approach);
   const Vec3 normal_O = contact.R_OC.col(2);
-  const Pose X_WO = moved(now.object, facts.ahead_s);
+  const Pose X_WO = moved(seen, facts.ahead_s);
   finger.axis_W = X_WO.q * normal_O;
   finger.tip_W = X_WO.p + X_WO.q * (contact.p_OC - gap_m * normal_O);
   return finger;
@@ -68,21 +68,22 @@ bool is_held(const PatientFacts& facts, const PatientPicture& picture) {
   const auto tolerance = facts.task->tolerance();
   if (!tolerance || !tolerance->holds(picture.X_WT, picture.X_WO)) return false;
   const auto targets = facts.task->targets();
-  const auto target = static_cast<std::size_t>(facts.snapshot.task.target_index);
+  const auto target = static_cast<std::size_t>(facts.stimulus.progress.target_index);
   return target < targets.size() && targets[target].held;
 }
 
 void add_object(const PatientFacts& facts, PatientPicture& picture) {
-  const session::Snapshot& now = facts.snapshot;
+  const Stimulus& seen = facts.stimulus;
   picture.page = Page::object;
   picture.scene = facts.scene;
-  picture.X_WO = moved(now.object, facts.ahead_s);
-  picture.target_shown = now.special.object().pose_target_shown;
-  picture.X_WT = now.special.object().X_WT;
-  picture.hold_fraction = is_held(facts, picture) ? now.task.hold_fraction : 0.0;
+  picture.X_WO = moved(seen, facts.ahead_s);
+  picture.target_shown = seen.pose_target_shown;
+  picture.X_WT = seen.X_WT;
+  if (seen.pose_target_shown && is_held(facts, picture))
+    picture.hold_fraction = seen.progress.hold_fraction;
   picture.ring_W = picture.X_WT.p;
-  picture.targets_reached = now.task.targets_reached;
-  picture.target_count = now.task.target_count;
+  picture.targets_reached = seen.progress.targets_reached;
+  picture.target_count = seen.progress.target_count;
   for (const auto& contact : facts.scene->contacts)
     picture.fingers[index_of(contact.finger)] = picture_finger(contact, facts);
 }
@@ -100,22 +101,22 @@ void say(PatientPicture& picture, Sign sign, CueWords words) {
 }
 
 void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskProgress& task = facts.snapshot.task;
-  const tasks::ForceView& force = facts.snapshot.special.force();
+  const Stimulus& seen = facts.stimulus;
+  const ShownProgress& progress = seen.progress;
   if (facts.task->kind->course != nullptr)
     return say(picture, Sign::wait, PictureTexts::tr("Stay on the outline"),
                PictureTexts::tr("It moves: go with it"));
-  if (task.target_count == 0) return say(picture, Sign::wait, translated(facts.task->instruction));
-  picture.progress = static_cast<double>(task.targets_reached) / task.target_count;
-  if (task.cue == Cue::let_go)
+  if (progress.target_count == 0) return say(picture, Sign::wait, translated(facts.task->instruction));
+  picture.progress = static_cast<double>(progress.targets_reached) / progress.target_count;
+  if (seen.page_cue == Cue::let_go)
     return say(picture, Sign::wait, PictureTexts::tr("Let go"), PictureTexts::tr("Leave it there"));
-  if (task.phase == tasks::Phase::hold && picture.hold_fraction > 0.0)
+  if (progress.holding && picture.hold_fraction > 0.0)
     return say(picture, Sign::wait, PictureTexts::tr("Hold it still"),
                PictureTexts::tr("Until the ring is full"));
   if (facts.task->kind->carries)
     return say(picture, Sign::wait, PictureTexts::tr("Bring it to the outline"),
                PictureTexts::tr("Take it and carry it there"));
-  say(picture, Sign::wait, words_of(Cue::move, force.channel, facts.hand));
+  say(picture, Sign::wait, words_of(Cue::move, seen.channel, facts.hand));
 }
 
 /// "Next: thumb, push up".
@@ -130,7 +131,7 @@ std::string next_words(const TargetPreview::Part& part, Hand hand) {
 }
 
 void add_rest(const PatientFacts& facts, PatientPicture& picture) {
-  const int segment = facts.snapshot.task.segment;
+  const int segment = facts.stimulus.progress.segment;
   say(picture, Sign::rest, words_of(Cue::relax, picture.channel, facts.hand));
   const auto* effort = facts.preview == nullptr ? nullptr : facts.preview->next_effort(segment);
   if (effort == nullptr) return;
@@ -141,61 +142,59 @@ void add_rest(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_directions(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::ForceView& force = facts.snapshot.special.force();
+  const Stimulus& seen = facts.stimulus;
   picture.page = Page::directions;
   picture.digits_N = facts.preview == nullptr ? 0.0 : facts.preview->digits_N;
   for (std::size_t f = 0; f < kFingerCount; ++f)
-    if (force.digit_targets.shown[f])
-      picture.digits_N = std::max(picture.digits_N, force.digit_targets.force_C[f].norm());
+    if (seen.digit_targets.shown[f])
+      picture.digits_N = std::max(picture.digits_N, seen.digit_targets.force_C[f].norm());
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     DigitPicture& digit = picture.digits[f];
-    digit.asked = force.digit_targets.shown[f];
+    digit.asked = seen.digit_targets.shown[f];
     if (!digit.asked) continue;
-    digit.target_C = force.digit_targets.force_C[f];
-    if (!force.force_shown) continue;
-    digit.force_C = facts.snapshot.forces.wrench_C[f].force;
+    digit.target_C = seen.digit_targets.force_C[f];
+    if (!seen.force_shown) continue;
+    digit.force_C = seen.digit_force_C[f];
     digit.on_target = (digit.force_C - digit.target_C).norm() <= kOnTarget * picture.digits_N;
   }
-  say(picture, Sign::act, words_of_digits(force.digit_targets.shown));
+  say(picture, Sign::act, words_of_digits(seen.digit_targets.shown));
 }
 
 void add_follow(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskProgress& task = facts.snapshot.task;
-  const tasks::ForceView& force = facts.snapshot.special.force();
+  const Stimulus& seen = facts.stimulus;
   picture.page = Page::tracking;
-  say(picture, Sign::act, words_of(Cue::follow, force.channel, facts.hand));
-  if (!force.force_shown) {
+  say(picture, Sign::act, words_of(Cue::follow, seen.channel, facts.hand));
+  if (!seen.force_shown) {
     picture.detail = PictureTexts::tr("Without seeing your force").toStdString();
     return;
   }
-  const auto segment = static_cast<std::size_t>(task.segment);
+  const auto segment = static_cast<std::size_t>(seen.progress.segment);
   const bool steady = facts.preview != nullptr && segment < facts.preview->parts.size() &&
                       facts.preview->parts[segment].steady;
-  if (task.phase == tasks::Phase::lead_in && facts.task->kind->follows_curve)
+  if (seen.progress.getting_ready && facts.task->kind->follows_curve)
     picture.detail = PictureTexts::tr("Get ready").toStdString();
-  else if (task.phase == tasks::Phase::hold)
+  else if (seen.progress.holding)
     picture.detail = PictureTexts::tr("Hold it and wait for the word").toStdString();
   else if (steady)
     picture.detail = PictureTexts::tr("Hold it steady on the line").toStdString();
 }
 
 void add_force(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskProgress& task = facts.snapshot.task;
-  const tasks::ForceView& force = facts.snapshot.special.force();
-  const auto words = [&] { return words_of(task.cue, force.channel, facts.hand); };
-  switch (task.cue) {
+  const Stimulus& seen = facts.stimulus;
+  const auto words = [&] { return words_of(seen.page_cue, seen.channel, facts.hand); };
+  switch (seen.page_cue) {
     case Cue::relax: return add_rest(facts, picture);
     case Cue::squeeze:
     case Cue::press:
       picture.page = Page::effort;
-      picture.urgent = task.cue == Cue::squeeze;
+      picture.urgent = seen.page_cue == Cue::squeeze;
       return say(picture, Sign::act, words());
     case Cue::follow:
-      if (force.digit_targets.any()) return add_directions(facts, picture);
+      if (seen.digit_targets.any()) return add_directions(facts, picture);
       return add_follow(facts, picture);
     case Cue::let_go:
       // The mark falls where it was held.
-      if (force.force_shown) picture.page = Page::tracking;
+      if (seen.force_shown) picture.page = Page::tracking;
       picture.urgent = true;
       return say(picture, Sign::let_go, words());
     case Cue::reproduce: return say(picture, Sign::memory, words());
@@ -205,30 +204,29 @@ void add_force(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_trial(const PatientFacts& facts, PatientPicture& picture) {
-  const tasks::TaskProgress& task = facts.snapshot.task;
-  const tasks::ForceView& force = facts.snapshot.special.force();
+  const Stimulus& seen = facts.stimulus;
   picture.hand = facts.hand;
-  picture.channel = force.channel;
-  picture.force_shown = force.force_shown;
-  if (force.force_shown) picture.force_N = force.actual_force_N;
-  picture.line_shown = force.force_target_shown;
-  if (force.force_target_shown) picture.target_N = force.target_force_N;
-  picture.task_time_s = task.task_time_s + facts.ahead_s;
+  picture.channel = seen.channel;
+  picture.force_shown = seen.force_shown;
+  if (seen.force_shown) picture.force_N = seen.shown_force_N;
+  picture.line_shown = seen.force_target_shown;
+  if (seen.force_target_shown) picture.target_N = seen.target_force_N;
+  picture.task_time_s = seen.progress.task_time_s + facts.ahead_s;
   const ForceChannel* effort = facts.task->effort();
   const bool of_grip = effort != nullptr && *effort == ForceChannel{};
   picture.full_N = of_grip ? kFullGrip_N : kFullOther_N;
   if (facts.preview != nullptr && facts.preview->has_target())
     picture.axis = facts.preview->axis;
   else
-    picture.axis = {std::min(0.0, force.target_force_N), std::max(1.0, force.target_force_N)};
+    picture.axis = {std::min(0.0, picture.target_N), std::max(1.0, picture.target_N)};
   const bool angles_known = facts.viewing.known();
   if (angles_known && facts.preview != nullptr && facts.preview->gain_deg_per_N)
     picture.axis = with_gain(picture.axis, *facts.preview->gain_deg_per_N, facts.viewing);
   if (facts.preview != nullptr && facts.preview->ahead_s > 0.0) picture.preview = facts.preview;
-  picture.progress_shown = task.duration_s > 0.0;
+  picture.progress_shown = seen.progress.duration_s > 0.0;
   if (picture.progress_shown)
-    picture.progress = std::clamp(task.task_time_s / task.duration_s, 0.0, 1.0);
-  if (facts.scene != nullptr && facts.snapshot.has_object) {
+    picture.progress = std::clamp(seen.progress.task_time_s / seen.progress.duration_s, 0.0, 1.0);
+  if (facts.scene != nullptr && seen.object_shown) {
     add_object(facts, picture);
     add_object_words(facts, picture);
   } else {
@@ -237,16 +235,15 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   picture.on_target = picture.page == Page::tracking && picture.force_shown && picture.line_shown &&
                       std::abs(picture.axis.share(picture.force_N) -
                                picture.axis.share(picture.target_N)) <= kHalfBandShare;
-  if (picture.page == Page::tracking && force.force_shown && angles_known)
+  if (picture.page == Page::tracking && seen.force_shown && angles_known)
     picture.gain_deg_per_N = gain_of(picture.axis, facts.viewing);
 }
 
 void add_idle(const PatientFacts& facts, PatientPicture& picture) {
-  const session::Snapshot& now = facts.snapshot;
-  if (!facts.session_open || now.frames == 0)
+  if (!facts.session_open || !facts.arrived)
     return say(picture, Sign::wait, PictureTexts::tr("Welcome"),
                PictureTexts::tr("We will begin in a moment."));
-  if (now.stage == session::Stage::zeroing)
+  if (facts.stage == session::Stage::zeroing)
     return say(picture, Sign::hand_out, PictureTexts::tr("Hands off, please"),
                PictureTexts::tr("The device measures itself."));
   if (facts.just_completed && facts.just_missed) {
@@ -257,7 +254,7 @@ void add_idle(const PatientFacts& facts, PatientPicture& picture) {
   if (facts.just_completed)
     return say(picture, Sign::good, PictureTexts::tr("Well done"),
                PictureTexts::tr("Relax your hand."));
-  if (!now.zeroed)
+  if (facts.stimulus.cue == Cue::hand_out)
     return say(picture, Sign::hand_out,
                PictureTexts::tr("Please take your hand out of the device"));
   say(picture, Sign::wait, PictureTexts::tr("Relax your hand"),
@@ -265,9 +262,8 @@ void add_idle(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_notice(const PatientFacts& facts, PatientPicture& picture) {
-  const session::Snapshot& now = facts.snapshot;
-  const bool paused = now.stage == session::Stage::paused;
-  const bool by_fault = paused && session::is_fault(now.pause_cause);
+  const bool paused = facts.stage == session::Stage::paused;
+  const bool by_fault = paused && session::is_fault(facts.pause_cause);
   if (facts.device_fault || facts.broken_off || by_fault) {
     picture.notice = Notice::fault;
     picture.notice_words =
@@ -285,12 +281,12 @@ PatientPicture picture_for(const PatientFacts& facts) {
   PatientPicture picture;
   picture.simulated = facts.simulated && !facts.example;
   picture.example = facts.example;
-  picture.published = facts.snapshot.published;
+  picture.published = facts.published;
   picture.calm = facts.calm;
-  const session::Stage stage = facts.snapshot.stage;
-  const bool in_trial = facts.session_open &&
-                        (stage == session::Stage::trial || stage == session::Stage::paused) &&
-                        facts.task != nullptr;
+  const bool in_trial =
+      facts.session_open &&
+      (facts.stage == session::Stage::trial || facts.stage == session::Stage::paused) &&
+      facts.task != nullptr;
   if (in_trial)
     add_trial(facts, picture);
   else

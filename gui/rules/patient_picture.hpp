@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the patient's screen shows, decided without a window: one instruction, one picture.
+// How the patient's screen shows what is on it (Stimulus): one instruction, one picture, without a
+// window. A simulated person is given the same stimulus; of the session nothing else is drawn.
 // Never a name or a code. Frames: W world, O object, C contact. SI units.
 #pragma once
 
@@ -10,7 +11,8 @@
 #include "grasp_model/scene.hpp"
 #include "gui/rules/presentation.hpp"
 #include "gui/rules/target_preview.hpp"
-#include "session/platform/snapshot.hpp"
+#include "hand/stimulus.hpp"
+#include "session/acquisition/moment.hpp"
 
 namespace isograsp::gui {
 
@@ -21,7 +23,12 @@ struct PatientFacts {
   bool device_fault = false;  ///< also while no trial runs
   bool broken_off = false;    ///< the session could not go on and is closed
   Hand hand = Hand::right;    ///< in the device
-  session::Snapshot snapshot;
+  // Of the session's clockwork.
+  bool arrived = false;  ///< a frame, the first one or a later one
+  session::Stage stage = session::Stage::idle;
+  session::PauseCause pause_cause = session::PauseCause::none;
+  Timestamp published{0};                       ///< when the frame that is shown was
+  Stimulus stimulus;                            ///< all that is drawn of the frame
   std::shared_ptr<const tasks::TaskSpec> task;  ///< the running one
   std::shared_ptr<const Scene> scene;           ///< of that task, turned for the hand
   std::shared_ptr<const TargetPreview> preview;
@@ -29,7 +36,7 @@ struct PatientFacts {
   bool just_completed = false;  ///< the last trial ended well and nothing began since
   bool just_missed = false;     ///< it ended before all its targets were reached
   bool example = false;         ///< all of this is a demonstration: nothing is the patient's
-  /// How long ago the snapshot was published: what moves is shown where it is now [s].
+  /// How long ago the frame was published: what moves is shown where it is now [s].
   double ahead_s = 0.0;
   bool calm = false;  ///< less motion: nothing scrolls, nothing approaches
   Viewing viewing;
@@ -59,7 +66,7 @@ struct PatientPicture {
   enum class Sign : std::uint8_t { wait, hand_out, rest, act, let_go, memory, good };
   enum class Notice : std::uint8_t { none, pause, fault };
 
-  Timestamp published{0};  ///< of the snapshot that it shows
+  Timestamp published{0};  ///< of the frame that it shows
   bool calm = false;
   Page page = Page::message;
   Sign sign = Sign::wait;

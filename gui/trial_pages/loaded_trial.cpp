@@ -2,6 +2,7 @@
 #include "gui/trial_pages/loaded_trial.hpp"
 
 #include <QObject>
+#include <algorithm>
 
 #include "gui/words/texts.hpp"
 #include "hand/platform_records.hpp"
@@ -44,20 +45,19 @@ PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
   facts.scene = trial.scene;
   facts.maximum_force_N =
       storage::value_of(trial.opened.trial.references, platform::kMaximumForce_N).value_or(0.0);
-  session::Snapshot& now = facts.snapshot;
-  now.stage = session::Stage::trial;
-  now.frames = 1;
-  now.has_object = true;
-  now.task.phase = state.phase;
-  now.task.target_index = state.target_index;
-  now.task.targets_reached = state.targets_reached;
-  auto& view = now.special.special.emplace<tasks::ObjectView>();
-  view.pose_target_shown = state.X_WT.has_value();
-  view.X_WT = state.X_WT.value_or(Pose{});
-  now.object.X_WO = state.X_WO.value_or(Pose{});
+  facts.arrived = true;
+  facts.stage = session::Stage::trial;
+  Stimulus& screen = facts.stimulus;
+  screen.progress.holding = state.phase == tasks::Phase::hold;
+  screen.progress.target_index = state.target_index;
+  screen.progress.targets_reached = state.targets_reached;
+  screen.object_shown = true;
+  screen.X_WO = state.X_WO.value_or(Pose{});
+  screen.pose_target_shown = state.X_WT.has_value();
+  screen.X_WT = state.X_WT.value_or(screen.X_WO);
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    now.forces.wrench_C[f].force = state.fingers[f].force_C;
-    now.grasp.contact[f] = state.fingers[f].touching;
+    screen.press_N[f] = std::max(0.0, state.fingers[f].force_C.z());
+    screen.contact[f] = state.fingers[f].touching;
   }
   auto picture = picture_for(facts);
   for (std::size_t f = 0; f < kFingerCount; ++f)

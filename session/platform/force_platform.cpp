@@ -248,32 +248,12 @@ void ForcePlatform::move() noexcept {
 
 void ForcePlatform::publish() noexcept {
   if (now_.stage == Stage::finished) now_.health = device_->health();
+  now_.screen = screen_of(now_);
   snapshots_.publish(now_);
 }
 
 void ForcePlatform::show() noexcept {
-  if (person_ == nullptr) return;
-  Stimulus screen;
-  screen.t_s = now_.session_time_s;
-  screen.shown_force_N = now_.grip_N;
-  if (trial_ == nullptr) {
-    screen.cue = now_.stage == Stage::zeroing || !now_.zeroed ? Cue::hand_out : Cue::relax;
-  } else {
-    const tasks::ForceView& force = now_.special.force();
-    const tasks::ObjectView& object = now_.special.object();
-    screen.cue = now_.stage == Stage::paused ? Cue::relax : now_.task.cue;
-    screen.channel = force.channel;
-    screen.force_target_shown = force.force_target_shown;
-    screen.target_force_N = force.target_force_N;
-    screen.force_shown = force.force_shown;
-    screen.shown_force_N = force.actual_force_N;
-    screen.digit_targets = force.digit_targets;
-    screen.object_shown = now_.has_object;
-    screen.X_WO = now_.object.X_WO;
-    screen.X_WT = object.pose_target_shown ? object.X_WT : now_.object.X_WO;
-    screen.contact = now_.grasp.contact;
-  }
-  person_->see(screen);
+  if (person_ != nullptr) person_->see(now_.screen);
 }
 
 ApparatusFault ForcePlatform::fault() const noexcept {

@@ -9,6 +9,7 @@
 #include "device/sensors/force_device.hpp"
 #include "grasp_model/plan.hpp"
 #include "hand/finger.hpp"
+#include "hand/stimulus.hpp"
 #include "session/acquisition/moment.hpp"
 #include "tasks/task_view.hpp"
 
@@ -45,6 +46,11 @@ struct Snapshot : Moment {
   bool has_object = false;
   ObjectState object;
   GraspWrench grasp;
+
+  Stimulus screen;  ///< what the patient sees, a real one as a simulated one
 };
+
+/// What is on the patient's screen at this frame, decided here alone. Real-time safe.
+[[nodiscard]] Stimulus screen_of(const Snapshot& now) noexcept;
 
 }  // namespace isograsp::session

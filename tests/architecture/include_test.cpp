@@ -168,6 +168,41 @@ TEST(Includes, OneFileAloneReadsTheLibraryOfTheCommandLine) {
   EXPECT_TRUE(read) << kAlone << " does not include it: is this rule still of use?";
 }
 
+/// All headers that `file` reads, itself too.
+Names reached_from(const std::string& file) {
+  std::multimap<std::string, std::string> reads;
+  for (const Include& include : all_includes())
+    if (include.quoted) reads.emplace(include.file, include.included);
+  Names reached;
+  std::vector<std::string> open{file};
+  while (!open.empty()) {
+    const std::string next = std::move(open.back());
+    open.pop_back();
+    if (!reached.insert(next).second) continue;
+    const auto [first, last] = reads.equal_range(next);
+    for (auto at = first; at != last; ++at) open.push_back(at->second);
+  }
+  return reached;
+}
+
+TEST(Includes, ThePatientsPictureIsDrawnFromTheStimulusThatASimulatedPersonGets) {
+  for (const char* file : {"gui/rules/patient_picture.hpp", "gui/rules/patient_picture.cpp"}) {
+    const Names reached = reached_from(file);
+    EXPECT_TRUE(reached.contains("hand/stimulus.hpp")) << file;
+    for (const std::string& header : reached)
+      EXPECT_FALSE(header.starts_with("session/platform/")) << file << " reads " << header;
+  }
+  // Headers of tasks say what a task is; how the running one stands, the stimulus says.
+  const std::regex kState(R"(\b(Moment|Snapshot|TaskProgress|TaskView|ForceView|ObjectView)\b)");
+  int read = 0;
+  for (const Source& source : all_sources())
+    if (source.file.starts_with("gui/rules/patient_picture.")) {
+      ++read;
+      EXPECT_FALSE(std::regex_search(code_of(source.text()), kState)) << source.file;
+    }
+  EXPECT_EQ(read, 2);
+}
+
 TEST(Includes, TheRulesForbidWhatTheyShould) {
   const House house(
       "# a comment\n"

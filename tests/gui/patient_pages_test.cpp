@@ -10,6 +10,7 @@
 #include "gui/patient_screen/patient_canvas.hpp"
 #include "gui/patient_screen/patient_directions.hpp"
 #include "qt_test.hpp"
+#include "session/platform/snapshot.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/within.hpp"
 
@@ -55,25 +56,25 @@ class Play {
   explicit Play(const tasks::TaskSpec& spec, std::uint64_t seed = 1, double share = 0.8,
                 Hand hand = Hand::right)
       : share_(share), task_(*tasks::make_task(spec, context(seed))) {
-    facts_.session_open = true;
+    facts_.session_open = facts_.arrived = true;
+    facts_.stage = session::Stage::trial;
     facts_.hand = hand;
     facts_.task = std::make_shared<tasks::TaskSpec>(spec);
     facts_.preview = std::make_shared<TargetPreview>(preview_target(spec, context(seed)));
-    facts_.snapshot.frames = 1;
-    facts_.snapshot.stage = session::Stage::trial;
-    facts_.snapshot.zeroed = true;
+    now_.stage = session::Stage::trial;
   }
 
   /// False after the end.
   bool next() {
     tasks::ForceInput input;
     input.wrench_C = answer(view_, share_);
-    facts_.snapshot.forces.wrench_C = input.wrench_C;
-    facts_.snapshot.grip_N = kOtherForce_N;
+    now_.forces.wrench_C = input.wrench_C;
+    now_.grip_N = kOtherForce_N;
     view_ = task_->step(input);
-    facts_.snapshot.task = view_;
-    facts_.snapshot.special = view_;
-    return facts_.snapshot.task.phase != tasks::Phase::done;
+    now_.task = view_;
+    now_.special = view_;
+    facts_.stimulus = session::screen_of(now_);
+    return view_.phase != tasks::Phase::done;
   }
   bool run_to(const std::function<bool(const tasks::TaskView&)>& reached) {
     while (next())
@@ -89,6 +90,7 @@ class Play {
  private:
   double share_;
   PatientFacts facts_;
+  session::Snapshot now_;
   tasks::TaskView view_;
   std::unique_ptr<tasks::Task> task_;
 };

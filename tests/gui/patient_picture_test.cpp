@@ -28,13 +28,12 @@ PatientFacts with_object() {
   facts.session_open = true;
   facts.task = task("two_target.toml");
   facts.scene = planar_block();
-  facts.snapshot.frames = 1;
-  facts.snapshot.stage = session::Stage::trial;
-  facts.snapshot.zeroed = true;
-  facts.snapshot.has_object = true;
-  facts.snapshot.special.special.emplace<tasks::ObjectView>().pose_target_shown = true;
-  facts.snapshot.task.target_count = 5;
-  facts.snapshot.task.duration_s = 150.0;
+  facts.arrived = true;
+  facts.stage = session::Stage::trial;
+  facts.stimulus.object_shown = true;
+  facts.stimulus.pose_target_shown = true;
+  facts.stimulus.progress.target_count = 5;
+  facts.stimulus.progress.duration_s = 150.0;
   return facts;
 }
 
@@ -43,7 +42,7 @@ TEST(PatientPicture, AFingerComesNearerWithForceAndTouchesOnContact) {
   const Contact& thumb = *facts.scene->contact_of(Finger::thumb);
   double last_gap = 1.0;
   for (const double force : {0.0, 0.1, 0.3, 0.49}) {
-    facts.snapshot.forces.wrench_C[0].force.z() = force;
+    facts.stimulus.press_N[0] = force;
     const auto finger = picture_for(facts).fingers[0];
     const double gap = (thumb.p_OC - finger.tip_W).dot(finger.axis_W);
     EXPECT_LT(gap, last_gap);
@@ -51,7 +50,7 @@ TEST(PatientPicture, AFingerComesNearerWithForceAndTouchesOnContact) {
     EXPECT_FALSE(finger.touching);
     last_gap = gap;
   }
-  facts.snapshot.grasp.contact[0] = true;
+  facts.stimulus.contact[0] = true;
   const auto finger = picture_for(facts).fingers[0];
   EXPECT_TRUE(finger.touching);
   EXPECT_WITHIN((finger.tip_W - thumb.p_OC).norm(), 0.0, kRounding_m);
@@ -59,8 +58,8 @@ TEST(PatientPicture, AFingerComesNearerWithForceAndTouchesOnContact) {
 
 TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
   PatientFacts facts = with_object();
-  facts.snapshot.grasp.contact = {true, true, true};
-  Pose& pose = facts.snapshot.object.X_WO;
+  facts.stimulus.contact = {true, true, true};
+  Pose& pose = facts.stimulus.X_WO;
   pose.p = Vec3(0.05, -0.03, 0.0);
   pose.q = Quat(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
   for (const auto& contact : test::every(facts.scene->contacts)) {
@@ -74,10 +73,10 @@ TEST(PatientPicture, AFingerStaysOnItsContactWhileTheObjectMovesAndTurns) {
 
 TEST(PatientPicture, WhatMovesIsShownWhereItIsNow) {
   PatientFacts facts = with_object();
-  ObjectState& object = facts.snapshot.object;
+  Stimulus& object = facts.stimulus;
   object.v_WO_W = Vec3(0.2, 0.0, -0.1);
   object.w_WO_W = Vec3(0.0, 0.0, 2.0);
-  facts.snapshot.task.task_time_s = 3.0;
+  facts.stimulus.progress.task_time_s = 3.0;
   facts.ahead_s = 0.015;
   const auto picture = picture_for(facts);
   EXPECT_WITHIN((picture.X_WO.p - Vec3(0.003, 0.0, -0.0015)).norm(), 0.0, kRounding_m);
@@ -85,7 +84,7 @@ TEST(PatientPicture, WhatMovesIsShownWhereItIsNow) {
   EXPECT_WITHIN(picture.X_WO.q.angularDistance(turned), 0.0, 1e-7);  // acos near 1
   EXPECT_EQ(picture.task_time_s, 3.015);
   const Contact& thumb = *facts.scene->contact_of(Finger::thumb);
-  facts.snapshot.grasp.contact[0] = true;
+  facts.stimulus.contact[0] = true;
   EXPECT_WITHIN(
       (picture_for(facts).fingers[0].tip_W - (picture.X_WO.p + picture.X_WO.q * thumb.p_OC)).norm(),
       0.0, kRounding_m)
@@ -96,24 +95,24 @@ TEST(PatientPicture, OnACalmScreenNoFingerApproaches) {
   PatientFacts facts = with_object();
   facts.calm = true;
   const auto away = picture_for(facts).fingers[0].tip_W;
-  facts.snapshot.forces.wrench_C[0].force.z() = 0.4;
+  facts.stimulus.press_N[0] = 0.4;
   EXPECT_EQ(picture_for(facts).fingers[0].tip_W, away);
 }
 
 TEST(PatientPicture, TheRingOfAHoldStandsAtTheOutlineAndOnlyWhileTheBlockIsSeenThere) {
   PatientFacts facts = with_object();
-  tasks::TaskProgress& view = facts.snapshot.task;
-  view.target_index = 1;  // it is to be held for a second
-  view.phase = tasks::Phase::hold;
-  view.hold_fraction = 0.5;
-  Pose& X_WT = std::get<tasks::ObjectView>(facts.snapshot.special.special).X_WT;
+  ShownProgress& progress = facts.stimulus.progress;
+  progress.target_index = 1;  // it is to be held for a second
+  progress.holding = true;
+  progress.hold_fraction = 0.5;
+  Pose& X_WT = facts.stimulus.X_WT;
   X_WT.p = Vec3(-0.08, -0.06, 0.0);
-  Pose& block = facts.snapshot.object.X_WO;
+  Pose& block = facts.stimulus.X_WO;
   block.p = X_WT.p + Vec3(0.015, 0.0, 0.0);  // the task allows 20 mm
   auto picture = picture_for(facts);
   EXPECT_EQ(picture.hold_fraction, 0.5);
   EXPECT_EQ(picture.ring_W, X_WT.p) << "what is to be filled is the outline";
-  facts.snapshot.object.v_WO_W = Vec3(0.5, 0.0, 0.0);
+  facts.stimulus.v_WO_W = Vec3(0.5, 0.0, 0.0);
   facts.ahead_s = 0.02;  // seen 10 mm further on, outside
   EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
   facts.ahead_s = 0.0;
@@ -123,18 +122,18 @@ TEST(PatientPicture, TheRingOfAHoldStandsAtTheOutlineAndOnlyWhileTheBlockIsSeenT
 
 TEST(PatientPicture, WhereTheBlockOnlyPassesThereIsNoRing) {
   PatientFacts facts = with_object();
-  tasks::TaskProgress& view = facts.snapshot.task;
-  view.phase = tasks::Phase::hold;
-  view.hold_fraction = 1.0;  // reached on entering
-  view.target_index = 0;
+  ShownProgress& progress = facts.stimulus.progress;
+  progress.holding = true;
+  progress.hold_fraction = 1.0;  // reached on entering
+  progress.target_index = 0;
   EXPECT_EQ(picture_for(facts).hold_fraction, 0.0);
-  view.target_index = 1;
+  progress.target_index = 1;
   EXPECT_EQ(picture_for(facts).hold_fraction, 1.0);
 }
 
 TEST(PatientPicture, TargetsThatWereNotReachedAreAGoodTryAndNoFailure) {
   PatientFacts facts = with_object();
-  facts.snapshot.stage = session::Stage::idle;
+  facts.stage = session::Stage::idle;
   facts.just_completed = true;
   EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::good);
   EXPECT_FALSE(picture_for(facts).missed);
@@ -143,17 +142,10 @@ TEST(PatientPicture, TargetsThatWereNotReachedAreAGoodTryAndNoFailure) {
   EXPECT_EQ(picture_for(facts).headline, "Good try");
 }
 
-TEST(PatientPicture, PullingNeverLooksLikePressing) {
-  PatientFacts facts = with_object();
-  const auto at_rest = picture_for(facts).fingers[0].tip_W;
-  facts.snapshot.forces.wrench_C[0].force.z() = -5.0;
-  EXPECT_EQ(picture_for(facts).fingers[0].tip_W, at_rest);
-}
-
 TEST(PatientPicture, AFaultIsNeverThePatientsFailure) {
   PatientFacts facts = with_object();
-  facts.snapshot.stage = session::Stage::paused;
-  facts.snapshot.pause_cause = session::PauseCause::missing_samples;
+  facts.stage = session::Stage::paused;
+  facts.pause_cause = session::PauseCause::missing_samples;
   const auto picture = picture_for(facts);
   EXPECT_EQ(picture.notice, PatientPicture::Notice::fault);
   EXPECT_NE(picture.notice_words.find("You did nothing wrong"), std::string::npos);
@@ -162,20 +154,20 @@ TEST(PatientPicture, AFaultIsNeverThePatientsFailure) {
 
 TEST(PatientPicture, APauseOfTheTherapistIsAPause) {
   PatientFacts facts = with_object();
-  facts.snapshot.stage = session::Stage::paused;
-  facts.snapshot.pause_cause = session::PauseCause::therapist;
+  facts.stage = session::Stage::paused;
+  facts.pause_cause = session::PauseCause::therapist;
   EXPECT_EQ(picture_for(facts).notice, PatientPicture::Notice::pause);
 }
 
 TEST(PatientPicture, BeforeTheZeroTheHandStaysOut) {
   PatientFacts facts;
   facts.session_open = true;
-  facts.snapshot.frames = 10;
+  facts.arrived = true;
   EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::hand_out);
-  facts.snapshot.stage = session::Stage::zeroing;
+  facts.stage = session::Stage::zeroing;
   EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::hand_out);
-  facts.snapshot.stage = session::Stage::idle;
-  facts.snapshot.zeroed = true;
+  facts.stage = session::Stage::idle;
+  facts.stimulus.cue = Cue::relax;
   EXPECT_EQ(picture_for(facts).sign, PatientPicture::Sign::wait);
 }
 
@@ -189,11 +181,11 @@ TEST(PatientPicture, SqueezeIsSaidOnlyWhenItIsTime) {
   PatientFacts facts;
   facts.session_open = true;
   facts.task = task("maximum_grip.toml");
-  facts.snapshot.frames = 1;
-  facts.snapshot.stage = session::Stage::trial;
-  facts.snapshot.task.cue = Cue::relax;
+  facts.arrived = true;
+  facts.stage = session::Stage::trial;
+  facts.stimulus.page_cue = Cue::relax;
   EXPECT_NE(picture_for(facts).page, PatientPicture::Page::effort);
-  facts.snapshot.task.cue = Cue::squeeze;
+  facts.stimulus.page_cue = Cue::squeeze;
   EXPECT_EQ(picture_for(facts).page, PatientPicture::Page::effort);
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the patient's picture is given of a frame of the session.
+#pragma once
+
+#include "gui/rules/patient_picture.hpp"
+#include "session/platform/snapshot.hpp"
+
+namespace isograsp::gui {
+
+/// The rest is as if nothing else were known.
+[[nodiscard]] inline PatientFacts patient_facts(const session::Snapshot& now) {
+  PatientFacts facts;
+  facts.arrived = now.frames > 0;
+  facts.stage = now.stage;
+  facts.pause_cause = now.pause_cause;
+  facts.published = now.published;
+  facts.stimulus = now.screen;
+  return facts;
+}
+
+}  // namespace isograsp::gui

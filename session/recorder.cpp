@@ -2,34 +2,12 @@
 #include "session/recorder.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "core/csv.hpp"
 #include "session/resting.hpp"
 #include "tasks/score.hpp"
 
 namespace isograsp::session {
-
-namespace {
-
-std::string newtons(double force_N) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g N", force_N);
-  return text;
-}
-
-}  // namespace
-
-std::string remark_on(const ZeroRecord& zero) {
-  std::string remark;
-  if (zero.change_confirmed)
-    remark += "It differs from the last empty zero by " + newtons(*zero.change_N) +
-              "; confirmed as serviced or remounted. ";
-  if (zero.drifted)
-    remark += "The zero has drifted by " + newtons(*zero.drift_N) +
-              " since the one before: the trials between are marked. ";
-  return remark;
-}
 
 Recorder::Recorder(std::unique_ptr<SessionWriter> writer, const storage::SessionRecord& session,
                    Ring<RecordItem>& records, bool live_score)
@@ -107,7 +85,8 @@ void Recorder::begin(TrialSetup& setup) {
   second_ = 0;
   samples_ = 0;
   setup.record.session_time_s = item_.session_time_s;
-  if (zero_id_ != 0) setup.record.preparations = {zero_id_};
+  for (const auto& [kind, id] : in_force_)
+    if (id != 0) setup.record.preparations.push_back(id);
   setup.record.groups = setup.columns();
   std::vector<std::string> names;
   for (const auto& group : setup.record.groups)
@@ -194,47 +173,22 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
 }
 
 void Recorder::add_preparation(const RecordItem& item) {
-  if (const auto* zero = dynamic_cast<const InstrumentZero*>(item.preparation))
-    add_zero(item, *zero);
-}
-
-void Recorder::add_zero(const RecordItem& item, const InstrumentZero& measured) {
-  ZeroOutcome outcome;
-  outcome.accepted = !measured.refusal.has_value();
-  ZeroRecord& zero = outcome.zero;
-  zero.session_time_s = item.session_time_s;
-  zero.mean = measured.statistics.mean;
-  zero.sd = measured.statistics.sd;
-  zero.recorded_utc = utc_at(item.session_time_s);
-  zero.operator_name = session_.operator_name;
-  zero.change_N = measured.change_N;
-  zero.drift_N = measured.drift_N;
-  zero.drifted = zero.drift_N && *zero.drift_N > ZeroLimits().force_drift_N;
-  if (outcome.accepted)
-    take_zero(item, measured, outcome);
-  else
-    refuse_zero(item, *measured.refusal, outcome);
   SessionNews news;
-  news.zero = std::move(outcome);
+  PreparationOutcome& outcome = news.prepared.emplace(item.preparation->outcome());
+  storage::PreparationRecord& record = outcome.record;
+  record.session_time_s = item.session_time_s;
+  record.recorded_utc = utc_at(item.session_time_s);
+  record.operator_name = session_.operator_name;
+  if (outcome.accepted) {
+    storage::RowId id = 0;
+    stored(store_->add_preparation(record, id));
+    record.id = in_force_[record.kind] = id;
+  }
+  const std::string& words = outcome.accepted ? outcome.remark : outcome.reason;
+  if (!words.empty() || !outcome.accepted)
+    stored(store_->add_event(
+        {0, item.session_time_s, outcome.name + (outcome.accepted ? "" : " refused"), words}));
   publish(std::move(news));
-}
-
-void Recorder::take_zero(const RecordItem& item, const InstrumentZero& measured,
-                         ZeroOutcome& outcome) {
-  ZeroRecord& zero = outcome.zero;
-  zero.change_confirmed = measured.change_confirmed;
-  outcome.remark = remark_on(zero);
-  stored(store_->add_preparation(as_stored(zero), zero.id));
-  zero_id_ = zero.id;
-  if (!outcome.remark.empty())
-    stored(store_->add_event({0, item.session_time_s, "zero", outcome.remark}));
-}
-
-void Recorder::refuse_zero(const RecordItem& item, const ZeroRefusal& refusal,
-                           ZeroOutcome& outcome) {
-  outcome.reason = words_of(refusal);
-  outcome.only_changed = refusal.why == ZeroRefusal::Why::changed;
-  stored(store_->add_event({0, item.session_time_s, "zero refused", outcome.reason}));
 }
 
 std::string Recorder::utc_at(double session_time_s) const {

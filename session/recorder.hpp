@@ -4,6 +4,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -12,14 +13,10 @@
 #include "core/ring.hpp"
 #include "core/signals.hpp"
 #include "session/acquisition/acquisition.hpp"
-#include "session/platform/instrument_zero.hpp"
 #include "session/session.hpp"
 #include "session/session_writer.hpp"
 
 namespace isograsp::session {
-
-/// What is to be known about an accepted zero; may be empty.
-[[nodiscard]] std::string remark_on(const ZeroRecord& zero);
 
 class Recorder {
  public:
@@ -65,9 +62,6 @@ class Recorder {
   void write_block();
   void end(const RecordItem& item);
   void add_preparation(const RecordItem& item);
-  void add_zero(const RecordItem& item, const InstrumentZero& measured);
-  void take_zero(const RecordItem& item, const InstrumentZero& measured, ZeroOutcome& outcome);
-  void refuse_zero(const RecordItem& item, const ZeroRefusal& refusal, ZeroOutcome& outcome);
   /// Of a rest trial that was completed.
   [[nodiscard]] std::optional<RestOutcome> add_rest(const RecordItem& item);
   /// Wall time of this moment of the session.
@@ -88,7 +82,7 @@ class Recorder {
   storage::RowId trial_id_ = 0;
   storage::RowId last_trial_id_ = 0;  ///< that ended
   storage::RowId last_rating_id_ = 0;
-  storage::RowId zero_id_ = 0;
+  std::map<std::string, storage::RowId> in_force_;  ///< the newest preparation of each kind
   int second_ = 0;
   std::int64_t samples_ = 0;
   std::vector<std::vector<double>> block_;  ///< rows of each group, row-major

@@ -74,15 +74,6 @@ struct SessionConfig {
   bool scratch_database = false;
 };
 
-/// The instrument zero ended.
-struct ZeroOutcome {
-  bool accepted = false;
-  std::string reason;         ///< why not, in words for the therapist
-  bool only_changed = false;  ///< refused, but ZeroRequest::accept_changed would allow it
-  std::string remark;         ///< accepted, but this is to be known; may be empty
-  ZeroRecord zero;
-};
-
 /// What each finger pressed at rest, and what that suggests.
 struct RestOutcome {
   RestRecord rest;
@@ -106,7 +97,7 @@ struct ScreenShown {
 
 /// What happened since the owner looked last; exactly one of the members is set.
 struct SessionNews {
-  std::optional<ZeroOutcome> zero;
+  std::optional<PreparationOutcome> prepared;
   std::optional<TrialOutcome> trial;
   std::optional<std::string> fault;  ///< the running trial was paused by the device: why
   std::optional<Error> failure;      ///< recording or device failed: the session cannot go on
@@ -125,13 +116,15 @@ class Session {
   [[nodiscard]] const SessionKnowledge& known() const noexcept;
   /// Newest state, whatever is measured. Wait-free. Owner thread.
   [[nodiscard]] const Moment& moment() noexcept;
-  /// The same with all that the platform shows; of another apparatus the moment alone.
+  /// The same with all that the platform shows; of another apparatus the moment alone, as the
+  /// patient's screen says it. Where no zero is asked for, none is missing.
   [[nodiscard]] const Snapshot& snapshot() noexcept;
   /// Measures of the running trial so far, by the same functions as at its end; renewed every
   /// second.
   [[nodiscard]] std::vector<Measure> live_score() const;
 
-  /// Instrument zero. Refused without the confirmation that the device is empty. News: ZeroOutcome.
+  /// Instrument zero, or what the apparatus has in its place. Refused without the confirmation that
+  /// the device is empty. News: PreparationOutcome.
   [[nodiscard]] Result<void> start_zero(const ZeroRequest& request);
   /// The hand was put in and strapped just now; a resting force may be measured a minute later.
   /// Without this call it is not known. Taken back by the next zero.

@@ -49,6 +49,10 @@ void Lessons::learn_maxima(const std::vector<Measure>& measures) {
   }
 }
 
+bool SessionKnowledge::asks_for(PreparationStep step) const noexcept {
+  return std::find(steps.begin(), steps.end(), step) != steps.end();
+}
+
 std::uint64_t SessionKnowledge::order_seed() const noexcept {
   return session::order_seed(record, earlier);
 }

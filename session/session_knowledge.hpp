@@ -36,12 +36,14 @@ struct Lessons {
 struct SessionKnowledge : Lessons {
   storage::SessionRecord record;
   ApparatusInfo apparatus;
-  DeviceInfo device;             ///< of the platform; of another apparatus: what it has of it
-  RealtimeGrant realtime;        ///< what the acquisition thread was given
-  bool patient_is_new = false;   ///< the code was not in the database before this session
-  EarlierWork earlier;           ///< of a session that is resumed; else empty
-  std::size_t trials_begun = 0;  ///< in this session
+  std::vector<PreparationStep> steps;  ///< that the apparatus asks for before the work
+  DeviceInfo device;                   ///< of the platform; of another apparatus: what it has of it
+  RealtimeGrant realtime;              ///< what the acquisition thread was given
+  bool patient_is_new = false;         ///< the code was not in the database before this session
+  EarlierWork earlier;                 ///< of a session that is resumed; else empty
+  std::size_t trials_begun = 0;        ///< in this session
 
+  [[nodiscard]] bool asks_for(PreparationStep step) const noexcept;
   /// Orders the tasks of this session's protocol, the same way when it is resumed.
   [[nodiscard]] std::uint64_t order_seed() const noexcept;
   /// What the task of the next trial will be made with: the same task made with it is the same.

@@ -140,6 +140,8 @@ Result<void> Session::Opening::start_device() {
   }
   if (auto started = parts.apparatus->start(*parts.clock); !started) return started;
   known.apparatus = parts.apparatus->info();
+  const auto steps = parts.apparatus->steps();
+  known.steps.assign(steps.begin(), steps.end());
   known.device =
       parts.platform != nullptr ? parts.platform->device() : device_of(known.apparatus, uri);
   return {};

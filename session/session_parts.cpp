@@ -6,10 +6,13 @@ namespace isograsp::session {
 
 namespace {
 
-/// The noise of the empty device: SD of each force component.
-std::array<Vec3, kFingerCount> noise_of(const ZeroRecord& zero) {
+/// The noise of the empty device: SD of each force component; nothing: it is no platform's.
+std::optional<std::array<Vec3, kFingerCount>> noise_of(const storage::PreparationRecord& zero) {
+  if (zero.kind != platform::kInstrumentZero) return std::nullopt;
+  const auto sd = platform::six_axes_of(zero.columns, zero.sd);
+  if (!sd) return std::nullopt;
   std::array<Vec3, kFingerCount> sd_N;
-  for (std::size_t f = 0; f < kFingerCount; ++f) sd_N[f] = zero.sd[f].head<3>();
+  for (std::size_t f = 0; f < kFingerCount; ++f) sd_N[f] = (*sd)[f].head<3>();
   return sd_N;
 }
 
@@ -17,10 +20,10 @@ std::array<Vec3, kFingerCount> noise_of(const ZeroRecord& zero) {
 
 void Session::Parts::learn(std::vector<SessionNews>& news) {
   for (auto& item : news) {
-    if (item.zero || item.trial) pending = in_trial = false;
-    if (item.zero && item.zero->accepted) {
-      known.references.noise_sd_N = before_last.references.noise_sd_N = noise_of(item.zero->zero);
-    }
+    if (item.prepared || item.trial) pending = in_trial = false;
+    if (item.prepared && item.prepared->accepted)
+      if (const auto noise_sd_N = noise_of(item.prepared->record))
+        known.references.noise_sd_N = before_last.references.noise_sd_N = *noise_sd_N;
     if (!item.trial) continue;
     item.trial->trial.helped = helped;
     if (helped) recorder->mark_helped(item.trial->trial.id, true);

@@ -37,7 +37,7 @@ void Preparing::set_zero(bool accept_changed) {
   flow_.update();
 }
 
-void Preparing::take(const session::ZeroOutcome& zero) {
+void Preparing::take(const session::PreparationOutcome& zero) {
   OpenSession& open = *state_.open;
   Preparation& preparation = open.preparation;
   preparation.zero_asked = false;
@@ -45,7 +45,8 @@ void Preparing::take(const session::ZeroOutcome& zero) {
   preparation.zero_only_changed = zero.only_changed;
   preparation.zero_remark = zero.remark;
   if (zero.accepted) {
-    if (!preparation.rest_done) next_.select_first(is_rest);
+    if (!preparation.rest_done && open.session->known().asks_for(session::PreparationStep::rest))
+      next_.select_first(is_rest);
     open.work.guide.zeroed(open.time_s());
     preparation.zeroed_at = clock_.now();
     next_.look_at_act();

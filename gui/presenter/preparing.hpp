@@ -18,7 +18,7 @@ class Preparing {
   void mark_strapped();  ///< the hand is in and strapped, or the straps were looked at again
 
   // @pre a session is open
-  void take(const session::ZeroOutcome& zero);
+  void take(const session::PreparationOutcome& zero);
   /// Called in every poll. Where a finger has moved on its pad, a note is stored with the session,
   /// once: from then on its forces mean something else.
   void look();

@@ -66,7 +66,7 @@ void SessionPresenter::look_at_session() {
   preparing_.look();
   trials_.look();
   for (const auto& news : state_.open->session->take_news()) {
-    if (news.zero) preparing_.take(*news.zero);
+    if (news.prepared) preparing_.take(*news.prepared);
     if (news.trial) trials_.take(*news.trial);
     if (news.failure) return connecting_.break_off(translated(*news.failure).toStdString());
   }

@@ -71,11 +71,24 @@ struct ZeroRequest {
   double settle_s = 0.0;  ///< before the second that is measured: a simulated hand leaves
 };
 
+/// What came of a preparation.
+struct PreparationOutcome {
+  std::string name;  ///< of its events: "zero", "zero refused"
+  bool accepted = false;
+  std::string reason;         ///< why not, in words for the therapist
+  bool only_changed = false;  ///< refused, but ZeroRequest::accept_changed would allow it
+  std::string remark;         ///< accepted, but this is to be known; may be empty
+  /// As it is stored if it is accepted; the recorder adds session, time and who.
+  storage::PreparationRecord record;
+};
+
 /// Something that is measured before the work: the empty device, a hand at rest. Made by the owner,
 /// filled on the acquisition thread, read by the recorder after its end.
 class Preparation {
  public:
   virtual ~Preparation() = default;
+  /// Recorder thread, after its end.
+  [[nodiscard]] virtual PreparationOutcome outcome() const = 0;
 };
 
 /// All that one trial needs, made ready by the owner; lives until the session ends.

@@ -39,6 +39,7 @@ struct Moment {
   Stage stage = Stage::idle;
   PauseCause pause_cause = PauseCause::none;
   double zero_progress = 0.0;  ///< 0 … 1 while zeroing
+  bool zeroed = false;         ///< a zero that was measured in this session is in force
 
   int trial_number = 0;      ///< of the running trial; 0: none
   tasks::TaskProgress task;  ///< of the running trial

@@ -13,6 +13,8 @@
 namespace isograsp::session {
 
 struct InstrumentZero final : public Preparation {
+  [[nodiscard]] PreparationOutcome outcome() const override;
+
   // Asked for.
   double settle_s = 0.0;        ///< time before the second that is measured
   bool accept_changed = false;  ///< the device was serviced or remounted

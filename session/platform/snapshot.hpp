@@ -32,9 +32,8 @@ inline constexpr double kRemarkablePush_percent = 20.0;
 /// Copying it takes no memory from the heap. Published once per frame.
 struct Snapshot : Moment {
   DeviceHealth health;
-  FingerFrame forces;   ///< newest frame; flags say what is held or missing
-  bool zeroed = false;  ///< an instrument zero is in force
-  /// Whose sensor has started anew since that zero was measured: it is older than the restart and
+  FingerFrame forces;  ///< newest frame; flags say what is held or missing
+  /// Whose sensor has started anew since the zero was measured: it is older than the restart and
   /// no trial should begin with it.
   std::optional<Finger> restarted;
   double grip_N = 0.0;  ///< min(thumb, index + middle), signed

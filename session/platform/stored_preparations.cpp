@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/platform/stored_preparations.hpp"
 
+#include <cstdio>
+
 namespace isograsp::session {
 
 namespace {
 
-/// What both have in common; the store gives the number.
+std::string newtons(double force_N) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g N", force_N);
+  return text;
+}
+
+/// What both have in common.
 template <class Taken>
 storage::PreparationRecord stored_as(const char* kind, const Taken& taken) {
   storage::PreparationRecord record;
   record.kind = kind;
-  record.session_time_s = taken.session_time_s;
-  record.recorded_utc = taken.recorded_utc;
-  record.operator_name = taken.operator_name;
   record.columns = platform::six_axes_columns();
   record.mean = platform::as_row(taken.mean);
   record.sd = platform::as_row(taken.sd);
@@ -30,8 +35,22 @@ storage::PreparationRecord as_stored(const ZeroRecord& zero) {
   return record;
 }
 
+std::string remark_on(const ZeroRecord& zero) {
+  std::string remark;
+  if (zero.change_confirmed)
+    remark += "It differs from the last empty zero by " + newtons(*zero.change_N) +
+              "; confirmed as serviced or remounted. ";
+  if (zero.drifted)
+    remark += "The zero has drifted by " + newtons(*zero.drift_N) +
+              " since the one before: the trials between are marked. ";
+  return remark;
+}
+
 storage::PreparationRecord as_stored(const RestRecord& rest) {
   storage::PreparationRecord record = stored_as(platform::kRestingForce, rest);
+  record.session_time_s = rest.session_time_s;
+  record.recorded_utc = rest.recorded_utc;
+  record.operator_name = rest.operator_name;
   record.trial_id = rest.trial_id;
   record.samples = rest.samples;
   storage::set_value(record.references, platform::kDuration_s, rest.duration_s);

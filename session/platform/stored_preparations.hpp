@@ -12,12 +12,8 @@ namespace isograsp::session {
 
 /// Device empty, one second quiet: mean and SD per finger and axis.
 struct ZeroRecord {
-  storage::RowId id = 0;
-  double session_time_s = 0.0;
   SixAxes mean;
-  SixAxes sd;                 ///< the empty noise
-  std::string recorded_utc;   ///< ISO 8601
-  std::string operator_name;  ///< who confirmed that the device is empty; may be empty
+  SixAxes sd;  ///< the empty noise
   /// Largest force component by which it differs from the last empty zero of the same device, in
   /// whichever session; nothing: there was none.
   std::optional<double> change_N = std::nullopt;
@@ -41,7 +37,10 @@ struct RestRecord {
   SixAxes sd;
 };
 
+/// Without session, time and who.
 [[nodiscard]] storage::PreparationRecord as_stored(const ZeroRecord& zero);
+/// What is to be known about an accepted zero; may be empty.
+[[nodiscard]] std::string remark_on(const ZeroRecord& zero);
 [[nodiscard]] storage::PreparationRecord as_stored(const RestRecord& rest);
 
 }  // namespace isograsp::session

@@ -76,13 +76,13 @@ class Run {
       const auto all = session_.wait_for_news();
       if (auto good = may_go_on(); !good) return good;
       for (const auto& news : all) {
-        if (!news.zero) continue;
-        if (news.zero->accepted) {
+        if (!news.prepared) continue;
+        if (news.prepared->accepted) {
           serviced_ = false;
           return {};
         }
-        reason = news.zero->reason;
-        remedy = news.zero->only_changed
+        reason = news.prepared->reason;
+        remedy = news.prepared->only_changed
                      ? Text("after a service or remounting run it with --serviced"_text)
                      : Text();
       }

@@ -133,6 +133,36 @@ TEST_F(Handle, ReplayedItGivesTheSameBits) {
   EXPECT_EQ(column(0).size(), 201u) << "two seconds, and the frame that ends them";
 }
 
+TEST_F(Handle, APreparationOfAnotherKindIsStoredAndTheTrialsRestOnIt) {
+  std::string text = "t_s,force_N\n";
+  for (int k = 0; k < 400; ++k)  // loaded by its weight, pressed from one second on
+    text += std::to_string(0.01 * k) + (k < 100 ? ",1.5\n" : ",11.5\n");
+  const auto path = folder_.write("forces.csv", text);
+  auto session = session::Session::open(config("handle://" + path + "?live&zero")).value();
+  EXPECT_TRUE(session->known().asks_for(session::PreparationStep::zero));
+  EXPECT_FALSE(session->known().asks_for(session::PreparationStep::rest));
+  EXPECT_FALSE(session->snapshot().zeroed);
+  ASSERT_TRUE(session->start_zero({}));
+  const auto news = session->wait_for_news();
+  ASSERT_TRUE(news.at(0).prepared && news[0].prepared->accepted);
+  EXPECT_TRUE(session->snapshot().zeroed);
+  const auto task = session::load_task(folder_.path("handling.toml")).value();
+  ASSERT_TRUE(session->start_trial(task, false));
+  const auto measures = session->wait_for_news().at(0).trial.value().measures;
+  constexpr double kRounding_N = 1e-9;  // a mean of 20 equal numbers
+  EXPECT_NEAR(value_of(measures, "peak_force"), 10.0, kRounding_N);
+  session->close();
+  const auto clinic = store();
+  const auto record = clinic->recent_sessions(1).value().at(0);
+  const auto kept = clinic->last_preparation(record, "still_handle").value().value();
+  EXPECT_EQ(kept.columns, std::vector<std::string>{"force_N"});
+  EXPECT_NEAR(kept.mean.at(0), 1.5, kRounding_N);
+  EXPECT_EQ(kept.samples, 20);
+  EXPECT_FALSE(kept.recorded_utc.empty()) << "the recorder adds when and who";
+  EXPECT_EQ(clinic->trials(record.id).value().at(0).preparations,
+            std::vector<storage::RowId>{kept.id});
+}
+
 TEST_F(Handle, OutOfSightIsNoFaultAndTheTrialGoesOnByItself) {
   const auto result = run(config("handle://" + forces(0.5)));
   ASSERT_TRUE(result) << result.error().message();

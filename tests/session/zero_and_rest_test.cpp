@@ -65,9 +65,9 @@ struct Clinic {
   std::string database = folder.path("clinic.db");
 };
 
-ZeroOutcome zero(Session& session, const ZeroRequest& request) {
+PreparationOutcome zero(Session& session, const ZeroRequest& request) {
   EXPECT_TRUE(session.start_zero(request));
-  return session.wait_for_news().at(0).zero.value();
+  return session.wait_for_news().at(0).prepared.value();
 }
 TrialOutcome trial(Session& session, const tasks::TaskSpec& spec) {
   const auto started = session.start_trial(spec, false);
@@ -171,7 +171,7 @@ TEST(InstrumentZero, AConfirmationThatWasNotNeededLeavesNoMark) {
   Clinic clinic;
   clinic.open().reset();
   add_earlier_zero(clinic, 1.5);
-  EXPECT_FALSE(zero(*clinic.open(), kServiced).zero.change_confirmed);
+  EXPECT_FALSE(zero(*clinic.open(), kServiced).record.change_confirmed);
 }
 
 TEST(InstrumentZero, OtherSensorsHaveAnotherBand) {
@@ -180,7 +180,7 @@ TEST(InstrumentZero, OtherSensorsHaveAnotherBand) {
   add_earlier_zero(clinic, 3.0, false);
   const auto outcome = zero(*clinic.open(), kEmpty);
   EXPECT_TRUE(outcome.accepted) << outcome.reason;
-  EXPECT_FALSE(outcome.zero.change_N.has_value());
+  EXPECT_FALSE(outcome.record.references.contains(platform::kChange_N));
 }
 
 TEST(RestingForce, IsKeptPerFingerWithWhoWhenAndASentence) {
@@ -314,13 +314,13 @@ struct Bench {
       recorder->pump();
     }
   }
-  ZeroOutcome zero(bool accept_changed = false) {
+  PreparationOutcome zero(bool accept_changed = false) {
     asked = {};
     asked.accept_changed = accept_changed;
     EXPECT_TRUE(
         acquisition->commands().push({.kind = Command::Kind::prepare, .preparation = &asked}));
     run(1.1);
-    return recorder->take_news().at(0).zero.value();
+    return recorder->take_news().at(0).prepared.value();
   }
   void trial() {
     auto& setup = *setups.emplace_back(std::make_unique<PlatformTrial>());
@@ -355,13 +355,13 @@ TEST(ZeroDrift, BeyondTheLimitMarksTheTrialsBetweenTwoZerosAndNoOthers) {
   EXPECT_TRUE(bench.zero().accepted);
   bench.trial();
   bench.device->wrench_C[2].force.y() = -0.3;
-  EXPECT_FALSE(bench.zero().zero.drifted) << "below the limit of 0.4 N";
+  EXPECT_FALSE(bench.zero().record.drifted) << "below the limit of 0.4 N";
   bench.trial();
   bench.trial();
   bench.device->wrench_C[2].force.y() = -0.9;
   const auto drifted = bench.zero();
   EXPECT_TRUE(drifted.accepted) << "nothing automatic: the new zero is used, the trials are marked";
-  EXPECT_TRUE(drifted.zero.drifted);
+  EXPECT_TRUE(drifted.record.drifted);
   EXPECT_NE(drifted.remark.find("0.6 N"), std::string::npos) << drifted.remark;
   bench.trial();
   const auto trials = bench.trials();

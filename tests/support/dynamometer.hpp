@@ -2,9 +2,10 @@
 // A second apparatus, as small as can be: one handle with one scalar sensor, played from a file
 // (columns t_s and force_N, one line a frame; an empty force: the handle is out of sight). Nothing
 // of the platform is in it. Its tasks: free handling without an object; what they measure: the peak
-// force.
+// force. "?live": it is simulated, not recorded; "?zero": it asks for a zero, which is subtracted.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -31,10 +32,12 @@ class Dynamometer final : public session::Apparatus {
     double force_N = 0.0;
   };
 
-  explicit Dynamometer(std::vector<double> force_N) : force_N_(std::move(force_N)) {
+  explicit Dynamometer(std::vector<double> force_N, bool live = false, bool asks_zero = false)
+      : force_N_(std::move(force_N)), asks_zero_(asks_zero) {
     info_.kind = kKind;
     info_.description = "A handle, recorded"_text;
-    info_.recorded = true;
+    info_.recorded = !live;
+    info_.simulated = live;
     info_.period_s = kPeriod_s;
     info_.provenance = {"a recorded handle"};
   }
@@ -51,12 +54,16 @@ class Dynamometer final : public session::Apparatus {
       const std::string value = line.substr(line.find(',') + 1);
       force_N.push_back(value.empty() ? std::nan("") : std::stod(value));
     }
-    return std::unique_ptr<Apparatus>(std::make_unique<Dynamometer>(std::move(force_N)));
+    return std::unique_ptr<Apparatus>(
+        std::make_unique<Dynamometer>(std::move(force_N), request.uri.parameters.contains("live"),
+                                      request.uri.parameters.contains("zero")));
   }
 
   [[nodiscard]] const session::ApparatusInfo& info() const noexcept override { return info_; }
   [[nodiscard]] std::span<const session::PreparationStep> steps() const noexcept override {
-    return {};
+    static constexpr std::array kSteps{session::PreparationStep::zero};
+    return asks_zero_ ? std::span<const session::PreparationStep>(kSteps)
+                      : std::span<const session::PreparationStep>();
   }
   [[nodiscard]] Result<void> start(Clock& clock) override {
     clock_ = &clock;
@@ -68,7 +75,8 @@ class Dynamometer final : public session::Apparatus {
   [[nodiscard]] Result<void> ready() override { return {}; }
   [[nodiscard]] Result<std::unique_ptr<session::Preparation>> make_preparation(
       const session::ZeroRequest&) override {
-    return refused("a handle has no zero"_text, "leave the step out"_text);
+    if (!asks_zero_) return refused("a handle has no zero"_text, "leave the step out"_text);
+    return std::unique_ptr<session::Preparation>(std::make_unique<Still>());
   }
   [[nodiscard]] Result<std::unique_ptr<session::TrialSetup>> make_trial(
       const tasks::TaskSpec& spec, const tasks::TaskContext& context) override {
@@ -89,10 +97,18 @@ class Dynamometer final : public session::Apparatus {
     if (frame_ == force_N_.size()) return false;
     now_.session_time_s = static_cast<double>(frame_) * kPeriod_s;
     clock_->wait_until(start_ + from_seconds(now_.session_time_s));
-    now_.force_N = force_N_[frame_++];
+    now_.force_N = force_N_[frame_++] - zero_N_;
     return true;
   }
-  [[nodiscard]] bool measure(session::Preparation&) noexcept override { return true; }
+  [[nodiscard]] bool measure(session::Preparation& preparation) noexcept override {
+    auto& still = static_cast<Still&>(preparation);
+    if (std::isnan(now_.force_N)) return false;
+    still.sum_N += now_.force_N;
+    if (++still.frames < Still::kFrames) return false;
+    zero_N_ += still.mean_N();
+    now_.zeroed = true;
+    return true;
+  }
   [[nodiscard]] session::Reception receive() noexcept override {
     const bool seen = !std::isnan(now_.force_N);
     return {!seen, seen ? session::Reception::Sight::clear : session::Reception::Sight::occluded};
@@ -117,6 +133,24 @@ class Dynamometer final : public session::Apparatus {
   [[nodiscard]] std::optional<double> latency_s() const noexcept override { return std::nullopt; }
 
  private:
+  /// The mean force of some frames in which nobody holds the handle.
+  struct Still final : session::Preparation {
+    static constexpr int kFrames = 20;
+    [[nodiscard]] double mean_N() const { return sum_N / frames; }
+    [[nodiscard]] session::PreparationOutcome outcome() const override {
+      session::PreparationOutcome outcome;
+      outcome.name = "still handle";
+      outcome.accepted = true;
+      outcome.record.kind = "still_handle";
+      outcome.record.samples = frames;
+      outcome.record.columns = {"force_N"};
+      outcome.record.mean = {mean_N()};
+      outcome.record.sd = {0.0};
+      return outcome;
+    }
+    double sum_N = 0.0;
+    int frames = 0;
+  };
   struct Trial final : session::TrialSetup {
     [[nodiscard]] std::vector<storage::SignalGroup> columns() const override {
       std::vector<storage::SignalGroup> groups;
@@ -133,6 +167,8 @@ class Dynamometer final : public session::Apparatus {
   }
 
   std::vector<double> force_N_;
+  bool asks_zero_;
+  double zero_N_ = 0.0;
   session::ApparatusInfo info_;
   Clock* clock_ = nullptr;
   Timestamp start_{0};

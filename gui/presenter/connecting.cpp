@@ -59,6 +59,7 @@ session::SessionConfig Connecting::session_config(bool clock_is_right) const {
   config.patient_code = choices.patient;
   config.hand = *choices.today.hand;
   config.device_uri = choices.device_uri;
+  config.apparatuses = started.apparatuses;
   config.library = started.library;
   config.software_version = started.software_version;
   config.operator_name = !choices.operator_name.empty()   ? choices.operator_name
@@ -79,6 +80,7 @@ session::SessionConfig Connecting::session_config(bool clock_is_right) const {
   if (state_.has_protocol()) {
     config.protocol_name = state_.chosen_protocol().spec.name;
     config.protocol_text = state_.chosen_protocol().spec.text;
+    config.apparatus = state_.chosen_protocol().apparatus();
   }
   config.settle_after_strapping_s = started.settle_after_strapping_s;
   return config;
@@ -103,8 +105,9 @@ void Connecting::take(Result<std::unique_ptr<session::Session>> opened,
 void Connecting::begin(std::unique_ptr<session::Session> session, const Presentation& stored) {
   const Choices& choices = state_.choices;
   const bool numb_skin = choices.today.screening.applies[static_cast<std::size_t>(Caution::skin)];
-  const auto task = first_task(state_.library.tasks,
-                               session->known().device.recorded ? is_free_handling : is_rest);
+  const bool rests = !session->known().apparatus.recorded &&
+                     session->known().asks_for(session::PreparationStep::rest);
+  const auto task = first_task(state_.library.tasks, rests ? is_rest : is_free_handling);
   state_.left = {};
   state_.open.emplace(std::move(session), clock_.now(), numb_skin, stored,
                       task ? task : choices.task);

@@ -2,9 +2,11 @@
 // What the windows are started with.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "session/acquisition/realtime.hpp"
+#include "session/open_apparatus.hpp"
 #include "session/resting.hpp"
 
 namespace isograsp::gui {
@@ -19,6 +21,8 @@ struct GuiConfig {
   std::string settings = {};                               ///< file; empty: nothing is read or kept
   bool look_only = false;  ///< another program works with the file: nothing is added or changed
   double settle_after_strapping_s = session::kSettleAfterStrapping_s;
+  /// What a device URI opens; others in tests.
+  std::span<const session::ApparatusRow> apparatuses = session::all_apparatuses();
 };
 
 }  // namespace isograsp::gui

@@ -104,6 +104,8 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.pause_cause = now.pause_cause;
   facts.at_rest = open.trial && open.trial->rest_watch.at_rest();
   facts.health = now.health;
+  facts.asks_zero = open.session->known().asks_for(session::PreparationStep::zero);
+  facts.asks_rest = open.session->known().asks_for(session::PreparationStep::rest);
   facts.zeroed = now.zeroed;
   facts.restarted = now.restarted;
   facts.maximum_force_N = open.session->known().maximum_force_N().value_or(0.0);
@@ -117,7 +119,8 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.hand_out =
       preparation.rest_done && !preparation.strapped && facts.zeroed && !facts.recorded;
   facts.rest_words = preparation.rest_words;
-  facts.rest_done = preparation.rest_done || (follows && !open.work.guide.asks_rest());
+  facts.rest_done =
+      preparation.rest_done || !facts.asks_rest || (follows && !open.work.guide.asks_rest());
   facts.maximum_attempts = open.work.maximum_attempts;
   facts.task_done = open.work.task_done;
   // From the press of Start until the trial's outcome is stored, with the trial itself in between.
@@ -134,7 +137,7 @@ void SessionFlow::add_task_facts(FlowFacts& facts) const {
   const auto* spec = open && open->trial ? open->trial->task.get() : state_.next_task();
   facts.task_chosen = spec != nullptr;
   if (spec == nullptr) return;
-  facts.task_rests = is_rest(*spec);
+  facts.task_rests = is_rest(*spec) && facts.asks_rest;
   facts.task_name = spec->name;
   if (open) facts.task_lacks = open->work.task_lacks;
 }

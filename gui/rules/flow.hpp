@@ -20,7 +20,8 @@ inline constexpr std::size_t kStepCount = 7;
 enum class StepState : std::uint8_t {
   open,  ///< still to come
   next,  ///< the sensible thing to do now
-  done
+  done,
+  absent  ///< the device asks for none
 };
 
 /// How a state light looks: each mood has its own shape and word, colour is only an addition.
@@ -63,6 +64,8 @@ struct FlowFacts {
   session::PauseCause pause_cause = session::PauseCause::none;
   bool at_rest = false;  ///< while paused by a fault: the hand has let go, forces look as at rest
   DeviceHealth health;
+  bool asks_zero = true;  ///< the device does, before the work
+  bool asks_rest = true;  ///< and for a hand that rests in it
   bool zeroed = false;
   std::optional<Finger> restarted;  ///< whose sensor started anew after that zero
   std::string zero_refusal;         ///< why the last zero was refused
@@ -140,7 +143,8 @@ enum class Situation : std::uint8_t {
   in_trial,
   paused,
   paused_by_fault,
-  let_go,  ///< the device works again, the hand does not rest yet
+  let_go,        ///< the device works again, the hand does not rest yet
+  out_of_sight,  ///< the trial waits until the hand is seen again
   starting,
   // Between trials.
   zero_refused,

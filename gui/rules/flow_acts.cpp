@@ -73,10 +73,11 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
       open && facts.stage == session::Stage::idle && !facts.starting && !facts.zero_asked;
   const bool ready = quiet && sound;
   const bool zero = has_zero(facts);
-  view.may_zero = ready && !facts.recorded;
+  const bool live = ready && !facts.recorded;
+  view.may_zero = live && facts.asks_zero;
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
   view.may_check = view.may_zero;
-  view.may_strap = view.may_zero && zero && (!facts.strapped || facts.straps_due);
+  view.may_strap = live && facts.asks_rest && zero && (!facts.strapped || facts.straps_due);
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
   view.may_show_how =
       view.may_choose_task && facts.task_chosen && !facts.recorded &&

@@ -9,6 +9,7 @@ bool in_trial(const FlowFacts& facts) {
 }
 
 session::ZeroStanding zero_of(const FlowFacts& facts) {
+  if (!facts.asks_zero) return session::ZeroStanding::good;
   return session::standing_of_zero(facts.recorded, facts.zeroed, facts.restarted.has_value());
 }
 
@@ -17,6 +18,7 @@ bool has_zero(const FlowFacts& facts) {
 }
 
 bool may_go_on(const FlowFacts& facts) {
+  if (facts.pause_cause == session::PauseCause::occluded) return false;  // it does so by itself
   return facts.at_rest || (facts.pause_cause == session::PauseCause::therapist && has_zero(facts));
 }
 

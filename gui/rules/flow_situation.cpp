@@ -37,6 +37,7 @@ Situation by_hand(const FlowFacts& facts) {
   if (!facts.rest_done && !rest) return Situation::rest_left_out;
   if (rest && (!facts.rest_done || facts.settling_s > 0)) return before_rest(facts);
   if (facts.task_done) return Situation::trial_stored;
+  if (!facts.asks_rest) return Situation::choose_task;  // nothing is scaled to a force
   if (facts.maximum_force_N <= 0.0) return Situation::first_maximum;
   return facts.maximum_attempts < 2 ? Situation::next_maximum : Situation::choose_task;
 }
@@ -64,6 +65,7 @@ Situation in_session(const FlowFacts& facts, DeviceCondition condition) {
     case session::Stage::zeroing: return Situation::zeroing;
     case session::Stage::trial: return Situation::in_trial;
     case session::Stage::paused:
+      if (facts.pause_cause == session::PauseCause::occluded) return Situation::out_of_sight;
       if (facts.pause_cause == session::PauseCause::therapist)
         return may_go_on(facts) ? Situation::paused : Situation::let_go;
       return facts.health.fault == DeviceFault::none && !facts.at_rest ? Situation::let_go
@@ -138,6 +140,7 @@ Mood mood_of(Situation situation) {
     case Situation::choose_device:
     case Situation::connect:
     case Situation::paused:
+    case Situation::out_of_sight:
     case Situation::zero_refused:
     case Situation::zero_outdated:
     case Situation::zero_missing:

@@ -39,6 +39,7 @@ std::optional<Step> step_of(Situation situation, const FlowFacts& facts) {
     case Situation::paused:
     case Situation::paused_by_fault:
     case Situation::let_go:
+    case Situation::out_of_sight:
     case Situation::starting: return facts.task_rests && !facts.recorded ? Step::rest : Step::work;
     case Situation::pause:
     case Situation::next_by_itself:
@@ -78,6 +79,10 @@ bool is_done(Step step, const FlowFacts& facts, DeviceCondition condition) {
   return false;
 }
 
+bool is_asked(Step step, const FlowFacts& facts) {
+  return (step != Step::zero || facts.asks_zero) && (step != Step::rest || facts.asks_rest);
+}
+
 }  // namespace
 
 std::array<StepState, kStepCount> steps_of(const FlowFacts& facts, Situation situation,
@@ -86,7 +91,8 @@ std::array<StepState, kStepCount> steps_of(const FlowFacts& facts, Situation sit
   std::array<StepState, kStepCount> steps{};
   for (std::size_t i = 0; i < kStepCount; ++i) {
     const auto step = static_cast<Step>(i);
-    steps[i] = next == step                      ? StepState::next
+    steps[i] = !is_asked(step, facts)            ? StepState::absent
+               : next == step                    ? StepState::next
                : is_done(step, facts, condition) ? StepState::done
                                                  : StepState::open;
   }

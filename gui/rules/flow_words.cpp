@@ -126,6 +126,7 @@ QString words_in_work(Situation situation, const FlowFacts& facts) {
       return FlowTexts::tr("%1 Repeat it after one minute, or choose a task and press Start.")
           .arg(maximum_words(facts));
     case Situation::choose_task:
+      if (facts.maximum_force_N <= 0.0) return FlowTexts::tr("Choose a task.");
       return FlowTexts::tr("%1 Choose a task and press Start.").arg(maximum_words(facts));
     case Situation::trial_stored:
       return FlowTexts::tr("Trial stored. Repeat it, choose another task, or disconnect to end.");
@@ -169,6 +170,7 @@ QString words_in_session(Situation situation, const FlowFacts& facts, const Flow
     case Situation::in_trial:
       return FlowTexts::tr("Recording: %1.").arg(translated(facts.task_name));
     case Situation::paused: return FlowTexts::tr("Paused. Resume when the patient is ready.");
+    case Situation::out_of_sight:
     case Situation::paused_by_fault: return translated(session::words_of(facts.pause_cause));
     case Situation::let_go:
       return FlowTexts::tr(

@@ -68,6 +68,8 @@ StepSection::StepSection(int number, const QString& title, QWidget* body, QWidge
 void StepSection::show_state(StepState state, const QString& summary) {
   // A step that becomes the next one is opened; one that is done is closed.
   if (state != state_) open(state == StepState::next);
+  if (state == StepState::absent || state_ == StepState::absent)
+    setVisible(state != StepState::absent);
   state_ = state;
   const bool done = state == StepState::done;
   const bool next = state == StepState::next;

@@ -414,6 +414,51 @@ TEST(Flow, AfterAFaultATrialGoesOnFromRestOnly) {
   EXPECT_TRUE(decide(facts).may_resume) << "a pause of the therapist";
 }
 
+TEST(Flow, OutOfSightIsNoFaultAndTheTrialGoesOnByItself) {
+  FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
+  facts.stage = session::Stage::paused;
+  facts.pause_cause = session::PauseCause::occluded;
+  for (const bool at_rest : {false, true}) {
+    facts.at_rest = at_rest;
+    const FlowView view = decide(facts);
+    EXPECT_EQ(view.situation, Situation::out_of_sight);
+    EXPECT_EQ(view.device_mood, Mood::ready) << "the device works";
+    EXPECT_EQ(view.mood, Mood::attention);
+    EXPECT_NE(view.sentence.find("goes on by itself"), std::string::npos) << view.sentence;
+    EXPECT_EQ(view.press, NextPress::none);
+    EXPECT_FALSE(view.may_resume) << "nobody needs to";
+    EXPECT_TRUE(view.may_stop);
+  }
+}
+
+TEST(Flow, AStepThatTheDeviceDoesNotAskForIsNotThere) {
+  const auto state = [](const FlowView& view, Step step) {
+    return view.steps[static_cast<std::size_t>(step)];
+  };
+  FlowFacts facts = connected();
+  facts.task_rests = false;
+  facts.asks_zero = facts.asks_rest = false;
+  facts.rest_done = true;
+  FlowView view = decide(facts);
+  EXPECT_EQ(state(view, Step::zero), StepState::absent);
+  EXPECT_EQ(state(view, Step::rest), StepState::absent);
+  EXPECT_EQ(view.next(), Step::work) << "at once";
+  EXPECT_FALSE(view.may_zero || view.may_strap);
+  EXPECT_TRUE(view.may_start);
+  EXPECT_EQ(view.sentence, "Choose a task.") << "no maximum is asked for";
+  facts.asks_zero = true;
+  view = decide(facts);
+  EXPECT_EQ(view.next(), Step::zero);
+  EXPECT_EQ(state(view, Step::rest), StepState::absent);
+  EXPECT_TRUE(view.may_zero);
+  EXPECT_FALSE(view.may_start);
+  facts.zeroed = true;
+  view = decide(facts);
+  EXPECT_EQ(state(view, Step::zero), StepState::done);
+  EXPECT_EQ(view.next(), Step::work);
+  EXPECT_TRUE(view.may_start);
+}
+
 TEST(Flow, ASensorThatStartsAnewWhileTheTherapistPausesAsksForRestToo) {
   FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
   facts.stage = session::Stage::paused;

@@ -106,7 +106,8 @@ void add_object_words(const PatientFacts& facts, PatientPicture& picture) {
   if (facts.task->kind->course != nullptr)
     return say(picture, Sign::wait, PictureTexts::tr("Stay on the outline"),
                PictureTexts::tr("It moves: go with it"));
-  if (progress.target_count == 0) return say(picture, Sign::wait, translated(facts.task->instruction));
+  if (progress.target_count == 0)
+    return say(picture, Sign::wait, translated(facts.task->instruction));
   picture.progress = static_cast<double>(progress.targets_reached) / progress.target_count;
   if (seen.page_cue == Cue::let_go)
     return say(picture, Sign::wait, PictureTexts::tr("Let go"), PictureTexts::tr("Leave it there"));

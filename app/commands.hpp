@@ -10,7 +10,7 @@
 
 namespace isograsp::app {
 
-// Each is defined in app/<name>.cpp.
+// Each is defined in app/<name>.cpp, or in a room of that name.
 void add_convert(CommandLine& line);
 void add_db(CommandLine& line);
 void add_decode(CommandLine& line);
@@ -21,6 +21,7 @@ void add_export(CommandLine& line);
 void add_grasp(CommandLine& line);
 void add_gui(CommandLine& line);
 void add_import(CommandLine& line);
+void add_markers(CommandLine& line);
 void add_monitor(CommandLine& line);
 void add_record(CommandLine& line);
 void add_report(CommandLine& line);

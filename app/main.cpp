@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   isograsp::app::add_grasp(line);
   isograsp::app::add_gui(line);
   isograsp::app::add_import(line);
+  isograsp::app::add_markers(line);
   isograsp::app::add_monitor(line);
   isograsp::app::add_record(line);
   isograsp::app::add_report(line);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# find_package(IsoGrasp): isograsp::core, isograsp::device, isograsp::grasp_model.
+# find_package(IsoGrasp): isograsp::core, isograsp::kinematics, isograsp::device, isograsp::grasp_model.
 include(CMakeFindDependencyMacro)
 set(isograsp_module_path ${CMAKE_MODULE_PATH})
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})

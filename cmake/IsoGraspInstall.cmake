@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What `cmake --install` copies, in two components:
 #   application: the executable, and the shipped library in share/isograsp;
-#   development: core, hand, device and grasp_model with headers and a package for find_package(IsoGrasp).
+#   development: core, hand, kinematics, device and grasp_model with headers and a package for find_package(IsoGrasp).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/IsoGrasp)
-foreach(name core hand device grasp_model)
+foreach(name core hand kinematics device grasp_model)
   set_target_properties(isograsp_${name} PROPERTIES EXPORT_NAME ${name})
   # How Eigen aligns is part of the binary interface: a program compiled for AVX must not differ.
   target_compile_definitions(isograsp_${name} INTERFACE

@@ -315,6 +315,39 @@ std::vector<std::string> TomlReader::texts(std::string_view key, bool required) 
   return values;
 }
 
+std::vector<std::string> TomlReader::text_or_texts(std::string_view key) {
+  const toml::node* node = node_->table == nullptr ? nullptr : node_->table->get(key);
+  if (node != nullptr && node->is_string()) return {text(key)};
+  return texts(key);
+}
+
+std::vector<Vec3> TomlReader::vec3s(std::string_view key) {
+  const toml::node* node = take(*document_, *node_, key, true);
+  std::vector<Vec3> points;
+  if (node == nullptr) return points;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    fail(key, "is %1, not an array of points"_text(kind_of(*node)),
+         "write each as three numbers in brackets"_text);
+    return points;
+  }
+  for (const auto& item : *array) {
+    const toml::array* point = item.as_array();
+    Vec3 values = Vec3::Zero();
+    bool good = point != nullptr && point->size() == 3;
+    for (std::size_t i = 0; good && i < 3; ++i) {
+      const auto value = finite_number(*point->get(i));
+      good = value.has_value();
+      values[static_cast<Eigen::Index>(i)] = value.value_or(0.0);
+    }
+    if (!good)
+      fail(key, "holds %1 that is not three finite numbers"_text(kind_of(item)),
+           "write each as three numbers in brackets"_text);
+    points.push_back(values);
+  }
+  return points;
+}
+
 TomlReader TomlReader::table(std::string_view key, bool required) {
   toml::node* node = take(*document_, *node_, key, required);
   toml::table* inner = node == nullptr ? nullptr : node->as_table();

@@ -51,6 +51,10 @@ class TomlReader {
                               bool required = true);
   Vec3 vec3(std::string_view key, std::optional<Vec3> fallback = {});
   std::vector<std::string> texts(std::string_view key, bool required = true);
+  /// One text or an array of texts.
+  std::vector<std::string> text_or_texts(std::string_view key);
+  /// An array of arrays of three finite numbers.
+  std::vector<Vec3> vec3s(std::string_view key);
 
   /// A table below; absent and not required: an empty table.
   TomlReader table(std::string_view key, bool required = true);

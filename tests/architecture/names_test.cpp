@@ -73,7 +73,7 @@ TEST(Names, NoTwoFilesDefineOneFullName) {
 }
 
 TEST(Names, StandInTheNamespaceOfTheirFolderAndThoseThatAreInstalledInOne) {
-  const Names installed{"core", "hand", "device", "grasp_model"};
+  const Names installed{"core", "hand", "kinematics", "device", "grasp_model"};
   test::AtLeast names(500);
   for (const Source& source : test::every(all_sources())) {
     std::string own = "isograsp::";

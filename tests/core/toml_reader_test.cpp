@@ -26,6 +26,25 @@ TEST(TomlReader, AcceptsWhatTheGettersAskFor) {
   EXPECT_TRUE(done) << done.error().message();
 }
 
+TEST(TomlReader, ReadsOneTextOrSeveralAndListsOfPoints) {
+  auto root = TomlReader::parse(
+      "format = \"f\"\none = \"a\"\nmany = [\"a\", \"b\"]\npoints = [[1, 2, 3], [4.5, 5, 6]]\n",
+      "p.toml", "f");
+  ASSERT_TRUE(root);
+  EXPECT_EQ(root->text_or_texts("one"), std::vector<std::string>{"a"});
+  EXPECT_EQ(root->text_or_texts("many"), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(root->vec3s("points"), (std::vector<Vec3>{{1, 2, 3}, {4.5, 5, 6}}));
+  EXPECT_TRUE(root->finish());
+  for (const char* bad : {"[[1, 2]]", "[1, 2, 3]", "[[1, 2, \"x\"]]", "[[1, 2, nan]]", "1"}) {
+    auto wrong = TomlReader::parse("format = \"f\"\npoints = " + std::string(bad), "p.toml", "f");
+    ASSERT_TRUE(wrong);
+    static_cast<void>(wrong->vec3s("points"));
+    ASSERT_FALSE(wrong->finish()) << bad;
+    EXPECT_NE(wrong->finish().error().message().find("p.toml:2: points:"), std::string::npos)
+        << bad;
+  }
+}
+
 TEST(TomlReader, NamesFileLineFieldAndRemedyOfTheFirstProblem) {
   const std::pair<const char*, const char*> bad[] = {
       {"", "x.toml:1: a: is missing; add it"},

@@ -22,8 +22,8 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${folder}/build -G
   -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${folder}/build)
 run(${folder}/build/consumer)
-# 1 N on 1 kg for 10 ms, and what the device reports that this program presses.
-set(expected "x = 5e-05 m\nsim://me?rate=100: thumb 2 N\n")
+# 1 N on 1 kg for 10 ms, a body moved by 1 m, and what the device reports that this program presses.
+set(expected "x = 5e-05 m\nbody at x = 1.000 m\nsim://me?rate=100: thumb 2 N\n")
 if(NOT output STREQUAL expected)
   message(FATAL_ERROR "the program printed\n${output}instead of\n${expected}")
 endif()

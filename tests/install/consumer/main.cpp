@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One step of a scene, and one sample of a simulated device that this program presses itself.
+// One step of a scene, one pose of a rigid body, and one sample of a simulated device that this
+// program presses itself.
 #include <cstdio>
+#include <vector>
 
 #include "device/sensors/force_device.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/scene.hpp"
 #include "hand/stimulus.hpp"
+#include "kinematics/rigid_body.hpp"
 
 using namespace isograsp;
 
@@ -51,6 +54,10 @@ int main() {
   ObjectState state = plan->initial_state();
   plan->step(wrench_C, state);
   std::printf("x = %g m\n", state.X_WO.p.x());
+
+  const RigidBody body({{0, 0, 0}, {0.06, 0, 0}, {0.02, 0.045, 0}}, 0.002);
+  const BodyFit fit = body.fit(std::vector<Vec3>{{1, 0, 0}, {1.06, 0, 0}, {1.02, 0.045, 0}});
+  std::printf("body at x = %.3f m\n", fit.X_WB.p.x());
 
   Thumb thumb;
   const auto device = open_device("sim://me?rate=100", {&thumb, nullptr});

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// isograsp markers: from recordings to measures through the command line.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
+
+namespace isograsp::app::markers_test {
+namespace {
+
+using test::isograsp;
+using test::read_file;
+using test::TemporaryFolder;
+
+std::string data(const std::string& name) {
+  return ISOGRASP_SOURCE_DIR "/tests/data/isotonic/" + name;
+}
+
+/// Runs `isograsp markers …`, which must succeed; its JSON.
+nlohmann::json answer(const std::string& words) {
+  const auto done = isograsp("markers " + words + " --json");
+  EXPECT_EQ(done.status, 0) << done.err;
+  return nlohmann::json::parse(done.out, nullptr, false);
+}
+
+TEST(Markers, GoFromARecordingToPosesLinksEventsAndMeasures) {
+  const TemporaryFolder folder;
+  const std::string rig = " --rig " + data("kurillo15.toml");
+  const std::string poses = folder.path("p.csv");
+  ASSERT_EQ(
+      isograsp("markers poses" + rig + " --in " + data("session_a_markers.csv") + " --out " + poses)
+          .status,
+      0);
+  EXPECT_EQ(read_file(poses).rfind("# hand: right\nt_s,brace_x_m,", 0), 0U);
+  ASSERT_EQ(isograsp("markers links" + rig + " --poses " + poses + " --out " + folder.path("l.csv"))
+                .status,
+            0);
+  EXPECT_NE(read_file(folder.path("l.csv")).find("EF_a3_rad"), std::string::npos);
+  const auto rom = answer("rom" + rig + " --poses " + poses)["rom"];
+  EXPECT_EQ(rom.size(), 12U);
+  EXPECT_LE(rom[0]["min_rad"], rom[0]["min_held_rad"]);
+  const auto measures =
+      answer("score" + rig + " --poses " + data("session_a_poses.csv") + " --events " +
+             data("session_a_events.csv") + " --bands " + folder.path("b.csv"))["measures"];
+  EXPECT_EQ(measures.size(), 3U * 37U);
+  EXPECT_EQ(measures[0]["channel"], "task");
+  EXPECT_NE(read_file(folder.path("b.csv")).find("screw,EF_r,"), std::string::npos);
+  ASSERT_EQ(isograsp("markers task --task " + data("task_plain_task.toml") + " --poses " +
+                     data("task_plain_poses.csv") + " --out " + folder.path("e.csv"))
+                .status,
+            0);
+  EXPECT_NE(read_file(folder.path("e.csv")).find("unscrew,11.21,,17.21,,,"), std::string::npos);
+}
+
+TEST(Markers, ALeftArmIsMarkedInItsPoses) {
+  const TemporaryFolder folder;
+  const std::string command = "markers poses --hand left --rig " + data("kurillo15.toml") +
+                              " --in " + data("session_a_markers.csv") + " --out ";
+  ASSERT_EQ(isograsp(command + folder.path("p.csv")).status, 0);
+  EXPECT_EQ(read_file(folder.path("p.csv")).rfind("# hand: left\n", 0), 0U);
+}
+
+TEST(Markers, PosturesAreRecordedAndGivenBackToTheSameArm) {
+  const TemporaryFolder folder;
+  const std::string rig = " --rig " + data("kurillo15.toml");
+  // One row, in which all markers are seen.
+  const std::string all = read_file(data("session_a_markers.csv"));
+  const auto header = all.find("t_s,");
+  const auto first = all.find('\n', header) + 1;
+  const std::string still =
+      folder.write("still.csv", all.substr(header, all.find('\n', first) + 1 - header));
+  ASSERT_EQ(isograsp("markers postures" + rig + " --in initial=" + still + " --out " +
+                     folder.path("lib.toml"))
+                .status,
+            0);
+  ASSERT_EQ(
+      isograsp("markers poses" + rig + " --in " + still + " --out " + folder.path("p.csv")).status,
+      0);
+  const auto adapted =
+      answer("adapt --postures " + folder.path("lib.toml") + " --start " + folder.path("p.csv"));
+  ASSERT_EQ(adapted["poses"].size(), 1U);
+  const std::string poses = read_file(folder.path("p.csv"));
+  const auto object = poses.rfind(",ok,");  // the object's pose begins behind the dorsum's state
+  constexpr double kBack_m = 1e-12;
+  EXPECT_WITHIN(adapted["poses"][0]["position_m"][0].get<double>(),
+                std::strtod(poses.c_str() + object + 4, nullptr), kBack_m);
+  const auto other = isograsp("markers adapt --postures " + folder.path("lib.toml") + " --start " +
+                              data("task_plain_poses.csv"));
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("has no frame 'elbow'"), std::string::npos) << other.err;
+}
+
+TEST(Markers, BoxPlotsAndPairsAgreeWithTheReference) {
+  const auto box = answer("box --values " + data("box_values.csv"));
+  const auto expected = nlohmann::json::parse(read_file(data("box_expected.json")));
+  constexpr double kValue = 1e-12;
+  for (const auto& [name, reference] : test::every(expected["boxes"].items()))
+    for (const auto& [key, value] : reference.items()) {
+      if (value.is_array()) {
+        EXPECT_EQ(box["boxes"][name][key], value) << name << " " << key;
+      } else {
+        EXPECT_WITHIN(box["boxes"][name][key].get<double>(), value.get<double>(), kValue)
+            << name << " " << key;
+      }
+    }
+  ASSERT_EQ(box["pairs"].size(), expected["pairs"].size());
+  for (std::size_t k = 0; k < expected["pairs"].size(); ++k)
+    for (const char* key : {"n", "w_plus", "p", "p_holm"})
+      EXPECT_WITHIN(box["pairs"][k][key].get<double>(), expected["pairs"][k][key].get<double>(),
+                    kValue)
+          << k << " " << key;
+}
+
+TEST(Markers, BadInputIsOneLineWithItsPlaceAndLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const std::string csv = "t_s,M1_x_m,M1_y_m,M1_z_m,M2_x_m,M2_y_m,M2_z_m,M3_x_m,M3_y_m,M3_z_m\n";
+  const std::string good = "0,0,0,0,0.06,0,0,0.02,0.045,0\n";
+  const std::string out = folder.path("o.csv");
+  struct Case {
+    std::string text;
+    std::string place;
+  };
+  for (const auto& [text, place] :
+       {Case{csv + good + "0.01,0,,0,0.06,0,0,0.02,0.045,0\n", "m.csv:3: M1"},
+        Case{csv + good + "0.01,nan,0,0,0.06,0,0,0.02,0.045,0\n", "m.csv:3: M1_x_m"},
+        Case{csv + good + "0.01,0,0\n", "m.csv:3"}, Case{csv + good + good, "m.csv:3: t_s"},
+        Case{"t_s,M1_x_m,M1_y_m,M1_z_m,speed\n", "m.csv:1: speed"},
+        Case{"t_s,Q_x_m,Q_y_m,Q_z_m\n0,1,2,3\n", "m.csv: has none of the markers"}}) {
+    const auto done = isograsp("markers poses --rig " + data("kabsch_triad_rig.toml") + " --in " +
+                               folder.write("m.csv", text) + " --out " + out);
+    EXPECT_EQ(done.status, 2) << text;
+    EXPECT_EQ(done.err.rfind("isograsp: error: ", 0), 0U) << done.err;
+    EXPECT_NE(done.err.find(place), std::string::npos) << done.err;
+    EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    EXPECT_NE(done.err.find("; "), std::string::npos) << "no remedy: " << done.err;
+    EXPECT_FALSE(std::filesystem::exists(out));
+  }
+  const std::string rig = folder.write("rig.toml", "format = \"isograsp-rig-1\"\nextra = 1\n");
+  const auto bad_rig = isograsp("markers poses --rig " + rig + " --in " + data("kabsch_triad.csv") +
+                                " --out " + out);
+  EXPECT_EQ(bad_rig.status, 2);
+  EXPECT_NE(bad_rig.err.find("rig.toml:"), std::string::npos) << bad_rig.err;
+  const auto onto_itself = isograsp("markers convert " + folder.write("m.csv", csv + good) +
+                                    " --out " + folder.path("m.csv"));
+  EXPECT_EQ(onto_itself.status, 2);
+  EXPECT_EQ(read_file(folder.path("m.csv")), csv + good);
+}
+
+}  // namespace
+}  // namespace isograsp::app::markers_test

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinematics/postures.hpp"
+
+#include <gtest/gtest.h>
+
+#include "kinematics/tables/pose_csv.hpp"
+#include "tests/kinematics/support.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/within.hpp"
+
+namespace isograsp::postures_test {
+namespace {
+
+using namespace isograsp::test;
+
+Postures golden_postures() {
+  return must(parse_postures(must(read_text(golden("postures.toml"))), "postures.toml"));
+}
+
+TEST(Postures, AdaptToOtherArmsAsIndependentReferencesDo) {
+  const Postures library = golden_postures();
+  for (const Fields& row : test::every(golden_table(golden("adapt_expected.csv")))) {
+    const auto series = must(read_poses(golden("adapt_start" + row.at("subject") + ".csv")));
+    const auto start = must(start_posture(series, library.chain));
+    EXPECT_EQ(start.rows, number_in(row, "rows"));
+    const auto scale = row.at("scale") == "length" ? SizeScale::length : SizeScale::none;
+    for (std::size_t j = 0; j < library.postures.size(); ++j) {
+      if (library.postures[j].name != row.at("posture")) continue;
+      const Pose X_WO = adapted(library, j, start, scale);
+      const Vec3 p(number_in(row, "x_m"), number_in(row, "y_m"), number_in(row, "z_m"));
+      const Quat q(number_in(row, "qw"), number_in(row, "qx"), number_in(row, "qy"),
+                   number_in(row, "qz"));
+      EXPECT_WITHIN((X_WO.p - p).norm(), 0.0, kGoldenPosition_m);
+      EXPECT_WITHIN(angle_between(X_WO.q, q), 0.0, kGoldenAngle_rad);
+    }
+  }
+}
+
+TEST(Postures, TheReferenceSubjectGetsHisOwnPosesBack) {
+  Random random(8);
+  constexpr double kIdentity = 1e-12;
+  for (int i = 0; i < 200; ++i) {
+    Postures library;
+    library.chain = {"E", "F", "D", "O"};
+    for (const char* name : {"initial", "screw"}) {
+      Posture posture{name, {}};
+      for (int l = 0; l < 3; ++l) posture.X_L.push_back(random_pose(random));
+      library.postures.push_back(posture);
+    }
+    const StartPosture start{1, random_pose(random), library.postures.front().X_L};
+    for (const auto scale : {SizeScale::none, SizeScale::length})
+      for (std::size_t j = 0; j < 2; ++j) {
+        Pose own = start.X_W;
+        for (const Pose& X_L : library.postures[j].X_L) own = compose(own, X_L);
+        const Pose back = adapted(library, j, start, scale);
+        EXPECT_WITHIN((back.p - own.p).norm(), 0.0, kIdentity);
+        EXPECT_WITHIN(angle_between(back.q, own.q), 0.0, kIdentity);
+      }
+  }
+}
+
+TEST(Postures, AreWrittenAsTheyWereRead) {
+  const Postures library = golden_postures();
+  const std::string text = postures_text(library);
+  EXPECT_EQ(postures_text(must(parse_postures(text, "again.toml"))), text);
+}
+
+TEST(Postures, OfAnotherChainAreRefused) {
+  const auto series = must(read_poses(golden("links_poses.csv")));
+  const auto start = start_posture(series, {"elbow", "forearm", "hand", "object"});
+  ASSERT_FALSE(start);
+  EXPECT_NE(start.error().message().find("'hand'"), std::string::npos);
+  const std::string head = "format = \"isograsp-postures-1\"\n";
+  EXPECT_FALSE(parse_postures(head + "chain = [\"elbow\"]\n", "a.toml"));
+  const auto wrong = parse_postures(
+      head +
+          "chain = [\"a\", \"b\", \"c\"]\n[[posture]]\nname = \"i\"\nlinks = [{ position_m = "
+          "[0, 0, 0], quaternion_wxyz = [1, 0, 0, 0] }]\n",
+      "a.toml");
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().message().find("1 links, the chain has 2"), std::string::npos);
+}
+
+TEST(Postures, AChainFollowsTheLinksOfARig) {
+  EXPECT_EQ(chain_of(golden_rig("kurillo15.toml")),
+            (std::vector<std::string>{"elbow", "forearm", "dorsum", "object"}));
+}
+
+}  // namespace
+}  // namespace isograsp::postures_test

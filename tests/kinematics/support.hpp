@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tests of the moving arm share: reference values, rigs and random attitudes.
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "core/files.hpp"
+#include "core/random.hpp"
+#include "kinematics/calibration.hpp"
+#include "kinematics/rig.hpp"
+#include "kinematics/tables/word_table.hpp"
+#include "tests/support/must.hpp"
+
+namespace isograsp::test {
+
+inline std::string golden(const std::string& name) {
+  return std::string(ISOGRASP_SOURCE_DIR) + "/tests/data/isotonic/" + name;
+}
+
+inline Rig golden_rig(const std::string& name) {
+  return must(parse_rig(must(read_text(golden(name))), name));
+}
+
+/// One row of a table of reference values.
+using Fields = std::map<std::string, std::string>;
+
+inline std::vector<Fields> golden_table(const std::string& path) {
+  auto table = must(WordTable::open(path));
+  std::vector<Fields> rows;
+  while (must(table.next())) {
+    Fields row;
+    for (std::size_t c = 0; c < table.columns().size(); ++c)
+      row[table.columns()[c]] = std::string(table.word(c));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// NaN where the field is empty.
+inline double number_in(const Fields& row, const std::string& column) {
+  const std::string& text = row.at(column);
+  return text.empty() ? kMissing : std::strtod(text.c_str(), nullptr);
+}
+
+inline Pose pose_in(const Fields& row, const std::string& name) {
+  const auto at = [&](const char* ending) { return number_in(row, name + ending); };
+  return {{at("_x_m"), at("_y_m"), at("_z_m")}, {at("_qw"), at("_qx"), at("_qy"), at("_qz")}};
+}
+
+/// A table of markers: t_s, NAME_x_m, …
+inline MarkerRows golden_markers(const std::string& name) {
+  auto csv = must(CsvReader::open(golden(name)));
+  MarkerRows rows;
+  for (std::size_t c = 1; c < csv.columns().size(); c += 3)
+    rows.markers.push_back(csv.columns()[c].substr(0, csv.columns()[c].size() - 4));
+  std::vector<double> row(csv.columns().size());
+  while (must(csv.next(row))) {
+    rows.t_s.push_back(row[0]);
+    std::vector<Vec3> p_W;
+    for (std::size_t c = 1; c < row.size(); c += 3)
+      p_W.emplace_back(row[c], row[c + 1], row[c + 2]);
+    rows.p_W.push_back(std::move(p_W));
+  }
+  return rows;
+}
+
+/// Of a position [m] and an attitude [rad] against independent reference values.
+inline constexpr double kGoldenPosition_m = 1e-9;
+inline constexpr double kGoldenAngle_rad = 1e-8;
+
+inline Vec3 random_vector(Random& random, double size) {
+  const auto one = [&] { return size * (2.0 * random.uniform() - 1.0); };
+  const double x = one(), y = one(), z = one();
+  return {x, y, z};
+}
+
+inline Quat random_attitude(Random& random) {
+  for (;;) {
+    const Vec3 v = random_vector(random, 1.0);
+    const double w = 2.0 * random.uniform() - 1.0;
+    const double length = std::sqrt(v.squaredNorm() + w * w);
+    if (length > 0.1 && length < 1.0)
+      return Quat(w / length, v.x() / length, v.y() / length, v.z() / length);
+  }
+}
+
+inline Pose random_pose(Random& random) {
+  const Vec3 p = random_vector(random, 2.0);
+  return {p, random_attitude(random)};
+}
+
+}  // namespace isograsp::test

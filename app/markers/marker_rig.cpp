@@ -45,7 +45,8 @@ Result<void> run_landmark(const RigOptions& options) {
   const auto rows = load_markers(options.in);
   if (!rows) return rows.error();
   const auto landmark = measure_landmark(*rig, *rows, options.probe, options.frame);
-  if (!landmark) return about_file(landmark.error(), options.in);
+  if (!landmark)  // an option names what the rig does not have
+    return about_file(landmark.error(), landmark.error().field.empty() ? options.in : options.rig);
   if (landmark->sd_m.norm() > kLargestLandmarkSd_m)
     print_note("the pointer moved by %1 mm (SD): hold it again"_text(
         fixed(1e3 * landmark->sd_m.norm(), 1)));

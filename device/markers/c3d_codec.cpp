@@ -149,7 +149,9 @@ std::size_t frame_count(std::span<const std::uint8_t> head, const C3dParameters&
   };
   double frames = 1.0 + little_endian<std::uint16_t>(head, 8) -
                   static_cast<double>(little_endian<std::uint16_t>(head, 6));
-  if (const auto stored = number_of(parameters, "POINT:FRAMES"); stored && *stored > frames)
+  constexpr double kOverflown = 65535.0;  // what writers store for a count that has no room
+  if (const auto stored = number_of(parameters, "POINT:FRAMES");
+      stored && *stored > frames && *stored != kOverflown)
     frames = *stored;
   const auto first = field("TRIAL:ACTUAL_START_FIELD");
   const auto last = field("TRIAL:ACTUAL_END_FIELD");

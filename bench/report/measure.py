@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs every engine on every case and writes results.csv, scenes.csv, kernels.csv, machine.json,
-then scoring.csv and scoring.json (--scoring: only these).
+then scoring.csv and scoring.json (--scoring: only these), markers.csv and markers.json (--markers).
 
 Each engine is a program of its own (bench/harness.hpp): one that aborts, hangs or diverges gets
 that as its status and takes nobody with it. Errors are measured once, times in rounds that go
@@ -201,6 +201,22 @@ def measure_scoring(build, out, pin, described):
     (out / "scoring.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
 
 
+def measure_markers(build, out, pin, described):
+    """Medians of the times, and what each benchmark counts beside them."""
+    note("markers")
+    load = f"{os.getloadavg()[0]:.1f}"
+    done = json.loads(subprocess.run(
+        [*pin, build / "bench/bench_kinematics", "--benchmark_format=json", "--benchmark_min_time=0.1",
+         f"--benchmark_repetitions={ROUNDS}", "--benchmark_report_aggregates_only=true"],
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=True).stdout)["benchmarks"]
+    columns = ["markers", "ns", "mm", "deg", "poses_%", "more_MB"]
+    rows = [dict(markers=b["run_name"].split("/iterations")[0], ns=digits(b["cpu_time"]),
+                 **{c: digits(b[c]) if c in b else "" for c in columns[2:]})
+            for b in done if b.get("aggregate_name") == "median"]
+    write_csv(out / "markers.csv", columns, rows)
+    (out / "markers.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--source", type=pathlib.Path, required=True)
@@ -208,6 +224,7 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--peers", action="store_true")
     parser.add_argument("--scoring", action="store_true")
+    parser.add_argument("--markers", action="store_true")
     options = parser.parse_args()
     build, out = options.build.resolve(), options.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -217,6 +234,9 @@ def main():
     pin = ["taskset", "-c", str(core)] if shutil.which("taskset") else []
     if options.scoring:
         measure_scoring(build, out, pin, machine(options.source, build, core, False, ""))
+        return
+    if options.markers:
+        measure_markers(build, out, pin, machine(options.source, build, core, False, ""))
         return
 
     note("wrenches and reference trajectories")
@@ -275,6 +295,7 @@ def main():
     described = machine(options.source, build, core, options.peers, counter)
     (out / "machine.json").write_text(json.dumps(described, indent=2) + "\n")
     measure_scoring(build, out, pin, described)
+    measure_markers(build, out, pin, described)
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ LEVELS = [(1.0, "any answer"), (1e-1, "10 %"), (1e-2, "1 %"), (1e-4, "1e-4"), (1
 
 
 def time(ns):
-    for unit, size in (("ms", 1e6), ("µs", 1e3)):
+    for unit, size in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):
         if ns >= size:
             return f"{ns / size:.3g} {unit}"
     return f"{ns:.3g} ns"
@@ -234,14 +234,27 @@ def kernels(results):
                   for k in sorted(results.kernels, key=lambda k: k["kernel"])])
 
 
-def scoring(results):
-    m = results.scoring_machine
+def conditions(m):
     tree = " with uncommitted changes" if m["changed"] else ""
+    return (f"{m['processor']}, {m['processors']} cores, one used; {m['date']}, {m['commit']}{tree}; "
+            f"load {m['load']} before; median of {m['rounds']} rounds.")
+
+
+def markers(results):
+    def counted(row, column, form):
+        return form.format(float(row[column])) if row[column] else ""
+    rows = [[r["markers"].replace("/", ", ").replace("_", " "), time(float(r["ns"])),
+             counted(r, "mm", "{:.3g} mm"), counted(r, "deg", "{:.3g}°"), counted(r, "poses_%", "{:.3g} %"),
+             counted(r, "more_MB", "{:.3g} MB")] for r in results.markers]
+    lines = table(["", "processor time", "position", "attitude", "rows with a pose", "more memory"], rows)
+    return f"{conditions(results.markers_machine)}\n\n{lines}"
+
+
+def scoring(results):
     lines = table(["", "processor time"],
                   [[s["scoring"].replace("/", ", ").replace("_", " "), time(float(s["ms"]) * 1e6)]
                    for s in sorted(results.scoring, key=lambda s: s["scoring"])])
-    return (f"{m['processor']}, {m['processors']} cores, one used; {m['date']}, {m['commit']}{tree}; "
-            f"load {m['load']} before; median of {m['rounds']} rounds.\n\n{lines}")
+    return f"{conditions(results.scoring_machine)}\n\n{lines}"
 
 
 def main(folder, page):
@@ -249,7 +262,7 @@ def main(folder, page):
     text = (pathlib.Path(__file__).parent / "performance.md.in").read_text()
     fields = dict(machine=machine(results), noise=noise(results), ours=ours(results),
                   scenes=scenes(results), kernels=kernels(results),
-                  scoring=scoring(results), by_hand=by_hand(results),
+                  scoring=scoring(results), markers=markers(results), by_hand=by_hand(results),
                   hand_wins=hand_wins(results))
     if results.machine["peers"]:
         fields.update(closest=closest(results), levels=levels(results, False),

@@ -66,6 +66,9 @@ class Results:
         with open(folder / "scoring.csv", newline="") as file:
             self.scoring = list(csv.DictReader(file))
         self.scoring_machine = json.loads((folder / "scoring.json").read_text())
+        with open(folder / "markers.csv", newline="") as file:
+            self.markers = list(csv.DictReader(file))
+        self.markers_machine = json.loads((folder / "markers.json").read_text())
         self.machine = json.loads((folder / "machine.json").read_text())
 
     def of(self, scene):

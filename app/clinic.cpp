@@ -116,7 +116,7 @@ class Workers {
   [[nodiscard]] Result<void> wait_for(std::size_t group, ProgressBar& bar) {
     while (!made_[group]) {
       bar.show(static_cast<double>(sessions_made_) / sessions_,
-               std::to_string(sessions_made_) + " sessions");
+               "%1 sessions"_text(sessions_made_.load()));
       constexpr auto kLook = std::chrono::milliseconds(20);
       std::this_thread::sleep_for(kLook);
       const std::lock_guard lock(mutex_);
@@ -147,7 +147,7 @@ Result<void> put_together(std::size_t groups, const Parts& parts, Workers& worke
   // Simulated people: the file can be made again, and is the same each time.
   constexpr auto kHow = storage::OpenMode::scratch;
   if (const auto clinic = storage::open_store(parts.whole(), kHow); !clinic) return clinic.error();
-  ProgressBar bar("Making the clinic");
+  ProgressBar bar("Making the clinic"_text);
   for (std::size_t group = 0; group < groups; ++group) {
     if (auto made = workers.wait_for(group, bar); !made) return made;
     if (const auto done = storage::merge_databases(parts.whole(), parts.path(group), {}, kHow);

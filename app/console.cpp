@@ -45,15 +45,18 @@ void print_aside(const char* format, ...) {
   va_end(values);
 }
 
-Lines& Lines::operator+=(std::string_view more) {
-  lines_.back() += more;
-  return *this;
+void Lines::add(const Text& line) {
+  lines_.push_back(spoken(line));
 }
 
 std::string Lines::text() const {
   std::string all;
   for (const auto& line : lines_) all += printable(line) + "\n";
   return all;
+}
+
+void print_line(const Text& line) {
+  print_lines(line);
 }
 
 void print_lines(const Lines& lines) {
@@ -72,18 +75,18 @@ int print_error(const Error& error) {
 }
 
 void print_note(const Text& text) {
-  print_aside("isograsp: %s\n", printable(translated("note: %1"_text(text), spoken())).c_str());
+  print_aside("isograsp: %s\n", printable(spoken("note: %1"_text(text))).c_str());
 }
 
-ProgressBar::ProgressBar(std::string title)
-    : title_(std::move(title)), on_terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressBar::ProgressBar(Words title)
+    : title_(spoken(title)), on_terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void ProgressBar::end() {
   if (drawn_) std::fputc('\n', stderr);
   drawn_ = false;
 }
 
-void ProgressBar::show(double fraction, std::string_view detail) {
+void ProgressBar::show(double fraction, const Text& detail) {
   if (!on_terminal_) return;
   const auto now_ms = std::chrono::duration_cast<std::chrono::milliseconds>(
                           std::chrono::steady_clock::now().time_since_epoch())
@@ -97,7 +100,7 @@ void ProgressBar::show(double fraction, std::string_view detail) {
   std::string bar(static_cast<std::size_t>(filled), '#');
   bar.resize(kWidth, '.');
   std::fprintf(stderr, "\r\033[K%s [%s] %3d %% %s", printable(title_).c_str(), bar.c_str(),
-               static_cast<int>(fraction * 100.0), printable(detail).c_str());
+               static_cast<int>(fraction * 100.0), printable(spoken(detail)).c_str());
   std::fflush(stderr);
 }
 

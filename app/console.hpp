@@ -5,7 +5,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,15 +17,15 @@ namespace isograsp::app {
 
 /// As std::printf to standard output, then printable_lines().
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
-/// Text of several lines; each of them is printable() and so stays one.
+/// Lines for people, in the spoken language; each of them is printable() and so stays one.
 class Lines {
  public:
   Lines() = default;
-  Lines(std::string first) { add(std::move(first)); }      // NOLINT: a text is a line
-  Lines(const char* first) : Lines(std::string(first)) {}  // NOLINT: a text is a line
-  void add(std::string line) { lines_.push_back(std::move(line)); }
-  /// Goes on with the last one. @pre !empty()
-  Lines& operator+=(std::string_view more);
+  Lines(const Text& first) { add(first); }  // NOLINT: a text is a line
+  Lines(Words first) { add(first); }        // NOLINT: words are a line
+  void add(const Text& line);
+  /// Of a table: columns are the same in every language.
+  void add_row(std::string row) { lines_.push_back(std::move(row)); }
   [[nodiscard]] bool empty() const noexcept { return lines_.empty(); }
   /// All of them with their ends.
   [[nodiscard]] std::string text() const;
@@ -34,6 +33,8 @@ class Lines {
  private:
   std::vector<std::string> lines_;
 };
+/// A line for people to standard output, in the spoken language.
+void print_line(const Text& line);
 /// To standard output.
 void print_lines(const Lines& lines);
 /// One document; all but ASCII as \uXXXX, which means the same. What is no UTF-8, such as the name
@@ -50,12 +51,12 @@ void print_note(const Text& text);
 /// A bar on standard error, drawn only on a terminal; silent otherwise.
 class ProgressBar {
  public:
-  explicit ProgressBar(std::string title);
+  explicit ProgressBar(Words title);
   ~ProgressBar() { end(); }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   /// `fraction` 0 … 1; redraws at most about ten times a second.
-  void show(double fraction, std::string_view detail = {});
+  void show(double fraction, const Text& detail = {});
   /// Ends the line, so that other output can follow.
   void end();
 

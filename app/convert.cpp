@@ -50,9 +50,8 @@ Result<void> run_convert(const ConvertOptions& options) {
     print_json(document);
     return {};
   }
-  print("%s: %lld rows, %s s to %s s\n", printable(options.out).c_str(),
-        static_cast<long long>(converted->rows), format_number(converted->first_s).c_str(),
-        format_number(converted->last_s).c_str());
+  print_line("%1: %2 rows, %3 s to %4 s"_text(
+      options.out, converted->rows, shortest(converted->first_s), shortest(converted->last_s)));
   for (const auto& comment : converted->comments) print("  %s\n", printable(comment).c_str());
   return {};
 }

@@ -65,7 +65,9 @@ Result<void> headless() {
   if (auto done = run_session(options); !done) return done;
   const std::string pdf = fs::path(*database).replace_extension(".pdf");
   if (auto done = write_report(*database, options.patient, pdf); !done) return done;
-  print("\nDatabase: %s\nReport:   %s\n", printable(*database).c_str(), printable(pdf).c_str());
+  print("\n");
+  print_line("Database: %1"_text(*database));
+  print_line("Report:   %1"_text(pdf));
   return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/language.hpp"
 #include "app/login_options.hpp"
 #include "exports/research_export.hpp"
 #include "storage/access/audit_log.hpp"
@@ -46,22 +47,24 @@ Result<void> run_export(const ExportOptions& options) {
   }
   const auto left_out = exports::count_not_released(**store, request);
   if (!left_out) return left_out.error();
-  ProgressBar bar("Exporting");
-  const auto written = exports::write_export(**store, request, *format, options.out,
-                                             [&](double done, const std::string& code) {
-                                               bar.show(done, code);
-                                               return true;
-                                             });
+  ProgressBar bar("Exporting"_text);
+  const auto written = exports::write_export(
+      **store, request, *format, options.out,
+      [&](double done, const Text& code) {
+        bar.show(done, code);
+        return true;
+      },
+      spoken());
   const auto logged = storage::log_act_of(options.database, access->get(), "export",
                                           options.patient, written.ok(), options.format);
   if (!written) return written.error();
   if (!logged) return logged.error();
-  Lines text = std::to_string(*written) + (*written == 1 ? " trial" : " trials") + " written to " +
-               options.out;
-  if (*left_out > 0)
-    text.add("left out: " + std::to_string(*left_out) +
-             (*left_out == 1 ? " patient who is" : " patients who are") +
-             " not released for research");
+  Lines text = *written == 1 ? "1 trial written to %1"_text(options.out)
+                             : "%1 trials written to %2"_text(*written, options.out);
+  if (*left_out == 1)
+    text.add("left out: 1 patient who is not released for research"_text);
+  else if (*left_out > 1)
+    text.add("left out: %1 patients who are not released for research"_text(*left_out));
   const nlohmann::ordered_json json{
       {"out", options.out}, {"trials", *written}, {"patients_not_released", *left_out}};
   if (options.json)

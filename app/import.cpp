@@ -58,17 +58,16 @@ Result<void> import_recording(const ImportOptions& options) {
   if (!trials) return trials.error();
   const auto store = storage::open_store(options.database, storage::OpenMode::create);
   if (!store) return store.error();
-  ProgressBar bar("Import");
+  ProgressBar bar("Import"_text);
   const auto imported =
       session::store_recording(*spec, *trials, **store, ISOGRASP_VERSION, [&](int done) {
         bar.show(static_cast<double>(done) / static_cast<double>(trials->size()),
-                 (*trials)[static_cast<std::size_t>(done) - 1].patient_code);
+                 "%1"_text((*trials)[static_cast<std::size_t>(done) - 1].patient_code));
       });
   bar.end();
   if (!imported) return imported.error();
-  print("%s: %d patients, %d sessions, %d trials, %lld samples\n", printable(spec->name).c_str(),
-        imported->patients, imported->sessions, imported->trials,
-        static_cast<long long>(imported->samples));
+  print_line("%1: %2 patients, %3 sessions, %4 trials, %5 samples"_text(
+      spec->name, imported->patients, imported->sessions, imported->trials, imported->samples));
   std::string codes;
   for (const session::RecordedTrial& trial : *trials)
     if (!codes.ends_with(trial.patient_code))
@@ -152,8 +151,8 @@ Result<void> import_signals(const ImportOptions& options) {
   if (!store) return store.error();
   const auto measures = session::store_signals_trial(trial, *hand, **store, ISOGRASP_VERSION);
   if (!measures) return measures.error();
-  print("%s: %s, %zu samples\n", options.patient.c_str(), printable(trial.task.name).c_str(),
-        trial.signals.rows());
+  print_line(
+      "%1: %2, %3 samples"_text(options.patient, Known{trial.task.name}, trial.signals.rows()));
   for (const auto& measure : *measures) print_measure(measure);
   return {};
 }

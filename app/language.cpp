@@ -46,6 +46,10 @@ const Language& spoken() {
   return spoken_now == nullptr ? languages::language("en") : *spoken_now;
 }
 
+std::string spoken(const Text& text) {
+  return translated(text, spoken());
+}
+
 Result<void> choose_language(std::vector<const char*>& words) {
   const auto asked = taken_out(words);
   if (asked && languages::is_language(*asked)) {

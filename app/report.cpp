@@ -29,17 +29,16 @@ Result<void> write_report(const std::string& database, const std::string& patien
         .about("--out");
   auto store = storage::open_store_to_read(database);
   if (!store) return store.error();
-  ProgressBar bar("Report");
+  ProgressBar bar("Report"_text);
   constexpr double kGathered = 0.4;  // share of the time, roughly
-  auto content =
-      reports::gather_progress(**store, patient, [&](double done, const std::string& words) {
-        bar.show(kGathered * done, words);
-        return true;
-      });
+  auto content = reports::gather_progress(**store, patient, [&](double done, const Text& words) {
+    bar.show(kGathered * done, words);
+    return true;
+  });
   if (!content) return content.error();
   reports::ensure_qt_application();
   const auto writer = reports::make_report_writer(*std::move(content), path, spoken());
-  auto written = reports::write_all(*writer, path, [&](double done, const std::string& words) {
+  auto written = reports::write_all(*writer, path, [&](double done, const Text& words) {
     bar.show(kGathered + (1.0 - kGathered) * done, words);
     return true;
   });

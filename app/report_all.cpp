@@ -135,13 +135,13 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
   }
   if (children.empty())
     return failed("no process could be started"_text, "close other programs"_text);
-  ProgressBar bar("Reports");
+  ProgressBar bar("Reports"_text);
   const auto count = static_cast<int>(codes->size());
   for (bool running = true; running;) {
     running = false;
     for (auto& child : children) running = is_running(child, shared) || running;
     bar.show(static_cast<double>(shared.done) / std::max(1, count),
-             std::to_string(shared.done) + " of " + std::to_string(count));
+             "%1 of %2"_text(shared.done.load(), count));
     constexpr useconds_t kLook_us = 20000;
     if (running) usleep(kLook_us);
   }

@@ -9,12 +9,14 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/language.hpp"
 #include "app/login_options.hpp"
 #include "app/paths.hpp"
 #include "app/realtime_option.hpp"
 #include "app/stop_signals.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "session/session.hpp"
+#include "tasks/facts/reasons.hpp"
 
 namespace isograsp::app {
 
@@ -29,16 +31,20 @@ void print_measure(const Measure& measure) {
   if (measure.value)
     print("    %-44s %12.4g %s\n", printable(label).c_str(), *measure.value, measure.unit.c_str());
   else
-    print("    %-44s %12s %s\n", printable(label).c_str(), "-", printable(measure.reason).c_str());
+    print("    %-44s %12s %s\n", printable(label).c_str(), "-",
+          printable(spoken(tasks::reason_words(measure.reason))).c_str());
 }
 
 namespace {
 
 void print_trial(const session::TrialOutcome& outcome) {
   const storage::TrialRecord& trial = outcome.trial;
-  print("\n  Trial %d  %s%s  [%s]\n", trial.number, printable(trial.task_name).c_str(),
-        trial.practice ? ", practice" : "", std::string(storage::name_of(trial.status)).c_str());
-  if (outcome.rest) print("    %s\n", printable(outcome.rest->words).c_str());
+  Text task = Known{trial.task_name};
+  if (trial.practice) task = "%1, practice"_text(std::move(task));
+  const Known status{std::string(storage::name_of(trial.status))};
+  print("\n");
+  print_line("  Trial %1  %2  [%3]"_text(trial.number, std::move(task), status));
+  if (outcome.rest) print_line("    %1"_text(outcome.rest->words));
   for (const auto& measure : outcome.measures) print_measure(measure);
 }
 
@@ -126,18 +132,20 @@ Result<void> run_session(const RunOptions& options) {
       print_note("patient %1 is new and was created"_text(options.patient));
     if (const auto got = session::words_of((*session)->known().realtime); !got.empty())
       print_note("acquisition with %1"_text(got));
-    print("Patient %s, %s hand, %s\n", options.patient.c_str(), options.hand.c_str(),
-          printable(english((*session)->known().device.description)).c_str());
+    const Text& device = (*session)->known().device.description;
+    print_line(*hand == Hand::right ? "Patient %1, right hand, %2"_text(options.patient, device)
+                                    : "Patient %1, left hand, %2"_text(options.patient, device));
     std::fflush(stdout);
   }
   if (!options.quiet) {
     const tasks::Duration duration = protocol->duration();
     constexpr double kSecondsPerMinute = 60.0;
-    print("%s: %.1f min as a rule, %.1f min at most\n", printable(protocol->spec.name).c_str(),
-          duration.nominal_s / kSecondsPerMinute, duration.worst_s / kSecondsPerMinute);
+    print_line("%1: %2 min as a rule, %3 min at most"_text(
+        Known{protocol->spec.name}, fixed(duration.nominal_s / kSecondsPerMinute, 1),
+        fixed(duration.worst_s / kSecondsPerMinute, 1)));
     std::fflush(stdout);
   }
-  ProgressBar bar("Session");
+  ProgressBar bar("Session"_text);
   const auto result = session::run_protocol(
       **session, beginning_of(*protocol, options.broken_off_in),
       [&](const session::ProtocolProgress& at) {

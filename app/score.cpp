@@ -11,8 +11,10 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/language.hpp"
 #include "core/csv.hpp"
 #include "session/library/library.hpp"
+#include "tasks/facts/reasons.hpp"
 
 namespace isograsp::app {
 
@@ -55,8 +57,8 @@ Lines as_table(const std::vector<Measure>& measures) {
   for (const Measure& measure : measures)
     rows.push_back({measure.name, printable(measure.channel),
                     measure.value ? number(*measure.value) : "-",
-                    measure.value ? measure.unit : measure.reason, std::to_string(measure.samples),
-                    std::to_string(measure.excluded)});
+                    measure.value ? measure.unit : spoken(tasks::reason_words(measure.reason)),
+                    std::to_string(measure.samples), std::to_string(measure.excluded)});
   std::array<std::size_t, 6> width{};
   for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
@@ -68,7 +70,7 @@ Lines as_table(const std::vector<Measure>& measures) {
       const bool numeric = c == 2 || c >= 4;
       line += (c == 0 ? "" : "  ") + (numeric ? blanks + row[c] : row[c] + blanks);
     }
-    text.add(line);
+    text.add_row(line);
   }
   return text;
 }

@@ -41,9 +41,9 @@ Result<void> check_out(const StudyOptions& options) {
 Result<void> write_study(const StudyOptions& options, const reports::Study& study) {
   const auto store = storage::open_store_to_read(options.database);
   if (!store) return store.error();
-  ProgressBar bar("Study");
+  ProgressBar bar("Study"_text);
   const auto data = reports::gather_study(**store, study, options.study,
-                                          [&bar](double done, const std::string& subject) {
+                                          [&bar](double done, const Text& subject) {
                                             bar.show(done, subject);
                                             return true;
                                           });

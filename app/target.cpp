@@ -65,8 +65,8 @@ Result<void> make_target(const TargetOptions& options) {
   const auto text = tasks::target_by_doing(*spec, *signals, options.wanted);
   if (!text) return text.error();
   if (const auto written = write_text(options.out, *text); !written) return written;
-  print("%s: target of '%s', trial %d\n", printable(options.out).c_str(),
-        printable(trial->task_name).c_str(), trial->number);
+  print_line(
+      "%1: target of '%2', trial %3"_text(options.out, Known{trial->task_name}, trial->number));
   return {};
 }
 

@@ -3,6 +3,13 @@
 
 namespace isograsp {
 
+Text ColumnWords::text() const {
+  const auto value = [this](std::size_t place) { return Known{std::string(values_[place])}; };
+  if (!values_[1].empty()) return Phrase<2>(english_)(value(0), value(1));
+  if (!values_[0].empty()) return Phrase<1>(english_)(value(0));
+  return Words(english_);
+}
+
 std::vector<std::string> names_of(std::span<const Column> columns) {
   return {columns.begin(), columns.end()};
 }

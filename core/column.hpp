@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
+
 namespace isograsp {
 
 /// A text of at most kRoom characters, put together while the program is compiled.
@@ -37,9 +39,26 @@ class FixedText {
   std::size_t size_ = 0;
 };
 
+/// What a column is: words with a finger, an axis at their places. Put together while the program
+/// is compiled.
+class ColumnWords {
+ public:
+  constexpr ColumnWords() = default;
+  constexpr ColumnWords(Words words) : english_(words.english()) {}  // NOLINT: words without places
+  constexpr ColumnWords(Phrase<1> words, std::string_view value)
+      : english_(words.english()), values_{value} {}
+  constexpr ColumnWords(Phrase<2> words, std::string_view first, std::string_view second)
+      : english_(words.english()), values_{first, second} {}
+  [[nodiscard]] Text text() const;
+
+ private:
+  const char* english_ = "";
+  std::array<std::string_view, 2> values_;
+};
+
 struct Column {
   FixedText<28> name;          ///< in files, with its unit: "thumb_fx_N"
-  FixedText<112> description;  ///< a sentence without a full stop
+  ColumnWords description;     ///< a sentence without a full stop
   std::string_view axes;       ///< one of kColumnAxes; empty: it has no direction in space
   std::string_view component;  ///< x, y, z, quat_w, quat_x, quat_y, quat_z; empty: none
   std::string_view body;       ///< what moves or is pressed: "thumb", "object"; empty: nothing
@@ -55,14 +74,14 @@ struct Column {
 [[nodiscard]] std::vector<std::string> names_of(std::span<const Column> columns);
 
 /// Axes by their short name, in words.
-inline constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kColumnAxes{
+inline constexpr std::array<std::pair<std::string_view, Words>, 5> kColumnAxes{
     {{"contact",
       "of each finger's contact: z into the object (pressing is +z), x its tangent, y = "
-      "z cross x; right-handed"},
-     {"world", "the patient's screen: x right, y up, z out of the screen; right-handed"},
-     {"platform", "of the device; the wrench is about its origin; right-handed"},
-     {"hand", "of the hand, left hands mirrored: flexion (closing), radial, distal"},
-     {"sensor", "of each finger's sensor as its maker defines them"}}};
+      "z cross x; right-handed"_text},
+     {"world", "the patient's screen: x right, y up, z out of the screen; right-handed"_text},
+     {"platform", "of the device; the wrench is about its origin; right-handed"_text},
+     {"hand", "of the hand, left hands mirrored: flexion (closing), radial, distal"_text},
+     {"sensor", "of each finger's sensor as its maker defines them"_text}}};
 
 /// The unit that a name ends with: "N" of "thumb_fx_N"; empty: a number without one.
 [[nodiscard]] std::string_view unit_of(std::string_view column) noexcept;
@@ -71,19 +90,19 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kC
 namespace columns {
 
 /// A column without a direction in space.
-[[nodiscard]] constexpr Column plain(std::string_view name, std::string_view description,
+[[nodiscard]] constexpr Column plain(std::string_view name, ColumnWords description,
                                      std::string_view body = {}) {
-  return {FixedText<28>(name), FixedText<112>(description), {}, {}, body};
+  return {FixedText<28>(name), description, {}, {}, body};
 }
 
-inline constexpr Column t_s = plain("t_s", "Time since the trial began");
+inline constexpr Column t_s = plain("t_s", "Time since the trial began"_text);
 inline constexpr Column task_time_s =
-    plain("task_time_s", "The task's own clock, which stands still while paused");
+    plain("task_time_s", "The task's own clock, which stands still while paused"_text);
 inline constexpr Column phase =
-    plain("phase", "0 lead-in, 1 active, 2 transport, 3 hold, 4 paused, 5 done");
+    plain("phase", "0 lead-in, 1 active, 2 transport, 3 hold, 4 paused, 5 done"_text);
 inline constexpr Column lateness_s =
-    plain("lateness_s", "From the instant of the grid to its record");
-inline constexpr Column compute_s = plain("compute_s", "Work on the frame before");
+    plain("lateness_s", "From the instant of the grid to its record"_text);
+inline constexpr Column compute_s = plain("compute_s", "Work on the frame before"_text);
 
 }  // namespace columns
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "core/result.hpp"
 
@@ -11,11 +10,10 @@ namespace isograsp {
 
 /// Called between the steps of long work, on its thread: the fraction that is done, 0 … 1, and what
 /// comes next, in words ("page 3 of 7"). False: stop. Empty: nobody watches.
-using Progress = std::function<bool(double fraction, const std::string& words)>;
+using Progress = std::function<bool(double fraction, const Text& words)>;
 
 /// False if the watcher wants the work to stop.
-[[nodiscard]] inline bool tell(const Progress& progress, double fraction,
-                               const std::string& words) {
+[[nodiscard]] inline bool tell(const Progress& progress, double fraction, const Text& words) {
   return !progress || progress(fraction, words);
 }
 

@@ -21,14 +21,15 @@ constexpr std::array<const char*, 6> kPhases{"lead_in", "active", "transport",
                                              "hold",    "paused", "done"};
 constexpr std::array<const char*, 8> kCues{"hand_out", "relax",     "squeeze", "press",
                                            "follow",   "reproduce", "let_go",  "move"};
-constexpr std::array<const char*, kCues.size()> kAskedTo{"take the hand out",
-                                                         "relax",
-                                                         "squeeze",
-                                                         "press",
-                                                         "follow the target",
-                                                         "reproduce the force without seeing it",
-                                                         "let go",
-                                                         "move the object"};
+constexpr std::array<Words, kCues.size()> kAskedTo{
+    "the patient was asked to take the hand out"_text,
+    "the patient was asked to relax"_text,
+    "the patient was asked to squeeze"_text,
+    "the patient was asked to press"_text,
+    "the patient was asked to follow the target"_text,
+    "the patient was asked to reproduce the force without seeing it"_text,
+    "the patient was asked to let go"_text,
+    "the patient was asked to move the object"_text};
 
 struct Row {
   double onset_s = 0.0;
@@ -85,18 +86,19 @@ std::string bids_events(const ExportTrial& trial) {
   return table;
 }
 
-std::string bids_events_sidecar() {
+std::string bids_events_sidecar(const Language& language) {
+  const auto say = [&language](const Text& text) { return translated(text, language); };
   Json levels;
   for (const char* phase : kPhases)
-    levels[std::string("phase_") + phase] = "the task is in this phase";
+    levels[std::string("phase_") + phase] = say("the task is in this phase"_text);
   for (std::size_t i = 0; i < kCues.size(); ++i)
-    levels[std::string("cue_") + kCues[i]] = std::string("the patient was asked to ") + kAskedTo[i];
-  levels["fault"] = "the device had a fault";
-  levels["pause"] = "the trial was paused";
-  levels["resume"] = "the trial went on";
-  levels["abort"] = "the trial was ended early";
-  return Json{{"trial_type", {{"Description", "What happened"}, {"Levels", levels}}},
-              {"description", {{"Description", "In words, as the program told it"}}}}
+    levels[std::string("cue_") + kCues[i]] = say(kAskedTo[i]);
+  levels["fault"] = say("the device had a fault"_text);
+  levels["pause"] = say("the trial was paused"_text);
+  levels["resume"] = say("the trial went on"_text);
+  levels["abort"] = say("the trial was ended early"_text);
+  return Json{{"trial_type", {{"Description", say("What happened"_text)}, {"Levels", levels}}},
+              {"description", {{"Description", say("In words, as the program told it"_text)}}}}
              .dump(2) +
          "\n";
 }

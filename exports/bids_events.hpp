@@ -13,6 +13,6 @@ namespace isograsp::exports {
 [[nodiscard]] std::string tsv_cell(std::string text);
 [[nodiscard]] std::string bids_events(const ExportTrial& trial);
 /// What its columns and words mean.
-[[nodiscard]] std::string bids_events_sidecar();
+[[nodiscard]] std::string bids_events_sidecar(const Language& language);
 
 }  // namespace isograsp::exports

@@ -67,7 +67,7 @@ std::string type_of(std::string_view name, const tasks::ColumnFacts& facts) {
   return "MISC";
 }
 
-std::string channels_table(const ExportTrial& trial, Json& counts) {
+std::string channels_table(const ExportTrial& trial, Json& counts, const Language& language) {
   std::string table =
       "name\tcomponent\ttype\ttracked_point\tunits\treference_frame\tgroup\tdescription\n";
   for (const auto& group : trial.trial.groups)
@@ -78,7 +78,7 @@ std::string channels_table(const ExportTrial& trial, Json& counts) {
       for (const auto& field : {name, or_missing(facts.component), type, or_missing(facts.body),
                                 or_missing(unit), or_missing(facts.axes), group.name})
         table += tsv_cell(field) + "\t";
-      table += facts.description + "\n";
+      table += translated(facts.description, language) + "\n";
       counts[type + "ChannelCount"] = counts.value(type + "ChannelCount", 0) + 1;
     }
   return table;
@@ -109,11 +109,12 @@ double duration_s(const ExportTrial& trial) {
   return times.back() - times.front() + 1.0 / trial.session.rate_Hz;
 }
 
-std::string motion_sidecar(const ExportTrial& trial, const Json& counts) {
+std::string motion_sidecar(const ExportTrial& trial, const Json& counts, const Language& language) {
   Json json{{"TaskName", trial.place.task_kind},
-            {"TaskDescription",
-             trial.trial.task_name + ", version " + std::to_string(trial.trial.task_version)},
-            {"Instructions", trial.instruction},
+            {"TaskDescription", translated("%1, version %2"_text(Known{trial.trial.task_name},
+                                                                 trial.trial.task_version),
+                                           language)},
+            {"Instructions", translated(Known{trial.instruction}, language)},
             {"SamplingFrequency", trial.session.rate_Hz},
             {"TrackingSystemName", "IsoGrasp"},
             {"ManufacturersModelName", trial.session.device_description},
@@ -141,7 +142,8 @@ std::string derived(const ExportTrial& trial) {
 
 class BidsExport final : public ExportWriter {
  public:
-  explicit BidsExport(fs::path folder) : folder_(std::move(folder)) {}
+  BidsExport(fs::path folder, const Language& language)
+      : folder_(std::move(folder)), language_(language) {}
 
   std::vector<std::string> files_of(const ExportPlace& place) const override {
     const std::string subject = subject_of(place) + "/" + subject_of(place);
@@ -171,13 +173,13 @@ class BidsExport final : public ExportWriter {
       if (const auto done = next_session(trial); !done) return done;
     const fs::path stem = folder_ / folder_of(place) / stem_of(place);
     Json counts = Json::object();
-    const std::string channels = channels_table(trial, counts);
+    const std::string channels = channels_table(trial, counts, language_);
     for (const auto& [ending, text] :
          {std::pair<const char*, std::string>{"_channels.tsv", channels},
-          {"_channels.json", bids_channels_sidecar()},
+          {"_channels.json", bids_channels_sidecar(language_)},
           {"_events.tsv", bids_events(trial)},
-          {"_events.json", bids_events_sidecar()},
-          {"_motion.json", motion_sidecar(trial, counts)},
+          {"_events.json", bids_events_sidecar(language_)},
+          {"_motion.json", motion_sidecar(trial, counts, language_)},
           {"_motion.tsv", motion_table(trial.signals)}})
       if (const auto done = write_below(stem.string() + ending, text); !done) return done;
     const std::string measures = folder_of(place) + "/" + stem_of(place) + "_measures.json";
@@ -195,11 +197,12 @@ class BidsExport final : public ExportWriter {
         "participant_id\tcode\taffected_side\thandedness\tonset_days_from_first_session\n" +
         participants_;
     for (const auto& [name, text] :
-         {std::pair<std::string, std::string>{"dataset_description.json", bids_description("raw")},
-          {kDerivatives + "dataset_description.json", bids_description("derivative")},
+         {std::pair<std::string, std::string>{"dataset_description.json",
+                                              bids_description("raw", language_)},
+          {kDerivatives + "dataset_description.json", bids_description("derivative", language_)},
           {"participants.tsv", participants},
-          {"participants.json", bids_participants_sidecar()},
-          {"README", bids_readme()}})
+          {"participants.json", bids_participants_sidecar(language_)},
+          {"README", bids_readme(language_)}})
       if (const auto done = write_below(folder_ / name, text); !done) return done;
     return {};
   }
@@ -227,7 +230,7 @@ class BidsExport final : public ExportWriter {
     const std::string table = "filename\tsession_time_s\tstatus\tpractice\thelped\n" + scans_;
     scans_.clear();
     if (const auto done = write_below(stem.string() + "_scans.tsv", table); !done) return done;
-    return write_below(stem.string() + "_scans.json", bids_scans_sidecar());
+    return write_below(stem.string() + "_scans.json", bids_scans_sidecar(language_));
   }
 
   Result<void> end_patient() {
@@ -238,10 +241,11 @@ class BidsExport final : public ExportWriter {
         "session_id\tdays_from_first_session\thand\tsimulated\trecorded\n" + sessions_;
     sessions_.clear();
     if (const auto done = write_below(stem.string() + "_sessions.tsv", table); !done) return done;
-    return write_below(stem.string() + "_sessions.json", bids_sessions_sidecar());
+    return write_below(stem.string() + "_sessions.json", bids_sessions_sidecar(language_));
   }
 
   fs::path folder_;
+  const Language& language_;
   ExportPlace at_;  ///< of the trial written last
   // Rows of the tables that are not written yet.
   std::string participants_;
@@ -251,8 +255,8 @@ class BidsExport final : public ExportWriter {
 
 }  // namespace
 
-std::unique_ptr<ExportWriter> make_bids_writer(fs::path folder) {
-  return std::make_unique<BidsExport>(std::move(folder));
+std::unique_ptr<ExportWriter> make_bids_writer(fs::path folder, const Language& language) {
+  return std::make_unique<BidsExport>(std::move(folder), language);
 }
 
 }  // namespace isograsp::exports

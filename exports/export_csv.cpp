@@ -36,7 +36,8 @@ std::string file_stem(const ExportPlace& place) {
 
 class CsvExport final : public ExportWriter {
  public:
-  explicit CsvExport(fs::path folder) : folder_(std::move(folder)) {}
+  CsvExport(fs::path folder, const Language& language)
+      : folder_(std::move(folder)), language_(language) {}
 
   std::vector<std::string> files_of(const ExportPlace& place) const override {
     const std::string stem = file_stem(place);
@@ -48,7 +49,8 @@ class CsvExport final : public ExportWriter {
   Result<void> write(const ExportTrial& trial) override {
     const std::string stem = (folder_ / file_stem(trial.place)).string();
     const auto [signals, infinite] = without_infinity(trial.signals);
-    if (const auto done = write_below(stem + ".json", trial_as_json(trial, infinite)); !done)
+    if (const auto done = write_below(stem + ".json", trial_as_json(trial, infinite, language_));
+        !done)
       return done;
     if (const auto done = write_signals(signals, stem + "_signals.csv"); !done) return done;
     if (const auto done = write_text(stem + "_task.toml", trial.trial.task_text); !done)
@@ -61,12 +63,13 @@ class CsvExport final : public ExportWriter {
 
  private:
   fs::path folder_;
+  const Language& language_;
 };
 
 }  // namespace
 
-std::unique_ptr<ExportWriter> make_csv_writer(fs::path folder) {
-  return std::make_unique<CsvExport>(std::move(folder));
+std::unique_ptr<ExportWriter> make_csv_writer(fs::path folder, const Language& language) {
+  return std::make_unique<CsvExport>(std::move(folder), language);
 }
 
 }  // namespace isograsp::exports

@@ -68,14 +68,14 @@ Json parsed(const std::string& text) {
   return json.is_discarded() ? Json(nullptr) : json;
 }
 
-Json columns_of(const ExportTrial& trial) {
+Json columns_of(const ExportTrial& trial, const Language& language) {
   Json columns = Json::array();
   for (const auto& group : trial.trial.groups)
     for (const auto& column : group.columns) {
       const auto facts = tasks::describe_column(column);
       Json one{{"name", column}, {"unit", facts.unit}, {"group", group.name}};
       if (!facts.axes.empty()) one["axes"] = facts.axes;
-      one["description"] = facts.description;
+      one["description"] = translated(facts.description, language);
       columns.push_back(std::move(one));
     }
   return columns;
@@ -144,18 +144,20 @@ std::vector<ExportFact> trial_facts(const ExportTrial& exported) {
   return facts;
 }
 
-std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite) {
+std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite,
+                          const Language& language) {
   Json json{{"format", "isograsp-trial-2"},
             {"patient", as_json(patient_facts(trial))},
             {"session", as_json(session_facts(trial))},
             {"trial", as_json(trial_facts(trial))},
             {"health", parsed(trial.trial.health_json)},
             {"timing", parsed(trial.trial.timing_json)},
-            {"columns", columns_of(trial)},
+            {"columns", columns_of(trial, language)},
             {"axes", Json::object()},
             {"infinite_values_left_empty", infinite},
             {"instrument_zero", nullptr}};
-  for (const auto& [axes, description] : kColumnAxes) json["axes"][std::string(axes)] = description;
+  for (const auto& [axes, description] : kColumnAxes)
+    json["axes"][std::string(axes)] = translated(description, language);
   if (trial.zero)
     json["instrument_zero"] = {{"session_time_s", trial.zero->session_time_s},
                                {"units", "N N N Nm Nm Nm"},

@@ -13,6 +13,7 @@
 #include "exports/fhir_codes.hpp"
 #include "tasks/facts/column_facts.hpp"
 #include "tasks/facts/measure_words.hpp"
+#include "tasks/facts/reasons.hpp"
 
 namespace isograsp::exports {
 
@@ -70,7 +71,8 @@ std::string sampled(std::span<const double> values) {
 
 class FhirExport final : public ExportWriter {
  public:
-  explicit FhirExport(fs::path folder) : folder_(std::move(folder)) {}
+  FhirExport(fs::path folder, const Language& language)
+      : folder_(std::move(folder)), language_(language) {}
 
   std::vector<std::string> files_of(const ExportPlace& place) const override {
     return {kCodesFile, file_of(place)};
@@ -86,7 +88,7 @@ class FhirExport final : public ExportWriter {
 
   Result<void> finish() override {
     if (const auto done = end_session(); !done) return done;
-    return write_below(folder_ / kCodesFile, codes_.resource());
+    return write_below(folder_ / kCodesFile, codes_.resource(language_));
   }
 
  private:
@@ -100,7 +102,8 @@ class FhirExport final : public ExportWriter {
     if (trial.place.patient != at_.patient) patient_urn_ = new_urn();
     device_urn_ = new_urn();
     at_ = trial.place;
-    const Json head{{"resourceType", "Bundle"}, {"meta", meta_of(trial)}, {"type", "collection"}};
+    Json head{{"resourceType", "Bundle"}, {"meta", meta_of(trial)}, {"type", "collection"}};
+    add_language(head, language_);
     std::string text = head.dump();
     text.back() = ',';  // what was the closing brace
     file_->write(text + "\"entry\":[");
@@ -153,16 +156,18 @@ class FhirExport final : public ExportWriter {
            {"value", "IsoGrasp " + trial.session.software_version}}}}};
   }
 
-  Json coded(const std::string& code, FhirCodes::Concept meaning) {
-    codes_.add(code, std::move(meaning));
+  /// What people read of a code is in the language; what it means is defined in English.
+  Json coded(const std::string& code, const char* kind, const Text& words, std::string definition) {
+    codes_.add(code, {kind, say(words), std::move(definition)});
     const std::string& display = codes_.display(code);
     return {{"coding", {{{"system", kFhirCodes}, {"code", code}, {"display", display}}}},
             {"text", display}};
   }
 
-  Json context(const std::string& code, const std::string& words, double value,
-               const std::string& unit) {
-    return {{"code", coded(code, {"context", words, words + "."})},
+  std::string say(const Text& text) const { return translated(text, language_); }
+
+  Json context(const std::string& code, Words words, double value, const std::string& unit) {
+    return {{"code", coded(code, "context", words, std::string(words.english()) + ".")},
             {"valueQuantity", quantity(value, unit)}};
   }
 
@@ -177,74 +182,75 @@ class FhirExport final : public ExportWriter {
         {"extension",
          {{{"url", "http://hl7.org/fhir/StructureDefinition/data-absent-reason"},
            {"valueCode", "masked"}}}}};
-    json["bodySite"] = {{"text", std::string(name_of(trial.session.hand)) + " hand"}};
-    json["method"] = {
-        {"text", trial.trial.task_name + ", version " + std::to_string(trial.trial.task_version)}};
+    json["bodySite"] = {
+        {"text", say(trial.session.hand == Hand::right ? "right hand"_text : "left hand"_text)}};
+    json["method"] = {{"text", say("%1, version %2"_text(Known{trial.trial.task_name},
+                                                         trial.trial.task_version))}};
     json["device"] = {{"reference", device_urn_}};
     json["component"] = Json::array();
     auto& components = json["component"];
     if (trial.session_day)
-      components.push_back(context("days_from_first_session", "Days from the first session",
+      components.push_back(context("days_from_first_session", "Days from the first session"_text,
                                    *trial.session_day, "d"));
     components.push_back(
-        context("session_number", "Number of the session", trial.place.session, ""));
-    components.push_back(context("trial_number", "Number of the trial", trial.place.trial, ""));
-    components.push_back(context("session_time", "Start of the trial in its session",
+        context("session_number", "Number of the session"_text, trial.place.session, ""));
+    components.push_back(
+        context("trial_number", "Number of the trial"_text, trial.place.trial, ""));
+    components.push_back(context("session_time", "Start of the trial in its session"_text,
                                  trial.trial.session_time_s, "s"));
     for (const auto& [name, words, yes] :
-         {std::tuple<const char*, const char*, bool>{"practice", "Practice", trial.trial.practice},
-          {"helped", "The therapist helped", trial.trial.helped}})
-      components.push_back({{"code", coded(name, {"context", words, std::string(words) + "."})},
-                            {"valueBoolean", yes}});
+         {std::tuple<const char*, Words, bool>{"practice", "Practice"_text, trial.trial.practice},
+          {"helped", "The therapist helped"_text, trial.trial.helped}})
+      components.push_back(
+          {{"code", coded(name, "context", words, std::string(words.english()) + ".")},
+           {"valueBoolean", yes}});
     return json;
   }
 
   Json measures_of(const ExportTrial& trial) {
-    std::string task = trial.place.task_kind;
-    Json json = observation(
-        trial, coded(trial.place.task_kind,
-                     {"task", task, "Kind of the task, as docs/file_formats.md calls it."}));
+    const std::string& task = trial.place.task_kind;
+    Json json = observation(trial, coded(task, "task", "%1"_text(task),
+                                         "Kind of the task, as docs/file_formats.md calls it."));
     for (const auto& measure : trial.measures) {
       const auto words = tasks::words_of(measure.name, measure.channel);
       const std::string unit = measure.unit.empty() ? "no unit" : measure.unit;
-      Json component{{"code", coded(fhir_code(measure),
-                                    {"measure", words.title,
-                                     "Measure " + measure.name + " of channel " + measure.channel +
-                                         ", version " + std::to_string(measure.version) + "; " +
-                                         unit + "."})}};
+      Json component{
+          {"code", coded(fhir_code(measure), "measure", words.title,
+                         "Measure " + measure.name + " of channel " + measure.channel +
+                             ", version " + std::to_string(measure.version) + "; " + unit + ".")}};
       if (measure.value && std::isfinite(*measure.value))
         component["valueQuantity"] = quantity(*measure.value, measure.unit);
       else
         component["dataAbsentReason"] =
-            absent(measure.value ? "not a finite number" : measure.reason);
+            absent(say(measure.value ? Text("not a finite number"_text)
+                                     : tasks::reason_words(measure.reason)));
       json["component"].push_back(std::move(component));
     }
     return json;
   }
 
   Json signals_of(const ExportTrial& trial) {
-    Json json =
-        observation(trial, coded("signals", {"task", "Signals of a trial",
-                                             "Every column of a trial, one component each."}));
+    Json json = observation(trial, coded("signals", "task", "Signals of a trial"_text,
+                                         "Every column of a trial, one component each."));
     constexpr double kMsPerSecond = 1000.0;
     if (trial.signals.rows() == 0) return json;
     for (const auto& name : trial.signals.names()) {
       const auto facts = tasks::describe_column(name);
       const std::string axes = facts.axes.empty() ? "" : " Axes: " + facts.axes + ".";
       // No factor and an origin of 0: what stands there are the values themselves, to the last bit.
-      json["component"].push_back(
-          {{"code",
-            coded("signal:" + name, {"signal", facts.description, facts.description + "." + axes})},
-           {"valueSampledData",
-            {{"origin", quantity(0.0, facts.unit)},
-             {"period", kMsPerSecond / trial.session.rate_Hz},
-             {"dimensions", 1},
-             {"data", sampled(trial.signals.column(name))}}}});
+      json["component"].push_back({{"code", coded("signal:" + name, "signal", facts.description,
+                                                  english(facts.description) + "." + axes)},
+                                   {"valueSampledData",
+                                    {{"origin", quantity(0.0, facts.unit)},
+                                     {"period", kMsPerSecond / trial.session.rate_Hz},
+                                     {"dimensions", 1},
+                                     {"data", sampled(trial.signals.column(name))}}}});
     }
     return json;
   }
 
   fs::path folder_;
+  const Language& language_;
   ExportPlace at_;  ///< of the trial written last
   std::optional<FileWriter> file_;
   bool first_ = true;
@@ -255,8 +261,8 @@ class FhirExport final : public ExportWriter {
 
 }  // namespace
 
-std::unique_ptr<ExportWriter> make_fhir_writer(fs::path folder) {
-  return std::make_unique<FhirExport>(std::move(folder));
+std::unique_ptr<ExportWriter> make_fhir_writer(fs::path folder, const Language& language) {
+  return std::make_unique<FhirExport>(std::move(folder), language);
 }
 
 }  // namespace isograsp::exports

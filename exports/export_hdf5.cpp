@@ -21,7 +21,7 @@ std::string numbered(const char* word, int number) {
   return text;
 }
 
-void write_signals(Hdf5Node& group, const ExportTrial& trial) {
+void write_signals(Hdf5Node& group, const ExportTrial& trial, const Language& language) {
   std::size_t next = 0;
   for (const auto& stored : trial.trial.groups) {
     std::vector<std::span<const double>> columns;
@@ -33,7 +33,7 @@ void write_signals(Hdf5Node& group, const ExportTrial& trial) {
       const auto facts = tasks::describe_column(name);
       units.push_back(facts.unit);
       axes.push_back(facts.axes);
-      descriptions.push_back(facts.description);
+      descriptions.push_back(translated(facts.description, language));
     }
     auto data = group.write_columns(stored.name, columns);
     data.set("columns", stored.columns);
@@ -78,7 +78,8 @@ void write_zero_and_rest(Hdf5Node& group, const ExportTrial& trial) {
 
 class Hdf5Export final : public ExportWriter {
  public:
-  explicit Hdf5Export(fs::path folder) : folder_(std::move(folder)) {}
+  Hdf5Export(fs::path folder, const Language& language)
+      : folder_(std::move(folder)), language_(language) {}
 
   std::vector<std::string> files_of(const ExportPlace&) const override { return {kFile}; }
 
@@ -125,7 +126,7 @@ class Hdf5Export final : public ExportWriter {
     auto group = session_.make_group(numbered("trial", place.trial));
     group.set(trial_facts(trial));
     auto signals = group.make_group("signals");
-    write_signals(signals, trial);
+    write_signals(signals, trial, language_);
     group.write_measures("measures", trial.measures);
     group.write_events("events", trial.events);
     write_zero_and_rest(group, trial);
@@ -140,11 +141,12 @@ class Hdf5Export final : public ExportWriter {
     file_.set("format", std::string("isograsp-hdf5-1"));
     file_.set("written_by", std::string("IsoGrasp " ISOGRASP_VERSION));
     for (const auto& [axes, description] : kColumnAxes)
-      file_.set("axes_" + std::string(axes), std::string(description));
+      file_.set("axes_" + std::string(axes), translated(description, language_));
     patients_ = file_.make_group("patients");
   }
 
   fs::path folder_;
+  const Language& language_;
   // Closed from the last to the first.
   Hdf5Node file_;
   Hdf5Node patients_;
@@ -156,8 +158,8 @@ class Hdf5Export final : public ExportWriter {
 
 }  // namespace
 
-std::unique_ptr<ExportWriter> make_hdf5_writer(fs::path folder) {
-  return std::make_unique<Hdf5Export>(std::move(folder));
+std::unique_ptr<ExportWriter> make_hdf5_writer(fs::path folder, const Language& language) {
+  return std::make_unique<Hdf5Export>(std::move(folder), language);
 }
 
 }  // namespace isograsp::exports

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/english.hpp"
 #include "core/measure.hpp"
 #include "core/signals.hpp"
 #include "hand/platform_records.hpp"
@@ -64,7 +65,8 @@ struct ExportFact {
 [[nodiscard]] std::vector<ExportFact> trial_facts(const ExportTrial& trial);
 
 /// All of it but signals and texts as one JSON document (`isograsp-trial-2`).
-/// `infinite`: values that the format beside it had to leave empty.
-[[nodiscard]] std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite);
+/// Descriptions are in `language`. `infinite`: values that the format beside it had to leave empty.
+[[nodiscard]] std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite,
+                                        const Language& language = kEnglish);
 
 }  // namespace isograsp::exports

@@ -14,14 +14,15 @@ std::optional<ExportFormat> export_format_from_name(std::string_view name) noexc
 }
 
 std::unique_ptr<ExportWriter> make_export_writer(ExportFormat format,
-                                                 const std::filesystem::path& folder) {
+                                                 const std::filesystem::path& folder,
+                                                 const Language& language) {
   switch (format) {
     case ExportFormat::csv: break;
-    case ExportFormat::hdf5: return make_hdf5_writer(folder);
-    case ExportFormat::bids: return make_bids_writer(folder);
-    case ExportFormat::fhir: return make_fhir_writer(folder);
+    case ExportFormat::hdf5: return make_hdf5_writer(folder, language);
+    case ExportFormat::bids: return make_bids_writer(folder, language);
+    case ExportFormat::fhir: return make_fhir_writer(folder, language);
   }
-  return make_csv_writer(folder);
+  return make_csv_writer(folder, language);
 }
 
 Result<void> make_folder(const std::filesystem::path& folder) {

@@ -35,16 +35,23 @@ class ExportWriter {
   [[nodiscard]] virtual Result<void> finish() = 0;
 };
 
-/// Writes below `folder`, which is made with the first file. An object that is destroyed without
+/// Writes below `folder`, which is made with the first file. What people read of names there
+/// (descriptions, displays) is in `language`, which must outlive the writer; columns, keys, codes
+/// and the sentences of the database are as they are. An object that is destroyed without
 /// finish() leaves what it wrote.
 [[nodiscard]] std::unique_ptr<ExportWriter> make_export_writer(ExportFormat format,
-                                                               const std::filesystem::path& folder);
+                                                               const std::filesystem::path& folder,
+                                                               const Language& language);
 
 // For the writers.
-[[nodiscard]] std::unique_ptr<ExportWriter> make_csv_writer(std::filesystem::path folder);
-[[nodiscard]] std::unique_ptr<ExportWriter> make_hdf5_writer(std::filesystem::path folder);
-[[nodiscard]] std::unique_ptr<ExportWriter> make_bids_writer(std::filesystem::path folder);
-[[nodiscard]] std::unique_ptr<ExportWriter> make_fhir_writer(std::filesystem::path folder);
+[[nodiscard]] std::unique_ptr<ExportWriter> make_csv_writer(std::filesystem::path folder,
+                                                            const Language& language);
+[[nodiscard]] std::unique_ptr<ExportWriter> make_hdf5_writer(std::filesystem::path folder,
+                                                             const Language& language);
+[[nodiscard]] std::unique_ptr<ExportWriter> make_bids_writer(std::filesystem::path folder,
+                                                             const Language& language);
+[[nodiscard]] std::unique_ptr<ExportWriter> make_fhir_writer(std::filesystem::path folder,
+                                                             const Language& language);
 /// A text file with the folders above it.
 [[nodiscard]] Result<void> write_below(const std::filesystem::path& path, std::string_view text);
 [[nodiscard]] Result<void> make_folder(const std::filesystem::path& folder);

@@ -11,6 +11,11 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
+void add_language(nlohmann::ordered_json& resource, const Language& language) {
+  const std::string code = translated("en"_text, language);  // each says its own
+  if (code != "en") resource["language"] = code;
+}
+
 std::optional<std::string_view> ucum_code(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> kCodes[] = {
       {"N", "N"},     {"N m", "N.m"},     {"Nm", "N.m"},          {"N^2", "N2"},
@@ -32,19 +37,19 @@ std::string fhir_code(const Measure& measure) {
   return code;
 }
 
-std::string FhirCodes::resource() const {
+std::string FhirCodes::resource(const Language& language) const {
   Json list = Json::array();
   for (const auto& [code, meaning] : concepts_)
     list.push_back({{"code", code},
                     {"display", meaning.display},
                     {"definition", meaning.definition},
                     {"property", {{{"code", "kind"}, {"valueCode", meaning.kind}}}}});
-  const Json json{
+  Json json{
       {"resourceType", "CodeSystem"},
       {"url", kFhirCodes},
       {"version", ISOGRASP_VERSION},
       {"name", "IsoGraspCodes"},
-      {"title", "Tasks, measures and signals of IsoGrasp"},
+      {"title", translated("Tasks, measures and signals of IsoGrasp"_text, language)},
       {"status", "active"},
       {"experimental", false},
       {"description",
@@ -55,6 +60,7 @@ std::string FhirCodes::resource() const {
       {"property",
        {{{"code", "kind"}, {"description", "task, measure, signal or context"}, {"type", "code"}}}},
       {"concept", std::move(list)}};
+  add_language(json, language);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

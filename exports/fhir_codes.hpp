@@ -8,12 +8,18 @@
 #include <string>
 #include <string_view>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "core/measure.hpp"
+#include "core/text.hpp"
 
 namespace isograsp::exports {
 
 /// Canonical name of the code system: the same in every export of every clinic.
 inline constexpr const char* kFhirCodes = "urn:uuid:6f9b0d52-3f0e-4e0b-9d3a-5f3c1f7c9a41";
+
+/// The language of a resource, unless it is English.
+void add_language(nlohmann::ordered_json& resource, const Language& language);
 
 /// UCUM code of a unit of measures and columns; nothing: it has none.
 [[nodiscard]] std::optional<std::string_view> ucum_code(std::string_view unit);
@@ -35,8 +41,8 @@ class FhirCodes {
   [[nodiscard]] const std::string& display(const std::string& code) const {
     return concepts_.at(code).display;
   }
-  /// The CodeSystem resource as JSON.
-  [[nodiscard]] std::string resource() const;
+  /// The CodeSystem resource as JSON; its displays are in that language.
+  [[nodiscard]] std::string resource(const Language& language) const;
 
  private:
   std::map<std::string, Concept> concepts_;

@@ -43,13 +43,13 @@ Result<void> publish(const fs::path& from, const fs::path& to) {
 /// Everything into a folder beside which nobody looks. Returns the number of trials.
 Result<std::size_t> write_all(storage::SessionStore& store, const ExportRequest& request,
                               ExportFormat format, const fs::path& staging, std::size_t total,
-                              const Progress& progress) {
-  const auto writer = make_export_writer(format, staging);
+                              const Progress& progress, const Language& language) {
+  const auto writer = make_export_writer(format, staging, language);
   std::size_t written = 0;
   const auto visited =
       for_each_trial(store, request, [&](const ExportSource& source) -> Result<void> {
         const double fraction = static_cast<double>(written) / static_cast<double>(total);
-        if (!tell(progress, fraction, source.patient->code)) return cancelled();
+        if (!tell(progress, fraction, "%1"_text(source.patient->code))) return cancelled();
         const auto trial = load_trial(store, source);
         if (!trial) return trial.error();
         ++written;
@@ -57,7 +57,7 @@ Result<std::size_t> write_all(storage::SessionStore& store, const ExportRequest&
       });
   if (!visited) return visited.error();
   if (const auto done = writer->finish(); !done) return done.error();
-  if (!tell(progress, 1.0, "")) return cancelled();
+  if (!tell(progress, 1.0, {})) return cancelled();
   return written;
 }
 
@@ -65,7 +65,7 @@ Result<std::size_t> write_all(storage::SessionStore& store, const ExportRequest&
 
 Result<std::vector<std::string>> list_export(storage::SessionStore& store,
                                              const ExportRequest& request, ExportFormat format) {
-  const auto writer = make_export_writer(format, {});
+  const auto writer = make_export_writer(format, {}, kEnglish);
   std::vector<std::string> files;
   std::unordered_set<std::string> listed;
   const auto visited = for_each_trial(store, request, [&](const ExportSource& source) {
@@ -79,7 +79,7 @@ Result<std::vector<std::string>> list_export(storage::SessionStore& store,
 
 Result<std::size_t> write_export(storage::SessionStore& store, const ExportRequest& request,
                                  ExportFormat format, const std::string& folder,
-                                 const Progress& progress) {
+                                 const Progress& progress, const Language& language) {
   std::size_t total = 0;
   const auto counted = for_each_trial(store, request, [&total](const ExportSource&) {
     ++total;
@@ -101,7 +101,7 @@ Result<std::size_t> write_export(storage::SessionStore& store, const ExportReque
     const auto staging = StagingFolder::beside(folder);
     if (!staging) return Error(staging.error()).about("--out");
     const fs::path part = staging->file();
-    auto written = write_all(store, request, format, part, total, progress);
+    auto written = write_all(store, request, format, part, total, progress, language);
     if (!written) return written;
     try {
       if (const auto done = publish(part, out); !done) return done.error();

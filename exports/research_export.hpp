@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/english.hpp"
 #include "core/progress.hpp"
 #include "exports/export_source.hpp"
 #include "exports/export_writer.hpp"
@@ -20,10 +21,12 @@ namespace isograsp::exports {
 
 /// Writes them into `folder`, which is made if it does not exist: all of them appear or none, and
 /// nothing is overwritten. Returns the number of trials; none at all is refused. Errors: failed, if
-/// the watcher wants to stop (asked before every trial).
+/// the watcher wants to stop (asked before every trial). `language`: of descriptions
+/// (make_export_writer()).
 [[nodiscard]] Result<std::size_t> write_export(storage::SessionStore& store,
                                                const ExportRequest& request, ExportFormat format,
                                                const std::string& folder,
-                                               const Progress& progress = {});
+                                               const Progress& progress = {},
+                                               const Language& language = kEnglish);
 
 }  // namespace isograsp::exports

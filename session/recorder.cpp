@@ -73,7 +73,8 @@ void Recorder::take(const RecordItem& item) {
 
 void Recorder::add_event(const RecordItem& item) {
   if (!item.told_before)
-    stored(store_->add_event({trial_id_, item.session_time_s, item.event_kind, item.reason}));
+    stored(store_->add_event(
+        {trial_id_, item.session_time_s, item.event_kind, item.reason.english()}));
   if (!item.pauses) return;
   SessionNews news;
   news.fault = item.reason;
@@ -142,7 +143,7 @@ void Recorder::end(const RecordItem& item) {
   outcome.reason = item.reason;
   outcome.measures = tasks::score(trial_->spec, signals_);
   if (item.status == storage::TrialStatus::aborted)
-    stored(store_->add_event({trial_id_, item.session_time_s, "abort", item.reason}));
+    stored(store_->add_event({trial_id_, item.session_time_s, "abort", item.reason.english()}));
   stored(store_->end_trial(outcome.trial, outcome.measures));
   if (item.status == storage::TrialStatus::completed && trial_->spec.kind->rests)
     outcome.rest = add_rest(item);
@@ -184,8 +185,10 @@ void Recorder::add_preparation(const RecordItem& item) {
     stored(store_->add_preparation(record, id));
     record.id = in_force_[record.kind] = id;
   }
-  const std::string& words = outcome.accepted ? outcome.remark : outcome.reason;
-  if (!words.empty() || !outcome.accepted)
+  // Stored with a blank behind a remark, as it always was.
+  const std::string words =
+      outcome.accepted ? english(outcome.remark) + " " : english(outcome.reason);
+  if (!outcome.remark.empty() || !outcome.accepted)
     stored(store_->add_event(
         {0, item.session_time_s, outcome.name + (outcome.accepted ? "" : " refused"), words}));
   publish(std::move(news));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "hand/columns.hpp"
@@ -26,12 +25,6 @@ std::vector<std::size_t> rows_that_count(const Signals& trial) {
     if (phase[row] == static_cast<double>(tasks::Phase::active) && flags[row] == 0.0)
       rows.push_back(row);
   return rows;
-}
-
-std::string rounded_newtons(double force_N) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", force_N);
-  return text;
 }
 
 }  // namespace
@@ -57,32 +50,34 @@ std::optional<RestingForce> resting_force(const Signals& trial) {
   return rest;
 }
 
-std::string words_of(const RestingForce& rest) {
-  std::string text = "At rest";
-  std::string pressing;
-  std::string pulling;
+Text words_of(const RestingForce& rest) {
+  std::array<Number, kFingerCount> normal;
+  std::vector<Text> pressing;
+  std::vector<Text> pulling;
   double unsteady_N = 0.0;
-  const auto add = [](std::string& list, Finger finger) {
-    list += (list.empty() ? "" : ", ") + std::string(name_of(finger));
-  };
   for (const Finger finger : kFingers) {
     const std::size_t f = index_of(finger);
     const double normal_N = rest.mean[f][kNormalForce];
-    text += (f == 0 ? " " : ", ") + std::string(name_of(finger)) + " " + rounded_newtons(normal_N);
-    if (normal_N >= kTone_N) add(pressing, finger);
-    if (normal_N <= -kTone_N) add(pulling, finger);
+    normal[f] = fixed(normal_N, 1);
+    const Known name{std::string(name_of(finger))};
+    if (normal_N >= kTone_N) pressing.push_back(name);
+    if (normal_N <= -kTone_N) pulling.push_back(name);
     unsteady_N = std::max(unsteady_N, rest.sd[f][kNormalForce]);
   }
-  text += " N.";
-  if (!pressing.empty())
-    text += " Pressing though relaxed (" + pressing +
-            "): muscle tone or a tight strap. It is kept as it is and never subtracted.";
+  std::vector<Text> words{
+      "At rest thumb %1, index %2, middle %3 N."_text(normal[0], normal[1], normal[2])};
+  if (!pressing.empty()) {
+    words.push_back("Pressing though relaxed (%1): muscle tone or a tight strap."_text(
+        joined(pressing, ", "_text)));
+    words.push_back("It is kept as it is and never subtracted."_text);
+  }
   if (!pulling.empty())
-    text += " Pulling though relaxed (" + pulling +
-            "): look at the strap and the position of the hand.";
+    words.push_back(
+        "Pulling though relaxed (%1): look at the strap and the position of the hand."_text(
+            joined(pulling, ", "_text)));
   if (unsteady_N > kMoving_N)
-    text += " The hand was not still: repeat it if the patient can relax more.";
-  return text;
+    words.push_back("The hand was not still: repeat it if the patient can relax more."_text);
+  return joined(words);
 }
 
 }  // namespace isograsp::session

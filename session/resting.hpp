@@ -5,7 +5,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "core/result.hpp"
 #include "core/signals.hpp"
@@ -26,8 +25,7 @@ struct RestingForce {
 /// saturated). Nothing if there are fewer than two.
 [[nodiscard]] std::optional<RestingForce> resting_force(const Signals& trial);
 
-/// What the values suggest, in one or two plain sentences. A muscle tone is a result: nothing is
-/// refused because of it.
-[[nodiscard]] std::string words_of(const RestingForce& rest);
+/// What the values suggest, in one or two plain sentences. Tone is data: nothing is refused.
+[[nodiscard]] Text words_of(const RestingForce& rest);
 
 }  // namespace isograsp::session

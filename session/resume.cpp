@@ -112,16 +112,18 @@ std::uint64_t order_seed(const storage::SessionRecord& session, const EarlierWor
   return static_cast<std::uint64_t>(earlier.first_id != 0 ? earlier.first_id : session.id);
 }
 
-std::optional<std::string> reason_to_stop(const std::vector<storage::RatingRecord>& ratings) {
-  constexpr int kMostPain = 4;  // of 10: at this work stops
+std::optional<Text> reason_to_stop(const std::vector<storage::RatingRecord>& ratings) {
+  constexpr int kMostOfScale = 10;
+  constexpr int kMostPain = 4;  // at this work stops
   constexpr int kMostRise = 2;  // since the first rating of the session
   if (ratings.empty()) return std::nullopt;
   const int pain = ratings.back().pain;
-  const std::string now = "Pain " + std::to_string(pain) + " of 10";
-  if (pain >= kMostPain) return now + ": stop the work of this hand for today.";
-  if (pain - ratings.front().pain >= kMostRise)
-    return now + ", " + std::to_string(pain - ratings.front().pain) +
-           " more than at first: stop the work of this hand for today.";
+  const int rise = pain - ratings.front().pain;
+  if (pain >= kMostPain)
+    return "Pain %1 of %2: stop the work of this hand for today."_text(pain, kMostOfScale);
+  if (rise >= kMostRise)
+    return "Pain %1 of %2, %3 more than at first: stop the work of this hand for today."_text(
+        pain, kMostOfScale, rise);
   return std::nullopt;
 }
 

@@ -50,7 +50,6 @@ void tell(tasks::Agenda& agenda, const tasks::ProtocolSpec& protocol, const Earl
                                        const EarlierWork& earlier);
 
 /// Pain of 4 or more, or of 2 more than at first, in words; nothing: work may go on.
-[[nodiscard]] std::optional<std::string> reason_to_stop(
-    const std::vector<storage::RatingRecord>& ratings);
+[[nodiscard]] std::optional<Text> reason_to_stop(const std::vector<storage::RatingRecord>& ratings);
 
 }  // namespace isograsp::session

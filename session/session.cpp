@@ -94,7 +94,7 @@ void Session::pause() {
 void Session::resume() {
   (void)parts_->send({.kind = Command::Kind::resume});
 }
-void Session::abort(const char* reason) {
+void Session::abort(Words reason) {
   (void)parts_->send({.kind = Command::Kind::abort, .reason = reason});
 }
 
@@ -123,7 +123,7 @@ void Session::mark_helped(bool helped) {
   p.learn(*p.last);
 }
 
-std::optional<std::string> Session::rate(int effort, int pain) {
+std::optional<Text> Session::rate(int effort, int pain) {
   storage::RatingRecord rating;
   rating.session_time_s = moment().session_time_s;
   rating.effort = effort;
@@ -133,7 +133,7 @@ std::optional<std::string> Session::rate(int effort, int pain) {
   return reason_to_stop(parts_->ratings);
 }
 
-std::optional<std::string> Session::correct_rating(int effort, int pain) {
+std::optional<Text> Session::correct_rating(int effort, int pain) {
   storage::RatingRecord& rating = parts_->ratings.back();
   rating.effort = effort;
   rating.pain = pain;
@@ -190,7 +190,7 @@ void Session::close() {
   if (p.closed) return;
   p.closed = true;
   p.config.stop = nullptr;  // the end is waited for
-  if (p.pending) abort("The session was closed.");
+  if (p.pending) abort("The session was closed."_text);
   constexpr int kTries = 3;  // news of a failure may come before those of the trial
   for (int tries = 0; p.pending && tries < kTries; ++tries) (void)wait_for_news();
   p.threads.stop();

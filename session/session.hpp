@@ -77,14 +77,14 @@ struct SessionConfig {
 /// What each finger pressed at rest, and what that suggests.
 struct RestOutcome {
   RestRecord rest;
-  std::string words;
+  Text words;
 };
 
 /// A trial ended and is durable.
 struct TrialOutcome {
   storage::TrialRecord trial;
   std::vector<Measure> measures;
-  std::string reason;                              ///< why it was not completed
+  Text reason;                                     ///< why it was not completed
   std::optional<RestOutcome> rest = std::nullopt;  ///< of a completed resting-force trial
 };
 
@@ -99,8 +99,8 @@ struct ScreenShown {
 struct SessionNews {
   std::optional<PreparationOutcome> prepared;
   std::optional<TrialOutcome> trial;
-  std::optional<std::string> fault;  ///< the running trial was paused by the device: why
-  std::optional<Error> failure;      ///< recording or device failed: the session cannot go on
+  std::optional<Words> fault;    ///< the running trial was paused by the device: why
+  std::optional<Error> failure;  ///< recording or device failed: the session cannot go on
 };
 
 class Session {
@@ -140,8 +140,8 @@ class Session {
   /// The trial stands still until resume(); task clock and object freeze, recording goes on.
   void pause();
   void resume();
-  /// Ends the trial; it is kept and marked aborted. `reason` is static text, stored with it.
-  void abort(const char* reason = "Stopped by the therapist.");
+  /// Ends the trial; it is kept and marked aborted. `reason` is stored with it, in English.
+  void abort(Words reason = "Stopped by the therapist."_text);
   /// A remark at this moment of the session, stored with it.
   void note(const std::string& text);
   /// Answers given while the session runs, e.g. how the patient sits; stored with it.
@@ -153,9 +153,9 @@ class Session {
   void mark_helped(bool helped = true);
   /// What the patient says of the work so far, 0 to 10 each.
   /// @return why work should stop now; nothing: it may go on.
-  [[nodiscard]] std::optional<std::string> rate(int effort, int pain);
+  [[nodiscard]] std::optional<Text> rate(int effort, int pain);
   /// The last rating was meant to be this. @pre rate() was called in this session
-  [[nodiscard]] std::optional<std::string> correct_rating(int effort, int pain);
+  [[nodiscard]] std::optional<Text> correct_rating(int effort, int pain);
 
   /// News since the last call, without waiting.
   [[nodiscard]] std::vector<SessionNews> take_news();

@@ -31,16 +31,16 @@ bool WorkLimits::straps_due(double session_time_s) const noexcept {
   return numb_skin_ && straps_s_ && session_time_s - *straps_s_ >= kStrapsLookedAtEvery_s;
 }
 
-std::optional<std::string> WorkLimits::reason_to_stop() const {
+std::optional<Text> WorkLimits::reason_to_stop() const {
   for (const auto& [channel, maximum] : maxima_) {
     if (maximum.best_N <= 0.0 || maximum.last_N > (1.0 - kMostForceLost) * maximum.best_N) continue;
     const double lost = 1.0 - maximum.last_N / maximum.best_N;
-    return "The maximum has fallen by " + std::to_string(std::lround(100.0 * lost)) +
-           " % in this session: stop the work of this hand for today.";
+    return "The maximum has fallen by %1 % in this session: stop the work of this hand for today."_text(
+        std::lround(100.0 * lost));
   }
   if (work_s_ >= kMostWork_s)
-    return std::to_string(std::lround(work_s_ / 60.0)) +
-           " minutes of work are done: end the session for today.";
+    return "%1 minutes of work are done: end the session for today."_text(
+        std::lround(work_s_ / 60.0));
   return std::nullopt;
 }
 

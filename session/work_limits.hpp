@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/measure.hpp"
+#include "core/text.hpp"
 
 namespace isograsp::session {
 
@@ -33,7 +34,7 @@ class WorkLimits {
   [[nodiscard]] bool straps_due(double session_time_s) const noexcept;
   /// Why work should end for today; nothing: it may go on. A maximum that comes back takes the loss
   /// of force back.
-  [[nodiscard]] std::optional<std::string> reason_to_stop() const;
+  [[nodiscard]] std::optional<Text> reason_to_stop() const;
 
  private:
   struct Maximum {

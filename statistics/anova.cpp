@@ -26,8 +26,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr Index kLeastSubjects = 2;
-constexpr const char* kNoError =
-    "subjects do not differ in the effect: there is no error to test with";
+constexpr Words kNoError =
+    "subjects do not differ in the effect: there is no error to test with"_text;
 
 double f_tail(double f, double df, double error_df) {
   return cdf(complement(boost::math::fisher_f(df, error_df), f));
@@ -67,7 +67,7 @@ Sphericity sphericity_of(const MatrixXd& scatter, Index subjects) {
     result.epsilon = result.epsilon_huynh_feldt = 1.0;
     for (Computed* one :
          {&result.mauchly_w, &result.mauchly_chi2, &result.mauchly_df, &result.mauchly_p})
-      *one = "one difference only: sphericity cannot be violated";
+      *one = "one difference only: sphericity cannot be violated"_text;
     return result;
   }
   const auto p = static_cast<double>(contrasts_count);
@@ -85,8 +85,7 @@ Sphericity sphericity_of(const MatrixXd& scatter, Index subjects) {
   if (subjects <= contrasts_count) {
     for (Computed* one :
          {&result.mauchly_w, &result.mauchly_chi2, &result.mauchly_df, &result.mauchly_p})
-      *one = "needs at least " + std::to_string(contrasts_count + 1) + " subjects, has " +
-             std::to_string(subjects);
+      *one = "needs at least %1 subjects, has %2"_text(contrasts_count + 1, subjects);
     return result;
   }
   const double w = (variances / variances.mean()).prod();
@@ -96,7 +95,7 @@ Sphericity sphericity_of(const MatrixXd& scatter, Index subjects) {
   // Relative to 1: the product of variances whose ratios are given to some ulp.
   constexpr double kSingular = 1e-14;
   if (w < kSingular) {
-    result.mauchly_chi2 = result.mauchly_p = "a difference between conditions does not vary";
+    result.mauchly_chi2 = result.mauchly_p = "a difference between conditions does not vary"_text;
     return result;
   }
   // Box 1949 to the second order; Anderson, "An introduction to multivariate statistical
@@ -115,7 +114,7 @@ Sphericity sphericity_of(const MatrixXd& scatter, Index subjects) {
   return result;
 }
 
-void undefine(WithinEffect& effect, const std::string& why) {
+void undefine(WithinEffect& effect, const Text& why) {
   for (Computed* one :
        {&effect.f, &effect.p, &effect.sphericity.epsilon, &effect.sphericity.epsilon_huynh_feldt,
         &effect.sphericity.mauchly_w, &effect.sphericity.mauchly_chi2,
@@ -181,7 +180,7 @@ PairedT pair_of(const SubjectTable& table, Index first, Index second, double com
   if (only_rounding(squares, largest, n)) {
     pair.sd = 0.0;
     for (Computed* one : {&pair.t, &pair.p, &pair.p_bonferroni, &pair.low, &pair.high, &pair.d_z})
-      *one = "the difference is the same in all subjects";
+      *one = "the difference is the same in all subjects"_text;
     return pair;
   }
   const double sd = std::sqrt(squares / pair.df);
@@ -220,7 +219,8 @@ TwoWayAnova two_way_anova(const SubjectTable& table, Index levels_a, Index level
   TwoWayAnova result;
   result.subjects = table.rows();
   auto why = obstacle_to_squares(table, kLeastSubjects, 4);
-  if (why.empty() && (levels_a < 2 || levels_b < 2)) why = "needs at least 2 levels of each factor";
+  if (why.empty() && (levels_a < 2 || levels_b < 2))
+    why = "needs at least 2 levels of each factor"_text;
   if (!why.empty()) {
     for (auto* effect : {&result.a, &result.b, &result.interaction}) undefine(*effect, why);
     return result;

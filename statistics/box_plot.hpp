@@ -13,10 +13,10 @@ namespace isograsp::statistics {
 /// Whiskers end at the most distant values within this many box lengths of the box.
 inline constexpr double kWhiskerReach = 1.5;
 /// The rule in words, for under the plot.
-inline constexpr const char* kBoxRule =
+inline constexpr Words kBoxRule =
     "Box: lower quartile, median, upper quartile, at positions 0.25, 0.5 and 0.75 of the way from "
     "the smallest to the largest value, interpolated linearly (Hyndman and Fan 1996, definition "
-    "7). Whiskers: most distant values within 1.5 box lengths of the box. Each dot is one subject.";
+    "7). Whiskers: most distant values within 1.5 box lengths of the box. Each dot is one subject."_text;
 
 struct BoxPlot {
   double lower_quartile = 0.0;

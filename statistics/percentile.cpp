@@ -12,7 +12,7 @@ namespace isograsp::statistics {
 
 Computed percentile(std::span<const double> x, double percent) {
   assert(percent >= 0.0 && percent <= 100.0);
-  if (x.empty()) return "no values";
+  if (x.empty()) return "no values"_text;
   std::vector<double> values(x.begin(), x.end());
   const double position = static_cast<double>(values.size() - 1) * percent / 100.0;
   const double rank = std::floor(position);

@@ -22,7 +22,7 @@ Computed quantile(std::span<const double> x, std::span<const double> weight, dou
       all.push_back({x[k], weight[k]});
       total += weight[k];
     }
-  if (all.empty()) return "no samples";
+  if (all.empty()) return "no samples"_text;
   constexpr double kRoundingSlack = 1e-9;  // sums in another order reach the share as well
   double missing = share * total - kRoundingSlack * total;
   // The values are not sorted but halved: only the half that holds the quantile is looked at again.

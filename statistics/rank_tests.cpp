@@ -75,7 +75,7 @@ void locate(SignedRank& test, std::span<const double> differences, int compariso
   test.pseudo_median = median(means);
   const std::size_t out = outside(differences.size(), (1.0 - confidence) / comparisons);
   if (out == 0) {
-    test.low = test.high = "too few differences for an interval";
+    test.low = test.high = "too few differences for an interval"_text;
     return;
   }
   test.low = means[out - 1];
@@ -110,7 +110,7 @@ Friedman friedman(const SubjectTable& table) {
   for (Index column = 0; column < table.cols(); ++column)
     result.mean_ranks.push_back(sums[column] / n);
   if (squares == 0.0) {
-    result.chi2 = result.p = result.kendall_w = "all values of each subject are equal";
+    result.chi2 = result.p = result.kendall_w = "all values of each subject are equal"_text;
     return result;
   }
   const double between = (sums.array() - n * mean_rank).square().sum();
@@ -154,7 +154,7 @@ SignedRank signed_rank(std::span<const double> differences, double tied, int com
   if (used.empty()) {
     for (Computed* one : {&test.w_plus, &test.w_minus, &test.z, &test.p, &test.p_bonferroni,
                           &test.r, &test.rank_biserial})
-      *one = "all differences are zero";
+      *one = "all differences are zero"_text;
     return test;
   }
   const auto ranks = mid_ranks(sizes, tied);
@@ -197,7 +197,7 @@ std::vector<SignedRank> signed_rank_pairs(const SubjectTable& table, double conf
       SignedRank test;
       const Eigen::VectorXd difference = table.col(first) - table.col(second);
       const auto why = obstacle.empty() && !difference.allFinite()
-                           ? "the differences are too large for a number of the computer"
+                           ? "the differences are too large for a number of the computer"_text
                            : obstacle;
       if (why.empty()) {
         const double largest = std::max(table.col(first).cwiseAbs().maxCoeff(),

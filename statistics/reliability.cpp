@@ -38,7 +38,7 @@ void set_interval(Reliability& result, double icc, double confidence) {
       squared(a * of_repeats + b * error) /
       (squared(a * of_repeats) / (k - 1.0) + squared(b * error) / ((n - 1.0) * (k - 1.0)));
   if (!(df > 0.0)) {
-    result.low = result.high = "repeats do not differ at all";
+    result.low = result.high = "repeats do not differ at all"_text;
     return;
   }
   const double tail = (1.0 - confidence) / 2.0;
@@ -55,7 +55,7 @@ Reliability reliability(const SubjectTable& table, double confidence) {
   Reliability result;
   result.subjects = table.rows();
   result.repeats = table.cols();
-  const auto undefined = [&result](const std::string& why) {
+  const auto undefined = [&result](const Text& why) {
     for (Computed* one : {&result.icc, &result.low, &result.high, &result.sem, &result.mdc95})
       *one = why;
     return result;
@@ -66,7 +66,7 @@ Reliability reliability(const SubjectTable& table, double confidence) {
   const double grand = table.mean();
   if (only_rounding((table.array() - grand).matrix().squaredNorm(), table.cwiseAbs().maxCoeff(),
                     table.size()))
-    return undefined("all values are equal");
+    return undefined("all values are equal"_text);
   const Eigen::VectorXd of_subjects = table.rowwise().mean();
   const Eigen::RowVectorXd of_repeats = table.colwise().mean();
   const SubjectTable error =

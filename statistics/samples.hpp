@@ -5,18 +5,19 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
+
+#include "core/text.hpp"
 
 namespace isograsp::statistics {
 
 /// The value of a measure, or why it has none.
 struct Computed {
-  Computed(double number) : value(number) {}             // NOLINT: a number is a result
-  Computed(std::string why) : reason(std::move(why)) {}  // NOLINT: so is a reason
-  Computed(const char* why) : reason(why) {}             // NOLINT
+  Computed(double number) : value(number) {}      // NOLINT: a number is a result
+  Computed(Text why) : reason(std::move(why)) {}  // NOLINT: so is a reason
+  Computed(Words why) : reason(why) {}            // NOLINT
   std::optional<double> value;
-  std::string reason;
+  Text reason;
 };
 
 /// A time that ends at an event, or how long was waited for it in vain: right-censored.

@@ -13,27 +13,25 @@ CompleteSubjects complete_subjects(const SubjectTable& table) {
   return result;
 }
 
-std::string obstacle_of(const SubjectTable& table, Eigen::Index least_subjects,
-                        Eigen::Index least_conditions) {
-  const auto too_few = [](const char* what, Eigen::Index least, Eigen::Index count) {
-    return "needs at least " + std::to_string(least) + " " + what + ", has " +
-           std::to_string(count);
-  };
-  if (table.cols() < least_conditions) return too_few("conditions", least_conditions, table.cols());
-  if (table.rows() < least_subjects) return too_few("subjects", least_subjects, table.rows());
-  if (!table.allFinite()) return "a value is missing";
-  return "";
+Text obstacle_of(const SubjectTable& table, Eigen::Index least_subjects,
+                 Eigen::Index least_conditions) {
+  if (table.cols() < least_conditions)
+    return "needs at least %1 conditions, has %2"_text(least_conditions, table.cols());
+  if (table.rows() < least_subjects)
+    return "needs at least %1 subjects, has %2"_text(least_subjects, table.rows());
+  if (!table.allFinite()) return "a value is missing"_text;
+  return {};
 }
 
-std::string obstacle_to_squares(const SubjectTable& table, Eigen::Index least_subjects,
-                                Eigen::Index least_conditions) {
+Text obstacle_to_squares(const SubjectTable& table, Eigen::Index least_subjects,
+                         Eigen::Index least_conditions) {
   if (auto why = obstacle_of(table, least_subjects, least_conditions); !why.empty()) return why;
   constexpr double kLargest = 1e60;
   const double largest = table.cwiseAbs().maxCoeff();
-  if (largest > kLargest) return "the values are too large to be squared, choose another unit";
+  if (largest > kLargest) return "the values are too large to be squared, choose another unit"_text;
   if (largest > 0.0 && largest < 1.0 / kLargest)
-    return "the values are too small to be squared, choose another unit";
-  return "";
+    return "the values are too small to be squared, choose another unit"_text;
+  return {};
 }
 
 bool only_rounding(double sum_of_squares, double largest, Eigen::Index terms) {

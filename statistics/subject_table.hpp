@@ -8,11 +8,13 @@
 
 #include <Eigen/Core>
 
+#include "core/text.hpp"
+
 namespace isograsp::statistics {
 
 using SubjectTable = Eigen::MatrixXd;
 
-inline constexpr const char* kNotComputed = "not computed";
+inline constexpr Words kNotComputed = "not computed"_text;
 
 /// Listwise deletion: a subject with a missing value stands in no statistic.
 struct CompleteSubjects {
@@ -24,14 +26,13 @@ struct CompleteSubjects {
 
 /// Why a test that needs so many subjects and conditions cannot be made of the table; empty: it
 /// can. Missing values are no part of a test: complete_subjects() goes before.
-[[nodiscard]] std::string obstacle_of(const SubjectTable& table, Eigen::Index least_subjects,
-                                      Eigen::Index least_conditions);
+[[nodiscard]] Text obstacle_of(const SubjectTable& table, Eigen::Index least_subjects,
+                               Eigen::Index least_conditions);
 
 /// The same for a test that squares the values, and their squares: the largest of them must lie
 /// between 1e-60 and 1e60 in size (or be zero), beyond which those would be 0 or infinite.
-[[nodiscard]] std::string obstacle_to_squares(const SubjectTable& table,
-                                              Eigen::Index least_subjects,
-                                              Eigen::Index least_conditions);
+[[nodiscard]] Text obstacle_to_squares(const SubjectTable& table, Eigen::Index least_subjects,
+                                       Eigen::Index least_conditions);
 
 /// A sum of squares (or a range squared) of values of that size which is nothing but rounding: each
 /// of `terms` is wrong by at most some ulp.

@@ -17,7 +17,7 @@ namespace isograsp::statistics {
 namespace {
 
 constexpr double kRoundingSlack = 1e-9;  // shares are products of fractions, times sums of steps
-constexpr const char* kNobodyTried = "nothing was tried";
+constexpr Words kNobodyTried = "nothing was tried"_text;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ Computed median_completion(std::span<const Completion> completions) {
   constexpr double kHalf = 0.5;
   for (const SurvivalStep& step : survival(completions))
     if (step.share <= kHalf + kRoundingSlack) return step.time_s;
-  return "longer than the limit";
+  return "longer than the limit"_text;
 }
 
 Computed restricted_mean_time(std::span<const Completion> completions, double limit_s) {
@@ -67,7 +67,7 @@ Computed restricted_mean_time(std::span<const Completion> completions, double li
   for (const Completion& c : completions) longest_s = std::max(longest_s, c.time_s);
   const bool all_done = !steps.empty() && steps.back().share <= 0.0;
   if (!all_done && longest_s < limit_s * (1.0 - kRoundingSlack))
-    return "the last attempts ended before the limit";
+    return "the last attempts ended before the limit"_text;
   double mean_s = 0.0;
   double from_s = 0.0;
   double share = 1.0;

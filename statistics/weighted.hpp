@@ -18,7 +18,7 @@ template <class Function>
     sum += weight[k] * f(k);
     total += weight[k];
   }
-  if (!(total > 0.0)) return "no samples";
+  if (!(total > 0.0)) return "no samples"_text;
   return sum / total;
 }
 

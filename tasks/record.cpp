@@ -6,6 +6,7 @@
 
 #include "hand/columns.hpp"
 #include "statistics/weighted.hpp"
+#include "tasks/facts/reasons.hpp"
 #include "tasks/measure_version.hpp"
 #include "tasks/measures/motion.hpp"
 
@@ -33,16 +34,16 @@ Phase phase_from(double number) {
 constexpr double kLeastSize = 1e-60;
 constexpr double kMostSize = 1e60;
 
-std::string out_of_range(double size) {
-  if (size > kMostSize) return "the values are too large to compute with";
-  if (size > 0.0 && size < kLeastSize) return "the values are too small to compute with";
+Text out_of_range(double size) {
+  if (size > kMostSize) return "the values are too large to compute with"_text;
+  if (size > 0.0 && size < kLeastSize) return "the values are too small to compute with"_text;
   return {};
 }
 
 /// Times, and what is known of hand and device beside the signals.
-std::string unusable_context(const Signals& signals, std::span<const double> hold_s) {
+Text unusable_context(const Signals& signals, std::span<const double> hold_s) {
   for (const double length_s : hold_s)
-    if (std::string why = out_of_range(length_s); !why.empty()) return why;
+    if (Text why = out_of_range(length_s); !why.empty()) return why;
   for (const std::string_view name :
        {columns::t_s, columns::resting_force_N, columns::maximum_force_N, columns::noise_sd_N,
         columns::resolution_N, columns::device_delay_s, columns::display_delay_s})
@@ -91,8 +92,7 @@ std::vector<double> Section::values(std::string_view column) const {
   return values_in(rows, signals->column(column));
 }
 
-std::string Record::unusable(const Section& section,
-                             const std::vector<std::string>& columns) const {
+Text Record::unusable(const Section& section, const std::vector<std::string>& columns) const {
   if (!unusable_.empty()) return unusable_;
   double largest = 0.0;
   for (const std::string& name : columns) {
@@ -115,7 +115,7 @@ Section Record::select(std::size_t first, std::size_t last, std::initializer_lis
   for (std::size_t row = first; row < last; ++row) usable[row - first] = counts(row);
   for (const std::string& name : columns) {
     if (!signals_.has(name)) {
-      section.reason = "the column " + name + " is missing";
+      section.reason = kColumnMissing(name);
       return section;
     }
     const auto column = signals_.column(name);
@@ -132,7 +132,7 @@ Section Record::select(std::size_t first, std::size_t last, std::initializer_lis
     else
       ++section.excluded;
   }
-  if (std::string why = unusable(section, columns); !why.empty()) {
+  if (Text why = unusable(section, columns); !why.empty()) {
     section = {};
     section.reason = std::move(why);
     return section;
@@ -167,6 +167,7 @@ std::optional<double> Record::known_delay_s() const {
 Measure make_measure(std::string name, std::string channel, std::string unit,
                      const Section& section, statistics::Computed computed) {
   Measure measure;
+  Text why;
   measure.version = measure_version(name);
   measure.name = std::move(name);
   measure.channel = std::move(channel);
@@ -174,16 +175,17 @@ Measure make_measure(std::string name, std::string channel, std::string unit,
   measure.samples = static_cast<std::int64_t>(section.rows.size());
   measure.excluded = section.excluded;
   if (!section.reason.empty()) {
-    measure.reason = section.reason;
+    why = section.reason;
   } else if (section.rows.empty()) {
-    measure.reason = "no samples";
+    why = "no samples"_text;
   } else if (computed.value && !std::isfinite(*computed.value)) {
-    measure.reason = "the result is not finite";
+    why = "the result is not finite"_text;
   } else {
     measure.value = computed.value;
     if (measure.value) *measure.value += 0.0;  // 0 has no sign
-    measure.reason = std::move(computed.reason);
+    why = std::move(computed.reason);
   }
+  measure.reason = english(why);
   return measure;
 }
 

@@ -20,7 +20,7 @@ struct Section {
   std::vector<double> t_s;       ///< one per row
   std::vector<double> weight_s;  ///< hold length of each row
   std::int64_t excluded = 0;
-  std::string reason;  ///< why there is nothing: a column is absent
+  Text reason;  ///< why there is nothing: a column is absent
   const Signals* signals = nullptr;
   std::vector<std::string> columns;  ///< those that have a value in each of the rows
 
@@ -67,8 +67,8 @@ class Record {
                                         TimeAxis axis = TimeAxis::task) const;
   /// Why nothing can be computed with these columns in the rows of the section: their squares and
   /// products would leave the range of numbers. Empty: it can.
-  [[nodiscard]] std::string unusable(const Section& section,
-                                     const std::vector<std::string>& columns) const;
+  [[nodiscard]] Text unusable(const Section& section,
+                              const std::vector<std::string>& columns) const;
   /// First value of a column that is constant over the trial.
   [[nodiscard]] std::optional<double> constant(std::string_view column) const;
   /// From what happens to what is recorded, and from the target to the eye where that was measured:
@@ -82,7 +82,7 @@ class Record {
   std::vector<Phase> phase_;
   std::vector<bool> flagged_;
   std::vector<bool> missing_;
-  std::string unusable_;  ///< why no measure at all can be computed; empty: they can
+  Text unusable_;  ///< why no measure at all can be computed; empty: they can
 };
 
 /// Puts a computed value on record. A section that could not be made gives its reason.

@@ -17,8 +17,7 @@ namespace isograsp::tasks {
 
 namespace {
 
-constexpr std::string_view kTarget = "target_";
-constexpr const char* kPairTooShort = "fewer than two samples";
+constexpr Words kPairTooShort = "fewer than two samples"_text;
 
 /// "force_N" is the channel "force" in "N".
 struct Quantity {
@@ -36,8 +35,8 @@ Quantity quantity_of(std::string_view column) {
 
 void score_pair(const Record& record, const std::string& quantity_column,
                 std::vector<Measure>& measures) {
-  const std::string target_column = std::string(kTarget) + quantity_column;
-  const std::string actual_column = "actual_" + quantity_column;
+  const std::string target_column = std::string(columns::kTarget) + quantity_column;
+  const std::string actual_column = std::string(columns::kActual) + quantity_column;
   const Quantity quantity = quantity_of(quantity_column);
   const Section both = record.select({}, {target_column, actual_column}, Record::TimeAxis::record);
   const auto target = both.values(target_column);
@@ -98,9 +97,9 @@ std::vector<Measure> score_pairs(const Signals& signals) {
   const Record record(signals);
   std::vector<Measure> measures;
   for (const std::string& name : signals.names()) {
-    if (!name.starts_with(kTarget)) continue;
-    const std::string quantity_column = name.substr(kTarget.size());
-    if (!quantity_column.empty() && signals.has("actual_" + quantity_column))
+    if (!name.starts_with(columns::kTarget)) continue;
+    const std::string quantity_column = name.substr(columns::kTarget.size());
+    if (!quantity_column.empty() && signals.has(std::string(columns::kActual) + quantity_column))
       score_pair(record, quantity_column, measures);
   }
   score_motion(record, measures);

@@ -57,7 +57,7 @@ Result<void> init(const DbOptions& options) {
   const auto store = storage::open_store(options.file, storage::OpenMode::create);
   if (!store) return store.error();
   print_answer(options.json, {{"file", options.file}, {"format", storage::kDatabaseFormat}},
-               options.file + ": made, format " + std::to_string(storage::kDatabaseFormat));
+               "%1: made, format %2"_text(options.file, storage::kDatabaseFormat));
   return {};
 }
 
@@ -69,9 +69,9 @@ Result<void> check(const DbOptions& options) {
   const auto problems = (*store)->check();
   if (!problems) return problems.error();
   Lines text;
-  if (problems->empty()) text.add(options.file + ": sound");
+  if (problems->empty()) text.add("%1: sound"_text(options.file));
   for (const auto& problem : *problems) text.add(problem);
-  print_answer(options.json, {{"file", options.file}, {"problems", *problems}}, text);
+  print_answer(options.json, {{"file", options.file}, {"problems", english_list(*problems)}}, text);
   if (problems->empty()) return {};
   return failed(problems->size() == 1 ? Text("the check found 1 problem"_text)
                                       : "the check found %1 problems"_text(problems->size()),
@@ -85,21 +85,25 @@ Result<void> verify(const DbOptions& options) {
   const auto verified = verify_database(options.file, options.threads);
   if (!verified) return verified.error();
   const Verification& result = *verified;
-  char largest[32];
-  std::snprintf(largest, sizeof largest, "%.3g", result.largest_relative_difference);
-  Lines text = options.file + ": " + std::to_string(result.trials) + " trials, " +
-               std::to_string(result.measures) + " measures, " + std::to_string(result.identical) +
-               " identical to the bit; " + "largest relative difference " + largest;
-  if (!result.largest_at.empty()) text += " (" + result.largest_at + ")";
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", result.largest_relative_difference);
+  const Number largest{digits};
+  Lines text =
+      result.largest_at.empty()
+          ? "%1: %2 trials, %3 measures, %4 identical to the bit; largest relative difference %5"_text(
+                options.file, result.trials, result.measures, result.identical, largest)
+          : "%1: %2 trials, %3 measures, %4 identical to the bit; largest relative difference %5 (%6)"_text(
+                options.file, result.trials, result.measures, result.identical, largest,
+                result.largest_at);
   if (result.older_version > 0)
-    text.add(std::to_string(result.older_version) +
-             " measures were stored by an older version of their definition; reports compute them "
-             "again from the signals and keep both, " +
-             std::to_string(result.older_changed) + " of them have another value then");
+    text.add(
+        "%1 measures were stored by an older version of their definition; reports compute them "
+        "again from the signals and keep both, %2 of them have another value then"_text(
+            result.older_version, result.older_changed));
   if (result.newer_version > 0)
-    text.add(std::to_string(result.newer_version) +
-             " measures were stored by a newer version of their definition and are not compared; "
-             "update the program");
+    text.add(
+        "%1 measures were stored by a newer version of their definition and are not compared; "
+        "update the program"_text(result.newer_version));
   for (const auto& problem : result.problems) text.add(problem);
   print_answer(options.json,
                {{"file", options.file},
@@ -110,7 +114,7 @@ Result<void> verify(const DbOptions& options) {
                 {"older_changed", result.older_changed},
                 {"newer_version", result.newer_version},
                 {"largest_relative_difference", result.largest_relative_difference},
-                {"problems", result.problems}},
+                {"problems", english_list(result.problems)}},
                text);
   if (result.problems.empty()) return {};
   return failed("%1 stored results are not those that the stored signals give (first: %2)"_text(
@@ -123,12 +127,12 @@ Result<void> scheduled_backup(const DbOptions& options) {
   const auto made = storage::Backups(options.file).make_if_due(std::time(nullptr));
   if (!made) return made.error();
   Json json{{"file", options.file}, {"made", made->has_value()}};
-  Lines text = options.file + ": there is a backup of today already";
+  Lines text = "%1: there is a backup of today already"_text(options.file);
   if (*made) {
     json["backup"] = (*made)->backup.path;
     json["removed"] = (*made)->removed;
-    text = (*made)->backup.path + ": copied from " + options.file + " and checked";
-    for (const auto& old : (*made)->removed) text.add(old + ": removed");
+    text = "%1: copied from %2 and checked"_text((*made)->backup.path, options.file);
+    for (const auto& old : (*made)->removed) text.add("%1: removed"_text(old));
   }
   print_answer(options.json, json, text);
   return {};
@@ -146,7 +150,7 @@ Result<void> backup(const DbOptions& options) {
   if (!store) return store.error();
   if (const auto done = (*store)->backup(options.to); !done) return done.error();
   print_answer(options.json, {{"file", options.file}, {"backup", options.to}},
-               options.to + ": copied from " + options.file + " and checked");
+               "%1: copied from %2 and checked"_text(options.to, options.file));
   return {};
 }
 
@@ -156,12 +160,13 @@ Result<void> restore(const DbOptions& options) {
       [&options](const std::string& copy) { return open_access(copy, options.login); });
   if (!done) return done.error();
   Json json{{"file", options.file}, {"restored_from", options.from}};
-  Lines text = options.file + ": restored from " + options.from + " and checked";
+  Lines text = "%1: restored from %2 and checked"_text(options.file, options.from);
   if (!done->kept.empty()) {
     json["kept"] = done->kept;
-    text += "; as it was: " + done->kept;
+    text = "%1: restored from %2 and checked; as it was: %3"_text(options.file, options.from,
+                                                                  done->kept);
   }
-  text.add("Erase again who has been erased since that backup was made.");
+  text.add("Erase again who has been erased since that backup was made."_text);
   print_answer(options.json, json, text);
   return {};
 }
@@ -172,27 +177,20 @@ Result<void> stats(const DbOptions& options) {
   const storage::FileStats& all = *counted;
   constexpr double kMega = 1e6;
   constexpr double kMinute_s = 60.0;
-  const auto rounded = [](double value, const char* unit) {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.2f %s", value, unit);
-    return std::string(text);
+  const auto rounded = [](auto value, double unit) {
+    return fixed(static_cast<double>(value) / unit, 2);
   };
-  const auto times = [](std::int64_t count, const std::string& what) {
-    return std::to_string(count) + " " + what;
-  };
-  Lines text = options.file + ": format " + std::to_string(all.format) + ", " +
-               rounded(static_cast<double>(all.file_bytes) / kMega, "MB") + " (" +
-               rounded(static_cast<double>(all.free_bytes) / kMega, "MB") + " of it free, " +
-               rounded(static_cast<double>(all.signal_bytes) / kMega, "MB") + " signals)";
-  text.add(times(all.patients, "patients, ") + times(all.sessions, "sessions, ") +
-           times(all.trials, "trials, ") + times(all.measures, "measures, ") +
-           times(all.events, "events"));
-  text.add(rounded(all.recorded_s / kMinute_s, "minutes") + " recorded, " +
-           rounded(all.bytes_per_minute() / kMega, "MB") + " per minute");
+  Lines text = "%1: format %2, %3 MB (%4 MB of it free, %5 MB signals)"_text(
+      options.file, all.format, rounded(all.file_bytes, kMega), rounded(all.free_bytes, kMega),
+      rounded(all.signal_bytes, kMega));
+  text.add("%1 patients, %2 sessions, %3 trials, %4 measures, %5 events"_text(
+      all.patients, all.sessions, all.trials, all.measures, all.events));
+  text.add("%1 minutes recorded, %2 MB per minute"_text(rounded(all.recorded_s, kMinute_s),
+                                                        rounded(all.bytes_per_minute(), kMega)));
   if (!all.first_session_utc.empty())
-    text.add("first session " + all.first_session_utc + ", last " + all.last_session_utc);
+    text.add("first session %1, last %2"_text(all.first_session_utc, all.last_session_utc));
   if (all.trials_not_packed > 0)
-    text.add(times(all.trials_not_packed, "trials are not packed; isograsp db migrate does it"));
+    text.add("%1 trials are not packed; isograsp db migrate does it"_text(all.trials_not_packed));
   print_answer(options.json,
                {{"file", options.file},
                 {"format", all.format},
@@ -219,10 +217,10 @@ Result<void> merge(const DbOptions& options) {
   if (!done) return done.error();
   Lines text;
   if (done->conflicts.empty())
-    text.add(options.file + ": " + std::to_string(done->patients_added) + " patients, " +
-             std::to_string(done->sessions_added) + " sessions, " +
-             std::to_string(done->trials_added) + " trials added from " + options.from + "; " +
-             std::to_string(done->trials_present) + " trials were there already");
+    text.add(
+        "%1: %2 patients, %3 sessions, %4 trials added from %5; %6 trials were there already"_text(
+            options.file, done->patients_added, done->sessions_added, done->trials_added,
+            options.from, done->trials_present));
   for (const auto& conflict : done->conflicts) text.add(conflict);
   print_answer(options.json,
                {{"file", options.file},
@@ -231,7 +229,7 @@ Result<void> merge(const DbOptions& options) {
                 {"sessions_added", done->sessions_added},
                 {"trials_added", done->trials_added},
                 {"trials_present", done->trials_present},
-                {"conflicts", done->conflicts}},
+                {"conflicts", english_list(done->conflicts)}},
                text);
   if (done->conflicts.empty()) return {};
   return failed(done->conflicts.size() == 1
@@ -247,18 +245,18 @@ Result<void> migrate(const DbOptions& options) {
   const auto done = storage::migrate_database(options.file);
   if (!done) return done.error();
   const bool migrated = !done->copy.empty();
-  const std::string format = "format " + std::to_string(storage::kDatabaseFormat);
   Json json{{"file", options.file},
             {"format", storage::kDatabaseFormat},
             {"migrated", migrated},
             {"packed", done->packed},
-            {"not_packed", done->not_packed}};
+            {"not_packed", english_list(done->not_packed)}};
   if (migrated) json["copy"] = done->copy;
-  Lines text = migrated ? options.file + ": brought from format " + std::to_string(done->from) +
-                              " to " + format + "; as it was: " + done->copy
-                        : options.file + ": " + format + " is current; nothing to migrate";
-  if (done->packed > 0) text.add("signals of " + std::to_string(done->packed) + " trials packed");
-  for (const auto& problem : done->not_packed) text.add("not packed: " + problem);
+  Lines text = migrated ? "%1: brought from format %2 to format %3; as it was: %4"_text(
+                              options.file, done->from, storage::kDatabaseFormat, done->copy)
+                        : "%1: format %2 is current; nothing to migrate"_text(
+                              options.file, storage::kDatabaseFormat);
+  if (done->packed > 0) text.add("signals of %1 trials packed"_text(done->packed));
+  for (const auto& problem : done->not_packed) text.add("not packed: %1"_text(problem));
   print_answer(options.json, json, text);
   return {};
 }

@@ -36,9 +36,9 @@ Result<void> list_users(storage::Access& access, const AccountOptions& options) 
                     {"role", role},
                     {"pin", user.has_pin},
                     {"created_utc", user.created_utc}});
-    text.add(user.name + "  " + role + (user.has_pin ? "  PIN" : ""));
+    text.add_row(user.name + "  " + role + (user.has_pin ? "  PIN" : ""));
   }
-  print_answer(options.common.json, json, text.empty() ? Lines("no accounts") : text);
+  print_answer(options.common.json, json, text.empty() ? Lines("no accounts"_text) : text);
   return {};
 }
 
@@ -53,13 +53,13 @@ Result<void> add(storage::Access& access, const AccountOptions& options) {
   const auto user = storage::add_user(access, options.name, *role, *password);
   if (!user) return user.error();
   print_answer(options.common.json, {{"name", user->name}, {"role", options.role}},
-               user->name + ": " + options.role);
+               "%1: %2"_text(user->name, options.role));
   return {};
 }
 
 Result<void> remove(storage::Access& access, const AccountOptions& options) {
   if (auto done = storage::remove_user(access, options.name); !done) return done;
-  print_answer(options.common.json, {{"removed", options.name}}, options.name + ": removed");
+  print_answer(options.common.json, {{"removed", options.name}}, "%1: removed"_text(options.name));
   return {};
 }
 
@@ -75,7 +75,7 @@ Result<void> password(storage::Access& access, const AccountOptions& options) {
     done = storage::reset_password(access, options.name, *fresh);
   }
   if (!done) return done;
-  print_answer(options.common.json, {{"changed", true}}, "the password was changed");
+  print_answer(options.common.json, {{"changed", true}}, "the password was changed"_text);
   return {};
 }
 
@@ -88,7 +88,7 @@ Result<void> pin(storage::Access& access, const AccountOptions& options) {
   }
   if (auto done = storage::set_own_pin(access, fresh); !done) return done;
   print_answer(options.common.json, {{"pin", !fresh.empty()}},
-               fresh.empty() ? "there is no PIN any more" : "the PIN was set");
+               fresh.empty() ? "there is no PIN any more"_text : "the PIN was set"_text);
   return {};
 }
 
@@ -97,15 +97,15 @@ Result<void> passphrase(storage::Access& access, const AccountOptions& options) 
   if (!fresh) return fresh.error();
   if (auto done = storage::change_passphrase(access, *fresh); !done) return done;
   print_answer(options.common.json, {{"changed", true}},
-               "the passphrase was changed; backups made before keep the one they had");
+               "the passphrase was changed; backups made before keep the one they had"_text);
   return {};
 }
 
 Result<void> recovery_key(storage::Access& access, const AccountOptions& options) {
   const auto key = storage::new_recovery_key(access);
   if (!key) return key.error();
-  print_recovery_key(options.common.json, {}, "the recovery key of before opens nothing any more",
-                     *key);
+  print_recovery_key(options.common.json, {},
+                     "the recovery key of before opens nothing any more"_text, *key);
   return {};
 }
 
@@ -117,10 +117,10 @@ Result<void> policy(storage::Access& access, const AccountOptions& options) {
     if (options.retention_years >= 0) now->retention_years = options.retention_years;
     if (auto done = storage::set_policy(access, *now); !done) return done;
   }
-  print_answer(options.common.json,
-               {{"lock_after_s", now->lock_after_s}, {"retention_years", now->retention_years}},
-               "lock after " + std::to_string(now->lock_after_s) + " s, keep records " +
-                   std::to_string(now->retention_years) + " years");
+  print_answer(
+      options.common.json,
+      {{"lock_after_s", now->lock_after_s}, {"retention_years", now->retention_years}},
+      "lock after %1 s, keep records %2 years"_text(now->lock_after_s, now->retention_years));
   return {};
 }
 
@@ -154,7 +154,8 @@ Result<void> audit(storage::Access& access, const AuditOptions& options) {
   const auto head = storage::audit_head(access);
   if (!head) return head.error();
   const std::string head_text = std::to_string(head->count) + ":" + head->hash;
-  Json json{{"file", options.common.file}, {"head", head_text}, {"problems", *problems}};
+  Json json{
+      {"file", options.common.file}, {"head", head_text}, {"problems", english_list(*problems)}};
   Lines text;
   Json list = Json::array();
   for (const storage::AuditEntry& entry : *entries) {
@@ -167,14 +168,14 @@ Result<void> audit(storage::Access& access, const AuditOptions& options) {
                     {"result", entry.result},
                     {"detail", entry.detail},
                     {"hash", entry.hash}});
-    text.add(std::to_string(entry.number) + "  " + entry.at_utc + "  " +
-             (entry.actor.empty() ? "-" : entry.actor) + "  " + entry.act +
-             (entry.object.empty() ? "" : " " + entry.object) + "  " + entry.result +
-             (entry.detail.empty() ? "" : "  (" + entry.detail + ")"));
+    text.add_row(std::to_string(entry.number) + "  " + entry.at_utc + "  " +
+                 (entry.actor.empty() ? "-" : entry.actor) + "  " + entry.act +
+                 (entry.object.empty() ? "" : " " + entry.object) + "  " + entry.result +
+                 (entry.detail.empty() ? "" : "  (" + entry.detail + ")"));
   }
   json["entries"] = list;
   for (const auto& problem : *problems) text.add(problem);
-  text.add("head " + head_text);
+  text.add("head %1"_text(head_text));
   bool contained = true;
   if (!options.contains.empty()) {
     const auto noted = head_in(options.contains);
@@ -186,13 +187,19 @@ Result<void> audit(storage::Access& access, const AuditOptions& options) {
   }
   print_answer(options.common.json, json, text);
   if (problems->empty() && contained) return {};
-  return failed(contained ? Text(Known{problems->front()})
-                          : "the log does not hold the head that was noted"_text,
-                "compare with the backups: isograsp db audit on each"_text)
+  return failed(
+             contained ? problems->front() : "the log does not hold the head that was noted"_text,
+             "compare with the backups: isograsp db audit on each"_text)
       .at(options.common.file);
 }
 
 }  // namespace
+
+Json english_list(const std::vector<Text>& texts) {
+  Json list = Json::array();
+  for (const Text& text : texts) list.push_back(english(text));
+  return list;
+}
 
 void print_answer(bool as_json, const Json& json, const Lines& text) {
   if (as_json)

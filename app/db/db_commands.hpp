@@ -52,6 +52,8 @@ Subcommand add_access_command(Subcommand parent, const char* name, const char* d
 void print_recovery_key(bool as_json, nlohmann::ordered_json json, Lines text,
                         const storage::Secret& key);
 
+/// As --json has them.
+[[nodiscard]] nlohmann::ordered_json english_list(const std::vector<Text>& texts);
 /// Prints one or the other.
 void print_answer(bool as_json, const nlohmann::ordered_json& json, const Lines& text);
 

@@ -63,13 +63,14 @@ Result<void> show(storage::Access& access, const PersonOptions& options) {
   if (!identity) return identity.error();
   if (!*identity) {
     print_answer(options.common.json, {{"patient", options.patient}, {"identity", nullptr}},
-                 options.patient + ": not told");
+                 "%1: not told"_text(options.patient));
     return {};
   }
   const storage::Identity& one = **identity;
-  Lines text = options.patient + ": " + one.name +
-               (one.birth_date.empty() ? "" : ", born " + one.birth_date);
-  if (!one.contact.empty()) text.add(one.contact);
+  Lines text = one.birth_date.empty()
+                   ? "%1: %2"_text(options.patient, one.name)
+                   : "%1: %2, born %3"_text(options.patient, one.name, one.birth_date);
+  if (!one.contact.empty()) text.add_row(one.contact);
   print_answer(options.common.json,
                {{"patient", options.patient},
                 {"identity",
@@ -83,7 +84,7 @@ Result<void> set(storage::Access& access, const PersonOptions& options) {
   if (!identity) return identity.error();
   if (auto done = storage::set_identity(access, options.patient, *identity); !done) return done;
   print_answer(options.common.json, {{"patient", options.patient}, {"stored", true}},
-               options.patient + ": identity stored");
+               "%1: identity stored"_text(options.patient));
   return {};
 }
 
@@ -100,10 +101,10 @@ Result<void> list_consents(storage::Access& access, const PersonOptions& options
                     {"text", one.text},
                     {"recorded_utc", one.recorded_utc},
                     {"recorded_by", one.recorded_by}});
-    text.add(one.on_date + "  " + one.purpose + "  " + one.state + "  (" + one.basis + ")" +
-             (one.text.empty() ? "" : "  " + one.text));
+    text.add_row(one.on_date + "  " + one.purpose + "  " + one.state + "  (" + one.basis + ")" +
+                 (one.text.empty() ? "" : "  " + one.text));
   }
-  print_answer(options.common.json, json, text.empty() ? Lines("nothing recorded") : text);
+  print_answer(options.common.json, json, text.empty() ? Lines("nothing recorded"_text) : text);
   return {};
 }
 
@@ -111,7 +112,7 @@ Result<void> record_consent(storage::Access& access, const PersonOptions& option
   const auto id = storage::add_consent(access, options.patient, options.consent);
   if (!id) return id.error();
   print_answer(options.common.json, {{"patient", options.patient}, {"stored", true}},
-               options.patient + ": " + options.consent.purpose + " " + options.consent.state);
+               "%1: %2 %3"_text(options.patient, options.consent.purpose, options.consent.state));
   return {};
 }
 
@@ -128,22 +129,25 @@ void print_erasure(const PersonOptions& options, const storage::ErasureDone& don
             {"remains", done.remains}};
   Lines text;
   if (done.erased) {
-    text.add(plan.code + ": erased");
+    text.add("%1: erased"_text(plan.code));
     for (const auto& [table, rows] : done.rows) {
       json["rows"][table] = rows;
-      text.add("  " + std::to_string(rows) + " of " + table);
+      text.add("  %1 of %2"_text(rows, table));
     }
   } else if (plan.restricted) {
-    text.add(plan.code + ": restricted; the law asks to keep the records until " +
-             plan.keep_until_date + ", erase again after that day");
+    text.add(
+        "%1: restricted; the law asks to keep the records until %2, erase again after that day"_text(
+            plan.code, plan.keep_until_date));
   } else {
-    text.add(plan.code + ": last record of " + plan.last_record_date + ", to be kept until " +
-             plan.keep_until_date +
-             (plan.may_erase ? "; would be erased now" : "; would be restricted now"));
+    text.add(plan.may_erase
+                 ? "%1: last record of %2, to be kept until %3; would be erased now"_text(
+                       plan.code, plan.last_record_date, plan.keep_until_date)
+                 : "%1: last record of %2, to be kept until %3; would be restricted now"_text(
+                       plan.code, plan.last_record_date, plan.keep_until_date));
   }
   if (!done.remains.empty()) {
-    text.add("What may still hold the person, and is for you to remove:");
-    for (const auto& one : done.remains) text.add("  " + one);
+    text.add("What may still hold the person, and is for you to remove:"_text);
+    for (const auto& one : done.remains) text.add_row("  " + one);
   }
   print_answer(options.common.json, json, text);
 }
@@ -161,7 +165,7 @@ Result<void> erase(storage::Access& access, const PersonOptions& options) {
     if (auto done = storage::lift_restriction(access, options.patient, options.reason); !done)
       return done;
     print_answer(options.common.json, {{"patient", options.patient}, {"restricted", false}},
-                 options.patient + ": no longer restricted");
+                 "%1: no longer restricted"_text(options.patient));
     return {};
   }
   const auto done = storage::erase_patient(access, options.patient, options.reason);
@@ -174,10 +178,10 @@ Result<void> erase(storage::Access& access, const PersonOptions& options) {
 Result<void> person(storage::Access& access, const PersonOptions& options) {
   const auto trials = export_person(access, options.patient, options.out);
   if (!trials) return trials.error();
-  print_answer(options.common.json,
-               {{"patient", options.patient}, {"out", options.out}, {"trials", *trials}},
-               options.patient + ": all of it, with " + std::to_string(*trials) +
-                   " trials, written to " + options.out);
+  print_answer(
+      options.common.json,
+      {{"patient", options.patient}, {"out", options.out}, {"trials", *trials}},
+      "%1: all of it, with %2 trials, written to %3"_text(options.patient, *trials, options.out));
   return {};
 }
 

@@ -32,11 +32,11 @@ Result<void> protect(const AccessOptions& options) {
             {"copy", done->copy},
             {"remains", done->remains}};
   if (done->recovery_key.empty()) {
-    print_answer(options.json, json, options.file + ": is protected already");
+    print_answer(options.json, json, "%1: is protected already"_text(options.file));
   } else {
-    Lines text = options.file + ": protected; as it was, in plain text: " + done->copy;
-    text.add("What still holds plain text, and is for you to lock away or remove:");
-    for (const auto& one : done->remains) text.add("  " + one);
+    Lines text = "%1: protected; as it was, in plain text: %2"_text(options.file, done->copy);
+    text.add("What still holds plain text, and is for you to lock away or remove:"_text);
+    for (const auto& one : done->remains) text.add_row("  " + one);
     print_recovery_key(options.json, json, text, done->recovery_key);
   }
   if (done->not_swept) return *done->not_swept;
@@ -53,15 +53,15 @@ Result<void> init_protected(const AccessOptions& options) {
   print_recovery_key(
       options.json,
       {{"file", options.file}, {"format", storage::kDatabaseFormat}, {"protected", true}},
-      options.file + ": made, format " + std::to_string(storage::kDatabaseFormat) + ", protected",
+      "%1: made, format %2, protected"_text(options.file, storage::kDatabaseFormat),
       made->recovery_key);
   return {};
 }
 
 void print_recovery_key(bool as_json, Json json, Lines text, const storage::Secret& key) {
   json["recovery_key"] = std::string(key.text());
-  text.add("recovery key: " + std::string(key.text()));
-  text.add("Print it and lock it away: it is shown this once and opens everything.");
+  text.add("recovery key: %1"_text(std::string(key.text())));
+  text.add("Print it and lock it away: it is shown this once and opens everything."_text);
   print_answer(as_json, json, text);
 }
 

@@ -18,11 +18,14 @@ struct RescueOptions {
   bool list = false;
 };
 
-std::string line_of(const storage::EmergencyFile& file) {
-  return file.path + ": session of " + file.patient_code + " that began " + file.started_utc +
-         ", " + std::to_string(file.trials) + " trials" +
-         (file.has_whole ? ", and a copy of the whole database" : "") + "; recorded into " +
-         file.database + ", left because: " + file.reason;
+Text line_of(const storage::EmergencyFile& file) {
+  if (file.has_whole)
+    return "%1: session of %2 that began %3, %4 trials, and a copy of the whole database; recorded into %5, left because: %6"_text(
+        file.path, file.patient_code, file.started_utc, file.trials, file.database,
+        Known{file.reason});
+  return "%1: session of %2 that began %3, %4 trials; recorded into %5, left because: %6"_text(
+      file.path, file.patient_code, file.started_utc, file.trials, file.database,
+      Known{file.reason});
 }
 
 Json json_of(const storage::EmergencyFile& file) {
@@ -47,9 +50,8 @@ Result<void> take_in(const std::string& database, const storage::EmergencyFile& 
   one["trials_added"] = done->trials_added;
   one["trials_present"] = done->trials_present;
   json["rescued"].push_back(std::move(one));
-  text.add(database + ": session of " + file.patient_code + " that began " + file.started_utc +
-           ": " + std::to_string(done->trials_added) + " trials added, " +
-           std::to_string(done->trials_present) + " were there already");
+  text.add("%1: session of %2 that began %3: %4 trials added, %5 were there already"_text(
+      database, file.patient_code, file.started_utc, done->trials_added, done->trials_present));
   return {};
 }
 
@@ -77,7 +79,8 @@ Result<void> rescue_all(const RescueOptions& options) {
       if (auto done = take_in(database, file, json, text); !done) return done;
     }
   }
-  if (files.empty()) text = database + ": no session of it is in " + storage::emergency_folder();
+  if (files.empty())
+    text = "%1: no session of it is in %2"_text(database, storage::emergency_folder());
   print_answer(options.common.json, json, text);
   return {};
 }

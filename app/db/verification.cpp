@@ -31,6 +31,12 @@ double relative_difference(double a, double b) {
   return std::abs(a - b) / std::max(std::abs(a), std::abs(b));
 }
 
+Number all_digits(double value) {
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.17g", value);
+  return {digits};
+}
+
 bool same_value(const Measure& a, const Measure& b) {
   if (!a.value || !b.value) return a.value.has_value() == b.value.has_value();
   return relative_difference(*a.value, *b.value) <= kLargestRelativeDifference;
@@ -46,7 +52,7 @@ void compare(const std::string& place, const std::vector<Measure>& stored,
       return one.name == a.name && one.channel == a.channel && one.unit == a.unit;
     });
     if (found == recomputed.end()) {
-      result.problems.push_back(name + ": its signals give no such measure");
+      result.problems.push_back("%1: its signals give no such measure"_text(name));
       continue;
     }
     const Measure& b = *found;
@@ -56,10 +62,10 @@ void compare(const std::string& place, const std::vector<Measure>& stored,
     } else if (a.version > b.version) {
       ++result.newer_version;
     } else if (a.value.has_value() != b.value.has_value()) {
-      result.problems.push_back(name + ": only " + (a.value ? "the stored" : "the recomputed") +
-                                " one has a value");
+      result.problems.push_back(a.value ? "%1: only the stored one has a value"_text(name)
+                                        : "%1: only the recomputed one has a value"_text(name));
     } else if (a.samples != b.samples || a.excluded != b.excluded) {
-      result.problems.push_back(name + ": was computed from other samples");
+      result.problems.push_back("%1: was computed from other samples"_text(name));
     } else if (!a.value ||
                std::bit_cast<std::uint64_t>(*a.value) == std::bit_cast<std::uint64_t>(*b.value)) {
       ++result.identical;
@@ -70,9 +76,8 @@ void compare(const std::string& place, const std::vector<Measure>& stored,
         result.largest_at = name;
       }
       if (!(difference <= kLargestRelativeDifference)) {
-        char text[96];
-        std::snprintf(text, sizeof text, ": stored %.17g, recomputed %.17g", *a.value, *b.value);
-        result.problems.push_back(name + text);
+        result.problems.push_back(
+            "%1: stored %2, recomputed %3"_text(name, all_digits(*a.value), all_digits(*b.value)));
       }
     }
   }
@@ -116,9 +121,9 @@ Result<void> check_trial(storage::SessionStore& store, Checked& one) {
   const auto signals = store.signals(one.trial);
   const auto task = tasks::parse_task(one.trial.task_text, "the task of " + one.place);
   if (!signals)
-    one.result.problems.push_back(english(signals.error().what));
+    one.result.problems.push_back(signals.error().what);
   else if (!task)
-    one.result.problems.push_back(task.error().message());
+    one.result.problems.push_back("%1"_text(task.error().message()));
   else
     compare(one.place, *stored, tasks::score(*task, *signals), one.result);
   return {};
@@ -172,12 +177,12 @@ Result<Verification> verify_database(const std::string& file, int threads) {
       }
       --at_work;
     });
-  ProgressBar bar("Verifying");
+  ProgressBar bar("Verifying"_text);
   while (at_work > 0) {
     const auto done = std::min(next.load(), trials.size());
     if (done > 0)
       bar.show(static_cast<double>(done) / static_cast<double>(trials.size()),
-               trials[done - 1].place);
+               "%1"_text(trials[done - 1].place));
     constexpr auto kLook = std::chrono::milliseconds(20);
     std::this_thread::sleep_for(kLook);
   }

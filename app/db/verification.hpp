@@ -20,7 +20,7 @@ struct Verification {
   std::int64_t newer_version = 0;  ///< than this program's: cannot be compared
   double largest_relative_difference = 0.0;
   std::string largest_at;
-  std::vector<std::string> problems;
+  std::vector<Text> problems;
 };
 
 /// With a progress bar on a terminal; each thread reads through its own connection.

@@ -83,13 +83,13 @@ nlohmann::ordered_json as_json(const std::string& path, const DeviceConfig& conf
 }
 
 void print_config(const std::string& path, const DeviceConfig& config) {
-  print("%s is good: %s, %g Hz.\n", printable(path).c_str(),
-        std::string(config.family->title).c_str(), config.rate_Hz);
+  print_line("%1 is good: %2, %3 Hz."_text(path, config.family->title, shortest(config.rate_Hz)));
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& s = config.sensors[f];
-    print("  %-6s  %s, serial number %s\n", std::string(kFingerNames[f]).c_str(),
-          printable(config.family->place(s)).c_str(),
-          s.serial_number.empty() ? "any" : printable(s.serial_number).c_str());
+    const Text number = s.serial_number.empty() ? "any serial number"_text
+                                                : "serial number %1"_text(s.serial_number);
+    print("  %-6s  %s, %s\n", std::string(kFingerNames[f]).c_str(),
+          printable(config.family->place(s)).c_str(), printable(spoken(number)).c_str());
   }
 }
 
@@ -98,9 +98,9 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
                                             const std::string& device) {
   auto live = LiveDevice::open(device);
   if (!live) return live.error();
-  const auto say = [&](const std::string& text) {
+  const auto say = [&](const Text& text) {
     if (!options.json) {
-      print_lines(text);
+      print_line(text);
       std::fflush(stdout);
     }
   };
@@ -117,24 +117,21 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
           .at(device)
           .about("--hand");
   } else if (!options.hand) {
-    say(translated(
-        "The platform is taken to stand for the right hand; add --hand left for the other one."_text,
-        spoken()));
+    say("The platform is taken to stand for the right hand; add --hand left for the other one."_text);
   }
   DeviceCheck check(info.frame_period_s, hand, weight_N);
-  say(translated("Take everything off the supports and do not touch them."_text, spoken()));
+  say("Take everything off the supports and do not touch them."_text);
   bool empty_known = false;
   const auto run = live->run(0.0, [&](const FingerFrame& frame) {
     if (!empty_known) {
       empty_known = check.add_empty(frame);
-      if (empty_known) say(translated(check.step().instruction(), spoken()));
+      if (empty_known) say(check.step().instruction());
       return true;
     }
     const auto result = check.add(frame);
     if (!result) return true;
-    say("  " + translated(result->sentence(), spoken()));
-    if (!check.complete())
-      say(translated(joined({"Let go."_text, check.step().instruction()}), spoken()));
+    say("  %1"_text(result->sentence()));
+    if (!check.complete()) say(joined({"Let go."_text, check.step().instruction()}));
     return !check.complete();
   });
   if (!run) return run.error();
@@ -152,7 +149,7 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
   if (!check.complete())
     return failed("the check was not finished"_text, "begin it again"_text).at(device);
   if (wrong != nullptr) return failed("the device did not pass"_text, wrong->sentence()).at(device);
-  say(translated("The device passed."_text, spoken()));
+  say("The device passed."_text);
   return steps;
 }
 
@@ -173,10 +170,9 @@ Result<void> check_config(const DevicesOptions& options) {
     if (!steps) return steps.error();
     document["steps"] = *steps;
   } else if (options.check && !options.json) {
-    print(
+    print_line(
         "To be led through every support, connect the device and add its address, for example "
-        "--device 'can://can0?config=%s'.\n",
-        printable(options.config).c_str());
+        "--device 'can://can0?config=%1'."_text(options.config));
   }
   if (options.json) print_json(document);
   return {};
@@ -198,12 +194,12 @@ Result<void> run_devices(const DevicesOptions& options) {
     print_json(document);
     return {};
   }
-  print_lines("Devices");
+  print_line("Devices"_text);
   for (const auto& s : schemes())
     print("  %-26s  %s\n  %-26s  needs %s\n", s.uri.c_str(), std::string(s.what).c_str(), "",
           std::string(s.needs).c_str());
-  print_lines("CAN interfaces of this computer");
-  if (interfaces.empty()) print_lines("  none");
+  print_line("CAN interfaces of this computer"_text);
+  if (interfaces.empty()) print_line("  none"_text);
   for (const auto& i : interfaces)
     print("  %-10s  %s  needs %s\n", i.name.c_str(), i.up ? "on " : "off", needs_of(i).c_str());
   return {};

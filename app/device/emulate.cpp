@@ -11,6 +11,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/device/live_device.hpp"
+#include "app/language.hpp"
 #include "device/bus/bus.hpp"
 #include "device/config/family_facts.hpp"
 #include "device/emulator/emulator.hpp"
@@ -111,9 +112,8 @@ void print_counters(const Emulator& emulator, bool json) {
                                    {"burst_frames", c.burst},
                                    {"restarts", c.restarts}});
     if (!json)
-      print("%-7s %llu samples, %llu lost on purpose\n", std::string(kFingerNames[f]).c_str(),
-            static_cast<unsigned long long>(c.samples),
-            static_cast<unsigned long long>(c.lost_samples));
+      print("%-7s %s\n", std::string(kFingerNames[f]).c_str(),
+            spoken("%1 samples, %2 lost on purpose"_text(c.samples, c.lost_samples)).c_str());
   }
   if (json) print_json(document);
 }

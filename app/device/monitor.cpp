@@ -89,9 +89,8 @@ nlohmann::ordered_json as_json(const DeviceInfo& info, const DeviceHealth& healt
 }
 
 void print_summary(const DeviceInfo& info, const DeviceHealth& health, double seconds) {
-  print("%s, %.2f s\n", printable(translated(info.description, spoken())).c_str(), seconds);
-  if (health.fault != DeviceFault::none)
-    print("%s\n", translated(words_of(health.fault, health.finger), spoken()).c_str());
+  print_line("%1, %2 s"_text(info.description, fixed(seconds, 2)));
+  if (health.fault != DeviceFault::none) print_line(words_of(health.fault, health.finger));
   print("%-7s %8s %8s %8s %8s %8s %8s %8s %9s %8s %8s\n", "", "rate/Hz", "good", "invalid", "torn",
         "late", "lost", "stale", "saturated", "overload", "restarts");
   for (std::size_t f = 0; f < kFingerCount; ++f) {
@@ -103,9 +102,8 @@ void print_summary(const DeviceInfo& info, const DeviceHealth& health, double se
           number(c.invalid), number(c.torn), number(c.late), number(c.lost), number(c.stale),
           number(c.saturated), number(c.overload), number(c.restarts));
   }
-  print("foreign frames %llu, frames that the kernel dropped %llu\n",
-        static_cast<unsigned long long>(health.foreign_frames),
-        static_cast<unsigned long long>(health.bus.kernel_drops));
+  print_line("foreign frames %1, frames that the kernel dropped %2"_text(health.foreign_frames,
+                                                                         health.bus.kernel_drops));
 }
 
 Result<void> run_monitor(const MonitorOptions& options) {

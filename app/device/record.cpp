@@ -47,7 +47,7 @@ Result<void> run_record(const RecordOptions& options) {
   if (auto got = LiveDevice::ask_for(options.realtime.wish()); !got) return got.error();
   std::uint64_t rows = 0;
   std::uint64_t missing = 0;
-  ProgressBar progress("Recording");
+  ProgressBar progress("Recording"_text);
   DeviceHealth health;
   const auto done = live->run(options.duration_s, [&](const FingerFrame& frame) {
     FingerForcesRow row;
@@ -61,7 +61,7 @@ Result<void> run_record(const RecordOptions& options) {
     ++rows;
     if (frame.any(SampleFlag::missing)) ++missing;
     health = live->device().health();
-    progress.show(frame.t_s / options.duration_s, name_of(health.state));
+    progress.show(frame.t_s / options.duration_s, "%1"_text(std::string(name_of(health.state))));
     return true;
   });
   if (!done) return done.error();
@@ -70,9 +70,8 @@ Result<void> run_record(const RecordOptions& options) {
     if (auto written = raw->finish(); !written) return written;
   std::uint64_t lost = 0;
   for (const auto& sensor : health.sensors) lost += sensor.lost;
-  print("%s: %llu rows, %llu of them with a finger missing; %llu samples lost\n",
-        printable(options.out).c_str(), static_cast<unsigned long long>(rows),
-        static_cast<unsigned long long>(missing), static_cast<unsigned long long>(lost));
+  print_line("%1: %2 rows, %3 of them with a finger missing; %4 samples lost"_text(
+      options.out, rows, missing, lost));
   return {};
 }
 

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 
+#include "gui/words/language.hpp"
 #include "gui/words/texts.hpp"
+#include "languages/languages.hpp"
 #include "storage/access/open_store.hpp"
 
 namespace isograsp::gui {
@@ -23,11 +25,11 @@ void ExportWork::start(const exports::ExportRequest& request, exports::ExportFor
   stop_ = {};
   const auto stop = stop_.get_token();
   // Called on the worker: what it says is passed on to this thread.
-  const auto watch = [this, stop](double fraction, const std::string& code) {
+  const auto watch = [this, stop](double fraction, const Text& code) {
     QMetaObject::invokeMethod(
         this,
         [this, stop, fraction, code] {
-          if (!stop.stop_requested()) Q_EMIT progress(fraction, QString::fromStdString(code));
+          if (!stop.stop_requested()) Q_EMIT progress(fraction, translated(code));
         },
         Qt::QueuedConnection);
     if (!stop.stop_requested()) held_.wait(true);
@@ -35,10 +37,11 @@ void ExportWork::start(const exports::ExportRequest& request, exports::ExportFor
   };
   using Written = Result<std::size_t>;
   worker_.run(
-      [database = database_, request, format, folder, watch]() -> Written {
+      [database = database_, request, format, folder, watch,
+       language = &languages::language(spoken())]() -> Written {
         const auto store = storage::open_store(database, storage::OpenMode::read_only);
         if (!store) return store.error();
-        return exports::write_export(**store, request, format, folder, watch);
+        return exports::write_export(**store, request, format, folder, watch, *language);
       },
       [this, stop, folder](const Written& written) {
         running_ = false;

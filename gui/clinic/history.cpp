@@ -43,8 +43,9 @@ std::vector<HistorySeries> sort_history(const std::vector<storage::MeasurePoint>
   for (const auto& point : points) {
     const auto [place, is_new] = places.try_emplace(series_of(point), series.size());
     if (is_new)
-      series.push_back(
-          {series_words(point), translated(tasks::printed_unit(point.measure.unit).text), {}});
+      series.push_back({series_words(point),
+                        translated(tasks::unit_words(tasks::printed_unit(point.measure.unit).text)),
+                        {}});
     series[place->second].points.push_back(point);
   }
   // The task of the newest trial is what the therapist wants to see; inside a task the order in

@@ -32,7 +32,7 @@ void ReportWork::start(const std::string& code, const std::string& path,
   stop_ = {};
   const auto stop = stop_.get_token();
   // Called on the worker: what it says is passed on to this thread.
-  const auto watch = [this, stop](double fraction, const std::string& words) {
+  const auto watch = [this, stop](double fraction, const Text& words) {
     QMetaObject::invokeMethod(
         this,
         [this, stop, fraction, words] {

@@ -163,7 +163,7 @@ void Connecting::keep_broken_trial(const std::string& why) {
   outcome.trial.task_name = open.trial->task->name;
   outcome.trial.practice = open.trial->practice;
   outcome.trial.status = storage::TrialStatus::interrupted;
-  outcome.reason = why;
+  outcome.reason = Known{why};
   outcome.measures = open.trial->score;
   Q_EMIT flow_.score_changed();
 }

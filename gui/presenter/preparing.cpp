@@ -22,8 +22,8 @@ void Preparing::set_zero(bool accept_changed) {
   if (!(accept_changed ? view.may_accept_changed : view.may_zero)) return;
   example_.stop();
   Preparation& preparation = state_.open->preparation;
-  preparation.zero_refusal.clear();
-  preparation.zero_remark.clear();
+  preparation.zero_refusal = {};
+  preparation.zero_remark = {};
   preparation.zero_only_changed = false;
   session::ZeroRequest request;
   request.device_is_empty = true;
@@ -41,7 +41,7 @@ void Preparing::take(const session::PreparationOutcome& zero) {
   OpenSession& open = *state_.open;
   Preparation& preparation = open.preparation;
   preparation.zero_asked = false;
-  preparation.zero_refusal = zero.accepted ? "" : zero.reason;
+  preparation.zero_refusal = zero.accepted ? Text() : zero.reason;
   preparation.zero_only_changed = zero.only_changed;
   preparation.zero_remark = zero.remark;
   if (zero.accepted) {

@@ -24,7 +24,7 @@ void Remarks::store_rating() {
   if (rating.effort && rating.pain) {
     const auto reason = rating.corrects ? open.session->correct_rating(*rating.effort, *rating.pain)
                                         : open.session->rate(*rating.effort, *rating.pain);
-    rating.stop_reason = reason.value_or("");
+    rating.stop_reason = reason.value_or(Text());
     if (!rating.stop_reason.empty()) open.work.guide.go_on(false);
     if (!rating.corrects) open.work.guide.rated();
     rating.last = Rating::Answer{*rating.effort, *rating.pain};

@@ -126,7 +126,7 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   // From the press of Start until the trial's outcome is stored, with the trial itself in between.
   facts.starting = open.trial && (!open.trial->arrived || facts.stage == session::Stage::idle);
   const auto& reason = open.rating.stop_reason;
-  facts.stop_reason = reason.empty() ? open.limits.reason_to_stop().value_or("") : reason;
+  facts.stop_reason = reason.empty() ? open.limits.reason_to_stop().value_or(Text()) : reason;
   if (follows)
     facts.protocol = protocol_facts(open.work.guide, state_.choices.by_itself, open.time_s());
   if (open.ended) facts.last_rested = is_rest(*open.ended->task);

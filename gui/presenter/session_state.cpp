@@ -11,7 +11,7 @@ struct NoSession {
   session::Compensation compensation;
   ProtocolGuide guide;
   Rating rating;
-  std::string rest_words;
+  Text rest_words;
   std::vector<Measure> score;
 };
 
@@ -61,7 +61,7 @@ const Rating& SessionState::rating() const noexcept {
   return open ? open->rating : no_session().rating;
 }
 
-const std::string& SessionState::rest_words() const noexcept {
+const Text& SessionState::rest_words() const noexcept {
   return open ? open->preparation.rest_words : no_session().rest_words;
 }
 

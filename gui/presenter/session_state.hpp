@@ -109,13 +109,13 @@ struct EndedTrial {
 /// Device and hand before the work: zero, straps, rest.
 struct Preparation {
   bool zero_asked = false;  ///< and its outcome has not come: the session takes nothing else
-  std::string zero_refusal;
+  Text zero_refusal;
   bool zero_only_changed = false;
-  std::string zero_remark;
+  Text zero_remark;
   std::optional<Timestamp> zeroed_at;  ///< the last zero; the hand goes in after it
   bool strapped = false;
   std::array<bool, kFingerCount> shift_noted{};  ///< since the strapping
-  std::string rest_words;
+  Text rest_words;
   bool rest_done = false;
 };
 
@@ -129,7 +129,7 @@ struct Rating {
   std::optional<int> pain;
   bool corrects = false;       ///< both are the last answer: another number corrects it
   std::optional<Answer> last;  ///< of this session
-  std::string stop_reason;     ///< why work should end
+  Text stop_reason;            ///< why work should end
 };
 
 /// What is to be done next in a session.
@@ -208,7 +208,7 @@ struct SessionState {
   [[nodiscard]] const ProtocolGuide& guide() const noexcept;
   [[nodiscard]] const Rating& rating() const noexcept;
   /// What the resting force suggests; empty: not measured yet.
-  [[nodiscard]] const std::string& rest_words() const noexcept;
+  [[nodiscard]] const Text& rest_words() const noexcept;
   /// Of the running or the last trial: the therapist helps, or helped.
   [[nodiscard]] bool helped() const noexcept;
 

@@ -61,7 +61,7 @@ Result<void> Trials::begin(const tasks::TaskSpec& spec, bool practice,
                            std::optional<storage::TrialPlace> place) {
   example_.stop();
   OpenSession& open = *state_.open;
-  open.preparation.zero_refusal.clear();
+  open.preparation.zero_refusal = {};
   open.preparation.zero_only_changed = false;
   const tasks::TaskContext context = open.session->known().next_context();
   if (auto started = open.session->start_trial(spec, practice, place); !started) return started;

@@ -28,7 +28,7 @@ QString words_for_session(const CourseSession& session) {
 QString with_unit(double value, const std::string& unit, bool signed_value) {
   const auto number = translated_digits(signed_value ? tasks::format_change(value, unit)
                                                      : tasks::format_value(value, unit));
-  const auto printed = translated(tasks::printed_unit(unit).text);
+  const auto printed = translated(tasks::unit_words(tasks::printed_unit(unit).text));
   return printed.isEmpty() ? number : QObject::tr("%1 %2").arg(number, printed);
 }
 

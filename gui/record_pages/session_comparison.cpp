@@ -10,6 +10,7 @@
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 #include "tasks/facts/measure_words.hpp"
+#include "tasks/facts/reasons.hpp"
 
 namespace isograsp::gui {
 
@@ -62,7 +63,7 @@ SessionWork collect(const CourseSession& session) {
         collected.sum += *measure.value;
       } else {
         ++collected.mean.without;
-        collected.mean.reason = translated(measure.reason);
+        collected.mean.reason = translated(tasks::reason_words(measure.reason));
       }
     }
   }

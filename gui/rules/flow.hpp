@@ -68,20 +68,20 @@ struct FlowFacts {
   bool asks_rest = true;  ///< and for a hand that rests in it
   bool zeroed = false;
   std::optional<Finger> restarted;  ///< whose sensor started anew after that zero
-  std::string zero_refusal;         ///< why the last zero was refused
+  Text zero_refusal;                ///< why the last zero was refused
   bool zero_only_changed = false;   ///< … only because it differs from the last empty zero
-  std::string zero_remark;          ///< what is to be known about the accepted one
+  Text zero_remark;                 ///< what is to be known about the accepted one
   int settling_s = 0;               ///< until the strapped hand may rest; 0: now
   bool strapped = false;            ///< the therapist said so
   bool straps_due = false;          ///< and has to look at them again
   bool hand_out = false;            ///< for a zero, after it had rested: it has to go in again
-  std::string rest_words;           ///< what the resting force suggests
+  Text rest_words;                  ///< what the resting force suggests
   bool rest_done = false;
   int maximum_attempts = 0;
   double maximum_force_N = 0.0;
   bool task_done = false;  ///< a task after the maximum was completed
   ProtocolFacts protocol;
-  std::string stop_reason;  ///< why work should end for today; empty: it may go on
+  Text stop_reason;         ///< why work should end for today; empty: it may go on
   bool zero_asked = false;  ///< and its outcome has not come
   bool starting = false;  ///< a start was asked for, no frame of it has come; or its end is stored
   bool task_chosen = false;

@@ -481,17 +481,6 @@
     </message>
 </context>
 <context>
-    <name>NextWords</name>
-    <message>
-        <source>%1, practice</source>
-        <translation>%1, Übung</translation>
-    </message>
-    <message>
-        <source>%1 (%2 of %3)</source>
-        <translation>%1 (%2 von %3)</translation>
-    </message>
-</context>
-<context>
     <name>PatientScreen</name>
     <message>
         <source>Thumb and index</source>
@@ -1534,10 +1523,6 @@
     <message>
         <source>%1, %2. %3</source>
         <translation>%1, %2. %3</translation>
-    </message>
-    <message>
-        <source>Resting force, %1</source>
-        <translation>Ruhekraft, %1</translation>
     </message>
     <message>
         <source>%1 samples left out</source>

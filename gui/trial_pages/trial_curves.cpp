@@ -41,7 +41,7 @@ TrialCurve curve_of(const TrialReplay& replay, const std::string& column, const 
   curve.column = replay.signals().find(column);
   curve.name = name;
   curve.colour = colour;
-  curve.target = column.starts_with("target_") && column != columns::target_index &&
+  curve.target = column.starts_with(columns::kTarget) && column != columns::target_index &&
                  column != columns::target_shown;
   for (const Unit& unit : kUnits) {
     if (!column.ends_with(unit.ending)) continue;

@@ -5,7 +5,6 @@
 #include <QLocale>
 
 #include "gui/words/language.hpp"
-#include "gui/words/stored_texts.hpp"
 
 namespace isograsp::gui {
 
@@ -14,8 +13,7 @@ QString qt(std::string_view text) {
 }
 
 QString translated(std::string_view english) {
-  const QString text = qt(english);
-  return spoken() == "en" ? text : stored_text(text);
+  return translated(Known{std::string(english)});
 }
 
 QString translated(const Text& text) {

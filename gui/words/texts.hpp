@@ -14,8 +14,8 @@ namespace isograsp::gui {
 
 /// The same letters as Qt has them.
 [[nodiscard]] QString qt(std::string_view text);
-/// A text that a database, or the name of a file of the library, has as English words
-/// (gui/words/stored_texts.hpp).
+/// English words that a database or a file of the library has, such as the name of a task or what
+/// an event says: looked up as a whole; what is not known stays as it is.
 [[nodiscard]] QString translated(std::string_view english);
 /// A text of the layers below in the language of the screen.
 [[nodiscard]] QString translated(const Text& text);

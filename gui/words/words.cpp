@@ -10,6 +10,7 @@
 
 #include "gui/words/texts.hpp"
 #include "tasks/facts/measure_words.hpp"
+#include "tasks/facts/reasons.hpp"
 
 namespace isograsp::gui {
 
@@ -21,22 +22,14 @@ QString short_number(double value) {
 }
 
 QString measure_title(const Measure& measure) {
-  if (measure.name == "resting_force" && measure.channel != "grip") {
-    std::string axis = measure.channel;
-    std::replace(axis.begin(), axis.end(), '_', ' ');
-    return QObject::tr("Resting force, %1").arg(translated(axis));
-  }
-  const auto whole = tasks::words_of(measure.name, measure.channel).title;
-  auto title = tasks::words_of(measure.name, measure.channel == "grip" ? "grip" : "").title;
-  const auto channel = whole.substr(std::min(title.size(), whole.size()));
-  if (!title.empty())
-    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-  return translated(title) + translated(channel);
+  auto title = translated(tasks::words_of(measure.name, measure.channel).title);
+  if (!title.isEmpty()) title[0] = title[0].toUpper();  // of a measure that has no words here
+  return title;
 }
 
 QString measure_value(const Measure& measure) {
   if (!measure.value) return QStringLiteral("–");
-  const auto unit = translated(tasks::printed_unit(measure.unit).text);  // also "of 5"
+  const auto unit = translated(tasks::unit_words(tasks::printed_unit(measure.unit).text));
   const bool count = measure.name == "targets_reached";
   const auto number = count ? QString::number(std::lround(*measure.value))
                             : translated_digits(tasks::format_value(*measure.value, measure.unit));
@@ -44,7 +37,7 @@ QString measure_value(const Measure& measure) {
 }
 
 QString measure_remark(const Measure& measure) {
-  if (!measure.value) return translated(measure.reason);
+  if (!measure.value) return translated(tasks::reason_words(measure.reason));
   if (measure.excluded > 0) return QObject::tr("%1 samples left out").arg(measure.excluded);
   return {};
 }

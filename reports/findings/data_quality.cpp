@@ -74,7 +74,7 @@ Result<SignalFacts> read_signals(storage::SessionStore& store,
   double passed = 0.0;
   for (const auto& trial : trials) {
     if (!tell(progress, passed++ / static_cast<double>(trials.size()),
-              "checking trial " + std::to_string(trial.number)))
+              "checking trial %1"_text(trial.number)))
       return cancelled();
     const auto signals = store.signals(trial);
     if (!signals) {

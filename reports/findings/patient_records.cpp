@@ -67,7 +67,7 @@ Result<PatientRecords> read_patient(storage::SessionStore& store, const std::str
   for (std::size_t index = 0; index < count; ++index) {
     const storage::SessionRecord& session = records->sessions[index];
     if (!tell(progress, static_cast<double>(index) / static_cast<double>(count),
-              "session " + std::to_string(index + 1) + " of " + std::to_string(count)))
+              "session %1 of %2"_text(index + 1, count)))
       return cancelled();
     const int number = records->first_number + static_cast<int>(index);
     records->shown.push_back({number, session.started_utc.substr(0, kDateLength),

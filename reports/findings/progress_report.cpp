@@ -48,8 +48,8 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
   }
   for (const auto& name : signals->names()) {
     const bool shown = name == columns::t_s || name == columns::phase ||
-                       name == columns::sample_flags || name.starts_with("target_") ||
-                       name.starts_with("actual_") || (fingers && is_finger_force(name));
+                       name == columns::sample_flags || name.starts_with(columns::kTarget) ||
+                       name.starts_with(columns::kActual) || (fingers && is_finger_force(name));
     if (!shown || drawn.curves.has(name)) continue;
     const auto column = signals->column(name);
     drawn.curves.add_column(name, {column.begin(), column.end()});
@@ -168,7 +168,7 @@ Result<ReportContent> gather_progress(storage::SessionStore& store, const std::s
   constexpr double kSessionsEnd = 0.3;
   constexpr double kTrialsEnd = 0.6;
   const auto between = [&](double from, double to) {
-    return [&progress, from, to](double done, const std::string& words) {
+    return [&progress, from, to](double done, const Text& words) {
       return tell(progress, from + (to - from) * done, words);
     };
   };
@@ -199,7 +199,7 @@ Result<ReportContent> gather_progress(storage::SessionStore& store, const std::s
   for (const auto& [task, all] : tasks) {
     const std::size_t index = content.sections.size();
     if (!watch(static_cast<double>(index) / static_cast<double>(tasks.size()),
-               "task " + std::to_string(index + 1) + " of " + std::to_string(tasks.size())))
+               "task %1 of %2"_text(index + 1, tasks.size())))
       return cancelled();
     auto section = make_section(context, all, content.sessions);
     if (!section) return section.error();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tasks/facts/measure_words.hpp"
+#include "tasks/facts/reasons.hpp"
 
 namespace isograsp::reports {
 
@@ -215,7 +216,7 @@ Text better_words(tasks::Better better) {
 }
 
 Text series_subtitle(const MeasureSeries& series) {
-  return middle_dotted({unit_words(tasks::printed_unit(series.unit).text),
+  return middle_dotted({tasks::unit_words(tasks::printed_unit(series.unit).text),
                         better_words(tasks::words_of(series.name, series.channel).better)});
 }
 
@@ -255,9 +256,9 @@ Text last_trial_results(const TaskSection& section) {
         });
     const auto words = tasks::words_of(measure.name, measure.channel);
     if (in_trend || !words.clinical) continue;
-    results.push_back("%1: %2"_text(
-        measure_title(measure.name, measure.channel),
-        measure.value ? value_words(*measure.value, measure.unit) : Text(Known{measure.reason})));
+    results.push_back("%1: %2"_text(measure_title(measure.name, measure.channel),
+                                    measure.value ? value_words(*measure.value, measure.unit)
+                                                  : tasks::reason_words(measure.reason)));
   }
   return middle_dotted(results);
 }

@@ -31,7 +31,7 @@ Text with_unit(Number number, const std::string& unit) {
   const std::string printed = tasks::printed_unit(unit).text;
   if (printed.empty()) return "%1"_text(std::move(number));
   if (printed == "°") return "%1%2"_text(std::move(number), printed);
-  return "%1\u00a0%2"_text(std::move(number), unit_words(printed));
+  return "%1\u00a0%2"_text(std::move(number), tasks::unit_words(printed));
 }
 
 }  // namespace
@@ -73,34 +73,7 @@ Text digit_words(Finger finger) {
 }
 
 Text measure_title(std::string_view name, std::string_view channel) {
-  const std::string whole = tasks::words_of(name, channel).title;
-  // Its channel is said behind the title, which a grip changes.
-  for (const std::string_view plain : {std::string_view(), std::string_view("grip")}) {
-    const std::string title = tasks::words_of(name, plain).title;
-    if (whole.size() <= title.size() || !whole.starts_with(title)) continue;
-    const std::string behind = whole.substr(title.size());
-    constexpr std::string_view kAt = " at ";
-    constexpr std::string_view kTarget = " target ";
-    const auto last = behind.rfind(' ');
-    if (behind.starts_with(kAt) && last > kAt.size()) {
-      const Number level{behind.substr(kAt.size(), last - kAt.size())};
-      const std::string unit = behind.substr(last + 1);
-      if (unit == "%") return "%1%2"_text(Known{title}, " at %1 %"_text(level));
-      if (unit == "N") return "%1%2"_text(Known{title}, " at %1 N"_text(level));
-      if (unit == "Hz") return "%1%2"_text(Known{title}, " at %1 Hz"_text(level));
-    }
-    if (behind.starts_with(kTarget))
-      return "%1%2"_text(Known{title}, " target %1"_text(behind.substr(kTarget.size())));
-    return "%1%2"_text(Known{title}, Known{behind});
-  }
-  return Known{whole};
-}
-
-Text unit_words(const std::string& printed_unit) {
-  constexpr std::string_view kOf = "of ";
-  if (printed_unit.starts_with(kOf)) return "of %1"_text(printed_unit.substr(kOf.size()));
-  if (printed_unit == "blocks") return "blocks"_text;
-  return printed_unit.empty() ? Text() : "%1"_text(printed_unit);
+  return tasks::words_of(name, channel).title;
 }
 
 Number value_number(double value, const std::string& unit) {

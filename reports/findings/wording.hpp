@@ -7,13 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/english.hpp"
 #include "core/text.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp::reports {
-
-/// Reports are English unless somebody chooses another language.
-inline const Language kEnglish;
 
 [[nodiscard]] std::string language_code(const Language& language);  ///< ISO 639-1
 
@@ -28,8 +26,6 @@ inline const Language kEnglish;
 /// "Maximum grip above rest", with the channel where it has words.
 [[nodiscard]] Text measure_title(std::string_view name, std::string_view channel);
 
-/// Units that are words: "of 5", "blocks"; the others are the same everywhere.
-[[nodiscard]] Text unit_words(const std::string& printed_unit);
 /// In the printed unit, without it: "12.3".
 [[nodiscard]] Number value_number(double value, const std::string& unit);
 /// With the unit: "12.3 N", "45°"; a change has its sign.

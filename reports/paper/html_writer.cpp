@@ -102,7 +102,7 @@ struct HtmlReport::Parts {
       rows.emplace_back();
       for (const auto& cell : row) rows.back().push_back(escaped(cell));
     }
-    const auto unit = html(unit_words(tasks::printed_unit(series.unit).text));
+    const auto unit = html(tasks::unit_words(tasks::printed_unit(series.unit).text));
     table(escaped(title) + (unit.isEmpty() ? "" : " [" + unit + "]"),
           html({"Session"_text, "Date"_text, "Mean"_text, "Trials"_text}), rows);
     out_ += "</figure>\n";
@@ -226,9 +226,8 @@ int HtmlReport::steps() const noexcept {
 int HtmlReport::steps_done() const noexcept {
   return static_cast<int>(parts_->done_);
 }
-std::string HtmlReport::words() const {
-  return "part " + std::to_string(std::min(steps_done() + 1, steps())) + " of " +
-         std::to_string(steps());
+Text HtmlReport::words() const {
+  return "part %1 of %2"_text(std::min(steps_done() + 1, steps()), steps());
 }
 
 void HtmlReport::paint_next() {

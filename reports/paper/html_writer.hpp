@@ -19,7 +19,7 @@ class HtmlReport final : public ReportWriter {
 
   [[nodiscard]] int steps() const noexcept override;
   [[nodiscard]] int steps_done() const noexcept override;
-  [[nodiscard]] std::string words() const override;
+  [[nodiscard]] Text words() const override;
   void paint_next() override;
   [[nodiscard]] std::string take() override;
 

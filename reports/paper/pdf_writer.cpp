@@ -51,8 +51,8 @@ int PdfReport::steps() const noexcept {
 int PdfReport::steps_done() const noexcept {
   return parts_->printer->steps_done();
 }
-std::string PdfReport::words() const {
-  return "page " + std::to_string(page()) + " of " + std::to_string(pages());
+Text PdfReport::words() const {
+  return "page %1 of %2"_text(page(), pages());
 }
 
 void PdfReport::paint_next() {

@@ -23,7 +23,7 @@ class PdfReport final : public ReportWriter {
   [[nodiscard]] int page() const noexcept;  ///< that the next step paints on, from 1
   [[nodiscard]] int steps() const noexcept override;
   [[nodiscard]] int steps_done() const noexcept override;
-  [[nodiscard]] std::string words() const override;
+  [[nodiscard]] Text words() const override;
   void paint_next() override;
   [[nodiscard]] std::string take() override;
 

@@ -24,7 +24,7 @@ class ReportWriter {
   [[nodiscard]] virtual int steps_done() const noexcept = 0;
   [[nodiscard]] bool complete() const noexcept { return steps_done() == steps(); }
   /// Where the work is: "page 3 of 7".
-  [[nodiscard]] virtual std::string words() const = 0;
+  [[nodiscard]] virtual Text words() const = 0;
   /// @pre !complete()
   virtual void paint_next() = 0;
   /// The whole file; may be written on any thread. @pre complete(), called once

@@ -289,7 +289,7 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   const QCPRange range = range_for(all, norm_far, series.unit);
   rect.axis(QCPAxis::atLeft)->setRange(range);
   rect.axis(QCPAxis::atLeft)
-      ->setLabel(view.said(printed.text.empty() ? "ratio"_text : unit_words(printed.text)));
+      ->setLabel(view.said(printed.text.empty() ? "ratio"_text : tasks::unit_words(printed.text)));
 
   const Span span = span_of(content);
   constexpr double kRoomForNorm = 0.05;  // of the length

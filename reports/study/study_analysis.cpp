@@ -18,7 +18,8 @@ statistics::Computed sd_about(double mean, const Eigen::VectorXd& values) {
   if (unit == 0.0) return 0.0;
   const Eigen::ArrayXd about = values.array() / unit - mean / unit;
   const double sd = unit * std::sqrt(about.square().sum() / static_cast<double>(values.size() - 1));
-  if (!std::isfinite(sd)) return "the standard deviation is too large for a number of the computer";
+  if (!std::isfinite(sd))
+    return "the standard deviation is too large for a number of the computer"_text;
   return sd;
 }
 
@@ -26,12 +27,12 @@ ConditionSummary summary_of(const Eigen::VectorXd& values) {
   ConditionSummary summary;
   summary.box = statistics::box_plot({values.data(), static_cast<std::size_t>(values.size())});
   if (values.size() == 0) {
-    summary.mean = summary.sd = "nobody has all values";
+    summary.mean = summary.sd = "nobody has all values"_text;
     return summary;
   }
   const double mean = arithmetic_mean({values.data(), static_cast<std::size_t>(values.size())});
   summary.mean = mean;
-  summary.sd = "one subject only";
+  summary.sd = "one subject only"_text;
   if (values.size() > 1) summary.sd = sd_about(mean, values);
   return summary;
 }

@@ -13,6 +13,7 @@
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/patient_records.hpp"
 #include "reports/findings/renewed.hpp"
+#include "tasks/facts/reasons.hpp"
 
 namespace isograsp::reports {
 
@@ -186,9 +187,8 @@ class CellMaker {
       if (why.empty() && measure == nullptr) why = "the trial has no such measure"_text;
       if (why.empty() && !same_kind(*measure)) why = "another version of the measure"_text;
       if (why.empty() && !measure->value) {
-        why = Known{measure->reason};
-        // A time that did not come is longer than all others: without it the result would look too
-        // good.
+        why = tasks::reason_words(measure->reason);
+        // A time that did not come is longer than all others: leaving it out would flatter.
         if (censored) return {{}, 0, 0, "a trial has no value: %1"_text(why)};
       }
       if (!why.empty()) {
@@ -277,7 +277,7 @@ Result<StudyData> gather_study(storage::SessionStore& store, const Study& study,
   for (auto& group : data.groups)
     for (std::size_t row = 0; row < group.subjects.size(); ++row, ++number) {
       if (!tell(progress, static_cast<double>(number) / static_cast<double>(codes.size()),
-                group.subjects[row]))
+                "%1"_text(group.subjects[row])))
         return cancelled();
       auto records = read_patient(store, codes[number]);
       if (!records) return records.error();

@@ -17,7 +17,7 @@ constexpr const char* kTooLarge = "too large for a number of the computer";
 
 /// A number, or {"undefined": why}. JSON knows no infinity.
 Json as_json(const statistics::Computed& figure) {
-  if (!figure.value) return {{"undefined", figure.reason}};
+  if (!figure.value) return {{"undefined", english(figure.reason)}};
   if (!std::isfinite(*figure.value)) return {{"undefined", kTooLarge}};
   return *figure.value;
 }

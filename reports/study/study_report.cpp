@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "reports/findings/report_text.hpp"
 #include "tasks/facts/measure_words.hpp"
@@ -87,7 +87,8 @@ class Composer {
       table.rows.push_back({condition.name, say_(Known{*condition.selection.task}),
                             say_(study_hand_words(*condition.selection.hand)),
                             say_(sessions_words(condition.selection))});
-      if (channels) table.rows.back().push_back(condition.selection.channel.value_or(""));
+      if (channels)
+        table.rows.back().push_back(say_(Known{condition.selection.channel.value_or("")}));
     }
     add(std::move(table));
     if (!data_.left_out.empty())
@@ -113,7 +114,7 @@ class Composer {
 
   void reading() {
     heading("How to read this"_text, true);
-    paragraph(Known{std::string(statistics::kBoxRule)}, true);
+    paragraph(statistics::kBoxRule, true);
     paragraph(
         "p is how often differences at least this large would be seen if the conditions did not "
         "differ. A large p does not show that they are equal, a small one not that a difference "
@@ -142,7 +143,7 @@ class Composer {
   [[nodiscard]] std::string common_channel() const { return study_.common.channel.value_or(""); }
   /// "Mean [N]": what has the unit of the measure.
   [[nodiscard]] Text in_unit(const Text& what) const {
-    const Text unit = unit_words(tasks::printed_unit(data_.unit).text);
+    const Text unit = tasks::unit_words(tasks::printed_unit(data_.unit).text);
     return unit.empty() ? what : "%1 [%2]"_text(what, unit);
   }
   [[nodiscard]] Text titled() const {
@@ -153,7 +154,7 @@ class Composer {
   template <class Words>
   std::string cell(const statistics::Computed& figure, Words words) {
     if (figure.value) return say_(words(*figure.value));
-    reasons_.insert(figure.reason);
+    reasons_.emplace(english(figure.reason), figure.reason);
     return kNoValue;
   }
   std::string value(const statistics::Computed& figure) {
@@ -175,8 +176,8 @@ class Composer {
   }
   void add_with_reasons(StudyTable table) {
     add(std::move(table));
-    for (const auto& why : reasons_)
-      paragraph("%1 not defined: %2."_text(kNoValue, Known{why}), true);
+    for (const auto& [english, why] : reasons_)
+      paragraph("%1 not defined: %2."_text(kNoValue, why), true);
     reasons_.clear();
   }
 
@@ -213,7 +214,7 @@ class Composer {
     plot.description =
         say_("Box plots of the conditions; the table below holds their numbers."_text);
     const auto unit = tasks::printed_unit(data_.unit);
-    plot.unit = say_(unit.text.empty() ? "ratio"_text : unit_words(unit.text));
+    plot.unit = say_(unit.text.empty() ? "ratio"_text : tasks::unit_words(unit.text));
     plot.language = &say_.language();
     for (std::size_t c = 0; c < conditions_.size(); ++c) {
       plot.names.push_back(conditions_[c].name);
@@ -419,7 +420,7 @@ class Composer {
   const std::vector<StudyCondition> conditions_;
   const Speaker say_;
   StudyReport& report_;
-  std::set<std::string> reasons_;  ///< of undefined figures in the current table
+  std::map<std::string, Text> reasons_;  ///< by their English; of the current table
 };
 
 }  // namespace

@@ -59,7 +59,7 @@ void Acquisition::run_trial() noexcept {
   push(RecordItem::Kind::sample);
   if (!moving) return;
   apparatus_.move();
-  if (now_.task.phase == tasks::Phase::done) end_trial(storage::TrialStatus::completed, "");
+  if (now_.task.phase == tasks::Phase::done) end_trial(storage::TrialStatus::completed, ""_text);
 }
 
 void Acquisition::obey(const Command& command) noexcept {
@@ -107,7 +107,7 @@ void Acquisition::tell_fault() noexcept {
   const ApparatusFault fault = apparatus_.fault();
   if (fault.number == told_fault_) return;
   told_fault_ = fault.number;
-  if (fault.number != 0) push_event(kFaultEvent, fault.words.english());
+  if (fault.number != 0) push_event(kFaultEvent, fault.words);
 }
 
 void Acquisition::begin_trial(TrialSetup& setup) noexcept {
@@ -125,7 +125,7 @@ void Acquisition::begin_trial(TrialSetup& setup) noexcept {
   push(RecordItem::Kind::begin);
 }
 
-void Acquisition::end_trial(storage::TrialStatus status, const char* reason) noexcept {
+void Acquisition::end_trial(storage::TrialStatus status, Words reason) noexcept {
   apparatus_.end(*trial_);
   item_.setup = trial_;
   item_.status = status;
@@ -151,21 +151,21 @@ void Acquisition::pause(PauseCause cause) noexcept {
   push_event(item_.pauses                    ? kFaultEvent
              : cause == PauseCause::occluded ? "occluded"
                                              : "pause",
-             (fault.number != 0 ? fault.words : words_of(cause)).english());
+             (fault.number != 0 ? fault.words : words_of(cause)));
   item_.pauses = item_.told_before = false;
 }
 
 void Acquisition::resume() noexcept {
   now_.stage = Stage::trial;
   now_.pause_cause = PauseCause::none;
-  push_event("resume", "");
+  push_event("resume", ""_text);
 }
 
 void Acquisition::finish() noexcept {
   if (trial_ != nullptr)
     end_trial(
         trial_->spec.kind->free ? storage::TrialStatus::completed : storage::TrialStatus::aborted,
-        "The recording ended.");
+        "The recording ended."_text);
   now_.stage = Stage::finished;
   push(RecordItem::Kind::finished);
   publish(clock_.now());
@@ -177,7 +177,7 @@ void Acquisition::push(RecordItem::Kind kind) noexcept {
   if (!records_.push(item_)) ++now_.recorder_dropped;
 }
 
-void Acquisition::push_event(const char* kind, const char* text) noexcept {
+void Acquisition::push_event(const char* kind, Words text) noexcept {
   item_.event_kind = kind;
   item_.reason = text;
   push(RecordItem::Kind::event);

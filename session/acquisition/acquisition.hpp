@@ -23,7 +23,7 @@ struct RecordItem {
   Preparation* preparation = nullptr;                             ///< prepared
   TrialRow row;                                                   ///< sample
   storage::TrialStatus status = storage::TrialStatus::completed;  ///< end
-  const char* reason = "";                                        ///< end, event: static text
+  Words reason = ""_text;                                         ///< end, event
   const char* event_kind = "";
   bool pauses = false;       ///< event: the trial stands still because of the device
   bool told_before = false;  ///< event: the fault has been recorded already
@@ -38,7 +38,7 @@ struct Command {
   Kind kind = Kind::pause;
   TrialSetup* setup = nullptr;         ///< begin
   Preparation* preparation = nullptr;  ///< prepare
-  const char* reason = "";             ///< abort: static text
+  Words reason = ""_text;              ///< abort
 };
 
 class Acquisition {
@@ -63,13 +63,13 @@ class Acquisition {
   void tell_fault() noexcept;
   void run_trial() noexcept;
   void begin_trial(TrialSetup& setup) noexcept;
-  void end_trial(storage::TrialStatus status, const char* reason) noexcept;
+  void end_trial(storage::TrialStatus status, Words reason) noexcept;
   void pause(PauseCause cause) noexcept;
   void resume() noexcept;
   void finish() noexcept;
   /// Sends item_ to the recorder; counts it if there is no room.
   void push(RecordItem::Kind kind) noexcept;
-  void push_event(const char* kind, const char* text) noexcept;
+  void push_event(const char* kind, Words text) noexcept;
   void publish(Timestamp frame_ready) noexcept;
   /// Counts period, lateness and work of the frame that was published last.
   void measure_timing() noexcept;

@@ -75,9 +75,9 @@ struct ZeroRequest {
 struct PreparationOutcome {
   std::string name;  ///< of its events: "zero", "zero refused"
   bool accepted = false;
-  std::string reason;         ///< why not, in words for the therapist
+  Text reason;                ///< why not, in words for the therapist
   bool only_changed = false;  ///< refused, but ZeroRequest::accept_changed would allow it
-  std::string remark;         ///< accepted, but this is to be known; may be empty
+  Text remark;                ///< accepted, but this is to be known; may be empty
   /// As it is stored if it is accepted; the recorder adds session, time and who.
   storage::PreparationRecord record;
 };

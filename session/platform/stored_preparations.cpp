@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/platform/stored_preparations.hpp"
 
-#include <cstdio>
+#include "session/platform/zeroing.hpp"
 
 namespace isograsp::session {
 
 namespace {
-
-std::string newtons(double force_N) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g N", force_N);
-  return text;
-}
 
 /// What both have in common.
 template <class Taken>
@@ -35,15 +29,17 @@ storage::PreparationRecord as_stored(const ZeroRecord& zero) {
   return record;
 }
 
-std::string remark_on(const ZeroRecord& zero) {
-  std::string remark;
+Text remark_on(const ZeroRecord& zero) {
+  std::vector<Text> remarks;
   if (zero.change_confirmed)
-    remark += "It differs from the last empty zero by " + newtons(*zero.change_N) +
-              "; confirmed as serviced or remounted. ";
+    remarks.push_back(
+        "It differs from the last empty zero by %1 N; confirmed as serviced or remounted."_text(
+            two_digits(*zero.change_N)));
   if (zero.drifted)
-    remark += "The zero has drifted by " + newtons(*zero.drift_N) +
-              " since the one before: the trials between are marked. ";
-  return remark;
+    remarks.push_back(
+        "The zero has drifted by %1 N since the one before: the trials between are marked."_text(
+            two_digits(*zero.drift_N)));
+  return joined(remarks);
 }
 
 storage::PreparationRecord as_stored(const RestRecord& rest) {

@@ -40,7 +40,7 @@ struct RestRecord {
 /// Without session, time and who.
 [[nodiscard]] storage::PreparationRecord as_stored(const ZeroRecord& zero);
 /// What is to be known about an accepted zero; may be empty.
-[[nodiscard]] std::string remark_on(const ZeroRecord& zero);
+[[nodiscard]] Text remark_on(const ZeroRecord& zero);
 [[nodiscard]] storage::PreparationRecord as_stored(const RestRecord& rest);
 
 }  // namespace isograsp::session

@@ -98,31 +98,61 @@ std::optional<ZeroRefusal> check_zero(
   return std::nullopt;
 }
 
-std::string words_of(const ZeroRefusal& refusal) {
+Number two_digits(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.2g", value);
+  return {digits};
+}
+
+namespace {
+
+Text fault_words(const ZeroRefusal& refusal) {
   using Why = ZeroRefusal::Why;
-  if (refusal.why == Why::gaps)
-    return "Samples are missing: check the cables of the device, then set the zero again.";
-  const auto sentence = [&refusal](const char* what, const char* unit, const char* remedy) {
-    char text[320];
-    std::snprintf(text, sizeof text, "The %s sensor %s (%.2g %s, limit %.2g %s). %s",
-                  std::string(name_of(refusal.finger)).c_str(), what, refusal.found, unit,
-                  refusal.limit, unit, remedy);
-    return std::string(text);
-  };
-  constexpr const char* kHandsOff =
-      "Take the hand out, let nothing touch the device, and set the zero again.";
-  constexpr const char* kDamaged =
-      "Check that nothing leans on the finger support; if it is free, the sensor may be damaged.";
+  static constexpr std::array kForce{"The thumb sensor is not quiet (%1 N, limit %2 N)."_text,
+                                     "The index sensor is not quiet (%1 N, limit %2 N)."_text,
+                                     "The middle sensor is not quiet (%1 N, limit %2 N)."_text};
+  static constexpr std::array kTorque{"The thumb sensor is not quiet (%1 Nm, limit %2 Nm)."_text,
+                                      "The index sensor is not quiet (%1 Nm, limit %2 Nm)."_text,
+                                      "The middle sensor is not quiet (%1 Nm, limit %2 Nm)."_text};
+  static constexpr std::array kDrift{"The thumb sensor drifts (%1 N/s, limit %2 N/s)."_text,
+                                     "The index sensor drifts (%1 N/s, limit %2 N/s)."_text,
+                                     "The middle sensor drifts (%1 N/s, limit %2 N/s)."_text};
+  static constexpr std::array kLoad{"The thumb sensor is loaded (%1 N, limit %2 N)."_text,
+                                    "The index sensor is loaded (%1 N, limit %2 N)."_text,
+                                    "The middle sensor is loaded (%1 N, limit %2 N)."_text};
+  static constexpr std::array kChange{
+      "The thumb sensor differs from the last empty zero (%1 N, limit %2 N)."_text,
+      "The index sensor differs from the last empty zero (%1 N, limit %2 N)."_text,
+      "The middle sensor differs from the last empty zero (%1 N, limit %2 N)."_text};
+  const auto& sentences = refusal.why == Why::noisy_force    ? kForce
+                          : refusal.why == Why::noisy_torque ? kTorque
+                          : refusal.why == Why::drift        ? kDrift
+                          : refusal.why == Why::loaded       ? kLoad
+                                                             : kChange;
+  return sentences[index_of(refusal.finger)](two_digits(refusal.found), two_digits(refusal.limit));
+}
+
+}  // namespace
+
+Text words_of(const ZeroRefusal& refusal) {
+  using Why = ZeroRefusal::Why;
   switch (refusal.why) {
-    case Why::noisy_force: return sentence("is not quiet", "N", kHandsOff);
-    case Why::noisy_torque: return sentence("is not quiet", "Nm", kHandsOff);
-    case Why::drift: return sentence("drifts", "N/s", kHandsOff);
-    case Why::loaded: return sentence("is loaded", "N", kDamaged);
-    default:
-      return sentence("differs from the last empty zero", "N",
-                      "If nothing leans on the supports, the sensor may be damaged. If the device "
-                      "was serviced or remounted since, confirm that.");
+    case Why::gaps:
+      return "Samples are missing: check the cables of the device, then set the zero again."_text;
+    case Why::loaded:
+      return joined({fault_words(refusal),
+                     "Check that nothing leans on the finger support; if it is free, the sensor "
+                     "may be damaged."_text});
+    case Why::changed:
+      return joined({fault_words(refusal),
+                     "If nothing leans on the supports, the sensor may be damaged."_text,
+                     "If the device was serviced or remounted since, confirm that."_text});
+    case Why::noisy_force:
+    case Why::noisy_torque:
+    case Why::drift: break;
   }
+  return joined({fault_words(refusal),
+                 "Take the hand out, let nothing touch the device, and set the zero again."_text});
 }
 
 }  // namespace isograsp::session

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
+#include "core/text.hpp"
 #include "hand/platform_records.hpp"
 #include "hand/stale.hpp"
 
@@ -81,7 +81,9 @@ struct ZeroRefusal {
     const ZeroLimits& limits = {}) noexcept;
 
 /// The reason and the remedy in words for the therapist.
-[[nodiscard]] std::string words_of(const ZeroRefusal& refusal);
+[[nodiscard]] Text words_of(const ZeroRefusal& refusal);
+/// "0.35": enough for people.
+[[nodiscard]] Number two_digits(double value);
 
 /// Whether the present zero can be used for a trial that is to begin.
 enum class ZeroStanding : std::uint8_t {

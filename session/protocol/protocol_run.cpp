@@ -46,12 +46,12 @@ class Run {
       }
     }
     position_.step = position_.steps;
-    report("");
+    report({});
     return std::move(result_);
   }
 
  private:
-  void report(std::string doing) {
+  void report(Text doing) {
     position_.doing = std::move(doing);
     if (progress_) progress_(position_);
   }
@@ -65,7 +65,7 @@ class Run {
   }
 
   Result<void> zero() {
-    std::string reason;
+    Text reason;
     Text remedy;
     for (int attempt = 0; attempt < kZeroAttempts; ++attempt) {
       ZeroRequest request;
@@ -87,7 +87,7 @@ class Run {
                      : Text();
       }
     }
-    return failed("the instrument zero was refused: %1"_text(Known{reason}), remedy);
+    return failed("the instrument zero was refused: %1"_text(reason), remedy);
   }
 
   double now_s() { return session_.snapshot().session_time_s; }
@@ -101,7 +101,7 @@ class Run {
   Result<bool> trial(const ProtocolWalk::Act& act) {
     const auto spec = task_of(act, session_.known().training);
     if (!spec) return spec.error();
-    std::string reason;
+    Text reason;
     for (int attempt = 0; attempt < kTrialAttempts; ++attempt) {
       if (auto started = session_.start_trial(*spec, act.practice, act.place); !started) {
         if (started.error().code != Error::Code::bad_input) return way_on(started.error());
@@ -115,7 +115,7 @@ class Run {
       reason = outcome->reason;
       if (session_.snapshot().stage == Stage::finished) break;
     }
-    return failed("'%1' could not be completed: %2"_text(Known{spec->name}, Known{reason}),
+    return failed("'%1' could not be completed: %2"_text(Known{spec->name}, reason),
                   "mend the device and run the protocol again"_text);
   }
 
@@ -142,7 +142,7 @@ class Run {
         if (item.trial) return *item.trial;
         // Resuming is a therapist's act and there is none here; recorded data go on by themselves.
         if (item.fault && !session_.known().device.recorded)
-          session_.abort("Stopped after a device fault.");
+          session_.abort("Stopped after a device fault."_text);
       }
     }
   }

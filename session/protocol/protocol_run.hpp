@@ -12,7 +12,7 @@ namespace isograsp::session {
 struct ProtocolProgress {
   int step = 0;  ///< steps finished, repetitions counted singly
   int steps = 0;
-  std::string doing;  ///< "Grip force, sine (2 of 3)"
+  Text doing;  ///< "Grip force, sine (2 of 3)"
 };
 
 struct ProtocolResult {

@@ -5,15 +5,15 @@
 
 namespace isograsp::session {
 
-std::string ProtocolWalk::Act::words() const {
+Text ProtocolWalk::Act::words() const {
   switch (kind) {
-    case Kind::instrument_zero: return "Instrument zero";
-    case Kind::pause: return "Pause";
+    case Kind::instrument_zero: return "Instrument zero"_text;
+    case Kind::pause: return "Pause"_text;
     case Kind::trial: break;
   }
-  std::string words = task->name;
-  if (practice) words += ", practice";
-  if (planned > 1) words += " (" + std::to_string(attempt) + " of " + std::to_string(planned) + ")";
+  Text words = Known{task->name};
+  if (practice) words = "%1, practice"_text(std::move(words));
+  if (planned > 1) words = "%1 (%2 of %3)"_text(std::move(words), attempt, planned);
   return words;
 }
 

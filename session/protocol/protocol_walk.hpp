@@ -28,7 +28,7 @@ class ProtocolWalk {
     double duration_s = 0.0;    ///< of a pause
 
     /// "Grip force, sine, practice (2 of 3)"
-    [[nodiscard]] std::string words() const;
+    [[nodiscard]] Text words() const;
   };
 
   /// What is left of `protocol` (which must outlive the walk) after `earlier`. The device was

@@ -9,8 +9,7 @@
 
 namespace isograsp::storage {
 
-/// Others may add to the log meanwhile: all is read in one transaction. @pre no transaction is open
-[[nodiscard]] Result<std::vector<std::string>> audit_problems(Database& database,
-                                                              const LoginState& state);
+/// While others add to the log, too: all is read as of one moment. @pre no transaction is open
+[[nodiscard]] Result<std::vector<Text>> audit_problems(Database& database, const LoginState& state);
 
 }  // namespace isograsp::storage

@@ -40,7 +40,7 @@ std::size_t first_keyed(const std::vector<AuditEntry>& entries) {
 
 }  // namespace
 
-Result<std::vector<std::string>> audit_problems(Database& database, const LoginState& state) {
+Result<std::vector<Text>> audit_problems(Database& database, const LoginState& state) {
   const Login login = state.login();
   const Secret* const key = audit_key(login);
   // First: a log that grows meanwhile is longer than this file says, never shorter.
@@ -58,42 +58,43 @@ Result<std::vector<std::string>> audit_problems(Database& database, const LoginS
     anchor.count = count;
   });
   if (!read) return read.error();
-  std::vector<std::string> problems;
+  std::vector<Text> problems;
   const std::size_t keyed = first_keyed(entries);
   std::string before = first_hash(keyed > 0 ? nullptr : key, state.database_id());
   std::int64_t expected = 1;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const AuditEntry& entry = entries[i];
     const Secret* const key_then = i < keyed ? nullptr : key;
-    const std::string number = std::to_string(entry.number);
     if (entry.number != expected)
-      problems.push_back("audit log: entries " + std::to_string(expected) + " to " +
-                         std::to_string(entry.number - 1) + " are missing");
+      problems.push_back(
+          "audit log: entries %1 to %2 are missing"_text(expected, entry.number - 1));
     else if (entry_hash(key_then, before, entry) != entry.hash)
-      problems.push_back("audit log: entry " + number + " or what stood before it was changed");
+      problems.push_back(
+          "audit log: entry %1 or what stood before it was changed"_text(entry.number));
     before = entry.hash;
     expected = entry.number + 1;
   }
   const std::int64_t last = entries.empty() ? 0 : entries.back().number;
-  if (!anchored && !entries.empty()) problems.push_back("audit log: its anchor is missing");
+  if (!anchored && !entries.empty()) problems.push_back("audit log: its anchor is missing"_text);
   if (anchored && proof != head_proof(key, state.database_id(), anchor))
-    problems.push_back("audit log: its anchor was changed");
+    problems.push_back("audit log: its anchor was changed"_text);
   else if (anchored && (anchor.count != last || anchor.hash != before))
-    problems.push_back("audit log: it ends with entry " + std::to_string(last) +
-                       ", its anchor says " + std::to_string(anchor.count));
+    problems.push_back(
+        "audit log: it ends with entry %1, its anchor says %2"_text(last, anchor.count));
   if (!state.is_protected()) return problems;
-  if (!anchored) problems.push_back("audit log: it is empty, though the database was made");
+  if (!anchored) problems.push_back("audit log: it is empty, though the database was made"_text);
   if (file.present && !file.head)
-    problems.push_back("audit log: the file -audit beside the database was changed");
+    problems.push_back("audit log: the file -audit beside the database was changed"_text);
   if (file.head) {
     const auto at = static_cast<std::size_t>(file.head->count);
     if (file.head->count > last)
-      problems.push_back("audit log: it ends with entry " + std::to_string(last) +
-                         ", the file -audit beside it says " + std::to_string(file.head->count) +
-                         ": the database was put back or cut");
+      problems.push_back(
+          "audit log: it ends with entry %1, the file -audit beside it says %2: the database was put back or cut"_text(
+              last, file.head->count));
     else if (at == 0 || at > entries.size() || entries[at - 1].hash != file.head->hash)
-      problems.push_back("audit log: entry " + std::to_string(file.head->count) +
-                         " is not the one that the file -audit beside it tells of");
+      problems.push_back(
+          "audit log: entry %1 is not the one that the file -audit beside it tells of"_text(
+              file.head->count));
   }
   return problems;
 }
@@ -149,7 +150,7 @@ Result<void> log_act_of(const std::string& database, Access* access, const std::
   return log_act(*access, act, check_patient_code(object) ? object : "", done, detail);
 }
 
-Result<std::vector<std::string>> check_audit(Access& access) {
+Result<std::vector<Text>> check_audit(Access& access) {
   Access::Parts& parts = access.parts();
   const std::lock_guard lock(parts.mutex);
   if (access.is_protected() && !parts.login->login().keys)

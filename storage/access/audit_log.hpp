@@ -52,7 +52,7 @@ struct AuditFilter {
                                       const std::string& detail = "");
 /// What is wrong with the chain: changed, moved, missing, cut entries. Empty: nothing. A
 /// protected database must be logged in.
-[[nodiscard]] Result<std::vector<std::string>> check_audit(Access& access);
+[[nodiscard]] Result<std::vector<Text>> check_audit(Access& access);
 /// Is `head`, noted earlier, part of this chain?
 [[nodiscard]] Result<bool> audit_contains(Access& access, const AuditHead& head);
 

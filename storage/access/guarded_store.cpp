@@ -311,7 +311,7 @@ Result<void> GuardedStore::remove_stable_period(RowId id) {
                  [&] { return behind().remove_stable_period(id); });
 }
 
-Result<std::vector<std::string>> GuardedStore::check() {
+Result<std::vector<Text>> GuardedStore::check() {
   auto problems = behind().check_through(*this);
   if (!problems || database().format() < schema::kAccessFormat) return problems;
   const auto of_log = audit_problems(database(), *state_);

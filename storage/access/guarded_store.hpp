@@ -60,7 +60,7 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
   [[nodiscard]] Result<std::vector<StablePeriod>> stable_periods(RowId patient) override;
   [[nodiscard]] Result<std::vector<EventRecord>> events(RowId session) override;
 
-  [[nodiscard]] Result<std::vector<std::string>> check() override;
+  [[nodiscard]] Result<std::vector<Text>> check() override;
   [[nodiscard]] Result<void> backup(const std::string& to) override;
 
  private:

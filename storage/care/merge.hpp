@@ -18,7 +18,7 @@ struct MergeReport {
   int trials_added = 0;
   int trials_present = 0;  ///< of the other file, that were here already with the same content
   /// What stands in the way, one sentence each. Not empty: nothing was changed.
-  std::vector<std::string> conflicts;
+  std::vector<Text> conflicts;
 };
 
 /// `from` is the emergency file of a session of `into` (storage/care/emergency.hpp): where it was

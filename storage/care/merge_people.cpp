@@ -26,8 +26,9 @@ class People {
     for (const Patient& patient : ours) next = std::max(next, patient.id);
     for (const Patient& our : ours)
       if (was_erased("other", our.code))
-        report_.conflicts.push_back("patient " + our.code +
-                                    " was erased in the other file on request: erase it here, too");
+        report_.conflicts.push_back(
+            "patient %1 was erased in the other file on request: erase it here, too"_text(
+                our.code));
     std::set<std::string> used;
     for (const Patient& theirs : patients("other")) {
       std::vector<Patient*> known;
@@ -42,19 +43,18 @@ class People {
                                     [&](const auto& code) { return same_code(code, theirs.code); });
       if (told) used.insert(lower(theirs.code));
       if (known.size() > 1 || (!known.empty() && known.front() != same)) {
-        report_.conflicts.push_back("patient " + theirs.code + " is " + known.front()->code +
-                                    " here: their codes must agree");
+        report_.conflicts.push_back(
+            "patient %1 is %2 here: their codes must agree"_text(theirs.code, known.front()->code));
       } else if (same != nullptr && known.empty() && !told) {
-        report_.conflicts.push_back("the code " + theirs.code +
-                                    " was given in both files separately: only if it is the same "
-                                    "person, say --same-patient " +
-                                    theirs.code);
+        report_.conflicts.push_back(
+            "the code %1 was given in both files separately: only if it is the same person, say "
+            "--same-patient %2"_text(theirs.code, theirs.code));
       } else if (same != nullptr) {
         join(*same, theirs);
         number(theirs.id, same->id, false);
       } else if (was_erased("main", theirs.code)) {
-        report_.conflicts.push_back("patient " + theirs.code +
-                                    " was erased here on request and must not come back");
+        report_.conflicts.push_back(
+            "patient %1 was erased here on request and must not come back"_text(theirs.code));
       } else {
         number(theirs.id, ++next, true);
         add_patient(theirs, next);

@@ -61,7 +61,7 @@ Result<Migration> pack_all(Database database, Migration migration) {
     if (const auto packed = store.pack_trial(trial); packed)
       ++migration.packed;
     else
-      migration.not_packed.push_back(english(packed.error().what));
+      migration.not_packed.push_back(packed.error().what);
   return migration;
 }
 

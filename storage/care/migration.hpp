@@ -15,7 +15,7 @@ struct Migration {
   std::string copy;            ///< of the file as it was; empty: nothing was to be done
   int packed = 0;              ///< trials that were in blocks of a second
   /// Trials that stay in such blocks because they cannot be read, and why.
-  std::vector<std::string> not_packed{};
+  std::vector<Text> not_packed{};
 };
 /// Brings a file to the format of this program, in one transaction, after a checked copy beside
 /// it was made; then packs the signals that are not, trial by trial. Refused while somebody

@@ -175,7 +175,7 @@ class ForwardingStore : public SessionStore {
   [[nodiscard]] Result<std::vector<MeasurePoint>> progress(RowId patient) override {
     return store_->progress(patient);
   }
-  [[nodiscard]] Result<std::vector<std::string>> check() override { return store_->check(); }
+  [[nodiscard]] Result<std::vector<Text>> check() override { return store_->check(); }
   [[nodiscard]] Result<void> backup(const std::string& to) override { return store_->backup(to); }
 
  protected:

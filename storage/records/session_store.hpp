@@ -152,7 +152,7 @@ class SessionStore {
   // Care.
   /// integrity_check, foreign keys, every block readable, dates and scores possible. The list of
   /// problems; empty: sound.
-  [[nodiscard]] virtual Result<std::vector<std::string>> check() = 0;
+  [[nodiscard]] virtual Result<std::vector<Text>> check() = 0;
   /// Online copy into a new file, then checked.
   [[nodiscard]] virtual Result<void> backup(const std::string& to) = 0;
 };

@@ -12,12 +12,12 @@ namespace isograsp::storage {
 
 namespace fs = std::filesystem;
 
-Result<std::vector<std::string>> SqliteStore::check() {
+Result<std::vector<Text>> SqliteStore::check() {
   return check_through(*this);
 }
 
-Result<std::vector<std::string>> SqliteStore::check_through(SessionStore& door) {
-  std::vector<std::string> problems;
+Result<std::vector<Text>> SqliteStore::check_through(SessionStore& door) {
+  std::vector<Text> problems;
   std::vector<RowId> sessions_present;
   const auto done = database_.guard("checking"_text, [&] {
     soci::session& sql = database_.sql();
@@ -25,7 +25,7 @@ Result<std::vector<std::string>> SqliteStore::check_through(SessionStore& door) 
     soci::statement integrity = (sql.prepare << "PRAGMA integrity_check", soci::into(line));
     integrity.execute();
     while (integrity.fetch())
-      if (line != "ok") problems.push_back("SQLite: " + line);
+      if (line != "ok") problems.push_back("SQLite: %1"_text(line));
     std::string table;
     long long row = 0;
     soci::statement foreign =
@@ -33,8 +33,8 @@ Result<std::vector<std::string>> SqliteStore::check_through(SessionStore& door) 
          soci::into(table), soci::into(row), soci::into(line));
     foreign.execute();
     while (foreign.fetch())
-      problems.push_back("row " + std::to_string(row) + " of " + table + " refers to a row of " +
-                         line + " that does not exist");
+      problems.push_back(
+          "row %1 of %2 refers to a row of %3 that does not exist"_text(row, table, line));
     RowId session = 0;
     soci::statement select =
         (sql.prepare << "SELECT id FROM sessions ORDER BY id", soci::into(session));
@@ -48,7 +48,7 @@ Result<std::vector<std::string>> SqliteStore::check_through(SessionStore& door) 
     if (!all) return all.error();
     for (const TrialRecord& trial : *all)
       if (const auto readable = signals(trial); !readable)
-        problems.push_back(english(readable.error().what));
+        problems.push_back(readable.error().what);
   }
   return problems;
 }

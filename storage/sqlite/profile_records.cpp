@@ -202,37 +202,39 @@ std::optional<double> display_delay_from(const std::string& answer) {
   return parse_number(answer, delay_s) ? std::optional(delay_s) : std::nullopt;
 }
 
-Result<void> check_told(SessionStore& store, std::vector<std::string>& problems) {
+Result<void> check_told(SessionStore& store, std::vector<Text>& problems) {
   const auto all = store.patients();
   if (!all) return all.error();
   for (const PatientRecord& patient : *all) {
-    const auto note = [&](const auto& good, const std::string& what) {
-      if (!good) problems.push_back(what + " of " + patient.code + ": " + good.error().message());
+    // What could not be read, and why.
+    const auto note = [&](const auto& good, const Text& what) {
+      if (!good)
+        problems.push_back("%1 of %2: %3"_text(what, patient.code, words_of(good.error())));
       return good.ok();
     };
-    if (const auto told = store.profile(patient.id); note(told, "profile"))
-      note(check_profile(*told), "profile");
-    if (const auto marks = store.treatment_marks(patient.id); note(marks, "treatment marks"))
+    if (const auto told = store.profile(patient.id); note(told, "profile"_text))
+      note(check_profile(*told), "profile"_text);
+    if (const auto marks = store.treatment_marks(patient.id); note(marks, "treatment marks"_text))
       for (const auto& mark : *marks)
-        note(check_treatment_mark(mark), "treatment mark " + std::to_string(mark.id));
-    if (const auto scores = store.clinical_scores(patient.id); note(scores, "clinical scores"))
+        note(check_treatment_mark(mark), "treatment mark %1"_text(mark.id));
+    if (const auto scores = store.clinical_scores(patient.id); note(scores, "clinical scores"_text))
       for (const auto& score : *scores)
-        note(check_clinical_score(score), "clinical score " + std::to_string(score.id));
+        note(check_clinical_score(score), "clinical score %1"_text(score.id));
     if (const auto primaries = store.primary_measures(patient.id);
-        note(primaries, "primary measures")) {
+        note(primaries, "primary measures"_text)) {
       for (const auto& primary : *primaries)
-        note(check_primary_measure(primary), "primary measure " + std::to_string(primary.id));
+        note(check_primary_measure(primary), "primary measure %1"_text(primary.id));
       if (primaries->size() > kMostPrimaryMeasures)
-        problems.push_back(patient.code + " has more than " + std::to_string(kMostPrimaryMeasures) +
-                           " primary measures");
+        problems.push_back(
+            "%1 has more than %2 primary measures"_text(patient.code, kMostPrimaryMeasures));
     }
     const auto periods = store.stable_periods(patient.id);
-    if (!note(periods, "stable times")) continue;
+    if (!note(periods, "stable times"_text)) continue;
     for (std::size_t i = 0; i < periods->size(); ++i) {
       const StablePeriod& period = (*periods)[i];
-      note(check_stable_period(period), "stable time " + std::to_string(period.id));
+      note(check_stable_period(period), "stable time %1"_text(period.id));
       if (i > 0 && period.from_date <= (*periods)[i - 1].until_date)
-        problems.push_back("stable times of " + patient.code + " overlap on " + period.from_date);
+        problems.push_back("stable times of %1 overlap on %2"_text(patient.code, period.from_date));
     }
   }
   return {};

@@ -88,7 +88,7 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<Signals> signals(const TrialRecord& trial) override;
   [[nodiscard]] Result<std::vector<MeasurePoint>> progress(RowId patient) override;
 
-  [[nodiscard]] Result<std::vector<std::string>> check() override;
+  [[nodiscard]] Result<std::vector<Text>> check() override;
   [[nodiscard]] Result<void> backup(const std::string& to) override;
 
   /// Marks trials that nobody records any more as interrupted, and packs them.
@@ -105,7 +105,7 @@ class SqliteStore final : public SessionStore {
   // For stores that wrap this one.
   [[nodiscard]] Database& database() noexcept { return database_; }
   /// check(), where what is known of people is read through `door`, which may open what is sealed.
-  [[nodiscard]] Result<std::vector<std::string>> check_through(SessionStore& door);
+  [[nodiscard]] Result<std::vector<Text>> check_through(SessionStore& door);
   struct Added {
     int results = 0;
     int trials = 0;
@@ -189,7 +189,7 @@ class SqliteStore final : public SessionStore {
 void keep_newest(std::vector<Measure>& measures);
 
 /// Adds what makes no sense in what is known of people, as `store` reads it.
-[[nodiscard]] Result<void> check_told(SessionStore& store, std::vector<std::string>& problems);
+[[nodiscard]] Result<void> check_told(SessionStore& store, std::vector<Text>& problems);
 
 /// Of a packed block. One minute would save another 2 % of room, but damage would then destroy a
 /// minute.

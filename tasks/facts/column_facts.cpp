@@ -11,14 +11,14 @@ ColumnFacts describe_column(std::string_view name) {
   const std::string unit(unit_of(name));
   if (const Column* column = columns::find(name))
     return {unit,
-            std::string(std::string_view(column->description)),
+            column->description.text(),
             std::string(column->axes),
             std::string(column->component),
             std::string(column->body),
             true};
   std::string words(name);
   std::replace(words.begin(), words.end(), '_', ' ');
-  return {unit, "Column of a recording: " + words, "", "", "", false};
+  return {unit, "Column of a recording: %1"_text(words), "", "", "", false};
 }
 
 }  // namespace isograsp::tasks

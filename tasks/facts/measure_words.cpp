@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "hand/force_channel.hpp"
@@ -21,138 +22,164 @@ enum class Time : std::uint8_t { whole, censored };
 
 struct Entry {
   std::string_view name;
-  std::string_view title;  ///< "force" reads "grip" where the grip is meant
+  Words title;
   Better better;
   Use use = Use::clinical;
   Time time = Time::whole;
+  std::optional<Words> of_grip = std::nullopt;  ///< the title where the force is that of the grip
 };
 constexpr std::array kEntries{
     // How near to the target.
-    Entry{"rmse", "Tracking error (RMS)", Better::lower},
-    Entry{"relative_rmse", "Tracking error, relative", Better::lower},
-    Entry{"mae", "Tracking error (mean)", Better::lower},
-    Entry{"constant_error", "Constant error", Better::near_zero},
-    Entry{"absolute_error", "Error of the force from memory", Better::lower},
-    Entry{"variable_error", "Spread of the force from memory", Better::lower},
-    Entry{"time_in_range", "Time on target", Better::higher},
-    Entry{"corridor_rms", "Distance outside the corridor (RMS)", Better::lower},
-    Entry{"corridor_distance", "Distance outside the corridor (mean)", Better::lower},
-    Entry{"time_in_corridor", "Time in the corridor", Better::higher},
-    Entry{"lag", "Lag behind the target", Better::near_zero},
-    Entry{"lag_corrected", "Lag without the device's delay", Better::near_zero},
-    Entry{"gain", "Gain", Better::unknown},
-    Entry{"phase", "Phase of the answer", Better::near_zero, Use::research},
-    Entry{"phase_lag", "Lag from the phase", Better::near_zero, Use::research},
-    Entry{"pauses", "Pauses on the ramp", Better::lower},
-    Entry{"pause_length", "Mean length of a pause", Better::lower},
+    Entry{"rmse", "Tracking error (RMS)"_text, Better::lower},
+    Entry{"relative_rmse", "Tracking error, relative"_text, Better::lower},
+    Entry{"mae", "Tracking error (mean)"_text, Better::lower},
+    Entry{"constant_error", "Constant error"_text, Better::near_zero},
+    Entry{"absolute_error", "Error of the force from memory"_text, Better::lower, Use::clinical,
+          Time::whole, "Error of the grip from memory"_text},
+    Entry{"variable_error", "Spread of the force from memory"_text, Better::lower, Use::clinical,
+          Time::whole, "Spread of the grip from memory"_text},
+    Entry{"time_in_range", "Time on target"_text, Better::higher},
+    Entry{"corridor_rms", "Distance outside the corridor (RMS)"_text, Better::lower},
+    Entry{"corridor_distance", "Distance outside the corridor (mean)"_text, Better::lower},
+    Entry{"time_in_corridor", "Time in the corridor"_text, Better::higher},
+    Entry{"lag", "Lag behind the target"_text, Better::near_zero},
+    Entry{"lag_corrected", "Lag without the device's delay"_text, Better::near_zero},
+    Entry{"gain", "Gain"_text, Better::unknown},
+    Entry{"phase", "Phase of the answer"_text, Better::near_zero, Use::research},
+    Entry{"phase_lag", "Lag from the phase"_text, Better::near_zero, Use::research},
+    Entry{"pauses", "Pauses on the ramp"_text, Better::lower},
+    Entry{"pause_length", "Mean length of a pause"_text, Better::lower},
     // How steady.
-    Entry{"cv", "Unsteadiness (CV)", Better::lower},
-    Entry{"cv_noise_floor", "CV of the empty device", Better::unknown},
-    Entry{"force_sd", "Spread of the held force", Better::lower},
-    Entry{"fall", "Fall of the held force", Better::near_zero},
-    Entry{"sample_entropy", "Sample entropy", Better::unknown, Use::research},
-    Entry{"power_0.1_0.3_Hz", "Share of very slow wander, 0.1 to 0.3 Hz", Better::unknown,
+    Entry{"cv", "Unsteadiness (CV)"_text, Better::lower},
+    Entry{"cv_noise_floor", "CV of the empty device"_text, Better::unknown},
+    Entry{"force_sd", "Spread of the held force"_text, Better::lower, Use::clinical, Time::whole,
+          "Spread of the held grip"_text},
+    Entry{"fall", "Fall of the held force"_text, Better::near_zero, Use::clinical, Time::whole,
+          "Fall of the held grip"_text},
+    Entry{"sample_entropy", "Sample entropy"_text, Better::unknown, Use::research},
+    Entry{"power_0.1_0.3_Hz", "Share of very slow wander, 0.1 to 0.3 Hz"_text, Better::unknown,
           Use::research},
-    Entry{"power_0.5_0.8_Hz", "Share of slow correction, 0.5 to 0.8 Hz", Better::unknown,
+    Entry{"power_0.5_0.8_Hz", "Share of slow correction, 0.5 to 0.8 Hz"_text, Better::unknown,
           Use::research},
-    Entry{"power_2_8_Hz", "Share of tremor, 2 to 8 Hz", Better::unknown, Use::research},
-    Entry{"power_8_12_Hz", "Share of fast tremor, 8 to 12 Hz", Better::unknown, Use::research},
+    Entry{"power_2_8_Hz", "Share of tremor, 2 to 8 Hz"_text, Better::unknown, Use::research},
+    Entry{"power_8_12_Hz", "Share of fast tremor, 8 to 12 Hz"_text, Better::unknown, Use::research},
     // How strong.
-    Entry{"maximum_force", "Maximum force above rest", Better::higher},
-    Entry{"maximum_force_total", "Maximum force, total", Better::higher},
-    Entry{"maximum_window_mean", "Maximum force, mean over a fixed window", Better::higher},
-    Entry{"comfortable_force", "Comfortable force above rest", Better::unknown},
-    Entry{"comfortable_force_total", "Comfortable force, total", Better::unknown},
-    Entry{"opening_force", "Opening force", Better::higher},
-    Entry{"peak_force", "Peak force", Better::unknown},
-    Entry{"mean_force", "Mean force", Better::unknown},
-    Entry{"mean_grip", "Mean grip", Better::unknown},
-    Entry{"force_of_maximum", "Hardest effort, of the maximum force", Better::unknown},
-    Entry{"resting_force", "Resting force", Better::near_zero},
-    Entry{"peak_rate", "Fastest rise of force", Better::higher},
-    Entry{"early_rate", "Rise of force in the first 0.2 s", Better::higher},
-    Entry{"fatigue_slope", "Fading of the force", Better::near_zero},
-    Entry{"endurance", "Endurance", Better::higher, Use::clinical, Time::censored},
+    Entry{"maximum_force", "Maximum force above rest"_text, Better::higher, Use::clinical,
+          Time::whole, "Maximum grip above rest"_text},
+    Entry{"maximum_force_total", "Maximum force, total"_text, Better::higher, Use::clinical,
+          Time::whole, "Maximum grip, total"_text},
+    Entry{"maximum_window_mean", "Maximum force, mean over a fixed window"_text, Better::higher,
+          Use::clinical, Time::whole, "Maximum grip, mean over a fixed window"_text},
+    Entry{"comfortable_force", "Comfortable force above rest"_text, Better::unknown, Use::clinical,
+          Time::whole, "Comfortable grip above rest"_text},
+    Entry{"comfortable_force_total", "Comfortable force, total"_text, Better::unknown,
+          Use::clinical, Time::whole, "Comfortable grip, total"_text},
+    Entry{"opening_force", "Opening force"_text, Better::higher, Use::clinical, Time::whole,
+          "Opening grip"_text},
+    Entry{"peak_force", "Peak force"_text, Better::unknown, Use::clinical, Time::whole,
+          "Peak grip"_text},
+    Entry{"mean_force", "Mean force"_text, Better::unknown, Use::clinical, Time::whole,
+          "Mean grip"_text},
+    Entry{"mean_grip", "Mean grip"_text, Better::unknown},
+    Entry{"force_of_maximum", "Hardest effort, of the maximum force"_text, Better::unknown,
+          Use::clinical, Time::whole, "Hardest effort, of the maximum grip"_text},
+    Entry{"resting_force", "Resting force"_text, Better::near_zero, Use::clinical, Time::whole,
+          "Resting grip"_text},
+    Entry{"peak_rate", "Fastest rise of force"_text, Better::higher, Use::clinical, Time::whole,
+          "Fastest rise of grip"_text},
+    Entry{"early_rate", "Rise of force in the first 0.2 s"_text, Better::higher, Use::clinical,
+          Time::whole, "Rise of grip in the first 0.2 s"_text},
+    Entry{"fatigue_slope", "Fading of the force"_text, Better::near_zero, Use::clinical,
+          Time::whole, "Fading of the grip"_text},
+    Entry{"endurance", "Endurance"_text, Better::higher, Use::clinical, Time::censored},
     // How soon. A median over the cues, and how often it came at all.
-    Entry{"reaction_time", "Reaction time", Better::lower, Use::clinical, Time::censored},
-    Entry{"reaction_time_restricted", "Reaction time, misses at the limit", Better::lower},
-    Entry{"reaction_time_share", "Cues answered", Better::higher},
-    Entry{"reaction_time_corrected", "Reaction time without the device's delay", Better::lower,
+    Entry{"reaction_time", "Reaction time"_text, Better::lower, Use::clinical, Time::censored},
+    Entry{"reaction_time_restricted", "Reaction time, misses at the limit"_text, Better::lower},
+    Entry{"reaction_time_share", "Cues answered"_text, Better::higher},
+    Entry{"reaction_time_corrected", "Reaction time without the device's delay"_text, Better::lower,
           Use::clinical, Time::censored},
-    Entry{"anticipations", "Answers before the cue could be seen", Better::lower},
-    Entry{"t63", "Time to 63 % of the step", Better::lower, Use::research, Time::censored},
-    Entry{"t63_restricted", "Time to 63 % of the step, misses at the limit", Better::lower,
+    Entry{"anticipations", "Answers before the cue could be seen"_text, Better::lower},
+    Entry{"t63", "Time to 63 % of the step"_text, Better::lower, Use::research, Time::censored},
+    Entry{"t63_restricted", "Time to 63 % of the step, misses at the limit"_text, Better::lower,
           Use::research},
-    Entry{"t63_share", "Steps that reached 63 %", Better::higher, Use::research},
-    Entry{"settling_time", "Settling time", Better::lower, Use::clinical, Time::censored},
-    Entry{"settling_time_restricted", "Settling time, misses at the limit", Better::lower},
-    Entry{"settling_time_share", "Steps that settled", Better::higher},
-    Entry{"rise_time", "Rise time, 10 to 90 %", Better::lower},
-    Entry{"overshoot", "Overshoot", Better::lower},
-    Entry{"release_initiation", "Time until letting go begins", Better::lower, Use::clinical,
+    Entry{"t63_share", "Steps that reached 63 %"_text, Better::higher, Use::research},
+    Entry{"settling_time", "Settling time"_text, Better::lower, Use::clinical, Time::censored},
+    Entry{"settling_time_restricted", "Settling time, misses at the limit"_text, Better::lower},
+    Entry{"settling_time_share", "Steps that settled"_text, Better::higher},
+    Entry{"rise_time", "Rise time, 10 to 90 %"_text, Better::lower},
+    Entry{"overshoot", "Overshoot"_text, Better::lower},
+    Entry{"release_initiation", "Time until letting go begins"_text, Better::lower, Use::clinical,
           Time::censored},
-    Entry{"release_initiation_restricted", "Time until letting go begins, misses at the limit",
+    Entry{"release_initiation_restricted", "Time until letting go begins, misses at the limit"_text,
           Better::lower},
-    Entry{"release_initiation_share", "Cues to let go answered", Better::higher},
+    Entry{"release_initiation_share", "Cues to let go answered"_text, Better::higher},
     Entry{"release_initiation_corrected",
-          "Time until letting go begins, without the device's delay", Better::lower, Use::clinical,
-          Time::censored},
-    Entry{"release_time", "Release time", Better::lower, Use::clinical, Time::censored},
-    Entry{"release_time_restricted", "Release time, misses at the limit", Better::lower},
-    Entry{"release_time_share", "Releases completed", Better::higher},
-    Entry{"release_time_corrected", "Release time without the device's delay", Better::lower,
+          "Time until letting go begins, without the device's delay"_text, Better::lower,
           Use::clinical, Time::censored},
-    Entry{"grips_missed", "Grips that were not made", Better::lower},
-    Entry{"residual_force", "Force left 5 s after the cue", Better::lower},
-    Entry{"fastest_release", "Fastest release", Better::higher},
+    Entry{"release_time", "Release time"_text, Better::lower, Use::clinical, Time::censored},
+    Entry{"release_time_restricted", "Release time, misses at the limit"_text, Better::lower},
+    Entry{"release_time_share", "Releases completed"_text, Better::higher},
+    Entry{"release_time_corrected", "Release time without the device's delay"_text, Better::lower,
+          Use::clinical, Time::censored},
+    Entry{"grips_missed", "Grips that were not made"_text, Better::lower},
+    Entry{"residual_force", "Force left 5 s after the cue"_text, Better::lower},
+    Entry{"fastest_release", "Fastest release"_text, Better::higher},
     // How well the digits act apart, and where they push.
-    Entry{"individuation_index", "Three-digit individuation", Better::higher},
-    Entry{"individuation_slope", "Unasked force per force asked", Better::lower, Use::research},
-    Entry{"enslaving", "Force of a digit that was not asked", Better::near_zero},
-    Entry{"enslaving_of_maximum", "The same of that digit's maximum", Better::near_zero,
+    Entry{"individuation_index", "Three-digit individuation"_text, Better::higher},
+    Entry{"individuation_slope", "Unasked force per force asked"_text, Better::lower, Use::research,
+          Time::whole, "Unasked grip per force asked"_text},
+    Entry{"enslaving", "Force of a digit that was not asked"_text, Better::near_zero},
+    Entry{"enslaving_of_maximum", "The same of that digit's maximum"_text, Better::near_zero,
           Use::research},
-    Entry{"rhythm", "Rhythm of the force", Better::unknown},
-    Entry{"sharing", "Share of the force", Better::unknown},
-    Entry{"thumb_opposition", "Thumb against the fingers", Better::unknown},
-    Entry{"synergy_index", "Synergy of the fingers", Better::unknown, Use::research},
-    Entry{"synergy_index_z", "Synergy of the fingers (z)", Better::unknown, Use::research},
-    Entry{"variance_within", "Variance that leaves the sum alone", Better::unknown, Use::research},
-    Entry{"variance_across", "Variance that changes the sum", Better::unknown, Use::research},
-    Entry{"coflexion", "Unwanted flexion", Better::lower},
-    Entry{"direction_error", "Direction error", Better::lower},
-    Entry{"projection_ratio", "Useful share of the force", Better::higher},
-    Entry{"path_deviation", "Detour of the forces", Better::lower},
-    Entry{"net_push", "Push of the arm", Better::lower},
-    Entry{"net_push_time", "Time with a push of more than 20 %", Better::lower},
+    Entry{"rhythm", "Rhythm of the force"_text, Better::unknown, Use::clinical, Time::whole,
+          "Rhythm of the grip"_text},
+    Entry{"sharing", "Share of the force"_text, Better::unknown, Use::clinical, Time::whole,
+          "Share of the grip"_text},
+    Entry{"thumb_opposition", "Thumb against the fingers"_text, Better::unknown},
+    Entry{"synergy_index", "Synergy of the fingers"_text, Better::unknown, Use::research},
+    Entry{"synergy_index_z", "Synergy of the fingers (z)"_text, Better::unknown, Use::research},
+    Entry{"variance_within", "Variance that leaves the sum alone"_text, Better::unknown,
+          Use::research},
+    Entry{"variance_across", "Variance that changes the sum"_text, Better::unknown, Use::research},
+    Entry{"coflexion", "Unwanted flexion"_text, Better::lower},
+    Entry{"direction_error", "Direction error"_text, Better::lower},
+    Entry{"projection_ratio", "Useful share of the force"_text, Better::higher, Use::clinical,
+          Time::whole, "Useful share of the grip"_text},
+    Entry{"path_deviation", "Detour of the forces"_text, Better::lower, Use::clinical, Time::whole,
+          "Detour of the grips"_text},
+    Entry{"net_push", "Push of the arm"_text, Better::lower},
+    Entry{"net_push_time", "Time with a push of more than 20 %"_text, Better::lower},
     // Handling an object.
-    Entry{"targets_reached", "Targets reached", Better::higher},
-    Entry{"completion_time", "Time to reach", Better::lower, Use::clinical, Time::censored},
-    Entry{"median_completion_time", "Median time to reach", Better::lower, Use::clinical,
+    Entry{"targets_reached", "Targets reached"_text, Better::higher},
+    Entry{"completion_time", "Time to reach"_text, Better::lower, Use::clinical, Time::censored},
+    Entry{"median_completion_time", "Median time to reach"_text, Better::lower, Use::clinical,
           Time::censored},
-    Entry{"restricted_mean_time", "Mean time, misses at the limit", Better::lower},
-    Entry{"hold_error_position", "Hold error, position", Better::lower, Use::clinical,
+    Entry{"restricted_mean_time", "Mean time, misses at the limit"_text, Better::lower},
+    Entry{"hold_error_position", "Hold error, position"_text, Better::lower, Use::clinical,
           Time::censored},
-    Entry{"hold_error_angle", "Hold error, angle", Better::lower, Use::clinical, Time::censored},
-    Entry{"hold_error_axis", "Hold error, main axis", Better::lower, Use::clinical, Time::censored},
-    Entry{"tilt_in_transport", "Tilt in transport", Better::lower},
-    Entry{"path_length", "Path length", Better::unknown},
-    Entry{"path_efficiency", "Directness of the path", Better::higher},
-    Entry{"contact_time", "Time in contact", Better::unknown},
-    Entry{"slip", "Slip", Better::lower},
-    Entry{"drops", "Drops", Better::lower},
+    Entry{"hold_error_angle", "Hold error, angle"_text, Better::lower, Use::clinical,
+          Time::censored},
+    Entry{"hold_error_axis", "Hold error, main axis"_text, Better::lower, Use::clinical,
+          Time::censored},
+    Entry{"tilt_in_transport", "Tilt in transport"_text, Better::lower},
+    Entry{"path_length", "Path length"_text, Better::unknown},
+    Entry{"path_efficiency", "Directness of the path"_text, Better::higher},
+    Entry{"contact_time", "Time in contact"_text, Better::unknown},
+    Entry{"slip", "Slip"_text, Better::lower},
+    Entry{"drops", "Drops"_text, Better::lower},
     // Neither too little nor too much: the safety margin, and what of the friction was used.
-    Entry{"safety_margin", "Safety margin (virtual)", Better::unknown},
-    Entry{"friction_utilisation", "Friction used (virtual)", Better::unknown},
-    Entry{"grip_variation", "Variation of the grip", Better::lower},
-    Entry{"impulse", "Impulse of the grip", Better::unknown},
-    Entry{"lateral_correlation", "Sideways together", Better::unknown, Use::research},
-    Entry{"grip_load_correlation", "Coupling of grip and load (virtual)", Better::higher},
-    Entry{"grip_load_lag", "Lag of the grip behind the load", Better::near_zero},
-    Entry{"grip_load_slope", "Grip per load (virtual)", Better::unknown},
-    Entry{"sparc", "Smoothness (SPARC)", Better::near_zero},
-    Entry{"ldlj", "Smoothness (log dimensionless jerk)", Better::near_zero, Use::research},
-    Entry{"index_of_difficulty", "Index of difficulty", Better::unknown, Use::research},
-    Entry{"throughput", "Throughput", Better::higher, Use::research},
+    Entry{"safety_margin", "Safety margin (virtual)"_text, Better::unknown},
+    Entry{"friction_utilisation", "Friction used (virtual)"_text, Better::unknown},
+    Entry{"grip_variation", "Variation of the grip"_text, Better::lower},
+    Entry{"impulse", "Impulse of the grip"_text, Better::unknown},
+    Entry{"lateral_correlation", "Sideways together"_text, Better::unknown, Use::research},
+    Entry{"grip_load_correlation", "Coupling of grip and load (virtual)"_text, Better::higher},
+    Entry{"grip_load_lag", "Lag of the grip behind the load"_text, Better::near_zero},
+    Entry{"grip_load_slope", "Grip per load (virtual)"_text, Better::unknown},
+    Entry{"sparc", "Smoothness (SPARC)"_text, Better::near_zero},
+    Entry{"ldlj", "Smoothness (log dimensionless jerk)"_text, Better::near_zero, Use::research},
+    Entry{"index_of_difficulty", "Index of difficulty"_text, Better::unknown, Use::research},
+    Entry{"throughput", "Throughput"_text, Better::higher, Use::research},
 };
 
 /// Shares and indices: bounded, or logarithms already; their error is much the same wherever they
@@ -179,51 +206,83 @@ constexpr std::array<std::string_view, 10> kPlainChannels{
     "force", "grip",    "platform", "digits",    "position",
     "angle", "targets", "contact",  "transport", ""};
 /// Parts of a force target; turns of an object.
-constexpr std::pair<std::string_view, std::string_view> kParts[] = {
-    {"rx", ", turn about x"},        {"ry", ", turn about y"},    {"rz", ", turn about z"},
-    {"force_rise", ", building up"}, {"force_hold", ", holding"}, {"force_fall", ", letting down"},
-    {"force_rate", " of the force"}};
+constexpr std::pair<std::string_view, Words> kParts[] = {
+    {"rx", ", turn about x"_text},        {"ry", ", turn about y"_text},
+    {"rz", ", turn about z"_text},        {"force_rise", ", building up"_text},
+    {"force_hold", ", holding"_text},     {"force_fall", ", letting down"_text},
+    {"force_rate", " of the force"_text}, {"opening", ", opening"_text}};
 
-std::string digits_words(Digits digits) {
+Words digits_words(Digits digits) {
   switch (digits) {
-    case Digits::grip: return "grip";
-    case Digits::grip_mean: return "mean of thumb and fingers";
-    case Digits::pinch: return "thumb and index";
-    case Digits::sum: return "all digits";
-    case Digits::thumb: return "thumb";
-    case Digits::index: return "index";
-    case Digits::middle: return "middle";
+    case Digits::grip: return "grip"_text;
+    case Digits::grip_mean: return "mean of thumb and fingers"_text;
+    case Digits::pinch: return "thumb and index"_text;
+    case Digits::sum: return "all digits"_text;
+    case Digits::thumb: return "thumb"_text;
+    case Digits::index: return "index"_text;
+    case Digits::middle: break;
   }
-  return "";
+  return "middle"_text;
 }
 
-std::string force_words(ForceChannel channel) {
-  const std::string digits = digits_words(channel.digits);
-  if (channel.direction == Direction::plus_z) return digits;
-  if (channel.direction == Direction::minus_z)
-    return channel.digits == Digits::grip ? "opening" : digits + " opening";
+Text force_words(ForceChannel channel) {
+  const Words digits = digits_words(channel.digits);
+  if (channel.direction == Direction::plus_z) return ", %1"_text(digits);
+  if (channel.direction == Direction::minus_z) return ", %1 opening"_text(digits);
   const std::string name = name_of(channel);  // "thumb_-x"
-  return digits + " toward " + name.substr(name.size() - 2);
+  return ", %1 toward %2"_text(digits, name.substr(name.size() - 2));
+}
+
+Text while_presses(Words other, Finger instructed) {
+  switch (instructed) {
+    case Finger::thumb: return ", %1 while thumb presses"_text(other);
+    case Finger::index: return ", %1 while index presses"_text(other);
+    case Finger::middle: break;
+  }
+  return ", %1 while middle presses"_text(other);
+}
+
+/// "force_25_percent", "force_5_N", "force_0.2_Hz"; nothing: it is no level.
+std::optional<Text> level_words(std::string_view channel) {
+  constexpr std::string_view kForce = "force_";
+  const auto unit = channel.rfind('_');
+  if (!channel.starts_with(kForce) || unit < kForce.size()) return std::nullopt;
+  const Number level{std::string(channel.substr(kForce.size(), unit - kForce.size()))};
+  const std::string_view of = channel.substr(unit + 1);
+  if (of == "percent") return " at %1 %"_text(level);
+  if (of == "N") return " at %1 N"_text(level);
+  if (of == "Hz") return " at %1 Hz"_text(level);
+  return std::nullopt;
+}
+
+std::optional<Words> finger_words(std::string_view name) {
+  const auto finger = finger_from_name(name);
+  return finger ? std::optional(digits_words(channel_of(*finger).digits)) : std::nullopt;
 }
 
 /// What stands behind the title: ", thumb", " at 25 %", " target 3".
-std::string channel_words(std::string_view channel) {
+Text channel_words(std::string_view channel) {
   if (std::find(kPlainChannels.begin(), kPlainChannels.end(), channel) != kPlainChannels.end())
-    return "";
+    return {};
   for (const auto& [part, words] : kParts)
-    if (channel == part) return std::string(words);
-  if (const auto force = force_channel_from_name(channel)) return ", " + force_words(*force);
+    if (channel == part) return words;
+  if (const auto force = force_channel_from_name(channel)) return force_words(*force);
+  if (const auto level = level_words(channel)) return *level;
+  constexpr std::string_view kTarget = "target_";
+  if (channel.starts_with(kTarget))
+    return " target %1"_text(Number{std::string(channel.substr(kTarget.size()))});
+  constexpr std::string_view kTo = "_to_";
+  if (const auto to = channel.find(kTo); to != std::string_view::npos) {
+    const auto instructed = finger_from_name(channel.substr(0, to));
+    const auto other = finger_words(channel.substr(to + kTo.size()));
+    if (instructed && other) return while_presses(*other, *instructed);
+  }
+  if (const auto axis = channel.find('_'); axis != std::string_view::npos)  // "thumb_fz"
+    if (const auto finger = finger_words(channel.substr(0, axis)))
+      return ", %1 %2"_text(*finger, std::string(channel.substr(axis + 1)));
   std::string text(channel);
   std::replace(text.begin(), text.end(), '_', ' ');
-  if (const auto to = text.find(" to "); to != std::string::npos)  // instructed, other digit
-    return ", " + text.substr(to + 4) + " while " + text.substr(0, to) + " presses";
-  if (text.starts_with("force ")) {  // "force_25_percent", "force_5_N", "force_0.2_Hz"
-    text = text.substr(std::string_view("force ").size());
-    if (const auto percent = text.find("percent"); percent != std::string::npos)
-      text.replace(percent, std::string::npos, "%");
-    return " at " + text;
-  }
-  return text.starts_with("target ") ? " " + text : ", " + text;
+  return ", %1"_text(text);
 }
 
 std::string number(double value, bool with_sign) {
@@ -247,21 +306,20 @@ MeasureWords words_of(std::string_view name, std::string_view channel) {
                                    [&](const Entry& entry) { return entry.name == name; });
   MeasureWords words;
   if (found != kEntries.end()) {
-    words = {std::string(found->title), found->better, found->use == Use::clinical,
-             found->time == Time::censored};
+    words = {channel == "grip" ? found->of_grip.value_or(found->title) : found->title,
+             found->better, found->use == Use::clinical, found->time == Time::censored};
   } else {
-    words.title = name;
-    std::replace(words.title.begin(), words.title.end(), '_', ' ');
+    std::string own(name);
+    std::replace(own.begin(), own.end(), '_', ' ');
+    words.title = Known{std::move(own)};
   }
   words.error_grows =
       words.better != Better::near_zero && !name.ends_with("_share") &&
       std::find(kSteadyErrors.begin(), kSteadyErrors.end(), name) == kSteadyErrors.end();
   words.below_zero = std::find(kBelowZero.begin(), kBelowZero.end(), name) != kBelowZero.end();
-  constexpr std::string_view kForce = "force";
-  const auto force = words.title.find(kForce);
-  if (channel == "grip" && force != std::string::npos)
-    words.title.replace(force, kForce.size(), "grip");
-  if (name != "opening_force") words.title += channel_words(channel);  // its name says it all
+  Text behind = channel_words(channel);
+  if (!behind.empty() && name != "opening_force")  // its name says it all
+    words.title = "%1%2"_text(std::move(words.title), std::move(behind));
   return words;
 }
 
@@ -271,20 +329,17 @@ std::vector<std::string_view> worded_measures() {
   return names;
 }
 
-std::string_view words_of(Better better) noexcept {
-  switch (better) {
-    case Better::lower: return "lower is better";
-    case Better::higher: return "higher is better";
-    case Better::near_zero: return "nearer to zero is better";
-    case Better::unknown: break;
-  }
-  return "";
-}
-
 PrintedUnit printed_unit(const std::string& unit) {
   if (unit == "rad") return {"°", 180.0 / std::numbers::pi};
   if (unit == "m") return {"mm", 1000.0};
   return {unit, 1.0};
+}
+
+Text unit_words(const std::string& printed_unit) {
+  constexpr std::string_view kOf = "of ";
+  if (printed_unit.starts_with(kOf)) return "of %1"_text(printed_unit.substr(kOf.size()));
+  if (printed_unit == "blocks") return "blocks"_text;
+  return printed_unit.empty() ? Text() : "%1"_text(printed_unit);
 }
 
 std::string format_value(double value, const std::string& unit) {

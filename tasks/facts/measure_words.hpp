@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text.hpp"
 #include "tasks/task_spec.hpp"
 
 namespace isograsp::tasks {
@@ -14,7 +15,7 @@ namespace isograsp::tasks {
 enum class Better : std::uint8_t { unknown, lower, higher, near_zero };
 
 struct MeasureWords {
-  std::string title;                ///< "Tracking error, relative"
+  Text title;                       ///< "Tracking error, relative"
   Better better = Better::unknown;  ///< empty if more is neither better nor worse
   bool clinical = false;            ///< all others belong to research exports
   bool censored = false;            ///< a trial without value took longer than was waited: its
@@ -27,7 +28,6 @@ struct MeasureWords {
 [[nodiscard]] MeasureWords words_of(std::string_view name, std::string_view channel);
 /// Names of all measures that have words here, in the order of the report.
 [[nodiscard]] std::vector<std::string_view> worded_measures();
-[[nodiscard]] std::string_view words_of(Better better) noexcept;  ///< "lower is better"
 
 /// Stored unit -> printed unit: rad -> degrees, m -> mm; all else as it is.
 struct PrintedUnit {
@@ -35,6 +35,9 @@ struct PrintedUnit {
   double factor = 1.0;
 };
 [[nodiscard]] PrintedUnit printed_unit(const std::string& unit);
+
+/// Units that are words: "of 5", "blocks"; the others are the same everywhere.
+[[nodiscard]] Text unit_words(const std::string& printed_unit);
 
 /// Three significant digits in the printed unit, without the unit: "12.3", "0.185", "−4.20".
 [[nodiscard]] std::string format_value(double value, const std::string& unit);

@@ -81,11 +81,11 @@ Coupling grip_load_coupling(const statistics::UniformSamples& grip,
   const std::size_t n = load.values.size();
   const auto most =
       static_cast<std::ptrdiff_t>(std::floor(kMost_s / load.step_s * (1.0 + kRoundingSlack)));
-  const char* const too_short = "shorter than the lags that are tried";
+  constexpr Words too_short = "shorter than the lags that are tried"_text;
   if (n < static_cast<std::size_t>(2 * most + 3)) return {too_short, too_short, too_short};
   const Centred x(load.values);
   const Centred y(grip.values);
-  const char* const constant = "grip or load does not vary";
+  constexpr Words constant = "grip or load does not vary"_text;
   if (!(x.variation(0, n) > 0.0 && y.variation(0, n) > 0.0)) return {constant, constant, constant};
   Coupling coupling;
   coupling.slope = sum_of_products(x.from(0), y.from(0), n) / x.variation(0, n);
@@ -103,7 +103,7 @@ Coupling grip_load_coupling(const statistics::UniformSamples& grip,
   const auto peak = std::max_element(r.begin(), r.end());
   coupling.correlation = *peak;
   if (peak == r.begin() || peak + 1 == r.end()) {
-    coupling.lag_s = "the correlation has no peak within 0.5 s";
+    coupling.lag_s = "the correlation has no peak within 0.5 s"_text;
     return coupling;
   }
   const double bend = peak[-1] - 2.0 * peak[0] + peak[1];
@@ -122,7 +122,7 @@ statistics::Computed safety_margin(std::span<const double> grip_N, std::span<con
     sum += weight[k] * (1.0 - needed_N[k] / grip_N[k]);
     total += weight[k];
   }
-  if (!(total > 0.0)) return "there was no grip";
+  if (!(total > 0.0)) return "there was no grip"_text;
   return 100.0 * sum / total;
 }
 
@@ -150,8 +150,8 @@ statistics::Computed correlation(std::span<const double> x, std::span<const doub
                                  std::span<const double> weight) {
   const auto a = moments_of(x, weight);
   const auto b = moments_of(y, weight);
-  if (!a || !b) return "no samples";
-  if (!a->vary() || !b->vary()) return "a signal does not vary";
+  if (!a || !b) return "no samples"_text;
+  if (!a->vary() || !b->vary()) return "a signal does not vary"_text;
   const statistics::Computed together = statistics::weighted_mean_of(
       weight, [&](std::size_t k) { return (x[k] - a->mean) * (y[k] - b->mean); });
   return std::clamp(*together.value / std::sqrt(a->variance * b->variance), -1.0, 1.0);
@@ -159,8 +159,8 @@ statistics::Computed correlation(std::span<const double> x, std::span<const doub
 
 statistics::Computed variation(std::span<const double> x, std::span<const double> weight) {
   const auto of = moments_of(x, weight);
-  if (!of) return "no samples";
-  if (!(of->mean > 0.0)) return "the mean is not positive";
+  if (!of) return "no samples"_text;
+  if (!(of->mean > 0.0)) return "the mean is not positive"_text;
   return 100.0 * std::sqrt(of->variance) / of->mean;
 }
 

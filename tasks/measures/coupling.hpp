@@ -16,9 +16,10 @@ namespace isograsp::tasks {
 /// Grip-load coupling, version 1.
 struct Coupling {
   statistics::Computed correlation =
-      "not computed";                           ///< largest Pearson r over lags within +-0.5 s
-  statistics::Computed lag_s = "not computed";  ///< where it is; positive: grip follows load
-  statistics::Computed slope = "not computed";  ///< least squares, grip on load without lag [N / N]
+      "not computed"_text;                           ///< largest Pearson r over lags within +-0.5 s
+  statistics::Computed lag_s = "not computed"_text;  ///< where it is; positive: grip follows load
+  statistics::Computed slope =
+      "not computed"_text;  ///< least squares, grip on load without lag [N / N]
 };
 /// Correlations are of the samples that overlap, re-centred at each lag; the lag is refined by a
 /// parabola and has no value if the peak lies at the limit.

@@ -174,7 +174,8 @@ statistics::Computed lag(const statistics::UniformSamples& target,
   constexpr double kRoundingSlack = 1e-9;
   const auto most =
       static_cast<std::ptrdiff_t>(std::floor(kMost_s / target.step_s * (1.0 + kRoundingSlack)));
-  if (!varies(target.values) || !varies(actual.values)) return "target or actual does not vary";
+  if (!varies(target.values) || !varies(actual.values))
+    return "target or actual does not vary"_text;
   const auto exact = [&](std::ptrdiff_t shift) {
     return correlation(target.values, actual.values, shift);
   };
@@ -192,9 +193,9 @@ statistics::Computed lag(const statistics::UniformSamples& target,
     here = r;
     peak = shift;
   }
-  if (!here) return "target or actual does not vary";
-  if (*here < kLeastCorrelation) return "the correlation stays below 0.35";
-  constexpr const char* kNoPeak = "the correlation has no peak within 1.5 s";
+  if (!here) return "target or actual does not vary"_text;
+  if (*here < kLeastCorrelation) return "the correlation stays below 0.35"_text;
+  constexpr Words kNoPeak = "the correlation has no peak within 1.5 s"_text;
   if (peak == -most || peak == most) return kNoPeak;
   const auto before = exact(peak - 1);
   const auto after = exact(peak + 1);

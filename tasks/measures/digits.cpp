@@ -31,13 +31,13 @@ statistics::Computed enslaving(std::span<const DigitHold> holds, Finger i, Finge
     sum += rise_of(hold, i) / rise_N;
     ++count;
   }
-  if (count == 0) return "there was no hold in which the instructed digit pressed";
+  if (count == 0) return "there was no hold in which the instructed digit pressed"_text;
   return sum / count;
 }
 
 statistics::Computed enslaving_of_maximum(std::span<const DigitHold> holds, Finger i, Finger j,
                                           double maximum_i_N) {
-  if (!(maximum_i_N > 0.0)) return "the maximum of the digit is not known";
+  if (!(maximum_i_N > 0.0)) return "the maximum of the digit is not known"_text;
   double sum_N = 0.0;
   int count = 0;
   for (const DigitHold& hold : holds) {
@@ -45,7 +45,7 @@ statistics::Computed enslaving_of_maximum(std::span<const DigitHold> holds, Fing
     sum_N += rise_of(hold, i);
     ++count;
   }
-  if (count == 0) return "there was no hold of the instructed digit";
+  if (count == 0) return "there was no hold of the instructed digit"_text;
   return sum_N / count / maximum_i_N;
 }
 
@@ -63,7 +63,7 @@ statistics::Computed uninstructed_deviation(const DigitForces& forces, Finger in
       total += forces.weight[k];
     }
   }
-  if (!(total > 0.0)) return "no samples";
+  if (!(total > 0.0)) return "no samples"_text;
   return std::sqrt(squares / total);
 }
 
@@ -76,7 +76,7 @@ statistics::Computed individuation_slope(std::span<const Individuation> holds) {
     ratio.push_back(hold.deviation_N / hold.instructed_N);
     force_N.push_back(hold.instructed_N);
   }
-  if (ratio.size() < kLeastHolds) return "fewer than three holds with force";
+  if (ratio.size() < kLeastHolds) return "fewer than three holds with force"_text;
   constexpr double kHalf = 0.5;
   return statistics::quantile(ratio, force_N, kHalf);
 }
@@ -84,7 +84,7 @@ statistics::Computed individuation_slope(std::span<const Individuation> holds) {
 statistics::Computed individuation_index(std::span<const Individuation> holds) {
   const statistics::Computed slope = individuation_slope(holds);
   if (!slope.value) return slope;
-  if (!(*slope.value > 0.0)) return "the other digits did not move";
+  if (!(*slope.value > 0.0)) return "the other digits did not move"_text;
   return -std::log(*slope.value);
 }
 
@@ -100,20 +100,20 @@ statistics::Computed coflexion(const DigitForces& forces, const std::vector<bool
   }
   const statistics::Computed opening_N = best_moving_mean(pull_N, forces.weight, valid, window_s);
   if (!opening_N.value) return opening_N;
-  if (!(*opening_N.value > 0.0)) return "there was no opening force";
+  if (!(*opening_N.value > 0.0)) return "there was no opening force"_text;
   return 100.0 * press_N / *opening_N.value;
 }
 
 statistics::Computed sharing(const PerDigit& mean_N, Finger finger) {
   double sum_N = 0.0;
   for (const double force_N : mean_N) sum_N += force_N;
-  if (!(sum_N > 0.0)) return "the digits did not press";
+  if (!(sum_N > 0.0)) return "the digits did not press"_text;
   return 100.0 * mean_N[index_of(finger)] / sum_N;
 }
 
 statistics::Computed thumb_opposition(const PerDigit& mean_N) {
   const double fingers_N = mean_N[index_of(Finger::index)] + mean_N[index_of(Finger::middle)];
-  if (!(fingers_N > 0.0)) return "the fingers did not press";
+  if (!(fingers_N > 0.0)) return "the fingers did not press"_text;
   return mean_N[index_of(Finger::thumb)] / fingers_N;
 }
 

@@ -28,7 +28,7 @@ statistics::Computed direction_error(std::span<const Vec3> force_N, const Vec3& 
     sum += weight[k] * angle_of(force_N[k], direction);
     total += weight[k];
   }
-  if (!(total > 0.0)) return "there was no force";
+  if (!(total > 0.0)) return "there was no force"_text;
   return sum / total;
 }
 
@@ -42,19 +42,19 @@ statistics::Computed projection_ratio(std::span<const Vec3> force_N, const Vec3&
     useful += weight[k] * force_N[k].dot(unit);
     whole += weight[k] * force_N[k].norm();
   }
-  if (!(whole > 0.0)) return "there was no force";
+  if (!(whole > 0.0)) return "there was no force"_text;
   return useful / whole;
 }
 
 statistics::Computed path_deviation(std::span<const std::vector<double>> digits_N,
                                     std::span<const double> weight) {
-  if (digits_N.empty() || weight.size() < 2) return "fewer than two samples";
+  if (digits_N.empty() || weight.size() < 2) return "fewer than two samples"_text;
   double length = 0.0;  // squared
   for (const auto& force_N : digits_N) {
     assert(force_N.size() == weight.size());
     length += std::pow(force_N.back() - force_N.front(), 2);
   }
-  if (!(length > 0.0)) return "the force ends where it began";
+  if (!(length > 0.0)) return "the force ends where it began"_text;
   double sum = 0.0;
   double total = 0.0;
   for (std::size_t k = 0; k < weight.size(); ++k) {
@@ -68,7 +68,7 @@ statistics::Computed path_deviation(std::span<const std::vector<double>> digits_
     sum += weight[k] * std::sqrt(squares);
     total += weight[k];
   }
-  if (!(total > 0.0)) return "no samples";
+  if (!(total > 0.0)) return "no samples"_text;
   return sum / total;
 }
 
@@ -88,7 +88,7 @@ PushSummary summary_of_push(std::span<const double> push_N, std::span<const doub
     total += weight[k];
     if (percent.back() > kFlagged) above += weight[k];
   }
-  if (!(total > 0.0)) return {"there was no grip", "there was no grip"};
+  if (!(total > 0.0)) return {"there was no grip"_text, "there was no grip"_text};
   return {statistics::quantile(percent, held, kMedian), 100.0 * above / total};
 }
 

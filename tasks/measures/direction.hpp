@@ -32,8 +32,8 @@ namespace isograsp::tasks {
 
 /// Net push of arm or trunk on the platform, relative to the grip, version 1.
 struct PushSummary {
-  statistics::Computed median = "not computed";    ///< [% of grip]
-  statistics::Computed above_20 = "not computed";  ///< share of time above 20 % of grip [%]
+  statistics::Computed median = "not computed"_text;    ///< [% of grip]
+  statistics::Computed above_20 = "not computed"_text;  ///< share of time above 20 % of grip [%]
 };
 /// Over the samples with grip > least_grip_N. @param push_N  size of the net force [N]
 [[nodiscard]] PushSummary summary_of_push(std::span<const double> push_N,

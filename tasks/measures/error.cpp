@@ -59,7 +59,7 @@ statistics::Computed relative_rmse(std::span<const double> target, std::span<con
   if (!error.value) return error;
   double largest = 0.0;
   for (const double value : target) largest = std::max(largest, std::abs(value));
-  if (!(largest > 0.0)) return "the target is zero throughout";
+  if (!(largest > 0.0)) return "the target is zero throughout"_text;
   return 100.0 * *error.value / largest;
 }
 
@@ -98,11 +98,11 @@ Corridor corridor(std::span<const double> lower, std::span<const double> upper,
 statistics::Computed cv(std::span<const double> t_s, std::span<const double> x) {
   assert(t_s.size() == x.size());
   const auto line = statistics::fit_line(t_s, x);
-  if (!line) return "fewer than three samples";
+  if (!line) return "fewer than three samples"_text;
   double largest = 0.0;
   for (const double value : x) largest = std::max(largest, std::abs(value));
   constexpr double kZeroMean = 1e-12;  // rounding of a mean that is truly zero
-  if (std::abs(line->mean) <= kZeroMean * largest) return "the mean is zero";
+  if (std::abs(line->mean) <= kZeroMean * largest) return "the mean is zero"_text;
   return 100.0 * line->residual_sd / line->mean;
 }
 
@@ -110,7 +110,7 @@ statistics::Computed best_moving_mean(std::span<const double> x, std::span<const
                                       const std::vector<bool>& valid, double window_s) {
   assert(x.size() == weight.size() && x.size() == valid.size());
   constexpr double kRoundingSlack = 1e-9;  // a window of whole frames needs no part of one more
-  statistics::Computed best = "no uninterrupted window of valid samples is long enough";
+  statistics::Computed best = "no uninterrupted window of valid samples is long enough"_text;
   for (std::size_t first = 0; first < x.size(); ++first) {
     double sum = 0.0;
     double missing_s = window_s;

@@ -21,13 +21,13 @@ statistics::Computed fresh_force(std::span<const double> t_s, std::span<const do
   constexpr double kFresh_s = 5.0;
   const std::size_t count =
       t_s.empty() ? 0 : statistics::first_row_from(t_s, t_s.front() + kFresh_s);
-  if (count == t_s.size()) return "no more than 5 s of force";
+  if (count == t_s.size()) return "no more than 5 s of force"_text;
   const auto first_N = force_N.first(count);
   statistics::Computed mean = weighted_mean(first_N, statistics::hold_lengths(t_s.first(count)));
   double largest = 0.0;
   for (const double value : first_N) largest = std::max(largest, std::abs(value));
   constexpr double kZeroMean = 1e-12;  // rounding of a mean that is truly zero
-  if (std::abs(*mean.value) <= kZeroMean * largest) return "the first 5 s have no force";
+  if (std::abs(*mean.value) <= kZeroMean * largest) return "the first 5 s have no force"_text;
   return mean;
 }
 
@@ -37,7 +37,7 @@ statistics::Computed fatigue_slope(std::span<const double> t_s, std::span<const 
   statistics::Computed fresh_N = fresh_force(t_s, force_N);
   if (!fresh_N.value) return fresh_N;
   const auto line = statistics::fit_line(t_s, force_N);
-  if (!line) return "fewer than three samples";
+  if (!line) return "fewer than three samples"_text;
   return 100.0 * line->slope / *fresh_N.value;
 }
 
@@ -50,7 +50,7 @@ statistics::EventTime time_to_fatigue(std::span<const double> t_s,
   std::vector<bool> below(force_N.size());
   for (std::size_t k = 0; k < below.size(); ++k) below[k] = force_N[k] / *fresh_N.value < kShare;
   const auto found = statistics::stretches(t_s, below, kLasting_s);
-  if (found.empty()) return {"the force stayed above 80 %", t_s.back() - t_s.front()};
+  if (found.empty()) return {"the force stayed above 80 %"_text, t_s.back() - t_s.front()};
   return {t_s[found.front().first] - t_s.front(), {}};
 }
 

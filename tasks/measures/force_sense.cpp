@@ -13,7 +13,7 @@ namespace isograsp::tasks {
 ForceSense force_sense(std::span<const double> target, std::span<const double> reproduced) {
   assert(target.size() == reproduced.size());
   const std::size_t n = target.size();
-  if (n == 0) return {"no repetitions", "no repetitions", "no repetitions"};
+  if (n == 0) return {"no repetitions"_text, "no repetitions"_text, "no repetitions"_text};
   std::vector<double> error(n);
   double sum = 0.0;
   double absolute = 0.0;
@@ -23,8 +23,9 @@ ForceSense force_sense(std::span<const double> target, std::span<const double> r
     absolute += std::abs(error[k]);
   }
   const auto spread = resting_level(error);
-  return {sum / static_cast<double>(n), absolute / static_cast<double>(n),
-          spread ? statistics::Computed(spread->sd) : statistics::Computed("one repetition only")};
+  return {
+      sum / static_cast<double>(n), absolute / static_cast<double>(n),
+      spread ? statistics::Computed(spread->sd) : statistics::Computed("one repetition only"_text)};
 }
 
 }  // namespace isograsp::tasks

@@ -9,7 +9,7 @@ DelayCorrected without_delay(statistics::Computed raw_s, std::optional<double> d
   if (delay_s)
     result.corrected_s = *raw_s.value - *delay_s;
   else
-    result.corrected_s = "the delay was not measured and is contained in the raw value";
+    result.corrected_s = "the delay was not measured and is contained in the raw value"_text;
   return result;
 }
 

@@ -52,7 +52,7 @@ statistics::Computed rms_angle(std::span<const Quat> actual, std::span<const Qua
     squares += weight[k] * angle_rad * angle_rad;
     total += weight[k];
   }
-  if (!(total > 0.0)) return "no samples";
+  if (!(total > 0.0)) return "no samples"_text;
   return std::sqrt(squares / total);
 }
 
@@ -74,7 +74,7 @@ statistics::Computed path_efficiency(std::span<const std::vector<Vec3>> paths_m)
     straight_m += path_length(std::array{path_m.front(), path_m.back()});
     length_m += path_length(path_m);
   }
-  if (!(length_m > 0.0)) return "nothing moved";
+  if (!(length_m > 0.0)) return "nothing moved"_text;
   return 100.0 * straight_m / length_m;
 }
 

@@ -56,7 +56,7 @@ Reaction reaction(std::span<const double> t_s, std::span<const double> x, double
   assert(t_s.size() == x.size());
   constexpr double kAnticipation_s = 0.1;
   if (t_s.empty() || statistics::is_earlier(t_s.back(), cue_s))
-    return {{"no samples after the cue", {}}, {}};
+    return {{"no samples after the cue"_text, {}}, {}};
   const double margin = before.margin(lsb);
   const double threshold = before.mean + (change == Change::rise ? margin : -margin);
   for (const statistics::Stretch& stretch :
@@ -65,10 +65,10 @@ Reaction reaction(std::span<const double> t_s, std::span<const double> x, double
       continue;  // over before the cue: no answer to it
     const double time_s = t_s[stretch.first] - cue_s;
     if (statistics::is_earlier(time_s, kAnticipation_s))
-      return {{"anticipated: less than 100 ms after the cue", {}}, time_s};
+      return {{"anticipated: less than 100 ms after the cue"_text, {}}, time_s};
     return {{time_s, {}}, {}};
   }
-  return {{"no reaction to the cue", t_s.back() - cue_s}, {}};
+  return {{"no reaction to the cue"_text, t_s.back() - cue_s}, {}};
 }
 
 }  // namespace isograsp::tasks

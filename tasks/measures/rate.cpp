@@ -15,7 +15,7 @@ namespace isograsp::tasks {
 namespace {
 
 constexpr double kCutoff_Hz = 5.0;
-constexpr const char* kTooFew = "too few samples for a 5 Hz low-pass";
+constexpr Words kTooFew = "too few samples for a 5 Hz low-pass"_text;
 
 std::optional<statistics::UniformSamples> rate_on_grid(std::span<const double> t_s,
                                                        std::span<const double> force_N) {
@@ -44,7 +44,7 @@ statistics::Computed peak_rate(std::span<const double> t_s, std::span<const doub
   const auto rate = rate_on_grid(t_s, force_N);
   if (!rate) return kTooFew;
   const double largest = *std::max_element(rate->values.begin(), rate->values.end());
-  if (!(largest > 0.0)) return "the force never rises";
+  if (!(largest > 0.0)) return "the force never rises"_text;
   return largest;
 }
 
@@ -52,7 +52,7 @@ statistics::Computed peak_relaxation(std::span<const double> t_s, std::span<cons
   const auto rate = rate_on_grid(t_s, force_N);
   if (!rate) return kTooFew;
   const double least = *std::min_element(rate->values.begin(), rate->values.end());
-  if (!(least < 0.0)) return "the force never falls";
+  if (!(least < 0.0)) return "the force never falls"_text;
   return -least;
 }
 
@@ -62,7 +62,7 @@ statistics::Computed early_rate(std::span<const double> t_s, std::span<const dou
   constexpr double kEarly_s = 0.2;
   const double end_s = t_s[onset] + kEarly_s;
   const std::size_t k = statistics::first_row_from(t_s, end_s);
-  if (k == t_s.size()) return "the record ends within 0.2 s of the onset";
+  if (k == t_s.size()) return "the record ends within 0.2 s of the onset"_text;
   const double share = (end_s - t_s[k - 1]) / (t_s[k] - t_s[k - 1]);
   const double end_N = force_N[k - 1] + share * (force_N[k] - force_N[k - 1]);
   return (end_N - force_N[onset]) / kEarly_s;
@@ -78,7 +78,7 @@ Pauses pauses(std::span<const double> t_s, std::span<const double> force_N, doub
   for (std::size_t k = 0; k < slow.size(); ++k)
     slow[k] = std::abs(rate->values[k]) < kShareOfRamp * std::abs(ramp_N_per_s);
   const auto found = statistics::stretches(statistics::grid_times(*rate), slow, kPause_s);
-  if (found.empty()) return {0.0, "no pauses"};
+  if (found.empty()) return {0.0, "no pauses"_text};
   double total_s = 0.0;
   for (const statistics::Stretch& pause : found) total_s += pause.length_s;
   const auto count = static_cast<double>(found.size());

@@ -222,11 +222,11 @@ TemplateMatches template_matches(std::span<const double> x) {
 }
 
 statistics::Computed sample_entropy(std::span<const double> x) {
-  if (x.size() <= kTemplate + 1) return "fewer than four samples";
+  if (x.size() <= kTemplate + 1) return "fewer than four samples"_text;
   const auto [least, most] = std::minmax_element(x.begin(), x.end());
-  if (*least == *most) return "the signal does not vary";
+  if (*least == *most) return "the signal does not vary"_text;
   const TemplateMatches matches = template_matches(x);
-  if (matches.shorter == 0 || matches.longer == 0) return "no templates match";
+  if (matches.shorter == 0 || matches.longer == 0) return "no templates match"_text;
   return -std::log(static_cast<double>(matches.longer) / static_cast<double>(matches.shorter));
 }
 

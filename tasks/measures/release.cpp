@@ -16,9 +16,9 @@ statistics::EventTime time_to_level(std::span<const double> t_s, std::span<const
   std::vector<bool> below(force_N.size());
   for (std::size_t k = 0; k < below.size(); ++k) below[k] = force_N[k] <= level_N;
   const auto found = statistics::stretches(t_s, below, kReleased_s);
-  if (found.empty()) return {"not released", t_s.back() - cue_s};
+  if (found.empty()) return {"not released"_text, t_s.back() - cue_s};
   const std::size_t k = found.front().first;
-  if (k == 0) return {"let go before the cue", {}};
+  if (k == 0) return {"let go before the cue"_text, {}};
   const double above_N = force_N[k - 1];  // a hole may part two rows that are both below
   const double time_s =
       above_N > level_N ? statistics::crossing_time(t_s, force_N, k, level_N) : t_s[k];
@@ -44,7 +44,7 @@ statistics::Computed mean_between(std::span<const double> t_s, std::span<const d
     covered_s += length_s;
   }
   if (statistics::is_earlier(covered_s, kLeastCovered * (to_s - from_s)))
-    return "not recorded 5 s after the cue";
+    return "not recorded 5 s after the cue"_text;
   return sum / covered_s;
 }
 
@@ -63,16 +63,16 @@ Release release(std::span<const double> t_s, std::span<const double> force_N, do
   constexpr double kHalfWindow_s = 0.1;
   constexpr double kHeld_s = 1.0;
   constexpr double kReleasedShare = 0.1;
-  const auto without = [](std::optional<bool> grip_made, const char* why) {
+  const auto without = [](std::optional<bool> grip_made, Words why) {
     return Release{grip_made, {{why, {}}, {}}, {why, {}}, why, why};
   };
   const std::size_t first = statistics::first_row_from(t_s, cue_s);
   const auto held = level_before(t_s, force_N, cue_s);
-  if (!held) return without(std::nullopt, "no force held before the cue");
-  if (first == t_s.size()) return without(std::nullopt, "no samples after the cue");
+  if (!held) return without(std::nullopt, "no force held before the cue"_text);
+  if (first == t_s.size()) return without(std::nullopt, "no samples after the cue"_text);
   const double above_rest_N = held->mean - grip.resting_N;
   if (!(above_rest_N > 0.0 && above_rest_N >= grip.least_N()))
-    return without(false, "no grip was made");
+    return without(false, "no grip was made"_text);
   const statistics::RowRange hold = statistics::rows_between(t_s, cue_s - kHeld_s, cue_s);
   const auto held_N = force_N.subspan(hold.first, hold.count());
   const double peak_N = *std::max_element(held_N.begin(), held_N.end());

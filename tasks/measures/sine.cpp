@@ -37,13 +37,13 @@ statistics::Computed gain(std::span<const double> t_s, std::span<const double> t
   constexpr double kRoundingSlack = 1e-6;
   const double step_s = t_s.size() < 2 ? 0.0 : t_s[1] - t_s[0];
   if (t_s.size() < 3 || (t_s.back() - t_s.front() + step_s) * frequency_Hz < 1.0 - kRoundingSlack)
-    return "less than one whole cycle";
+    return "less than one whole cycle"_text;
   const auto of_target = fit_sine(t_s, target, frequency_Hz);
   const auto of_actual = fit_sine(t_s, actual, frequency_Hz);
-  if (!of_target || !of_actual) return "too few samples for a sine";
+  if (!of_target || !of_actual) return "too few samples for a sine"_text;
   constexpr double kNoSine = 1e-12;
   if (of_target->amplitude <= kNoSine * std::abs(of_target->offset))
-    return "the target has no component at its frequency";
+    return "the target has no component at its frequency"_text;
   return of_actual->amplitude / of_target->amplitude;
 }
 
@@ -103,7 +103,7 @@ class JointSines {
     const double length_s =
         t_s.size() < 2 ? 0.0 : t_s.back() - t_s.front() + statistics::median_step(t_s);
     if (length_s * smallest_difference(frequencies_Hz) < 1.0 - kRoundingSlack) {
-      reason_ = "less than one whole cycle of the smallest frequency or difference";
+      reason_ = "less than one whole cycle of the smallest frequency or difference"_text;
       return;
     }
     design_ = design(t_s, frequencies_Hz);
@@ -116,7 +116,7 @@ class JointSines {
     constexpr double kLeastCondition = 1e-6;  // as of fit_sine()
     solver_.compute(normal);
     if (solver_.info() != Eigen::Success || solver_.rcond() < kLeastCondition)
-      reason_ = "too few samples for these sines";
+      reason_ = "too few samples for these sines"_text;
   }
 
   [[nodiscard]] SinesFit fit(std::span<const double> x) const {
@@ -140,7 +140,7 @@ class JointSines {
   std::size_t sines_;
   Eigen::MatrixXd design_;
   Eigen::LDLT<Eigen::MatrixXd> solver_;
-  std::string reason_;
+  Text reason_;
 };
 
 double largest_of(std::span<const double> x) {
@@ -176,9 +176,7 @@ std::vector<SineAnswer> sine_answers(std::span<const double> t_s, std::span<cons
   std::vector<SineAnswer> answers;
   for (std::size_t i = 0; i < frequencies_Hz.size(); ++i) {
     const double frequency_Hz = frequencies_Hz[i];
-    const auto none = [&](const std::string& why) {
-      answers.push_back({frequency_Hz, why, why, why});
-    };
+    const auto none = [&](const Text& why) { answers.push_back({frequency_Hz, why, why, why}); };
     if (!of_target.reason.empty()) {
       none(of_target.reason);
       continue;
@@ -186,12 +184,12 @@ std::vector<SineAnswer> sine_answers(std::span<const double> t_s, std::span<cons
     const SineFit& asked = of_target.sines[i];
     const SineFit& given = of_actual.sines[i];
     if (asked.amplitude <= least_target) {
-      none("the target has no component at this frequency");
+      none("the target has no component at this frequency"_text);
       continue;
     }
     const double gain = given.amplitude / asked.amplitude;
     if (given.amplitude <= least_actual) {
-      const char* const why = "nothing is answered at this frequency";
+      constexpr Words why = "nothing is answered at this frequency"_text;
       answers.push_back({frequency_Hz, gain, why, why});
       continue;
     }

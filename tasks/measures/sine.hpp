@@ -28,7 +28,7 @@ struct SineFit {
 struct SinesFit {
   double offset = 0.0;
   std::vector<SineFit> sines;  ///< in the order of the frequencies, their own offsets zero
-  std::string reason;          ///< why there are none
+  Text reason;                 ///< why there are none
 };
 /// Needs at least one whole cycle of the smallest frequency and of the smallest difference between
 /// two: less cannot tell them apart.

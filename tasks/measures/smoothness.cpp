@@ -43,7 +43,7 @@ statistics::Computed sparc(const statistics::UniformSamples& speed) {
   constexpr double kHighest_Hz = 10.0;
   constexpr double kLeastAmplitude = 0.05;
   const std::size_t n = speed.values.size();
-  if (n < 2) return "fewer than two samples";
+  if (n < 2) return "fewer than two samples"_text;
   const std::size_t length = std::bit_ceil(n) << kPadding;
   const double line_Hz = 1.0 / (speed.step_s * static_cast<double>(length));
   constexpr double kRoundingSlack = 1e-9;  // a line at 10 Hz belongs to the range
@@ -52,7 +52,7 @@ statistics::Computed sparc(const statistics::UniformSamples& speed) {
   std::vector<double> magnitude =
       low_magnitudes(speed.values, length, static_cast<std::size_t>(lines));
   const double largest = magnitude.front();  // of a signal that is never negative
-  if (!(largest > 0.0)) return "nothing moved";
+  if (!(largest > 0.0)) return "nothing moved"_text;
   std::size_t first = magnitude.size();
   std::size_t last = 0;
   for (std::size_t k = 0; k < magnitude.size(); ++k) {
@@ -61,7 +61,7 @@ statistics::Computed sparc(const statistics::UniformSamples& speed) {
     first = std::min(first, k);
     last = k;
   }
-  if (first >= last) return "the spectrum has no range";
+  if (first >= last) return "the spectrum has no range"_text;
   const double scaled_line = 1.0 / static_cast<double>(last - first);
   double length_of_arc = 0.0;
   for (std::size_t k = first; k < last; ++k) {
@@ -73,17 +73,17 @@ statistics::Computed sparc(const statistics::UniformSamples& speed) {
 
 statistics::Computed ldlj(const statistics::UniformSamples& speed) {
   const auto& v = speed.values;
-  if (v.size() < 3) return "fewer than three samples";
+  if (v.size() < 3) return "fewer than three samples"_text;
   double fastest = 0.0;
   for (const double value : v) fastest = std::max(fastest, std::abs(value));
-  if (!(fastest > 0.0)) return "nothing moved";
+  if (!(fastest > 0.0)) return "nothing moved"_text;
   const double dt = speed.step_s;
   double squares = 0.0;
   for (std::size_t k = 1; k + 1 < v.size(); ++k) {
     const double jerk = (v[k + 1] - 2.0 * v[k] + v[k - 1]) / (dt * dt);
     squares += jerk * jerk;
   }
-  if (!(squares > 0.0)) return "the speed never changes its slope";
+  if (!(squares > 0.0)) return "the speed never changes its slope"_text;
   const double duration = static_cast<double>(v.size()) * dt;
   return -std::log(duration * duration * duration / (fastest * fastest) * squares * dt);
 }

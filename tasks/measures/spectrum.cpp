@@ -45,13 +45,13 @@ double power_between(const PowerSpectrum& spectrum, Band band) {
   return power;
 }
 
-std::string unknown(const PowerSpectrum& spectrum, Band band) {
+Text unknown(const PowerSpectrum& spectrum, Band band) {
   if (spectrum.density.empty()) return spectrum.reason;
   const double top_Hz = static_cast<double>(spectrum.density.size() - 1) * spectrum.line_Hz;
   constexpr double kRoundingSlack = 1e-9;
-  return band.high_Hz > top_Hz * (1.0 + kRoundingSlack)
-             ? "the sampling rate is too low for the band"
-             : "";
+  if (band.high_Hz > top_Hz * (1.0 + kRoundingSlack))
+    return "the sampling rate is too low for the band"_text;
+  return {};
 }
 
 }  // namespace
@@ -62,12 +62,12 @@ PowerSpectrum welch(const statistics::UniformSamples& samples) {
   PowerSpectrum spectrum;
   const double in_window = std::round(kWindow_s / samples.step_s);
   if (in_window < kLeastWindow) {
-    spectrum.reason = "the sampling rate is too low for a spectrum";
+    spectrum.reason = "the sampling rate is too low for a spectrum"_text;
     return spectrum;
   }
   const auto n = static_cast<std::size_t>(in_window);
   if (samples.values.size() < n) {
-    spectrum.reason = "shorter than one window of 4 s";
+    spectrum.reason = "shorter than one window of 4 s"_text;
     return spectrum;
   }
   std::vector<double> window(n);
@@ -97,20 +97,20 @@ PowerSpectrum welch(const statistics::UniformSamples& samples) {
 }
 
 statistics::Computed band_power(const PowerSpectrum& spectrum, Band band) {
-  if (std::string why = unknown(spectrum, band); !why.empty()) return why;
+  if (Text why = unknown(spectrum, band); !why.empty()) return why;
   return power_between(spectrum, band);
 }
 
 statistics::Computed band_share(const PowerSpectrum& spectrum, Band band) {
-  if (std::string why = unknown(spectrum, band); !why.empty()) return why;
+  if (Text why = unknown(spectrum, band); !why.empty()) return why;
   const double top_Hz = static_cast<double>(spectrum.density.size() - 1) * spectrum.line_Hz;
   const double whole = power_between(spectrum, {0.0, top_Hz});
-  if (!(whole > 0.0)) return "the signal does not vary";
+  if (!(whole > 0.0)) return "the signal does not vary"_text;
   return 100.0 * power_between(spectrum, band) / whole;
 }
 
 statistics::Computed peak_frequency(const PowerSpectrum& spectrum, Band band) {
-  if (std::string why = unknown(spectrum, band); !why.empty()) return why;
+  if (Text why = unknown(spectrum, band); !why.empty()) return why;
   const auto& density = spectrum.density;
   constexpr double kRoundingSlack = 1e-9;  // a line on an edge: the lower belongs, the upper not
   std::optional<std::size_t> peak;
@@ -121,11 +121,11 @@ statistics::Computed peak_frequency(const PowerSpectrum& spectrum, Band band) {
       continue;
     if (!peak || density[k] > density[*peak]) peak = k;
   }
-  if (!peak) return "the band has no line of the spectrum";
+  if (!peak) return "the band has no line of the spectrum"_text;
   const double here = density[*peak];
   if (!(density[*peak - 1] > 0.0 && here > density[*peak - 1] && here >= density[*peak + 1] &&
         density[*peak + 1] > 0.0))
-    return "the spectrum has no peak in the band";
+    return "the spectrum has no peak in the band"_text;
   const double before = std::log(density[*peak - 1] / here);
   const double after = std::log(density[*peak + 1] / here);
   const double part = 0.5 * (before - after) / (before + after);

@@ -14,7 +14,7 @@ namespace isograsp::tasks {
 struct PowerSpectrum {
   double line_Hz = 0.0;         ///< distance of the lines, the first at 0 Hz
   std::vector<double> density;  ///< [unit^2 / Hz]; empty: none
-  std::string reason;
+  Text reason;
 };
 
 /// Welch's estimate, version 1 (Welch 1967): least-squares line of the whole signal removed, Hann

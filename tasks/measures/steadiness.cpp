@@ -19,13 +19,13 @@ Steadiness steadiness(std::span<const double> t_s, std::span<const double> x,
   if (!variation.value) return {line->residual_sd, variation, variation, variation};
   const double fall_percent = -100.0 * line->slope * (t_s.back() - t_s.front()) / line->mean;
   if (!noise_sd)
-    return {line->residual_sd, variation, "the noise of the empty device was not measured",
+    return {line->residual_sd, variation, "the noise of the empty device was not measured"_text,
             fall_percent};
   const double floor_percent = 100.0 * *noise_sd / std::abs(line->mean);
   const bool resolved = floor_percent <= kLargestFloor * std::abs(*variation.value);
   return {line->residual_sd,
           resolved ? variation
-                   : statistics::Computed("below resolution: the noise exceeds a third of it"),
+                   : statistics::Computed("below resolution: the noise exceeds a third of it"_text),
           floor_percent, fall_percent};
 }
 

@@ -52,8 +52,8 @@ struct Shares {
 statistics::EventTime time_to(const Shares& shares, double share) {
   const auto reached =
       std::find_if(shares.z.begin(), shares.z.end(), [&](double value) { return value >= share; });
-  if (reached == shares.z.end()) return {"the level was not reached", shares.waited_s()};
-  if (reached == shares.z.begin()) return {"already there at the cue", {}};
+  if (reached == shares.z.end()) return {"the level was not reached"_text, shares.waited_s()};
+  if (reached == shares.z.begin()) return {"already there at the cue"_text, {}};
   const auto k = static_cast<std::size_t>(reached - shares.z.begin());
   return {statistics::crossing_time(shares.t_s, shares.z, k, share) - shares.cue_s, {}};
 }
@@ -64,7 +64,7 @@ statistics::EventTime settling_time(const Shares& shares) {
   std::vector<bool> inside(shares.z.size());
   for (std::size_t k = 0; k < inside.size(); ++k) inside[k] = std::abs(shares.z[k] - 1.0) <= kBand;
   const auto found = statistics::stretches(shares.t_s, inside, kSettled_s);
-  if (found.empty()) return {"not settled for 0.2 s", shares.waited_s()};
+  if (found.empty()) return {"not settled for 0.2 s"_text, shares.waited_s()};
   return {shares.t_s[found.front().first] - shares.cue_s, {}};
 }
 
@@ -75,7 +75,7 @@ CuedStepResponse cued_step_response(std::span<const double> t_s, std::span<const
   assert(t_s.size() == x.size() && step.from != step.to);
   const std::size_t first = statistics::first_row_from(t_s, step.cue_s);
   if (first == t_s.size()) {
-    const char* const none = "no samples after the cue";
+    constexpr Words none = "no samples after the cue"_text;
     return {{{none, {}}, {}}, {none, {}}, {none, {}}, {none, {}}, none, none, none, {none, {}}};
   }
   Shares shares{t_s.subspan(first), {}, step.cue_s};
@@ -90,7 +90,7 @@ CuedStepResponse cued_step_response(std::span<const double> t_s, std::span<const
   const auto top = std::max_element(shares.z.begin(), shares.z.end());
   const bool beyond = *top > 1.0;
   return {held ? reaction(t_s, x, step.cue_s, *held, lsb, change)
-               : Reaction{{"no level before the cue", {}}, {}},
+               : Reaction{{"no level before the cue"_text, {}}, {}},
           t10,
           time_to(shares, 1.0 - 1.0 / std::numbers::e),
           t90,
@@ -100,7 +100,7 @@ CuedStepResponse cued_step_response(std::span<const double> t_s, std::span<const
           beyond ? 100.0 * (*top - 1.0) : 0.0,
           beyond ? statistics::Computed(
                        shares.t_s[static_cast<std::size_t>(top - shares.z.begin())] - step.cue_s)
-                 : statistics::Computed("no overshoot"),
+                 : statistics::Computed("no overshoot"_text),
           settling_time(shares)};
 }
 

@@ -12,11 +12,11 @@
 namespace isograsp::tasks {
 
 std::optional<Synergy> synergy(const Eigen::MatrixXd& trials, const Eigen::VectorXd& jacobian,
-                               std::string& reason) {
+                               Text& reason) {
   assert(jacobian.size() == trials.cols() && trials.cols() >= 2 && jacobian.norm() > 0.0);
   constexpr Eigen::Index kLeastTrials = 15;  // below, Delta V depends on the number of trials
   if (trials.rows() < kLeastTrials) {
-    reason = "fewer than 15 trials";
+    reason = "fewer than 15 trials"_text;
     return std::nullopt;
   }
   const double n = static_cast<double>(trials.cols());
@@ -26,7 +26,7 @@ std::optional<Synergy> synergy(const Eigen::MatrixXd& trials, const Eigen::Vecto
   // Rounding of a mean leaves about eps of it in each element.
   constexpr double kConstant = 1e-26;
   if (!(all > kConstant * trials.squaredNorm() / degrees)) {
-    reason = "the forces do not vary";
+    reason = "the forces do not vary"_text;
     return std::nullopt;
   }
   const Eigen::VectorXd across = about_mean * jacobian.normalized();
@@ -72,7 +72,7 @@ CycleSynergy synergy_over_cycles(std::span<const double> t_s,
         trials(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(e)) =
             at_time(t_s, force_N[e], when_s);
     }
-    std::string reason;
+    Text reason;
     const auto found = synergy(trials, sum_of_all, reason);
     if (!found) return {reason, reason, reason, reason};
     sum.delta_v += found->delta_v;

@@ -27,7 +27,7 @@ struct Synergy {
 /// @param reason    says why if there is no value: fewer than 15 trials, nothing varies
 /// @pre jacobian is not zero, jacobian.size() == trials.cols() >= 2
 [[nodiscard]] std::optional<Synergy> synergy(const Eigen::MatrixXd& trials,
-                                             const Eigen::VectorXd& jacobian, std::string& reason);
+                                             const Eigen::VectorXd& jacobian, Text& reason);
 
 /// The same at 100 phases of a movement that repeats, over its cycles, version 1: means over the
 /// phases. The elements act alike: their sum is the result.

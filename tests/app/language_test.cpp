@@ -58,6 +58,24 @@ TEST_F(CommandsInALanguage, TakeTheDesktopsThenTheClinicsThenTheOneThatIsAskedFo
   EXPECT_NE(failing("LANG=de_CH.UTF-8", "").err.find(german_), std::string::npos);
 }
 
+TEST_F(CommandsInALanguage, SayWhatTheyHaveDone) {
+  const auto say = [&](const std::string& language, const std::string& command) {
+    return isograsp_in("XDG_CONFIG_HOME=" + folder_.path("config"),
+                       "--language " + language + " " + command);
+  };
+  const std::string path = folder_.path("clinic.db");
+  const auto made = say("de", "db init " + path);
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(made.out.find(path + ": angelegt, Format "), 0U) << made.out;
+  EXPECT_EQ(say("fr", "db check " + path).out, path + " : intact\n");
+  EXPECT_EQ(say("en", "db check " + path).out, path + ": sound\n");
+  const auto stats = say("de", "db stats " + path).out;
+  EXPECT_NE(stats.find("0 Patienten, 0 Sitzungen, 0 Versuche"), std::string::npos) << stats;
+  EXPECT_NE(stats.find("0,00 Minuten aufgezeichnet"), std::string::npos) << stats;
+  const auto json = "db stats --json " + path;
+  EXPECT_EQ(say("de", json).out, say("en", json).out) << "that is for machines";
+}
+
 TEST_F(CommandsInALanguage, RefuseOneThatThereIsNot) {
   const auto refused = failing("", " --language tlh");
   EXPECT_EQ(refused.status, 2);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 #include <set>
+#include <sstream>
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -18,6 +19,7 @@
 #include "exports/export_trial.hpp"
 #include "exports/fhir_codes.hpp"
 #include "hand/anatomical_axes.hpp"
+#include "languages/languages.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
 #include "tasks/facts/column_facts.hpp"
@@ -144,6 +146,63 @@ TEST_F(ResearchExport, EveryFormatWritesExactlyTheFilesThatWereListed) {
     EXPECT_FALSE(again.ok()) << "nothing is overwritten";
     EXPECT_EQ(files_below(out), listed) << "and nothing is added";
   }
+}
+
+/// Every key of a document, and every value that machines read.
+void collect(const nlohmann::json& json, std::set<std::string>& keys,
+             std::set<std::string>& codes) {
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object()) keys.insert(key);
+    if (key == "code" && value.is_string()) codes.insert(value.get<std::string>());
+    if (value.is_structured()) collect(value, keys, codes);
+  }
+}
+
+TEST_F(ResearchExport, PeopleReadItInTheirLanguageAndMachinesAsInEnglish) {
+  const auto written = [](ExportFormat format, const std::string& language) {
+    const auto out = folder_->path("in_" + language + "_" + std::string(name_of(format)));
+    EXPECT_TRUE(
+        write_export(*store_, {}, format, out, {}, languages::language(language)).ok());
+    return out;
+  };
+  const std::string bundle = "/patient_1/session_1_bundle.json";
+  const std::string codes = "/codesystem.json";
+  const auto english = written(ExportFormat::fhir, "en");
+  const auto german = written(ExportFormat::fhir, "de");
+  for (const std::string& file : {bundle, codes}) {
+    const std::string text = test::read_file(german + file);
+    std::set<std::string> keys[2];
+    std::set<std::string> values[2];
+    collect(nlohmann::json::parse(test::read_file(english + file)), keys[0], values[0]);
+    collect(nlohmann::json::parse(text), keys[1], values[1]);
+    EXPECT_TRUE(keys[1].erase("language") == 1) << file;
+    EXPECT_EQ(keys[1], keys[0]) << file;
+    EXPECT_EQ(values[1], values[0]) << file;
+    EXPECT_NE(text.find("\"Nummer der Sitzung\""), std::string::npos) << file;
+    EXPECT_EQ(text.find("\"Number of the session\""), std::string::npos) << file;
+    EXPECT_NE(text.find("\"Kraft, Daumen, längs z\""), std::string::npos) << file;
+  }
+  const auto columns = [](const std::string& folder, std::size_t first, std::size_t count) {
+    std::string kept;
+    for (const auto& file : files_below(folder)) {
+      if (!file.ends_with("_channels.tsv")) continue;
+      std::istringstream lines(test::read_file(folder + "/" + file));
+      for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        std::string field;
+        for (std::size_t i = 0; std::getline(fields, field, '\t'); ++i)
+          if (i >= first && i < first + count) kept += field + "\n";
+      }
+    }
+    return kept;
+  };
+  const auto bids = written(ExportFormat::bids, "fr");
+  const auto plain = written(ExportFormat::bids, "en");
+  constexpr std::size_t kDescription = 7;
+  EXPECT_EQ(files_below(bids), files_below(plain));
+  EXPECT_EQ(columns(bids, 0, kDescription), columns(plain, 0, kDescription));
+  EXPECT_NE(columns(bids, kDescription, 1).find("Force, pouce, selon z"), std::string::npos);
+  EXPECT_NE(test::read_file(bids + "/participants.json").find("Côté atteint"), std::string::npos);
 }
 
 TEST_F(ResearchExport, WhoIsNotReleasedIsLeftOutCountedAndRefusedByName) {

@@ -61,11 +61,11 @@ class FailuresInEachLanguage : public QtTest, public ::testing::WithParamInterfa
         QStringLiteral("„[^“]*“|«[^»]*»|\"[^\"]*\"|'[^']*'|\\[\\[?\\w+\\]\\]?|\\w+://\\S*|/"
                        "\\S+|isograsp db \\w+|--[\\w-]+"));
     text.remove(kWritten);
-    static const QRegularExpression kEnglish(QStringLiteral(
+    static const QRegularExpression kEnglishWords(QStringLiteral(
         "\\b(the|is|are|not|of|and|or|with|cannot|has|have|holds|no|this|that|it|its|give|"
         "write|check|add|choose|use|for|while|on|to|at|by|there|expected|saw|parsing|file|"
         "directory|reading|storing|from|sensor's|does|wrong|make|log|keep)\\b"));
-    return kEnglish.match(text).captured().toStdString();
+    return kEnglishWords.match(text).captured().toStdString();
   }
 
   TemporaryFolder folder_;

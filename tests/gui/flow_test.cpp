@@ -164,7 +164,7 @@ TEST(Flow, FrozenForcesAreAFaultInWords) {
 TEST(Flow, AZeroThatDiffersMayBeAcceptedAsServicedAndNoOther) {
   FlowFacts facts = connected();
   EXPECT_FALSE(decide(facts).may_accept_changed);
-  facts.zero_refusal = "The index sensor differs.";
+  facts.zero_refusal = Known{"The index sensor differs."};
   EXPECT_FALSE(decide(facts).may_accept_changed) << "refused for another reason";
   facts.zero_only_changed = true;
   EXPECT_TRUE(decide(facts).may_accept_changed);
@@ -281,7 +281,7 @@ TEST(Flow, TheEndOfTheWorkOffersReportAndDisconnecting) {
   EXPECT_TRUE(decide(facts).offers_end && decide(facts).may_disconnect);
   EXPECT_EQ(decide(facts).press, NextPress::report);
   facts.protocol.act = ProtocolFacts::Act::trial;
-  facts.stop_reason = "Pain 5 of 10: stop the work of this hand for today.";
+  facts.stop_reason = Known{"Pain 5 of 10: stop the work of this hand for today."};
   EXPECT_TRUE(decide(facts).offers_end);
 }
 
@@ -299,13 +299,13 @@ TEST(Flow, WhatTheRestingForceSuggestsIsSaid) {
   FlowFacts facts = zeroed();
   facts.task_rests = false;
   facts.rest_done = true;
-  facts.rest_words = "At rest thumb 2.1 N.";
+  facts.rest_words = Known{"At rest thumb 2.1 N."};
   EXPECT_EQ(decide(facts).sentence, "At rest thumb 2.1 N. Next: the maximum grip force.");
 }
 
 TEST(Flow, ARefusedZeroSaysWhy) {
   FlowFacts facts = connected();
-  facts.zero_refusal = "the thumb was not quiet";
+  facts.zero_refusal = Known{"the thumb was not quiet"};
   EXPECT_NE(decide(facts).sentence.find("the thumb was not quiet"), std::string::npos);
   EXPECT_TRUE(decide(facts).may_zero);
 }
@@ -366,8 +366,8 @@ TEST(Flow, AProtocolThatIsOverHasNothingLeftToDo) {
 
 TEST(Flow, AReasonToStopIsSaidBeforeWhatComesNext) {
   FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
-  facts.stop_reason = "Pain 5 of 10: stop the work of this hand for today.";
-  EXPECT_EQ(decide(facts).sentence, facts.stop_reason);
+  facts.stop_reason = Known{"Pain 5 of 10: stop the work of this hand for today."};
+  EXPECT_EQ(decide(facts).sentence, english(facts.stop_reason));
   EXPECT_EQ(decide(facts).mood, Mood::attention);
 }
 
@@ -380,7 +380,7 @@ TEST(Flow, StrapsThatAreDueComeBeforeTheNextTaskAndCanBeConfirmed) {
   EXPECT_TRUE(view.must_stand_by);
   EXPECT_EQ(view.next(), Step::rest);
   EXPECT_NE(view.sentence.find("look at the skin"), std::string::npos);
-  facts.stop_reason = "30 minutes of work are done: end the session for today.";
+  facts.stop_reason = Known{"30 minutes of work are done: end the session for today."};
   EXPECT_EQ(decide(facts).sentence, view.sentence) << "the skin of a hand whose work is over, too";
   facts.stage = session::Stage::trial;
   EXPECT_EQ(decide(facts).mood, Mood::busy) << "a trial that runs is not interrupted";

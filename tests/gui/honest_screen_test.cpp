@@ -19,16 +19,23 @@ using Axis = std::function<void(FlowFacts&, const std::function<void()>&)>;
 Axis flag(bool FlowFacts::*fact) {
   return [fact](FlowFacts& facts, const std::function<void()>& then) {
     for (const bool value : {false, true}) {
-      facts.*fact = value;
+      if constexpr (std::is_same_v<Words, Text>)
+        facts.*fact = Known{value};
+      else
+        facts.*fact = value;
       then();
     }
   };
 }
 
-Axis text(std::string FlowFacts::*fact) {
+template <class Words>
+Axis text(Words FlowFacts::*fact) {
   return [fact](FlowFacts& facts, const std::function<void()>& then) {
     for (const char* value : {"", "Why."}) {
-      facts.*fact = value;
+      if constexpr (std::is_same_v<Words, Text>)
+        facts.*fact = Known{value};
+      else
+        facts.*fact = value;
       then();
     }
   };
@@ -85,11 +92,11 @@ void zeros(FlowFacts& facts, const std::function<void()>& then) {
     facts.zeroed = zeroed;
     facts.restarted = restarted ? std::optional(Finger::index) : std::nullopt;
     for (const char* refusal : {"", "The thumb was not quiet."}) {
-      facts.zero_refusal = refusal;
+      facts.zero_refusal = Known{refusal};
       then();
     }
   }
-  facts.zero_refusal.clear();
+  facts.zero_refusal = {};
   facts.restarted.reset();
   facts.zeroed = false;
   facts.recorded = true;

@@ -16,7 +16,6 @@
 #include "gui/rules/patient_picture.hpp"
 #include "gui/words/cue_words.hpp"
 #include "gui/words/profile_words.hpp"
-#include "gui/words/stored_texts.hpp"
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 #include "session/platform/zeroing.hpp"
@@ -212,18 +211,15 @@ TEST_F(QtTest, AnUnknownLanguageIsThatOfTheDesktopAndEnglishComesBack) {
   EXPECT_EQ(status_words(storage::TrialStatus::completed), english);
 }
 
-TEST_F(QtTest, ATextIsFoundWholeByItsNumbersOrSentenceBySentence) {
-  QStringList numbers;
-  EXPECT_EQ(without_numbers("At rest thumb 1.2, index -0.3, middle 2 N.", numbers),
-            "At rest thumb %1, index %2, middle %3 N.");
-  EXPECT_EQ(numbers, QStringList({"1.2", "-0.3", "2"}));
-  EXPECT_EQ(without_numbers("P-3AB has t63", numbers), "P-3AB has t63")
-      << "digits of a name are no numbers";
+TEST_F(QtTest, WhatIsStoredInEnglishIsSaidAsAWholeOrWithItsValues) {
   const Spoken spoken("de");
-  EXPECT_EQ(translated("Time to 63 % of the step"), "Zeit bis 63 % der Stufe");
+  EXPECT_EQ(translated("Stopped by the therapist."), "Vom Therapeuten beendet.");
   EXPECT_EQ(translated("Wrist of 3.5 N"), "Wrist of 3.5 N") << "what is not known stays as it is";
-  EXPECT_EQ(translated("It is kept as it is and never subtracted. Unknown."),
-            "Sie bleibt, wie sie ist, und wird nie abgezogen. Unknown.");
+  Measure measure;
+  measure.reason = "not reached within 2.5 s";
+  EXPECT_EQ(measure_remark(measure), "innerhalb von 2,5 s nicht erreicht");
+  measure.reason = "there was no grip";
+  EXPECT_EQ(measure_remark(measure), "es gab keinen Griff");
 }
 
 }  // namespace

@@ -59,6 +59,12 @@ TEST_P(EachLanguage, SaysEveryTextOfTheSourcesTheLibraryAndTheSystem) {
   }
 }
 
+TEST_P(EachLanguage, HasNoWordsForWhatNobodySays) {
+  const auto texts = all_texts(ISOGRASP_SOURCE_DIR);
+  for (const auto& [english, words] : every(words_of(GetParam())))
+    EXPECT_TRUE(texts.contains(english)) << english << " (scripts/translations takes it away)";
+}
+
 TEST_P(EachLanguage, KeepsPlacesAndBlanks) {
   for (const auto& [english, words] : every(words_of(GetParam())))
     EXPECT_EQ(kept(words), kept(english)) << english << " = " << words;

@@ -12,7 +12,6 @@
 #include "core/files.hpp"
 #include "session/library/library.hpp"
 #include "tasks/task_spec.hpp"
-#include "tests/languages/sentence_texts.hpp"
 
 namespace isograsp::languages {
 
@@ -70,6 +69,10 @@ void add_library(std::set<std::string>& texts, const std::string& library) {
   for (const auto& entry : fs::directory_iterator(library + "/protocols"))
     if (const auto protocol = session::read_protocol(entry.path(), library))
       texts.insert(protocol->spec.name);
+  // As a session stores the device.
+  for (const auto& entry : fs::directory_iterator(library + "/patients"))
+    if (entry.path().extension() == ".toml")
+      texts.insert(english("Simulated sensors, %1 patient"_text(entry.path().stem().string())));
 }
 
 }  // namespace
@@ -115,11 +118,11 @@ std::set<std::string> all_texts(const std::string& source_folder) {
       if (!code) throw std::runtime_error(entry.path().string() + " cannot be read");
       texts.merge(texts_in_code(*code));
     }
-  texts.merge(sentence_texts(source_folder));
   add_library(texts, source_folder + "/library");
   // Names that stand in sentences as Known.
   texts.insert({"right", "left", "thumb", "index", "middle", "therapist", "researcher",
-                "administrator", "the network", "serial lines"});
+                "administrator", "the network", "serial lines", "completed", "aborted",
+                "interrupted"});
   for (const int failure :
        {EACCES,       EADDRINUSE,   EADDRNOTAVAIL, EBUSY,  ECONNREFUSED, ECONNRESET, EDQUOT,
         EEXIST,       EHOSTUNREACH, EINVAL,        EIO,    EISDIR,       ELOOP,      EMFILE,

@@ -25,7 +25,7 @@ TEST(MeasureWords, EveryMeasureOfEveryKindOfTaskHasWords) {
     kinds.insert(task.spec.kind->name);
     for (const Measure& measure : test::every(task.measures)) {
       names.insert(measure.name);
-      EXPECT_NE(tasks::words_of(measure.name, "").title, own_name(measure.name))
+      EXPECT_NE(english(tasks::words_of(measure.name, "").title), own_name(measure.name))
           << "kind " << task.spec.kind->name;
     }
   }
@@ -41,14 +41,14 @@ TEST(MeasureWords, EveryMeasureWithoutATaskHasWords) {
       Signals({"t_s", "target_force_N", "actual_force_N", "actual_x_m", "actual_y_m"}));
   ASSERT_FALSE(measures.empty());
   for (const Measure& measure : test::every(measures))
-    EXPECT_NE(tasks::words_of(measure.name, "").title, own_name(measure.name));
+    EXPECT_NE(english(tasks::words_of(measure.name, "").title), own_name(measure.name));
 }
 
 TEST(MeasureWords, NoTwoMeasuresOfATaskHaveTheSameTitle) {
   for (const Emitted& task : test::every(emitted())) {
     std::set<std::string> titles;
     for (const Measure& measure : test::every(task.measures)) {
-      const std::string title = tasks::words_of(measure.name, measure.channel).title;
+      const std::string title = english(tasks::words_of(measure.name, measure.channel).title);
       EXPECT_TRUE(titles.insert(title).second)
           << title << ", kind " << task.spec.kind->name << ", channel " << measure.channel;
     }
@@ -99,7 +99,7 @@ TEST(MeasureWords, ReleasesCompletedAreReadBeforeTheirTime) {
 
 TEST(MeasureWords, ATitleSaysTheChannel) {
   const auto title = [](const char* name, const char* channel) {
-    return tasks::words_of(name, channel).title;
+    return english(tasks::words_of(name, channel).title);
   };
   EXPECT_EQ(title("maximum_force", "grip"), "Maximum grip above rest");
   EXPECT_EQ(title("maximum_force", "thumb"), "Maximum force above rest, thumb");

@@ -174,7 +174,7 @@ TEST_F(Pages, AnExportThatIsCancelledLeavesNothing) {
     const auto out = folder_->path("cancelled");
     int asked = 0;
     const auto trials = exports::write_export(*store_, {}, exports::ExportFormat::csv, out,
-                                              [&](double fraction, const std::string&) {
+                                              [&](double fraction, const Text&) {
                                                 EXPECT_GE(fraction, 0.0);
                                                 return asked++ < after;
                                               });

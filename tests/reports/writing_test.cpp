@@ -52,7 +52,7 @@ class Writing : public testing::Test {
     const auto writer = make_report_writer(content_, path);
     int step = 0;
     const auto done =
-        write_all(*writer, path, [&](double, const std::string&) { return step++ < stop_at; });
+        write_all(*writer, path, [&](double, const Text&) { return step++ < stop_at; });
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(step, stop_at + 1);
   }
@@ -86,14 +86,14 @@ TEST_F(Writing, ProgressGrowsFromZeroAndCountsEveryPageInOrder) {
   ASSERT_GE(report.pages(), 2);
   std::vector<std::string> pages;
   double last = -1.0;
-  const auto done = write_all(report, folder_->path("counted.pdf"),
-                              [&](double fraction, const std::string& words) {
-                                EXPECT_GT(fraction, last);
-                                EXPECT_LT(fraction, 1.0);
-                                last = fraction;
-                                if (pages.empty() || pages.back() != words) pages.push_back(words);
-                                return true;
-                              });
+  const auto done =
+      write_all(report, folder_->path("counted.pdf"), [&](double fraction, const Text& words) {
+        EXPECT_GT(fraction, last);
+        EXPECT_LT(fraction, 1.0);
+        last = fraction;
+        if (pages.empty() || pages.back() != english(words)) pages.push_back(english(words));
+        return true;
+      });
   ASSERT_TRUE(done.ok());
   std::vector<std::string> expected;
   for (int page = 1; page <= report.pages(); ++page)
@@ -118,7 +118,7 @@ TEST_F(Writing, StoppedAnywhereLeavesNoFileAndTheOldOneAsItWas) {
 TEST_F(Writing, GatheringStopsWhereverItIsAskedTo) {
   int questions = 0;
   double last = -1.0;
-  const auto whole = gather_progress(*store_, "TK-104", [&](double fraction, const std::string&) {
+  const auto whole = gather_progress(*store_, "TK-104", [&](double fraction, const Text&) {
     EXPECT_GT(fraction, last);
     EXPECT_LT(fraction, 1.0);
     last = fraction;
@@ -129,8 +129,8 @@ TEST_F(Writing, GatheringStopsWhereverItIsAskedTo) {
   EXPECT_GT(questions, static_cast<int>(content_.sessions.size() + content_.sections.size()));
   for (int stop_at = 0; stop_at < questions; ++stop_at) {
     int asked = 0;
-    const auto stopped = gather_progress(
-        *store_, "TK-104", [&](double, const std::string&) { return asked++ < stop_at; });
+    const auto stopped =
+        gather_progress(*store_, "TK-104", [&](double, const Text&) { return asked++ < stop_at; });
     EXPECT_FALSE(stopped.ok());
     EXPECT_EQ(asked, stop_at + 1) << "goes on after it was asked to stop";
   }

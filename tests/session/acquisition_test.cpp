@@ -107,7 +107,7 @@ class Ailment : public ::testing::Test {
     RecordItem item;
     while (bench_.acquisition->records().pop(item))
       if (item.kind == RecordItem::Kind::event && !item.told_before)
-        words.emplace_back(item.reason);
+        words.emplace_back(item.reason.english());
     return words;
   }
   Ailing* ailing_ = nullptr;

@@ -81,14 +81,15 @@ TEST(RestingForce, SpasticToneIsDataNotAnError) {
   RestingForce rest;
   for (auto& mean : rest.mean) mean.setZero();
   for (auto& sd : rest.sd) sd.setZero();
-  EXPECT_EQ(words_of(rest), "At rest thumb 0.0, index 0.0, middle 0.0 N.");
+  EXPECT_EQ(english(words_of(rest)), "At rest thumb 0.0, index 0.0, middle 0.0 N.");
   rest.mean[2][2] = 4.0;
-  EXPECT_NE(words_of(rest).find("(middle): muscle tone"), std::string::npos) << words_of(rest);
-  EXPECT_NE(words_of(rest).find("never subtracted"), std::string::npos);
+  EXPECT_NE(english(words_of(rest)).find("(middle): muscle tone"), std::string::npos)
+      << english(words_of(rest));
+  EXPECT_NE(english(words_of(rest)).find("never subtracted"), std::string::npos);
   rest.mean[0][2] = -1.5;
-  EXPECT_NE(words_of(rest).find("Pulling though relaxed (thumb)"), std::string::npos);
+  EXPECT_NE(english(words_of(rest)).find("Pulling though relaxed (thumb)"), std::string::npos);
   rest.sd[1][2] = 0.9;
-  EXPECT_NE(words_of(rest).find("not still"), std::string::npos);
+  EXPECT_NE(english(words_of(rest)).find("not still"), std::string::npos);
 }
 
 }  // namespace

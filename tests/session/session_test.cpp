@@ -323,7 +323,7 @@ TEST(Session, RunsInRealTimeOnThreeThreads) {
   ASSERT_TRUE((*session)->start_zero({true}));
   const auto zero = (*session)->wait_for_news();
   ASSERT_EQ(zero.size(), 1u);
-  ASSERT_TRUE(zero[0].prepared && zero[0].prepared->accepted) << zero[0].prepared->reason;
+  ASSERT_TRUE(zero[0].prepared && zero[0].prepared->accepted) << english(zero[0].prepared->reason);
   const auto spec = tasks::parse_task(
       "format = \"isograsp-task-1\"\nname = \"Rest\"\nkind = \"rest\"\n"
       "instruction = \"Relax.\"\nduration_s = 1.5\n",

@@ -198,7 +198,7 @@ TEST(ReadingBack, WhatWasChangedInBetweenComesBackFromTheEmergencyFile) {
     ASSERT_EQ(files.size(), 1u) << one.name;
     const auto done = storage::rescue(recording.path, files[0]);
     ASSERT_TRUE(done) << one.name << ": " << done.error().message();
-    EXPECT_TRUE(done->conflicts.empty()) << one.name << ": " << done->conflicts.front();
+    EXPECT_TRUE(done->conflicts.empty()) << one.name << ": " << english(done->conflicts.front());
     recording.expect_second_trial_in(recording.path, one.name);
     EXPECT_TRUE(storage::must(storage::opened(recording.path)->check()).empty()) << one.name;
     EXPECT_TRUE(storage::emergency_files().empty()) << one.name;

@@ -25,7 +25,8 @@ TEST(WorkLimits, HalfAnHourOfWorkIsEnoughHoweverItIsDivided) {
       EXPECT_FALSE(limits.reason_to_stop()) << i << " of " << trials;
       limits.worked(kMostWork_s / trials * (1.0 + 1e-12));
     }
-    EXPECT_EQ(limits.reason_to_stop(), "30 minutes of work are done: end the session for today.");
+    EXPECT_EQ(english(limits.reason_to_stop().value_or(Text())),
+              "30 minutes of work are done: end the session for today.");
   }
 }
 
@@ -39,7 +40,7 @@ TEST(WorkLimits, AFifthOfTheForceLostEndsTheWorkAndAForceThatComesBackDoesNot) {
   EXPECT_FALSE(limits.reason_to_stop()) << "another channel has its own best";
   limits.tried(maximum(16.0));
   EXPECT_EQ(
-      limits.reason_to_stop(),
+      english(limits.reason_to_stop().value_or(Text())),
       "The maximum has fallen by 20 % in this session: stop the work of this hand for today.");
   limits.tried(maximum(18.0));
   EXPECT_FALSE(limits.reason_to_stop());

@@ -132,12 +132,13 @@ TEST(InstrumentZero, OutsideTheBandOfAnEarlierSessionItIsRefusedUntilServiceIsCo
   const auto refused = zero(*session, kEmpty);
   EXPECT_FALSE(refused.accepted);
   EXPECT_TRUE(refused.only_changed);
-  EXPECT_NE(refused.reason.find("index sensor differs from the last empty zero"), std::string::npos)
-      << refused.reason;
+  EXPECT_NE(english(refused.reason).find("index sensor differs from the last empty zero"),
+            std::string::npos)
+      << english(refused.reason);
   EXPECT_FALSE(session->snapshot().zeroed);
 
   const auto accepted = zero(*session, kServiced);
-  EXPECT_TRUE(accepted.accepted) << accepted.reason;
+  EXPECT_TRUE(accepted.accepted) << english(accepted.reason);
   EXPECT_NE(accepted.remark.find("confirmed as serviced or remounted"), std::string::npos);
   EXPECT_TRUE(zero(*session, kEmpty).accepted) << "the new one is the measure from now on";
   session.reset();
@@ -179,7 +180,7 @@ TEST(InstrumentZero, OtherSensorsHaveAnotherBand) {
   clinic.open().reset();
   add_earlier_zero(clinic, 3.0, false);
   const auto outcome = zero(*clinic.open(), kEmpty);
-  EXPECT_TRUE(outcome.accepted) << outcome.reason;
+  EXPECT_TRUE(outcome.accepted) << english(outcome.reason);
   EXPECT_FALSE(outcome.record.references.contains(platform::kChange_N));
 }
 
@@ -189,7 +190,7 @@ TEST(RestingForce, IsKeptPerFingerWithWhoWhenAndASentence) {
   zero(*session, kEmpty);
   const auto outcome = trial(*session, short_rest());
   ASSERT_TRUE(outcome.rest);
-  EXPECT_EQ(outcome.rest->words.find("At rest thumb"), 0u);
+  EXPECT_EQ(english(outcome.rest->words).find("At rest thumb"), 0u);
   session.reset();
   const auto kept = kept_preparations(clinic, "resting_force").at(0);
   EXPECT_EQ(kept.operator_name, "Therapist 7");

@@ -106,7 +106,7 @@ TEST(Zeroing, AHandInTheDeviceIsRefusedWithTheReason) {
   const auto refusal = check_zero(changed.statistics(), last);
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->why, Why::changed);
-  EXPECT_NE(words_of(*refusal).find("thumb"), std::string::npos);
+  EXPECT_NE(english(words_of(*refusal)).find("thumb"), std::string::npos);
 }
 
 TEST(Zeroing, ALostSampleIsLeftOutAGapStartsAnewAndEndlessGapsAreGivenUp) {

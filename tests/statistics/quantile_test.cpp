@@ -33,7 +33,7 @@ TEST(Quantile, AValueCountsAsLongAsItHolds) {
   EXPECT_EQ(quantile(x, weight, 0.11).value, 2.0);
   EXPECT_EQ(quantile(x, weight, 0.90).value, 2.0);
   EXPECT_EQ(quantile(x, weight, 0.91).value, 3.0);
-  EXPECT_EQ(quantile({}, {}, 0.5).reason, "no samples");
+  EXPECT_EQ(english(quantile({}, {}, 0.5).reason), "no samples");
   EXPECT_FALSE(quantile(x, std::vector<double>(3, 0.0), 0.5).value);
 }
 

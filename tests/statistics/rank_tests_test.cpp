@@ -23,7 +23,7 @@ using test::null_table;
 constexpr double kRounding = 1e-12;  // of sums of some ten numbers near 1
 
 double number(const Computed& computed) {
-  EXPECT_TRUE(computed.value) << computed.reason;
+  EXPECT_TRUE(computed.value) << english(computed.reason);
   return computed.value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -256,24 +256,25 @@ TEST(Ranks, OfVerySmallAndVeryLargeValuesAreThoseOfOrdinaryOnes) {
   largest.col(0).setConstant(std::numeric_limits<double>::max());
   largest.col(1).setConstant(std::numeric_limits<double>::lowest());
   EXPECT_FALSE(signed_rank_pairs(largest).at(0).p.value);
-  EXPECT_NE(signed_rank_pairs(largest).at(0).p.reason.find("too large"), std::string::npos);
+  EXPECT_NE(english(signed_rank_pairs(largest).at(0).p.reason).find("too large"),
+            std::string::npos);
 }
 
 TEST(SignedRank, UndefinedSaysWhy) {
   const auto zeros = signed_rank(std::vector<double>(5, 0.0));
-  EXPECT_EQ(zeros.p.reason, "all differences are zero");
+  EXPECT_EQ(english(zeros.p.reason), "all differences are zero");
   EXPECT_FALSE(zeros.p.value || zeros.r.value || zeros.rank_biserial.value);
   EXPECT_EQ(zeros.pseudo_median.value, 0.0);
   // The smallest possible two-sided p of five pairs is 2 / 32.
   const auto five = signed_rank(std::vector<double>{1, 2, 3, 4, 5});
   EXPECT_EQ(five.p.value, 0.0625);
   EXPECT_FALSE(five.low.value);
-  EXPECT_NE(five.low.reason, "");
+  EXPECT_NE(english(five.low.reason), "");
   auto hole = SubjectTable(3, 2);
   hole.setConstant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(signed_rank_pairs(hole).at(0).p.reason, "a value is missing");
-  EXPECT_EQ(friedman(hole).p.reason, "a value is missing");
-  EXPECT_NE(friedman(SubjectTable::Constant(4, 3, 1.0)).chi2.reason, "");
+  EXPECT_EQ(english(signed_rank_pairs(hole).at(0).p.reason), "a value is missing");
+  EXPECT_EQ(english(friedman(hole).p.reason), "a value is missing");
+  EXPECT_NE(english(friedman(SubjectTable::Constant(4, 3, 1.0)).chi2.reason), "");
 }
 
 TEST(SignedRank, OfNullDataIsRejectedNoMoreOftenThanItsLevel) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kRounding = 1e-11;
 
 double number(const Computed& computed) {
-  EXPECT_TRUE(computed.value) << computed.reason;
+  EXPECT_TRUE(computed.value) << english(computed.reason);
   return computed.value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -99,9 +99,11 @@ TEST(Reliability, PerfectAgreementIsOneAndEqualValuesAreUndefined) {
   EXPECT_EQ(perfect.icc.value, 1.0);
   EXPECT_EQ(perfect.sem.value, 0.0);
   EXPECT_FALSE(perfect.low.value);
-  EXPECT_NE(perfect.low.reason, "");
-  EXPECT_EQ(reliability(SubjectTable::Constant(4, 3, 0.1)).icc.reason, "all values are equal");
-  EXPECT_EQ(reliability(SubjectTable::Random(1, 3)).sem.reason, "needs at least 2 subjects, has 1");
+  EXPECT_NE(english(perfect.low.reason), "");
+  EXPECT_EQ(english(reliability(SubjectTable::Constant(4, 3, 0.1)).icc.reason),
+            "all values are equal");
+  EXPECT_EQ(english(reliability(SubjectTable::Random(1, 3)).sem.reason),
+            "needs at least 2 subjects, has 1");
 }
 
 TEST(Published, ShroutAndFleissTable4) {
@@ -125,7 +127,8 @@ TEST(Reliability, OfValuesBeyondTheNumbersOfAComputerIsNotComputedAndSaysWhy) {
   for (const double unit : {1e-300, 1e-90, 1e160, 1e300}) {
     const auto result = reliability(unit * table);
     EXPECT_FALSE(result.icc.value || result.sem.value || result.low.value) << unit;
-    EXPECT_NE(result.sem.reason.find("squared"), std::string::npos) << result.sem.reason;
+    EXPECT_NE(english(result.sem.reason).find("squared"), std::string::npos)
+        << english(result.sem.reason);
   }
   for (const double unit : {1e-55, 1e55})
     EXPECT_WITHIN(*reliability(unit * table).low.value, *reliability(table).low.value, 1e-9);

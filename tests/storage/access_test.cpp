@@ -329,7 +329,8 @@ TEST_F(ProtectedClinic, ACheckNamesATextThatCannotBeOpenedAndGoesOn) {
   execute(path, "UPDATE clinical_scores SET text = 'sealed:1:'");
   const auto problems = must(opened(path)->check());
   ASSERT_EQ(problems.size(), 2u);
-  EXPECT_NE(problems[0].find("patient_profiles.notes of P-1"), std::string::npos) << problems[0];
+  EXPECT_NE(english(problems[0]).find("patient_profiles.notes of P-1"), std::string::npos)
+      << english(problems[0]);
   EXPECT_NE(problems[1].find("clinical_scores.text of P-2"), std::string::npos) << problems[1];
 }
 

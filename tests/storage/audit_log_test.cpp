@@ -48,7 +48,7 @@ struct Audit : ProtectedClinic {
     must(set_identity(*access, "P-1", {"Vera", "", ""}));
     as("Ada");
   }
-  [[nodiscard]] std::vector<std::string> problems() { return must(check_audit(*access)); }
+  [[nodiscard]] std::vector<Text> problems() { return must(check_audit(*access)); }
 };
 
 TEST_F(Audit, EveryBackupIsInItWhoeverMakesIt) {
@@ -135,7 +135,8 @@ TEST_F(Audit, NoticesAChangeOfAnyFieldOfAnyEntry) {
                    " || 'x' WHERE id = " + std::to_string(id)});
       const auto found = must(check_audit(*must(Access::open(bad))));
       ASSERT_EQ(found.size(), 1u) << field << " of " << id;
-      EXPECT_NE(found[0].find("entry " + std::to_string(id) + " "), std::string::npos) << found[0];
+      EXPECT_NE(english(found[0]).find("entry " + std::to_string(id) + " "), std::string::npos)
+          << english(found[0]);
     }
 }
 
@@ -149,7 +150,8 @@ TEST_F(Audit, NoticesAnotherOrderAMissingAndAnInventedEntry) {
 TEST_F(Audit, NoticesAMissingEntry) {
   attack(path, {"DELETE FROM audit_log WHERE id = 3"});
   ASSERT_FALSE(problems().empty());
-  EXPECT_NE(problems()[0].find("entries 3 to 3 are missing"), std::string::npos) << problems()[0];
+  EXPECT_NE(english(problems()[0]).find("entries 3 to 3 are missing"), std::string::npos)
+      << english(problems()[0]);
 }
 
 TEST_F(Audit, NoticesAnInventedEntry) {
@@ -181,7 +183,8 @@ TEST_F(Audit, NoticesAFilePutBackToAnEarlierState) {
   access = must(Access::open(path));
   as("Ada");
   ASSERT_FALSE(problems().empty());
-  EXPECT_NE(problems()[0].find("was put back or cut"), std::string::npos) << problems()[0];
+  EXPECT_NE(english(problems()[0]).find("was put back or cut"), std::string::npos)
+      << english(problems()[0]);
   EXPECT_FALSE(must(audit_contains(*access, noted))) << "a head on paper proves it too";
   const auto count = must(audit_head(*access)).count;
   while (must(audit_head(*access)).count < noted.count + 5)
@@ -245,10 +248,10 @@ TEST_F(Audit, IsCheckedWhileOthersAddToIt) {
     for (int i = 0; i < 100; ++i) must(log_act(*theirs, "report", "P-1", true));
     done = true;
   });
-  std::vector<std::string> found;
+  std::vector<Text> found;
   while (!done && found.empty()) found = problems();
   other.join();
-  EXPECT_EQ(found, std::vector<std::string>{});
+  EXPECT_EQ(found, std::vector<Text>{});
 }
 
 TEST_F(Audit, AnotherKeyCannotMakeTheChain) {
@@ -271,7 +274,7 @@ TEST_F(Audit, CheckOfTheStoreProvesTheChain) {
   attack(path, {"UPDATE audit_log SET actor = 'x' WHERE id = 2"});
   const auto found = must(opened(path)->check());
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NE(found[0].find("entry 2"), std::string::npos);
+  EXPECT_NE(english(found[0]).find("entry 2"), std::string::npos);
 }
 
 TEST(UnprotectedAudit, IsChainedToo) {

@@ -117,7 +117,8 @@ TEST_F(ChangeRecords, WhatAnotherProgramWroteWronglyIsRefusedByTheTablesOrFoundB
   sql << "UPDATE stable_periods SET until_date = '2026-04-06' WHERE until_date = '2026-03-20'";
   const auto problems = must(store->check());
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].find("P-0427 overlap on 2026-04-05"), std::string::npos) << problems[0];
+  EXPECT_NE(english(problems[0]).find("P-0427 overlap on 2026-04-05"), std::string::npos)
+      << english(problems[0]);
 }
 
 /// A trial with one value of "rmse".

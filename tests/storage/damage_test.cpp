@@ -76,7 +76,7 @@ TEST_F(Damage, ABitFlipInABlockIsNamedAndOtherTrialsCanBeRead) {
   expect_named(2, "trial 2 of session 1, group raw, seconds 0 to 9: the block is damaged");
   const auto problems = must(opened(path)->check());
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].find("trial 2"), std::string::npos) << problems[0];
+  EXPECT_NE(english(problems[0]).find("trial 2"), std::string::npos) << english(problems[0]);
 }
 
 TEST_F(Damage, NoBitFlipInStoredSignalsGivesOtherValues) {
@@ -197,7 +197,8 @@ TEST_F(Damage, AnOrphanRowIsFoundByTheCheck) {
   execute("DELETE FROM patients");
   const auto problems = must(opened(path, OpenMode::existing)->check());
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].find("row 1 of sessions refers to a row of patients"), std::string::npos);
+  EXPECT_NE(english(problems[0]).find("row 1 of sessions refers to a row of patients"),
+            std::string::npos);
 }
 
 TEST_F(Damage, ATornFileIsAnErrorNotACrash) {
@@ -222,7 +223,7 @@ TEST_F(Damage, BackupIsASoundCopyMadeWhileAnotherWrites) {
   must(store->append_blocks(trial.id, 1, example_rows(trial, 100, 9)));
 
   const auto copy = opened(to, OpenMode::read_only);
-  EXPECT_EQ(must(copy->check()), std::vector<std::string>{});
+  EXPECT_EQ(must(copy->check()), std::vector<Text>{});
   const auto trials = must(copy->trials(session_id));
   ASSERT_EQ(trials.size(), 3u);
   EXPECT_EQ(trials[2].samples, 100);

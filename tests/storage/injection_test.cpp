@@ -107,7 +107,7 @@ TEST_F(ProtectedClinic, SqlInAnyTextStaysText) {
   EXPECT_EQ(must(store->patients()).size(), 1u);
   EXPECT_EQ(tables_in(path), tables);
   const auto problems = must(check_audit(*access));
-  EXPECT_TRUE(problems.empty()) << problems.at(0);
+  EXPECT_TRUE(problems.empty()) << english(problems.at(0));
 }
 
 TEST_F(ProtectedClinic, WhatIsNoCodeIsRefusedBeforeItReachesTheDatabase) {

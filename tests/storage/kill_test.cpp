@@ -34,7 +34,7 @@ void expect_recovered(SessionStore& store, const std::string& said, TrialStatus 
     for (std::size_t r = 0; r < signals.rows(); ++r)
       right = right && signals.column(c)[r] == static_cast<double>(r * 30 + c % 30);
   EXPECT_TRUE(right);
-  EXPECT_EQ(must(store.check()), std::vector<std::string>{});
+  EXPECT_EQ(must(store.check()), std::vector<Text>{});
 }
 
 /// scripts/test --long sets it.
@@ -68,7 +68,7 @@ TEST(Kill, WhileTrialsAreClosedAndPackedLosesNone) {
     }
     for (const auto& trial : test::every(trials)) EXPECT_TRUE(store->signals(trial).ok());
   }
-  EXPECT_EQ(must(opened(path)->check()), std::vector<std::string>{});
+  EXPECT_EQ(must(opened(path)->check()), std::vector<Text>{});
 }
 
 TEST(Kill, WhatWasConfirmedIsThereAndTheTrialIsMarkedInterrupted) {
@@ -98,7 +98,7 @@ TEST(Kill, DuringTheMakingOfTheFileLeavesAWholeFileOrNone) {
       writer.kill_and_read();
     }
     if (!std::filesystem::exists(path)) continue;
-    EXPECT_EQ(must(opened(path, OpenMode::existing)->check()), std::vector<std::string>{});
+    EXPECT_EQ(must(opened(path, OpenMode::existing)->check()), std::vector<Text>{});
   }
 }
 

@@ -71,7 +71,7 @@ std::multiset<std::string> content_of(const std::string& path) {
   std::multiset<std::string> all;
   const auto held = opened(path, OpenMode::read_only);
   SessionStore& store = *held;
-  EXPECT_EQ(must(store.check()), std::vector<std::string>{});
+  EXPECT_EQ(must(store.check()), std::vector<Text>{});
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
   for (const auto& stone : must(tombstones(*must(Access::open(path)))))
     all.insert(stone.code + " erased " + stone.erased_utc + stone.erased_by);
@@ -151,14 +151,14 @@ struct Merge : testing::Test {
     const std::string ba = copy(b, "ba.db");
     const auto other = content_of(b);
     const auto report = must(merge_databases(ab, b, same));
-    EXPECT_EQ(report.conflicts, std::vector<std::string>{});
-    EXPECT_EQ(must(merge_databases(ba, a, same)).conflicts, std::vector<std::string>{});
+    EXPECT_EQ(report.conflicts, std::vector<Text>{});
+    EXPECT_EQ(must(merge_databases(ba, a, same)).conflicts, std::vector<Text>{});
     const auto whole = content_of(ab);
     EXPECT_EQ(content_of(ba), whole);
     EXPECT_EQ(content_of(b), other) << "the other file stays as it was";
     for (const auto& [into, from] : {std::pair{ab, b}, {ab, a}, {ba, ab}, {ab, ba}}) {
       const auto again = must(merge_databases(into, from));  // who is who is known by now
-      EXPECT_EQ(again.conflicts, std::vector<std::string>{});
+      EXPECT_EQ(again.conflicts, std::vector<Text>{});
       EXPECT_EQ(again.patients_added + again.sessions_added + again.trials_added, 0);
       EXPECT_EQ(content_of(into), whole);
     }
@@ -198,7 +198,7 @@ TEST_F(Merge, OfOnePatientThatWasEnteredTwiceJoinsThemOnlyWhenToldSo) {
   const auto before = content_of(a);
   const auto refused = must(merge_databases(a, b));
   ASSERT_EQ(refused.conflicts.size(), 1u);
-  EXPECT_NE(refused.conflicts[0].find("--same-patient p-1"), std::string::npos);
+  EXPECT_NE(english(refused.conflicts[0]).find("--same-patient p-1"), std::string::npos);
   EXPECT_EQ(content_of(a), before);
   expect_laws({"P-1"});
   const auto store = opened(folder.file("ab.db"));
@@ -267,7 +267,8 @@ TEST_F(Merge, OfDifferentContentUnderOneUuidIsReportedAndNothingIsChanged) {
             "'00000000-0000-4000-8000-000000000000')");
     const auto report = must(merge_databases(a, b));
     ASSERT_FALSE(report.conflicts.empty()) << change.statement;
-    EXPECT_NE(report.conflicts[0].find(change.reported), std::string::npos) << report.conflicts[0];
+    EXPECT_NE(english(report.conflicts[0]).find(change.reported), std::string::npos)
+        << english(report.conflicts[0]);
     EXPECT_EQ(content_of(a), before) << change.statement;
   }
 }
@@ -306,7 +307,7 @@ TEST_F(Merge, OfASessionThatWasStillOpenTakesItsEnd) {
   execute(b, "UPDATE sessions SET ended_utc = '2026-03-01T11:00:00Z'");
   const auto differ = must(merge_databases(a, b));
   ASSERT_FALSE(differ.conflicts.empty());
-  EXPECT_NE(differ.conflicts[0].find("(ended_utc)"), std::string::npos);
+  EXPECT_NE(english(differ.conflicts[0]).find("(ended_utc)"), std::string::npos);
 }
 
 TEST_F(Merge, OfATrialThatIsPackedInOneFileOnlyComparesItsValues) {
@@ -324,14 +325,14 @@ TEST_F(Merge, OfATrialThatIsPackedInOneFileOnlyComparesItsValues) {
   EXPECT_EQ(must(migrate_database(b)).packed, 1);
   for (const auto& [into, from] : {std::pair{a, b}, {b, a}}) {
     const auto report = must(merge_databases(into, from));
-    EXPECT_EQ(report.conflicts, std::vector<std::string>{});
+    EXPECT_EQ(report.conflicts, std::vector<Text>{});
     EXPECT_EQ(report.trials_present, 5);
   }
   execute(b, "UPDATE trials SET signals_blake2b = zeroblob(32) WHERE number = 9");
   for (const auto& [into, from] : {std::pair{a, b}, {b, a}}) {
     const auto report = must(merge_databases(into, from));
     ASSERT_EQ(report.conflicts.size(), 1u);
-    EXPECT_NE(report.conflicts[0].find("trial 9"), std::string::npos);
+    EXPECT_NE(english(report.conflicts[0]).find("trial 9"), std::string::npos);
   }
 }
 
@@ -356,11 +357,12 @@ TEST_F(Merge, NeverBringsBackWhoWasErased) {
   const auto before = content_of(a);
   const auto into = must(merge_databases(a, b));
   ASSERT_EQ(into.conflicts.size(), 1u);
-  EXPECT_NE(into.conflicts[0].find("patient A-1 was erased in the other file"), std::string::npos);
+  EXPECT_NE(english(into.conflicts[0]).find("patient A-1 was erased in the other file"),
+            std::string::npos);
   EXPECT_EQ(content_of(a), before);
   const auto from = must(merge_databases(b, a));
   ASSERT_EQ(from.conflicts.size(), 1u);
-  EXPECT_NE(from.conflicts[0].find("patient A-1 was erased here"), std::string::npos);
+  EXPECT_NE(english(from.conflicts[0]).find("patient A-1 was erased here"), std::string::npos);
 }
 
 /// Each station has asked; which file is taken into which does not matter.

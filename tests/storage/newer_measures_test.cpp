@@ -101,7 +101,7 @@ TEST_F(NewerMeasures, StandBesideTheOldOnesAndReadersTakeThem) {
   EXPECT_EQ(words(course), std::string(kNewest) + kNewest);
   EXPECT_TRUE(add()) << "again: there is nothing to add";
   EXPECT_EQ(all(), kBoth);
-  EXPECT_EQ(must(store->check()), std::vector<std::string>{});
+  EXPECT_EQ(must(store->check()), std::vector<Text>{});
 }
 
 TEST_F(NewerMeasures, OfAPoolAreItsValuesAsFarAsItsVersionGoes) {
@@ -199,7 +199,7 @@ TEST_F(NewerMeasures, AreAllThereOrNoneAfterAnEndWithoutWarning) {
       confirmed = one;
     close(ends[0]);
     store = opened(path, OpenMode::existing);
-    EXPECT_EQ(must(store->check()), std::vector<std::string>{});
+    EXPECT_EQ(must(store->check()), std::vector<Text>{});
     std::vector<int> newest;
     for (const auto& trial : clinic.trials)
       for (const auto& one : must(store->measures(trial.trial_id)))
@@ -224,7 +224,7 @@ TEST_F(ProtectedClinic, NewerMeasuresAreLoggedAndWhoMayOnlyReadStoresNone) {
   EXPECT_TRUE(must(store->add_newer_measures(clinic.patient, clinic.trials)));
   EXPECT_TRUE(must(store->add_newer_measures(clinic.patient, clinic.trials)));
   EXPECT_EQ(words(must(store->measures(clinic.trials[0].trial_id))), kNewest);
-  EXPECT_EQ(must(store->check()), std::vector<std::string>{});
+  EXPECT_EQ(must(store->check()), std::vector<Text>{});
   store.reset();
   as("Ada");
   const auto entries = must(read_audit(*access, {"recompute measures", ""}));
@@ -254,7 +254,7 @@ TEST_F(MergeOfNewer, WhatOneFileHasComputedAgainComesToTheOtherWhicheverWayRound
   ASSERT_TRUE(add());
   const auto with = copied("with.db");
   for (const auto& [into, from] : {std::pair{without, with}, {with, without}, {without, with}}) {
-    EXPECT_EQ(must(merge_databases(into, from)).conflicts, std::vector<std::string>{});
+    EXPECT_EQ(must(merge_databases(into, from)).conflicts, std::vector<Text>{});
     EXPECT_EQ(all_of(into), kBoth);
   }
 }
@@ -273,7 +273,7 @@ TEST_F(MergeOfNewer, ResultsOfOneVersionThatDifferAreAConflict) {
     for (const auto& [into, from] : {std::pair{with, changed}, {changed, with}}) {
       const auto report = must(merge_databases(into, from));
       ASSERT_FALSE(report.conflicts.empty()) << change;
-      EXPECT_NE(report.conflicts[0].find("with different measures"), std::string::npos);
+      EXPECT_NE(english(report.conflicts[0]).find("with different measures"), std::string::npos);
     }
   }
   execute(without, "DELETE FROM measures WHERE name = 'rmse'");

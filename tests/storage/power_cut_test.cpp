@@ -50,7 +50,7 @@ std::string fault_after(const PowerCutVfs::Cut& cut, int seconds) {
   SessionStore& store = **opened;
   const auto problems = store.check();
   if (!problems) return problems.error().message();
-  if (!problems->empty()) return problems->front();
+  if (!problems->empty()) return english(problems->front());
   const auto patient = must(store.find_patient("P-1"));
   if (!patient) return confirmed(kTrials) > 0 ? "the patient is lost" : "";
   const auto sessions = must(store.sessions(patient->id));
@@ -149,7 +149,7 @@ TEST(FullDisk, AtAnyWriteOfTheCloseLosesNoSecond) {
   }
   EXPECT_GT(refused, 0) << "full before the trial was closed";
   EXPECT_GT(not_packed, 0) << "full while it was packed";
-  EXPECT_EQ(must(store->check()), std::vector<std::string>{});
+  EXPECT_EQ(must(store->check()), std::vector<Text>{});
 }
 
 }  // namespace

@@ -142,8 +142,8 @@ TEST_F(Profile, WhatAnotherProgramWroteWronglyIsRefusedByTheTablesOrFoundByTheCh
   sql << "UPDATE clinical_scores SET value = 58";
   const auto problems = must(store->check());
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].find("P-0427"), std::string::npos) << problems[0];
-  EXPECT_NE(problems[0].find("58"), std::string::npos) << problems[0];
+  EXPECT_NE(english(problems[0]).find("P-0427"), std::string::npos) << english(problems[0]);
+  EXPECT_NE(english(problems[0]).find("58"), std::string::npos) << english(problems[0]);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST_F(PlainClinic, ProtectedLaterHoldsNoByteOfItsPlainTextAndLosesNone) {
   EXPECT_EQ(files_with("SECRET"), std::vector<std::string>{});
   EXPECT_TRUE(is_protected_database(path));
   const auto store = opened(path);
-  EXPECT_EQ(must(store->check()), std::vector<std::string>{});
+  EXPECT_EQ(must(store->check()), std::vector<Text>{});
   for (const PatientRecord& patient : test::every(must(store->patients()))) {
     const PatientProfile profile = must(store->profile(patient.id));
     EXPECT_EQ(profile.notes + profile.goals, "SECRETNOTESECRETGOAL");
@@ -116,7 +116,7 @@ TEST_F(PlainClinic, ProtectedLaterLeavesASoundCopyAndNamesIt) {
 TEST_F(PlainClinic, ProtectedLaterProvesTheLogOfBefore) {
   const auto done = must(protect());
   const auto problems = [&] { return must(check_audit(*done.access)); };
-  EXPECT_EQ(problems(), std::vector<std::string>{});
+  EXPECT_EQ(problems(), std::vector<Text>{});
   const auto entries = must(read_audit(*done.access));
   EXPECT_EQ(must(read_audit(*done.access, {"protect", "clinic.db"})).size(), 1u);
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
@@ -134,7 +134,7 @@ TEST_F(PlainClinic, ProtectedLaterProvesTheLogOfBefore) {
         soci::use(entry.detail), soci::use(entry.hash), soci::use(entry.number);
   }
   ASSERT_EQ(problems().size(), 1u);
-  EXPECT_NE(problems()[0].find("was changed"), std::string::npos);
+  EXPECT_NE(english(problems()[0]).find("was changed"), std::string::npos);
 }
 
 TEST_F(PlainClinic, IsNotProtectedWhileAnotherProgramHasItOpen) {

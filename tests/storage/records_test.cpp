@@ -492,7 +492,7 @@ TEST_F(Records, AClockThatIsSetBackLosesNothingAndSessionsAreReadByTheirTime) {
     EXPECT_EQ(must(store->signals(trials[0])).rows(), 100u);
     EXPECT_EQ(must(store->preparations(session.id)).size(), 1u);
   }
-  EXPECT_EQ(must(store->check()), std::vector<std::string>{});
+  EXPECT_EQ(must(store->check()), std::vector<Text>{});
 }
 
 TEST(Determinism, SameCallsMakeTheSameContent) {

@@ -69,7 +69,7 @@ std::vector<Measure> score_directional_maxima(const DirectionalMaximaSpec& spec,
              *effort.total.value > 0.0
                  ? direction_error(force_N, axis_of(part.channel.direction), vectors.weight_s,
                                    kOfMaximum * *effort.total.value)
-                 : statistics::Computed("no force in this direction"));
+                 : statistics::Computed("no force in this direction"_text));
     if (part.channel.direction == Direction::minus_z)
       add_coflexion(record, part, channel, spec.window_s, list);
   }

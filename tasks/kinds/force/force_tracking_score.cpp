@@ -116,7 +116,7 @@ void add_ramps(const ForceTrackingSpec& spec, const Record& record, MeasureList&
   if (wave.shape != Wave::ramp && wave.shape != Wave::trapezoid) return;
   const auto add = [&](const std::string& channel, const Trace& ramp) {
     add_part(spec, record, channel, ramp, list);
-    Pauses held{"fewer than three samples", "fewer than three samples"};
+    Pauses held{"fewer than three samples"_text, "fewer than three samples"_text};
     constexpr std::size_t kLeast = 3;
     if (ramp.t_s.size() >= kLeast) {
       const double range_N = ramp.target_N.back() - ramp.target_N.front();
@@ -190,7 +190,7 @@ void add_cycles(const ForceTrackingSpec& spec, const Record& record, MeasureList
   if (cycles < kLeast + kLeftOut) return;
   const NormalForces forces = normal_forces(record, 0, record.rows(), {Phase::active});
   const std::size_t begin = waveform_rows(record).first;
-  CycleSynergy found{"no samples", "no samples", "no samples", "no samples"};
+  CycleSynergy found{"no samples"_text, "no samples"_text, "no samples"_text, "no samples"_text};
   if (!forces.section.rows.empty()) {
     std::vector<double> starts_s;
     for (std::size_t c = kLeftOut; c <= cycles; ++c)

@@ -77,7 +77,7 @@ std::vector<Measure> score_grip_release(const GripReleaseSpec& spec, const Recor
     if (!released.grip_made.value_or(true)) ++missed;
     initiations.push_back(released.initiation);
     const bool rested = !std::isnan(resting_N);
-    const char* unknown = "the resting force was not measured";
+    constexpr Words unknown = "the resting force was not measured"_text;
     releases.push_back(rested ? released.release : statistics::EventTime{unknown, std::nullopt});
     residual.push_back(rested ? released.residual_N : statistics::Computed(unknown));
     fastest.push_back(released.fastest_N_per_s);
@@ -93,7 +93,7 @@ std::vector<Measure> score_grip_release(const GripReleaseSpec& spec, const Recor
   add_reactions("release_initiation", channel, record, all, initiations, spec.after_s, list);
   add_delayed_times("release_time", channel, record, all, releases, spec.after_s, list);
   list.add("grips_missed", channel, "", all,
-           initiations.empty() ? statistics::Computed("there was no cue")
+           initiations.empty() ? statistics::Computed("there was no cue"_text)
                                : statistics::Computed(static_cast<double>(missed)));
   list.add_mean("residual_force", channel, "N", all, residual);
   list.add_mean("fastest_release", channel, "N/s", all, fastest);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hand/columns.hpp"
+#include "tasks/facts/reasons.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
@@ -83,9 +84,9 @@ std::vector<Measure> score_individuation(const IndividuationSpec& spec, const Re
       list.add("enslaving", channel, "", all, enslaving(holds, i, j, kLeastRise_sd * noise_N));
       const double most_N = maximum_N[index_of(i)];
       list.add("enslaving_of_maximum", channel, "", all,
-               most_N > 0.0 ? enslaving_of_maximum(holds, i, j, most_N)
-                            : statistics::Computed("the maximum of the " + std::string(name_of(i)) +
-                                                   " was not measured"));
+               most_N > 0.0
+                   ? enslaving_of_maximum(holds, i, j, most_N)
+                   : statistics::Computed(kMaximumUnknown(Known{std::string(name_of(i))})));
     }
   return list.take();
 }

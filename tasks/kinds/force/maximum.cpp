@@ -45,7 +45,7 @@ void add_rates(const Record& record, const Part& part, const std::string& channe
                MeasureList& list) {
   const Trace trace = trace_of(record, part.first, part.last);
   list.add("peak_rate", channel, "N/s", trace.section, peak_rate(trace.t_s, trace.force_N));
-  statistics::Computed early = "the force before the cue is not known";
+  statistics::Computed early = "the force before the cue is not known"_text;
   const auto before = trace_of(record, 0, part.first);
   if (const auto rest = resting_level(before.force_N)) {
     const double resolution_N = known_in(record, part, columns::resolution_N);
@@ -53,7 +53,7 @@ void add_rates(const Record& record, const Part& part, const std::string& channe
     const auto begin =
         onset(trace.t_s, trace.force_N, rest->mean + rest->margin(lsb_N), Change::rise);
     early = begin ? early_rate(trace.t_s, trace.force_N, *begin)
-                  : statistics::Computed("the force never rose above rest");
+                  : statistics::Computed("the force never rose above rest"_text);
   }
   list.add("early_rate", channel, "N/s", trace.section, early);
 }

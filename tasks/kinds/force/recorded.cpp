@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "hand/columns.hpp"
+#include "tasks/facts/reasons.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
 #include "tasks/measures/error.hpp"
@@ -73,7 +74,7 @@ void add_maximum(const RecordedSpec& spec, const Record& record, MeasureList& li
   const std::size_t rows = record.rows();
   if (rows < spec.window.first) {
     Section none;
-    none.reason = "fewer than " + std::to_string(spec.window.first) + " rows";
+    none.reason = kTooFewRows(spec.window.first);
     list.add("maximum_window_mean", "force", "N", none, none.reason);
     return;
   }
@@ -141,7 +142,7 @@ void add_synergy(const RecordedSpec& spec, const Record& record, const FingerFor
                  MeasureList& list) {
   const auto starts_s = cycle_starts(spec, record, forces.section);
   const auto left_out = static_cast<std::size_t>(spec.cycles_left_out);
-  const char* const none = "there are no beats that cut the recording into cycles";
+  constexpr Words none = "there are no beats that cut the recording into cycles"_text;
   CycleSynergy found{none, none, none, none};
   if (starts_s.size() > left_out + 1 && forces.section.reason.empty())
     found = synergy_over_cycles(forces.section.t_s, forces.force_N,
@@ -159,10 +160,10 @@ void add_finger_forces(const RecordedSpec& spec, const Record& record, MeasureLi
   const bool enough = section.rows.size() >= 2;
   list.add("rhythm", "force", "Hz", section,
            enough ? peak_frequency(welch(statistics::on_uniform_grid(section.t_s, sum_N)), kRhythms)
-                  : statistics::Computed("fewer than two samples"));
+                  : statistics::Computed("fewer than two samples"_text));
   const statistics::Computed all = weighted_mean(sum_N, section.weight_s);
   for (std::size_t f = 0; f < spec.fingers.size(); ++f) {
-    statistics::Computed share = "the fingers did not press";
+    statistics::Computed share = "the fingers did not press"_text;
     if (f < forces.force_N.size() && all.value && *all.value > 0.0)
       share = 100.0 * *weighted_mean(forces.force_N[f], section.weight_s).value / *all.value;
     list.add("sharing", spec.fingers[f], "%", section, share);

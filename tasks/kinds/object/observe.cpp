@@ -65,7 +65,7 @@ std::vector<Measure> score_observe(const ObserveSpec&, const Record& record) {
   double touching_s = 0.0;
   for (std::size_t k = 0; k < contact.rows.size(); ++k)
     if (object.touched(contact.rows[k])) touching_s += contact.weight_s[k];
-  statistics::Computed most = "no samples";
+  statistics::Computed most = "no samples"_text;
   for (const double force_N : force.values(columns::actual_force_N))
     if (!most.value || force_N > *most.value) most = force_N;
   return {object.mean_grip({Phase::active}), make_measure("peak_force", "grip", "N", force, most),

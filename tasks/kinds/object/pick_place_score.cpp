@@ -85,7 +85,7 @@ class PickPlaceScore {
     object_.add_hold_errors(all, position, angle);
   }
 
-  static constexpr const char* kNothingPlaced = "nothing was placed";
+  static constexpr Words kNothingPlaced = "nothing was placed"_text;
 
   const PickPlaceSpec& spec_;
   const Record& record_;

@@ -48,18 +48,19 @@ class PoseScore {
   }
   /// Why nothing is known of holds, and of ways to a target: what of it is missing. `otherwise`:
   /// though targets were held.
-  [[nodiscard]] const char* nothing_held(const char* otherwise) const {
+  [[nodiscard]] Words nothing_held(Words otherwise) const {
     const bool asked = std::any_of(spec_.targets.begin(), spec_.targets.end(),
                                    [](const PoseTarget& target) { return target.hold_s > 0.0; });
-    if (!asked) return "the targets ask for no hold";
+    if (!asked) return "the targets ask for no hold"_text;
     for (std::size_t i = 0; i < attempts_.all.size(); ++i)
       if (held(i)) return otherwise;
-    return "no target that asks for a hold was reached";
+    return "no target that asks for a hold was reached"_text;
   }
-  [[nodiscard]] const char* nothing_reached() const {
+  [[nodiscard]] Words nothing_reached() const {
     const bool reached = std::any_of(attempts_.all.begin(), attempts_.all.end(),
                                      [](const Attempt& attempt) { return attempt.reached; });
-    return reached ? "no reached target appeared outside its tolerance" : "no target was reached";
+    return reached ? "no reached target appeared outside its tolerance"_text
+                   : "no target was reached"_text;
   }
 
   /// Over the holds that reached their target: from entering for exactly hold_s.
@@ -74,7 +75,7 @@ class PoseScore {
       append(angle, object_.select_attitudes(attempt.hold_row, attempt.last_row, {Phase::hold}));
     }
     if (position.reason.empty() && position.rows.empty())
-      position.reason = angle.reason = nothing_held("no row of a hold counts");
+      position.reason = angle.reason = nothing_held("no row of a hold counts"_text);
     object_.add_hold_errors(all, position, angle);
   }
 
@@ -87,7 +88,8 @@ class PoseScore {
         append(level, object_.select_attitudes(attempt.first_row, attempt.last_row + 1,
                                                {Phase::transport}));
     }
-    if (level.reason.empty() && level.rows.empty()) level.reason = "there was no level transport";
+    if (level.reason.empty() && level.rows.empty())
+      level.reason = "there was no level transport"_text;
     return make_measure("tilt_in_transport", "angle", "rad", level, object_.tilt(level));
   }
 
@@ -163,8 +165,8 @@ class PoseScore {
       force_arcs.push_back(of_grip.sparc);
       force_jerks.push_back(of_grip.ldlj);
     }
-    const char* const none =
-        has_level ? "no level transport reached its target" : "no target was reached";
+    const Words none =
+        has_level ? "no level transport reached its target"_text : "no target was reached"_text;
     for (Section* section : {&motion, &force})
       if (section->reason.empty() && section->rows.empty()) section->reason = none;
     const auto add = [&](const char* name, const char* channel, const Section& section,
@@ -212,7 +214,7 @@ class PoseScore {
       most_m = std::max(most_m, distance_m);
     }
     if (section.reason.empty() && trials.empty())
-      section.reason = nothing_held("no held target appeared outside its tolerance");
+      section.reason = nothing_held("no held target appeared outside its tolerance"_text);
     all.push_back(make_measure(
         "index_of_difficulty", "position", "bit", section,
         trials.empty()
@@ -223,7 +225,7 @@ class PoseScore {
     all.push_back(
         make_measure("throughput", "position", "bit/s", section,
                      alike ? throughput(trials)
-                           : statistics::Computed("the targets lie at different distances")));
+                           : statistics::Computed("the targets lie at different distances"_text)));
   }
 
   const PoseTargetsSpec& spec_;

@@ -106,7 +106,7 @@ class TrackingScore {
     add("mae", channel, unit, mae(target, actual, weight_s));
     add("constant_error", channel, unit, constant_error(target, actual, weight_s));
     const statistics::Computed late = target.size() < 2
-                                          ? statistics::Computed("fewer than two samples")
+                                          ? statistics::Computed("fewer than two samples"_text)
                                           : lag(statistics::on_uniform_grid(section.t_s, target),
                                                 statistics::on_uniform_grid(section.t_s, actual));
     add("lag", channel, "s", late);

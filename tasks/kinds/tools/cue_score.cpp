@@ -22,7 +22,7 @@ void add_delayed_times(const std::string& name, const std::string& channel, cons
   list.add_times(name, channel, section, times, limit_s);
   list.add(name + "_corrected", channel, "s", section,
            delay_s ? median_time(corrected, limit_s)
-                   : statistics::Computed("the delay of the device is not known"));
+                   : statistics::Computed("the delay of the device is not known"_text));
 }
 
 void add_reactions(const std::string& name, const std::string& channel, const Record& record,
@@ -38,7 +38,7 @@ void add_reactions(const std::string& name, const std::string& channel, const Re
   }
   add_delayed_times(name, channel, record, section, times, limit_s, list);
   list.add("anticipations", channel, "", section,
-           reactions.empty() ? statistics::Computed("there was no cue")
+           reactions.empty() ? statistics::Computed("there was no cue"_text)
                              : statistics::Computed(static_cast<double>(anticipations)));
 }
 

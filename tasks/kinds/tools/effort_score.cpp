@@ -32,7 +32,7 @@ EffortForces effort_of(const Record& record, const Part& part, double window_s) 
   const double resting_N = known_in(record, part, columns::resting_force_N);
   if (effort.total.value)
     effort.above_rest = std::isnan(resting_N)
-                            ? statistics::Computed("the resting force was not measured")
+                            ? statistics::Computed("the resting force was not measured"_text)
                             : statistics::Computed(*effort.total.value - resting_N);
   return effort;
 }
@@ -43,7 +43,7 @@ void add_coflexion(const Record& record, const Part& part, const std::string& ch
   while (first > 0 && record.phase(first - 1) == Phase::lead_in) --first;
   const NormalForces before = normal_forces(record, first, part.first);
   const Section opening = record.select(part.first, part.last, {}, names_of(columns::normal_force));
-  statistics::Computed share = "the force before the cue is not known";
+  statistics::Computed share = "the force before the cue is not known"_text;
   if (!before.section.rows.empty() && opening.reason.empty()) {
     // A window must be uninterrupted, so these lists keep the rows that do not count.
     const std::size_t rows = part.last - part.first;

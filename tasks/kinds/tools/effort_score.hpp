@@ -11,9 +11,9 @@ namespace isograsp::tasks {
 
 /// Best window of one effort, above rest and in total, and the highest sample.
 struct EffortForces {
-  statistics::Computed above_rest = "no samples";
-  statistics::Computed total = "no samples";
-  statistics::Computed peak = "no samples";
+  statistics::Computed above_rest = "no samples"_text;
+  statistics::Computed total = "no samples"_text;
+  statistics::Computed peak = "no samples"_text;
 };
 EffortForces effort_of(const Record& record, const Part& part, double window_s);
 

@@ -74,7 +74,7 @@ Coupling coupling_of(const Section& section, const Grasp& grasp) {
   auto longest = runs.begin();  // the first of those that are as long
   for (auto run = runs.begin(); run != runs.end(); ++run)
     if (statistics::is_earlier(longest->length_s, run->length_s)) longest = run;
-  const char* const none = "thumb and fingers did not hold the object together";
+  constexpr Words none = "thumb and fingers did not hold the object together"_text;
   if (longest == runs.end() || longest->end - longest->first < 2) return {none, none, none};
   const auto piece = [&](const std::vector<double>& x) {
     return std::span(x).subspan(longest->first, longest->end - longest->first);
@@ -96,7 +96,7 @@ statistics::Computed lateral_correlation(const Section& section, const Touch& th
     of_other_N.push_back(std::hypot(other.fx_N[row], other.fy_N[row]));
     both_s.push_back(section.weight_s[k]);
   }
-  if (both_s.empty()) return "the two digits did not touch together";
+  if (both_s.empty()) return "the two digits did not touch together"_text;
   return correlation(of_thumb_N, of_other_N, both_s);
 }
 
@@ -121,9 +121,9 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
     all.insert(all.end(), names.begin(), names.end());
   }
   Section section = record.select(phases, all);
-  if (!known) section.reason = "forces, contacts or utilisation of the fingers are missing";
+  if (!known) section.reason = "forces, contacts or utilisation of the fingers are missing"_text;
   // Beside a contact of 1 no force looks small.
-  if (std::string why = record.unusable(section, forces); section.reason.empty() && !why.empty()) {
+  if (Text why = record.unusable(section, forces); section.reason.empty() && !why.empty()) {
     section = {};
     section.reason = std::move(why);
   }
@@ -137,7 +137,7 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
   add("grip_load_lag", "grip", "s", coupling.lag_s);
   add("grip_load_slope", "grip", "", coupling.slope);
   const std::vector<double> grip_N = opposing_mean(grasp.thumb_N, grasp.fingers_N);
-  const statistics::Computed none = "thumb and fingers did not hold the object together";
+  const statistics::Computed none = "thumb and fingers did not hold the object together"_text;
   const bool held = std::any_of(grasp.opposed.begin(), grasp.opposed.end(), std::identity());
   add("grip_variation", "grip", "%", held ? variation(grip_N, grasp.opposed_s) : none);
   double impulse_Ns = 0.0;
@@ -151,7 +151,7 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
   // Without friction there is no load to be carried, and so no margin.
   const bool rubs =
       std::any_of(grasp.used.begin(), grasp.used.end(), [](double share) { return share > 0.0; });
-  const char* const smooth = "no finger touched with friction";
+  constexpr Words smooth = "no finger touched with friction"_text;
   add("safety_margin", "grip", "%",
       rubs ? safety_margin(grip_N, grasp.needed_N, grasp.opposed_s) : statistics::Computed(smooth));
   constexpr double kShare = 0.95;

@@ -8,7 +8,7 @@
 
 namespace isograsp::tasks {
 
-inline constexpr const char* kTrackingTooShort = "fewer than two samples";
+inline constexpr Words kTrackingTooShort = "fewer than two samples"_text;
 
 void add_steadiness(const Trace& hold, const std::string& channel, double noise_N,
                     MeasureList& list);

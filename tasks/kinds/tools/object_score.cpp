@@ -10,6 +10,7 @@
 
 #include "core/csv.hpp"
 #include "hand/columns.hpp"
+#include "tasks/facts/reasons.hpp"
 #include "tasks/measures/motion.hpp"
 #include "tasks/measures/smoothness.hpp"
 
@@ -29,8 +30,8 @@ ObjectRecord::ObjectRecord(const Record& record)
       target_q_(components(columns::target_attitude)),
       actual_angle_(record.signals().column(columns::actual_angle_rad)),
       target_angle_(record.signals().column(columns::target_angle_rad)),
-      contact_(flags(columns::contact, "the columns contact_* are missing")),
-      slip_(flags(columns::slip, "the columns slip_* are missing")) {
+      contact_(flags(columns::contact, "the columns contact_* are missing"_text)),
+      slip_(flags(columns::slip, "the columns slip_* are missing"_text)) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     actual_m_[axis] = record.signals().column(columns::actual_position[axis]);
     target_m_[axis] = record.signals().column(columns::target_position[axis]);
@@ -47,7 +48,7 @@ ObjectRecord::Components ObjectRecord::components(const columns::OfComponents& a
   return complete ? found : Components{};
 }
 
-ObjectRecord::Flags ObjectRecord::flags(const columns::OfFingers& of, const char* absent) const {
+ObjectRecord::Flags ObjectRecord::flags(const columns::OfFingers& of, Words absent) const {
   Flags found;
   bool known = false;
   for (const Finger finger : kFingers) {
@@ -148,7 +149,7 @@ Measure ObjectRecord::slip(std::initializer_list<Phase> phases) const {
   }
   return make_measure("slip", "contact", "%", section,
                       contact_s > 0.0 ? statistics::Computed(100.0 * slip_s / contact_s)
-                                      : statistics::Computed("there was no contact"));
+                                      : statistics::Computed("there was no contact"_text));
 }
 
 Measure ObjectRecord::mean_grip(std::initializer_list<Phase> phases) const {
@@ -157,14 +158,14 @@ Measure ObjectRecord::mean_grip(std::initializer_list<Phase> phases) const {
 }
 
 Smoothness ObjectRecord::smoothness_of_motion(const Section& section) const {
-  const char* const too_short = "fewer than two samples";
+  constexpr Words too_short = "fewer than two samples"_text;
   if (section.rows.size() < 2) return {too_short, too_short};
   const statistics::UniformSamples speed = speed_of(position_of(section));
   return {sparc(speed), ldlj(speed)};
 }
 
 Smoothness ObjectRecord::smoothness_of_grip(const Section& section) const {
-  const char* const too_short = "fewer than two samples";
+  constexpr Words too_short = "fewer than two samples"_text;
   if (section.rows.size() < 2) return {too_short, too_short};
   const statistics::UniformSamples rate =
       rate_of(statistics::on_uniform_grid(section.t_s, section.values(columns::actual_force_N)));
@@ -177,8 +178,7 @@ Attempts attempts_of(const Record& record, std::size_t count) {
   attempts.all.resize(count);
   for (const std::string_view name :
        {columns::phase, columns::target_index, columns::targets_reached})
-    if (!signals.has(name) && attempts.absent.empty())
-      attempts.absent = "the column " + std::string(name) + " is missing";
+    if (!signals.has(name) && attempts.absent.empty()) attempts.absent = kColumnMissing(name);
   if (!attempts.absent.empty()) return attempts;
   const auto index = signals.column(columns::target_index);
   const auto reached = signals.column(columns::targets_reached);
@@ -229,7 +229,7 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
     if (!attempts.absent.empty()) {
       section.reason = attempts.absent;
     } else if (!attempt.shown) {
-      section.reason = "the trial ended before this target";
+      section.reason = "the trial ended before this target"_text;
     } else {
       section = record.select(attempt.first_row, attempt.last_row + 1, kMoving, {});
       completions.push_back(completion_of(record, attempt, attempt.*end_row, limit_s));
@@ -237,9 +237,9 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
       if (completion.reached)
         time_s = completion.time_s;
       else if (completion.time_s >= limit_s)
-        time_s = "not reached within " + format_number(limit_s) + " s";
+        time_s = kNotReached(shortest(limit_s));
       else
-        time_s = "the trial ended before it was reached";
+        time_s = "the trial ended before it was reached"_text;
     }
     times.push_back(
         make_measure("completion_time", "target_" + std::to_string(i + 1), "s", section, time_s));

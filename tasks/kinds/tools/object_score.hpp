@@ -76,7 +76,7 @@ class ObjectRecord {
   [[nodiscard]] Smoothness smoothness_of_motion(const Section& section) const;
   [[nodiscard]] Smoothness smoothness_of_grip(const Section& section) const;
 
-  [[nodiscard]] std::string no_contact_columns() const { return contact_.absent; }
+  [[nodiscard]] Text no_contact_columns() const { return contact_.absent; }
 
  private:
   using Axes = std::array<std::span<const double>, 3>;
@@ -84,7 +84,7 @@ class ObjectRecord {
   struct Flags {
     std::vector<std::string> names;
     std::vector<std::span<const double>> columns;
-    std::string absent;  ///< why there are none
+    Text absent;  ///< why there are none
   };
 
   [[nodiscard]] static Vec3 position_of_axes(const Axes& axes, std::size_t row) {
@@ -99,7 +99,7 @@ class ObjectRecord {
   [[nodiscard]] std::vector<Quat> attitudes(const Section& section) const;
   [[nodiscard]] std::vector<Quat> target_attitudes(const Section& section) const;
   [[nodiscard]] Components components(const columns::OfComponents& attitude) const;
-  [[nodiscard]] Flags flags(const columns::OfFingers& of, const char* absent) const;
+  [[nodiscard]] Flags flags(const columns::OfFingers& of, Words absent) const;
 
   const Record& record_;
   Axes actual_m_, target_m_;
@@ -125,7 +125,7 @@ struct Attempt {
 /// All attempts of a trial, in the order of the task.
 struct Attempts {
   std::vector<Attempt> all;
-  std::string absent;  ///< the column without which nothing is known
+  Text absent;  ///< the column without which nothing is known
 };
 [[nodiscard]] Attempts attempts_of(const Record& record, std::size_t count);
 

@@ -142,8 +142,7 @@ void MeasureList::add(std::string name, std::string channel, std::string unit,
                                    std::move(computed)));
 }
 
-statistics::Computed mean_of_repetitions(std::span<const statistics::Computed> each,
-                                         const char* none) {
+statistics::Computed mean_of_repetitions(std::span<const statistics::Computed> each, Words none) {
   double sum = 0.0;
   int count = 0;
   for (const statistics::Computed& one : each) {
@@ -165,7 +164,7 @@ namespace {
 /// Times that end at the event or at the limit; those that could not be looked for are left out.
 struct Completions {
   std::vector<statistics::Completion> all;
-  std::string reason = "there was no repetition";  ///< why there are none
+  Text reason = "there was no repetition"_text;  ///< why there are none
 };
 Completions completions_of(std::span<const statistics::EventTime> each, double limit_s) {
   Completions completions;

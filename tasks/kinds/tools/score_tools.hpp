@@ -72,8 +72,8 @@ struct Vectors {
                                                double limit_s);
 
 /// Mean over repetitions of those that have a value; the first reason, or `none`, if none has.
-[[nodiscard]] statistics::Computed mean_of_repetitions(
-    std::span<const statistics::Computed> each, const char* none = "there was no repetition");
+[[nodiscard]] statistics::Computed mean_of_repetitions(std::span<const statistics::Computed> each,
+                                                       Words none = "there was no repetition"_text);
 
 /// Collects the measures of a trial.
 class MeasureList {

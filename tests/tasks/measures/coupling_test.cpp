@@ -62,16 +62,18 @@ TEST(Coupling, CorrelationIsPearsonsOfTheOverlapAtTheBestLag) {
 TEST(Coupling, WithoutVariationOrTimeThereIsAReason) {
   const statistics::UniformSamples flat{0.01, std::vector<double>(500, 0.1)};
   const statistics::UniformSamples moving{0.01, sampled(times(500), load_at)};
-  EXPECT_EQ(grip_load_coupling(flat, moving).correlation.reason, "grip or load does not vary");
-  EXPECT_EQ(grip_load_coupling(moving, flat).slope.reason, "grip or load does not vary");
+  EXPECT_EQ(english(grip_load_coupling(flat, moving).correlation.reason),
+            "grip or load does not vary");
+  EXPECT_EQ(english(grip_load_coupling(moving, flat).slope.reason), "grip or load does not vary");
   const statistics::UniformSamples brief{0.01, std::vector<double>(50, 0.1)};
-  EXPECT_EQ(grip_load_coupling(brief, brief).lag_s.reason, "shorter than the lags that are tried");
+  EXPECT_EQ(english(grip_load_coupling(brief, brief).lag_s.reason),
+            "shorter than the lags that are tried");
   // A single rise, answered too late: correlation still grows at the largest lag tried.
   const auto rise = [](double t) { return std::tanh(t - 5.0); };
   const Coupling late =
       grip_load_coupling({0.01, sampled(times(1000), [&](double t) { return rise(t - 0.9); })},
                          {0.01, sampled(times(1000), rise)});
-  EXPECT_EQ(late.lag_s.reason, "the correlation has no peak within 0.5 s");
+  EXPECT_EQ(english(late.lag_s.reason), "the correlation has no peak within 0.5 s");
   EXPECT_TRUE(late.correlation.value);
 }
 
@@ -88,10 +90,10 @@ TEST(Coupling, SafetyMarginIsZeroWhereTheGripIsTheOneThatIsNeeded) {
   EXPECT_WITHIN(safety_margin(grip, std::vector<double>{5.0, 0.0}, weight).value.value(),
                 100.0 * (0.5 + 3.0) / 4.0, kRounding);
   EXPECT_LT(safety_margin(grip, std::vector<double>{22.0, 22.0}, weight).value.value(), 0.0);
-  EXPECT_EQ(
-      safety_margin(std::vector<double>{0.0}, std::vector<double>{1.0}, std::vector<double>{1.0})
-          .reason,
-      "there was no grip");
+  EXPECT_EQ(english(safety_margin(std::vector<double>{0.0}, std::vector<double>{1.0},
+                                  std::vector<double>{1.0})
+                        .reason),
+            "there was no grip");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(Delay, LagOfAPureDelayIsTheDelayInBothDirectionsAndAtAnyRate) {
   for (const double delay_s : {0.05, 0.15, 0.253, -0.2, 0.0, 1.2})
     for (const double rate_Hz : {100.0, 500.0}) {
       const statistics::Computed found = lag_of_delay(delay_s, rate_Hz);
-      ASSERT_TRUE(found.value) << found.reason;
+      ASSERT_TRUE(found.value) << english(found.reason);
       EXPECT_WITHIN(*found.value, delay_s, kParabola_s) << rate_Hz;
     }
 }
@@ -43,7 +43,7 @@ TEST(Delay, LagIsFoundOnARampWithKneesWhereSumsOverAShrinkingOverlapFindZero) {
   const statistics::Computed found =
       lag({0.01, sampled(t, ramp)}, {0.01, sampled(t, [&](double s) { return ramp(s - 0.25); })});
   constexpr double kOneSample_s = 0.01;
-  ASSERT_TRUE(found.value) << found.reason;
+  ASSERT_TRUE(found.value) << english(found.reason);
   EXPECT_WITHIN(*found.value, 0.25, kOneSample_s);
 }
 
@@ -96,7 +96,7 @@ TEST(Delay, LagIsThatOfTheDefinitionOnNoisyShortAndLopsidedRecords) {
             std::fill_n(target.values.begin(), count / 2, target.values[count / 2]);
           const statistics::Computed found = lag(target, actual);
           const auto expected = lag_by_definition(target, actual);
-          ASSERT_EQ(found.value.has_value(), expected.has_value()) << found.reason;
+          ASSERT_EQ(found.value.has_value(), expected.has_value()) << english(found.reason);
           if (expected) {
             EXPECT_WITHIN(*found.value, *expected, kIdentical_s);
           }
@@ -114,7 +114,8 @@ TEST(Delay, LagIsThatOfTheDefinitionOnRecordsShorterThanTheShifts) {
       for (double& value : actual.values) value += 0.1 * random.gaussian();
       const statistics::Computed found = lag(target, actual);
       const auto expected = lag_by_definition(target, actual);
-      ASSERT_EQ(found.value.has_value(), expected.has_value()) << found.reason << " " << count;
+      ASSERT_EQ(found.value.has_value(), expected.has_value())
+          << english(found.reason) << " " << count;
       if (!expected) continue;
       ++with_value;
       constexpr double kIdentical_s = 1e-9;
@@ -129,7 +130,7 @@ TEST(Delay, AStepAtTheVeryEndIsFoundThoughMostOverlapsAreConstant) {
   for (std::size_t k = 990; k < 1000; ++k) target.values[k] = 3.0;
   for (std::size_t k = 994; k < 1000; ++k) actual.values[k] = 3.0;
   const statistics::Computed found = lag(target, actual);
-  ASSERT_TRUE(found.value) << found.reason;
+  ASSERT_TRUE(found.value) << english(found.reason);
   EXPECT_WITHIN(*found.value, 0.04, 0.005);
 }
 

@@ -101,10 +101,10 @@ TEST(Digits, IndividuationIsBlindToTheUnitAndRefusesTooFewHolds) {
   auto in_grams = holds;
   for (auto& hold : in_grams) hold = {hold.instructed_N * 1024.0, hold.deviation_N * 1024.0};
   EXPECT_EQ(individuation_index(holds).value, individuation_index(in_grams).value);
-  EXPECT_EQ(individuation_index(std::span(holds).first(2)).reason,
+  EXPECT_EQ(english(individuation_index(std::span(holds).first(2)).reason),
             "fewer than three holds with force");
   for (auto& hold : holds) hold.deviation_N = 0.0;
-  EXPECT_EQ(individuation_index(holds).reason, "the other digits did not move");
+  EXPECT_EQ(english(individuation_index(holds).reason), "the other digits did not move");
 }
 
 TEST(Digits, CoflexionIsTheBestWindowOfAnyDigitsPressInShareOfThatOfTheOpening) {
@@ -120,7 +120,7 @@ TEST(Digits, CoflexionIsTheBestWindowOfAnyDigitsPressInShareOfThatOfTheOpening) 
   };
   EXPECT_WITHIN(share(thumb, index, middle, all).value.value(), 100.0 * 2.0 / 7.5, kRounding);
   EXPECT_WITHIN(share(thumb, index, still, all).value.value(), 0.0, kRounding);
-  EXPECT_EQ(share(still, still, middle, all).reason, "there was no opening force");
+  EXPECT_EQ(english(share(still, still, middle, all).reason), "there was no opening force");
   // No window reaches over a sample that does not count.
   EXPECT_WITHIN(share(thumb, index, middle, std::vector{true, true, false, true}).value.value(),
                 100.0 * 0.5 / 5.5, kRounding);

@@ -26,7 +26,7 @@ TEST(Direction, ErrorIsTheMeanAngleAsLongAsItHoldsAndOnlyWhereThereIsForce) {
   const Vec3 target(0.0, 0.0, 2.0);
   EXPECT_WITHIN(direction_error(force, target, weight, 0.1).value.value(),
                 0.75 * std::numbers::pi / 4.0, kRounding);
-  EXPECT_EQ(direction_error(force, target, weight, 10.0).reason, "there was no force");
+  EXPECT_EQ(english(direction_error(force, target, weight, 10.0).reason), "there was no force");
 }
 
 TEST(Direction, TurningHandAndTargetTogetherOrPressingHarderChangesNothing) {
@@ -73,7 +73,7 @@ TEST(Direction, PressingOneDigitAfterTheOtherLeavesTheLineByTheHeightOfItsTriang
   EXPECT_WITHIN(path_deviation(digits, std::vector<double>{1.0, 2.0, 1.0}).value.value(),
                 2.0 / 4.0 * 12.0 / 5.0, kRounding);
   const std::vector<std::vector<double>> back{{1.0, 4.0, 1.0}};
-  EXPECT_EQ(path_deviation(back, std::vector<double>{1.0, 1.0, 1.0}).reason,
+  EXPECT_EQ(english(path_deviation(back, std::vector<double>{1.0, 1.0, 1.0}).reason),
             "the force ends where it began");
 }
 
@@ -84,7 +84,7 @@ TEST(Direction, NetPushIsRelativeToTheGripOfTheSameMoment) {
   const PushSummary found = summary_of_push(push, grip, weight);
   EXPECT_DOUBLE_EQ(found.median.value.value(), 10.0);
   EXPECT_DOUBLE_EQ(found.above_20.value.value(), 50.0);
-  EXPECT_EQ(summary_of_push(push, grip, weight, 30.0).median.reason, "there was no grip");
+  EXPECT_EQ(english(summary_of_push(push, grip, weight, 30.0).median.reason), "there was no grip");
 }
 
 }  // namespace

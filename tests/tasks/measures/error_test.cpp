@@ -124,7 +124,7 @@ TEST(MeasuresError, CvWithoutAMeanHasAReasonAndNoValue) {
   const auto t = times(4);
   const statistics::Computed none = cv(t, std::vector<double>{1.0, -1.0, -1.0, 1.0});
   EXPECT_FALSE(none.value);
-  EXPECT_EQ(none.reason, "the mean is zero");
+  EXPECT_EQ(english(none.reason), "the mean is zero");
 }
 
 TEST(MeasuresError, TheBestMovingMeanIsTheBestWholeWindow) {

@@ -53,7 +53,7 @@ TEST(Fatigue, WithoutFiveSecondsOfForceThereIsAReason) {
   EXPECT_FALSE(fatigue_slope(t, fading(t, 40.0, 0.0)).value);
   EXPECT_FALSE(time_to_fatigue(t, fading(t, 40.0, 0.0)).longer_than_s);
   const auto longer = times(900);
-  EXPECT_EQ(fatigue_slope(longer, std::vector<double>(900, 0.0)).reason,
+  EXPECT_EQ(english(fatigue_slope(longer, std::vector<double>(900, 0.0)).reason),
             "the first 5 s have no force");
   EXPECT_FALSE(fatigue_slope({}, {}).value);
 }

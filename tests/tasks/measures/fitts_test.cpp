@@ -50,9 +50,9 @@ TEST(Fitts, ThroughputIsDifficultyPerMeanTimeAndBlindToTheUnitOfDistance) {
 }
 
 TEST(Fitts, TooFewOrIdenticalTrialsHaveAReason) {
-  EXPECT_EQ(throughput(trials_of(9, 8.0, 0.4, 1.0)).reason, "fewer than ten trials");
-  EXPECT_EQ(throughput(trials_of(10, 8.0, 0.0, 1.0)).reason, "the end points do not vary");
-  EXPECT_EQ(throughput(trials_of(10, 0.0, 0.4, 1.0)).reason, "nothing moved");
+  EXPECT_EQ(english(throughput(trials_of(9, 8.0, 0.4, 1.0)).reason), "fewer than ten trials");
+  EXPECT_EQ(english(throughput(trials_of(10, 8.0, 0.0, 1.0)).reason), "the end points do not vary");
+  EXPECT_EQ(english(throughput(trials_of(10, 0.0, 0.4, 1.0)).reason), "nothing moved");
 }
 
 }  // namespace

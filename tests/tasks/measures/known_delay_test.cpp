@@ -25,9 +25,9 @@ TEST(KnownDelay, AnUnknownDelayIsNeverTakenForZero) {
 }
 
 TEST(KnownDelay, WithoutARawValueItsReasonIsTheReasonForBoth) {
-  const DelayCorrected lag = without_delay("no peak", 0.032);
-  EXPECT_EQ(lag.raw_s.reason, "no peak");
-  EXPECT_EQ(lag.corrected_s.reason, "no peak");
+  const DelayCorrected lag = without_delay("no peak"_text, 0.032);
+  EXPECT_EQ(english(lag.raw_s.reason), "no peak");
+  EXPECT_EQ(english(lag.corrected_s.reason), "no peak");
 }
 
 TEST(KnownDelay, IsThatOfTheSensorsAndOfADisplayThatWasMeasured) {

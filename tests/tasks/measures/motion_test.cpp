@@ -26,8 +26,8 @@ TEST(Motion, DistanceAndAngleAreMeansAsLongAsTheyHold) {
   const std::vector<Quat> lies{turn(0.2, Vec3(1, 2, 3)), turn(1e-9, Vec3(0, 0, 1))};
   const std::vector<Quat> level(2, Quat::Identity());
   EXPECT_WITHIN(mean_angle(lies, level, weight).value.value(), (0.2 + 3e-9) / 4.0, kRounding);
-  EXPECT_EQ(mean_distance({}, {}, {}).reason, "no samples");
-  EXPECT_EQ(mean_angle({}, {}, {}).reason, "no samples");
+  EXPECT_EQ(english(mean_distance({}, {}, {}).reason), "no samples");
+  EXPECT_EQ(english(mean_angle({}, {}, {}).reason), "no samples");
 }
 
 TEST(Motion, TurningAboutTheMainAxisIsSeenByTheAttitudeOnly) {
@@ -69,7 +69,7 @@ TEST(Motion, TiltWeighsLargeAnglesMoreAndIsTheAngleIfThatIsConstant) {
                 std::sqrt((3.0 * 0.1 * 0.1 + 0.7 * 0.7) / 4.0), kRounding);
   const std::vector<Quat> constant(2, turn(0.3, Vec3::UnitX()));
   EXPECT_WITHIN(rms_angle(constant, level, weight).value.value(), 0.3, kRounding);
-  EXPECT_EQ(rms_angle({}, {}, {}).reason, "no samples");
+  EXPECT_EQ(english(rms_angle({}, {}, {}).reason), "no samples");
 }
 
 TEST(Motion, AStraightPathIsEfficientADetourCostsItsLength) {
@@ -82,8 +82,9 @@ TEST(Motion, AStraightPathIsEfficientADetourCostsItsLength) {
   // A long way counts more than a short one; the jump from one to the next does not count.
   EXPECT_WITHIN(path_efficiency(Ways{straight, {}, corner}).value.value(),
                 100.0 * (0.4 + 0.5) / (0.4 + 0.7), 100.0 * kRounding);
-  EXPECT_EQ(path_efficiency(Ways{std::vector<Vec3>(3, Vec3::Zero())}).reason, "nothing moved");
-  EXPECT_EQ(path_efficiency({}).reason, "nothing moved");
+  EXPECT_EQ(english(path_efficiency(Ways{std::vector<Vec3>(3, Vec3::Zero())}).reason),
+            "nothing moved");
+  EXPECT_EQ(english(path_efficiency({}).reason), "nothing moved");
   EXPECT_EQ(path_length(std::vector<Vec3>{}), 0.0);
 }
 

@@ -50,7 +50,7 @@ TEST(Release, ForceThatStaysIsResidualAndTheReleaseIsCensored) {
   const auto t = times(1001);
   const Release found = release(t, let_go(t, kCue_s + 0.3, 10.0, 4.0), kCue_s, kGrip);
   EXPECT_FALSE(found.release.time_s.value);
-  EXPECT_EQ(found.release.time_s.reason, "not released");
+  EXPECT_EQ(english(found.release.time_s.reason), "not released");
   EXPECT_WITHIN(found.release.longer_than_s.value(), 7.0, 1e-12);
   EXPECT_WITHIN(found.residual_N.value.value(), 4.0, 1e-9);
   EXPECT_TRUE(found.initiation.time.time_s.value);
@@ -91,20 +91,22 @@ TEST(Release, ADipThatDoesNotLastIsNoRelease) {
 TEST(Release, LettingGoBeforeTheCueIsAnticipationAndNoTime) {
   const auto t = times(1000);
   const Release found = release(t, let_go(t, kCue_s - 0.2, 1000.0), kCue_s, kGrip);
-  EXPECT_EQ(found.release.time_s.reason, "let go before the cue");
+  EXPECT_EQ(english(found.release.time_s.reason), "let go before the cue");
   EXPECT_FALSE(found.release.longer_than_s);
 }
 
 TEST(Release, WithoutAGripOrACueThereIsNothingToRelease) {
   const auto t = times(1000);
   const Release empty = release(t, std::vector<double>(1000, 1.0), kCue_s, kGrip);
-  EXPECT_EQ(empty.release.time_s.reason, "no grip was made");
+  EXPECT_EQ(english(empty.release.time_s.reason), "no grip was made");
   EXPECT_FALSE(empty.release.longer_than_s);
   EXPECT_FALSE(empty.residual_N.value);
   EXPECT_FALSE(*empty.grip_made);
   const auto x = let_go(t, kCue_s + 0.3, 10.0);
-  EXPECT_EQ(release(t, x, 20.0, kGrip).release.time_s.reason, "no force held before the cue");
-  EXPECT_EQ(release(t, x, 0.0, kGrip).release.time_s.reason, "no force held before the cue");
+  EXPECT_EQ(english(release(t, x, 20.0, kGrip).release.time_s.reason),
+            "no force held before the cue");
+  EXPECT_EQ(english(release(t, x, 0.0, kGrip).release.time_s.reason),
+            "no force held before the cue");
 }
 
 TEST(Release, AGripWasMadeFromHalfOfWhatWasAskedOnWhateverTheNoise) {

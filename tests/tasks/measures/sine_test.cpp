@@ -45,7 +45,7 @@ TEST(Sines, EachSineIsFoundExactlyThoughNoneHasWholeCyclesAtAnyRate) {
   for (const double rate_Hz : {100.0, 500.0}) {
     const auto t = times(static_cast<std::size_t>(23.4 * rate_Hz), rate_Hz, 3.0);
     const SinesFit fit = fit_sines(t, sampled(t, multisine), kFrequencies_Hz);
-    ASSERT_EQ(fit.sines.size(), kFrequencies_Hz.size()) << fit.reason;
+    ASSERT_EQ(fit.sines.size(), kFrequencies_Hz.size()) << english(fit.reason);
     EXPECT_WITHIN(fit.offset, 12.0, kRounding);
     for (std::size_t i = 0; i < fit.sines.size(); ++i) {
       EXPECT_WITHIN(fit.sines[i].amplitude, 1.0 + static_cast<double>(i), kRounding);
@@ -60,7 +60,7 @@ TEST(Sines, AtIrregularTimesTheFitIsTheSame) {
     t[k] += 0.004 * std::sin(1.7 * static_cast<double>(k * k % 1000));
   const SinesFit fit = fit_sines(t, sampled(t, multisine), kFrequencies_Hz);
   constexpr double kRounding = 1e-11;
-  ASSERT_EQ(fit.sines.size(), kFrequencies_Hz.size()) << fit.reason;
+  ASSERT_EQ(fit.sines.size(), kFrequencies_Hz.size()) << english(fit.reason);
   EXPECT_WITHIN(fit.sines[2].amplitude, 3.0, kRounding);
   EXPECT_WITHIN(fit.sines[2].phase_rad, 2.0, kRounding);
 }

@@ -108,8 +108,8 @@ TEST(MeasuresSmoothness, AForceHasTheSmoothnessOfAMovementOfItsShapeUpOrDown) {
 
 TEST(MeasuresSmoothness, WithoutMovementThereIsAReasonAndNoValue) {
   const statistics::UniformSamples still{0.01, std::vector<double>(50, 0.0)};
-  EXPECT_EQ(sparc(still).reason, "nothing moved");
-  EXPECT_EQ(ldlj(still).reason, "nothing moved");
+  EXPECT_EQ(english(sparc(still).reason), "nothing moved");
+  EXPECT_EQ(english(ldlj(still).reason), "nothing moved");
 }
 
 TEST(MeasuresSmoothness, IrregularTimesAreResampledAtTheMedianStepAndALineStaysALine) {

@@ -55,7 +55,7 @@ TEST(Steadiness, ACvThatMayBeNoiseIsBelowResolution) {
   EXPECT_TRUE(steadiness(t, x, 0.98 * third_N).cv_percent.value);
   const Steadiness noisy = steadiness(t, x, 1.02 * third_N);
   EXPECT_FALSE(noisy.cv_percent.value);
-  EXPECT_EQ(noisy.cv_percent.reason.find("below resolution"), 0u);
+  EXPECT_EQ(english(noisy.cv_percent.reason).find("below resolution"), 0u);
   EXPECT_TRUE(noisy.noise_floor_percent.value);
   EXPECT_TRUE(noisy.sd.value);
 }
@@ -73,7 +73,7 @@ TEST(Steadiness, WithoutSamplesOrMeanThereIsAReason) {
   EXPECT_FALSE(none.fall_percent.value);
   const Steadiness zero = steadiness(times(4), std::vector<double>{1.0, -1.0, -1.0, 1.0}, 0.1);
   EXPECT_TRUE(zero.sd.value);
-  EXPECT_EQ(zero.cv_percent.reason, "the mean is zero");
+  EXPECT_EQ(english(zero.cv_percent.reason), "the mean is zero");
 }
 
 }  // namespace

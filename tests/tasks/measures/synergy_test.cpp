@@ -29,9 +29,9 @@ Eigen::MatrixXd trials_of(double along, double within, const Eigen::Vector3d& ja
   return trials;
 }
 Synergy of(const Eigen::MatrixXd& trials, const Eigen::VectorXd& jacobian) {
-  std::string reason;
+  Text reason;
   const auto found = synergy(trials, jacobian, reason);
-  EXPECT_TRUE(found) << reason;
+  EXPECT_TRUE(found) << english(reason);
   return found.value_or(Synergy{});
 }
 
@@ -86,13 +86,13 @@ TEST(Synergy, NeitherTheMeanNorTheUnitNorTheScaleOfTheJacobianMatters) {
 }
 
 TEST(Synergy, FewTrialsOrConstantForcesHaveAReason) {
-  std::string reason;
+  Text reason;
   const Eigen::Vector3d sum = Eigen::Vector3d::Ones();
   EXPECT_FALSE(synergy(trials_of(1.0, 1.0, sum).topRows(14), sum, reason));
-  EXPECT_EQ(reason, "fewer than 15 trials");
+  EXPECT_EQ(english(reason), "fewer than 15 trials");
   EXPECT_TRUE(synergy(trials_of(1.0, 1.0, sum).topRows(15), sum, reason));
   EXPECT_FALSE(synergy(Eigen::MatrixXd::Constant(20, 3, 0.1), sum, reason));
-  EXPECT_EQ(reason, "the forces do not vary");
+  EXPECT_EQ(english(reason), "the forces do not vary");
 }
 
 }  // namespace

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/facts/reasons.hpp"
+
+#include "core/stored_text.hpp"
+
+namespace isograsp::tasks {
+
+Text reason_words(std::string_view stored) {
+  return stored_text(stored, kColumnMissing, kNotReached, kTooFewRows, kMaximumUnknown);
+}
+
+}  // namespace isograsp::tasks

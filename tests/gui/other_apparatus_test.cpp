@@ -18,7 +18,7 @@ std::string handle(const TemporaryFolder& folder) {
   std::string text = "t_s,force_N\n";
   for (int k = 0; k < 6000; ++k)
     text += std::to_string(0.01 * k) + (k % 200 < 150 ? ",20\n" : ",\n");
-  return "handle://" + folder.write("forces.csv", text) + "?live";
+  return "handle://" + folder.write("forces.csv", text) + "?live=1";
 }
 
 std::string handles_library(const TemporaryFolder& folder) {
@@ -29,7 +29,7 @@ std::string handles_library(const TemporaryFolder& folder) {
       "version = 1\nkind = \"observe\"\nduration_s = 3\n"));
   std::filesystem::create_directories(folder.path("library/protocols"));
   static_cast<void>(folder.write(
-      "library/protocols/handling.toml",
+      "library/protocols/session.toml",
       "format = \"isograsp-protocol-1\"\nname = \"Handling\"\n[[step]]\nkind = \"task\"\n"
       "task = \"handling.toml\"\n"));
   return folder.path("library");
@@ -99,7 +99,7 @@ TEST_F(HandleInWindows, HasItsOwnStepsAndOutOfSightItsTrialWaitsWithoutAFault) {
 
 class HandleWithZero : public HandleInWindows {
  protected:
-  HandleWithZero() : HandleInWindows("&zero") {}
+  HandleWithZero() : HandleInWindows("&zero=1") {}
 };
 
 TEST_F(HandleWithZero, AsksForItsZeroAndForNoStrappedHand) {

@@ -138,7 +138,7 @@ TEST_F(Handle, APreparationOfAnotherKindIsStoredAndTheTrialsRestOnIt) {
   for (int k = 0; k < 400; ++k)  // loaded by its weight, pressed from one second on
     text += std::to_string(0.01 * k) + (k < 100 ? ",1.5\n" : ",11.5\n");
   const auto path = folder_.write("forces.csv", text);
-  auto session = session::Session::open(config("handle://" + path + "?live&zero")).value();
+  auto session = session::Session::open(config("handle://" + path + "?live=1&zero=1")).value();
   EXPECT_TRUE(session->known().asks_for(session::PreparationStep::zero));
   EXPECT_FALSE(session->known().asks_for(session::PreparationStep::rest));
   EXPECT_FALSE(session->snapshot().zeroed);

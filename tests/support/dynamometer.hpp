@@ -2,7 +2,8 @@
 // A second apparatus, as small as can be: one handle with one scalar sensor, played from a file
 // (columns t_s and force_N, one line a frame; an empty force: the handle is out of sight). Nothing
 // of the platform is in it. Its tasks: free handling without an object; what they measure: the peak
-// force. "?live": it is simulated, not recorded; "?zero": it asks for a zero, which is subtracted.
+// force. "?live=1": it is simulated, not recorded; "?zero=1": it asks for a zero, which is
+// subtracted.
 #pragma once
 
 #include <array>

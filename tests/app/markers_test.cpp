@@ -145,6 +145,12 @@ TEST(Markers, BadInputIsOneLineWithItsPlaceAndLeavesNothingBehind) {
                                 " --out " + out);
   EXPECT_EQ(bad_rig.status, 2);
   EXPECT_NE(bad_rig.err.find("rig.toml:"), std::string::npos) << bad_rig.err;
+  const auto no_frame =
+      isograsp("markers landmark --rig " + data("kabsch_triad_rig.toml") + " --in " +
+               data("kabsch_triad.csv") + " --probe stick --frame body --name L");
+  EXPECT_EQ(no_frame.status, 2);
+  EXPECT_NE(no_frame.err.find("kabsch_triad_rig.toml: --probe: 'stick'"), std::string::npos)
+      << no_frame.err;
   const auto onto_itself = isograsp("markers convert " + folder.write("m.csv", csv + good) +
                                     " --out " + folder.path("m.csv"));
   EXPECT_EQ(onto_itself.status, 2);

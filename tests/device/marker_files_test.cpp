@@ -94,6 +94,8 @@ std::string c3d(const std::vector<std::string>& labels,
   };
   record("POINT", -1, std::string(1, '\0'));
   record("LABELS", 1, texts(labels, 12));
+  // A count that has overflown, which is not believed.
+  record("FRAMES", 1, std::string{'\x02', '\x00', '\xFF', '\xFF', '\x00'});
   record("UNITS", 1, texts({unit}, 4), true);
   bytes.replace(kC3dBlock, parameters.size(), parameters);
   bytes.resize(2 * kC3dBlock);

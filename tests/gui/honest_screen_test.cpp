@@ -19,10 +19,7 @@ using Axis = std::function<void(FlowFacts&, const std::function<void()>&)>;
 Axis flag(bool FlowFacts::*fact) {
   return [fact](FlowFacts& facts, const std::function<void()>& then) {
     for (const bool value : {false, true}) {
-      if constexpr (std::is_same_v<Words, Text>)
-        facts.*fact = Known{value};
-      else
-        facts.*fact = value;
+      facts.*fact = value;
       then();
     }
   };

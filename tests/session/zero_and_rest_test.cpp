@@ -139,7 +139,7 @@ TEST(InstrumentZero, OutsideTheBandOfAnEarlierSessionItIsRefusedUntilServiceIsCo
 
   const auto accepted = zero(*session, kServiced);
   EXPECT_TRUE(accepted.accepted) << english(accepted.reason);
-  EXPECT_NE(accepted.remark.find("confirmed as serviced or remounted"), std::string::npos);
+  EXPECT_NE(english(accepted.remark).find("confirmed as serviced or remounted"), std::string::npos);
   EXPECT_TRUE(zero(*session, kEmpty).accepted) << "the new one is the measure from now on";
   session.reset();
   const auto kept = kept_preparations(clinic, "instrument_zero");
@@ -363,7 +363,7 @@ TEST(ZeroDrift, BeyondTheLimitMarksTheTrialsBetweenTwoZerosAndNoOthers) {
   const auto drifted = bench.zero();
   EXPECT_TRUE(drifted.accepted) << "nothing automatic: the new zero is used, the trials are marked";
   EXPECT_TRUE(drifted.record.drifted);
-  EXPECT_NE(drifted.remark.find("0.6 N"), std::string::npos) << drifted.remark;
+  EXPECT_NE(english(drifted.remark).find("0.6 N"), std::string::npos) << english(drifted.remark);
   bench.trial();
   const auto trials = bench.trials();
   ASSERT_EQ(trials.size(), 4u);

@@ -177,7 +177,8 @@ class FhirExport final : public ExportWriter {
         {"extension",
          {{{"url", "http://hl7.org/fhir/StructureDefinition/data-absent-reason"},
            {"valueCode", "masked"}}}}};
-    json["bodySite"] = {{"text", std::string(name_of(trial.session.hand)) + " hand"}};
+    json["bodySite"] = {{"text", std::string(name_of(trial.session.hand)) +
+                                     (trial.session.hand ? " hand" : " hands")}};
     json["method"] = {
         {"text", trial.trial.task_name + ", version " + std::to_string(trial.trial.task_version)}};
     json["device"] = {{"reference", device_urn_}};

@@ -1665,6 +1665,14 @@
         <source>The measured delay of the display differs between the two sessions.</source>
         <translation>Die gemessene Verzögerung der Anzeige unterscheidet sich zwischen den beiden Sitzungen.</translation>
     </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>both hands</source>
+        <translation>beide Hände</translation>
+    </message>
 </context>
 <context>
     <name>Rescue</name>
@@ -4749,6 +4757,10 @@
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,11 @@ std::string new_urn() {
   return "urn:uuid:" + boost::uuids::to_string(boost::uuids::random_generator()());
 }
 
+Text body_site(std::optional<Hand> hand) {
+  if (!hand) return "both hands"_text;
+  return *hand == Hand::right ? "right hand"_text : "left hand"_text;
+}
+
 Json quantity(double value, const std::string& unit) {
   Json json{{"value", value}};
   json["unit"] = unit.empty() ? "1" : unit;
@@ -182,8 +187,7 @@ class FhirExport final : public ExportWriter {
         {"extension",
          {{{"url", "http://hl7.org/fhir/StructureDefinition/data-absent-reason"},
            {"valueCode", "masked"}}}}};
-    json["bodySite"] = {
-        {"text", say(trial.session.hand == Hand::right ? "right hand"_text : "left hand"_text)}};
+    json["bodySite"] = {{"text", say(body_site(trial.session.hand))}};
     json["method"] = {{"text", say("%1, version %2"_text(Known{trial.trial.task_name},
                                                          trial.trial.task_version))}};
     json["device"] = {{"reference", device_urn_}};

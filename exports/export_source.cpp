@@ -53,8 +53,8 @@ ExportPlace place_of(int patient, int session, const storage::TrialRecord& trial
 void add_forces_of_the_hand(ExportTrial& exported) {
   const std::size_t stored = exported.signals.names().size();
   // How others' devices stood, and often which hand it was, is not known.
-  if (exported.session.device_uri != "recording")
-    add_anatomical_forces(exported.signals, exported.session.hand);
+  if (exported.session.device_uri != "recording" && exported.session.hand)
+    add_anatomical_forces(exported.signals, *exported.session.hand);
   const auto& names = exported.signals.names();
   if (names.size() > stored)
     exported.trial.groups.push_back(

@@ -15,7 +15,7 @@ namespace isograsp::gui {
 namespace {
 
 /// What makes trials comparable: task, its version, hand, simulated or not.
-using TaskKey = std::tuple<std::string, int, Hand, bool>;
+using TaskKey = std::tuple<std::string, int, std::optional<Hand>, bool>;
 TaskKey task_of(const storage::MeasurePoint& point) {
   return {point.task_name, point.task_version, point.hand, point.simulated};
 }
@@ -28,7 +28,9 @@ SeriesKey series_of(const storage::MeasurePoint& point) {
 }
 
 QString series_words(const storage::MeasurePoint& point) {
-  const auto hand = point.hand == Hand::right ? QObject::tr("right") : QObject::tr("left");
+  const auto hand = !point.hand                 ? QObject::tr("both")
+                    : point.hand == Hand::right ? QObject::tr("right")
+                                                : QObject::tr("left");
   auto title = QObject::tr("%1 (%2): %3")
                    .arg(translated(point.task_name), hand, measure_title(point.measure));
   if (point.simulated) title += QObject::tr(", simulated");

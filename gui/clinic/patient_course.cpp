@@ -68,7 +68,8 @@ QString trials_words(int count) {
   return count == 1 ? QObject::tr("1 trial") : QObject::tr("%1 trials").arg(count);
 }
 
-QString hand_words(Hand hand) {
+QString hand_words(std::optional<Hand> hand) {
+  if (!hand) return QObject::tr("both hands");
   return hand == Hand::right ? QObject::tr("right hand") : QObject::tr("left hand");
 }
 

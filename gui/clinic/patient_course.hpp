@@ -44,7 +44,7 @@ struct PatientCourse {
 /// "1 trial", "7 trials".
 [[nodiscard]] QString trials_words(int count);
 /// "right hand".
-[[nodiscard]] QString hand_words(Hand hand);
+[[nodiscard]] QString hand_words(std::optional<Hand> hand);  ///< nothing: both
 /// "interrupted, kept, practice, helped": how it ended and what it does not count as.
 [[nodiscard]] QString standing_words(const storage::TrialRecord& trial);
 

@@ -28,7 +28,7 @@ LastTime read_last_time(storage::SessionStore& store, const std::string& code,
       return std::any_of(answers->begin(), answers->end(),
                          [&](const auto& answer) { return answer.topic == topic; });
     };
-    if (!last.posture && session.hand == hand && has("posture"))
+    if (!last.posture && hand && session.hand == hand && has("posture"))
       last.posture = posture_in(*answers);
     if (!last.presentation && has("screen")) last.presentation = presentation_in(*answers);
     if (last.presentation && (last.posture || !hand)) break;

@@ -80,7 +80,7 @@ void Trials::prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskConte
   trial.preview = std::make_shared<TargetPreview>(preview_target(spec, context));
   const session::Session& session = *state_.open->session;
   // The session has just read the same file: a failure here would have been refused there.
-  auto read = session::read_trial_scene(spec, session.known().record.hand,
+  auto read = session::read_trial_scene(spec, session.known().record.hand.value_or(Hand::right),
                                         session::contact_thresholds(session.known().references),
                                         state_.config.library);
   if (!read) return flow_.refuse(read.error());

@@ -237,7 +237,9 @@ void StartPage::fill_recent(const std::vector<storage::SessionRecord>& sessions)
     QString code;
     for (const auto& patient : clinic_.patients())
       if (patient.id == session.patient_id) code = QString::fromStdString(patient.code);
-    const auto hand = session.hand == Hand::left ? tr("left") : tr("right");
+    const auto hand = !session.hand                ? tr("both")
+                      : session.hand == Hand::left ? tr("left")
+                                                   : tr("right");
     auto what = gui::translated(session.protocol_name);
     if (what.isEmpty()) what = tr("Tasks one by one");
     if (session.simulated) what = tr("%1, simulated").arg(what);

@@ -1650,6 +1650,14 @@
         <source>The measured delay of the display differs between the two sessions.</source>
         <translation>Die gemessene Verzögerung der Anzeige unterscheidet sich zwischen den beiden Sitzungen.</translation>
     </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>both hands</source>
+        <translation>beide Hände</translation>
+    </message>
 </context>
 <context>
     <name>Rescue</name>
@@ -4734,6 +4742,10 @@
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
     </message>
 </context>
 <context>

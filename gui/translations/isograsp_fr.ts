@@ -1650,6 +1650,14 @@
         <source>The measured delay of the display differs between the two sessions.</source>
         <translation>Le retard mesuré de l’affichage diffère entre les deux séances.</translation>
     </message>
+    <message>
+        <source>both</source>
+        <translation>les deux</translation>
+    </message>
+    <message>
+        <source>both hands</source>
+        <translation>deux mains</translation>
+    </message>
 </context>
 <context>
     <name>Rescue</name>
@@ -4734,6 +4742,10 @@
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>les deux</translation>
     </message>
 </context>
 <context>

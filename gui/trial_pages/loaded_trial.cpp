@@ -32,7 +32,8 @@ Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::Sess
     loaded.task = std::make_shared<const tasks::TaskSpec>(*std::move(task));
   if (!trial.scene_text.empty())
     if (auto scene = parse_scene(trial.scene_text, trial.task_name))
-      loaded.scene = std::make_shared<const Scene>(for_hand(*std::move(scene), session.hand));
+      loaded.scene = std::make_shared<const Scene>(
+          for_hand(*std::move(scene), session.hand.value_or(Hand::right)));
   loaded.path = loaded.replay.path(kPathStep_m);
   return loaded;
 }
@@ -40,7 +41,7 @@ Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::Sess
 PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
   PatientFacts facts;
   facts.session_open = true;
-  facts.hand = trial.opened.session.hand;
+  facts.hand = trial.opened.session.hand.value_or(Hand::right);
   facts.task = trial.task;
   facts.scene = trial.scene;
   facts.maximum_force_N =

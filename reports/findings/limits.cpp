@@ -302,7 +302,7 @@ LimitsOfHand limits_of(const PatientRecords& records,
   if (records.sessions.empty()) return limits;
   const auto& affected = records.profile.affected;
   limits.other_hand = affected == storage::Side::right || affected == storage::Side::left;
-  limits.hand = records.sessions.back().hand;
+  for (const auto& session : records.sessions) limits.hand = session.hand.value_or(limits.hand);
   if (limits.other_hand) limits.hand = affected == storage::Side::right ? Hand::right : Hand::left;
   const Hand other = limits.hand == Hand::right ? Hand::left : Hand::right;
   const auto tasks = sort_by_task(records);

@@ -66,6 +66,7 @@ std::optional<NormBand> norm_band(const std::vector<storage::PooledValue>& healt
   std::map<storage::RowId, Person> people;
   for (const storage::PooledValue& value : healthy) {
     if (value.patient_id == session.patient_id || value.sex != profile.sex || !value.dominant ||
+        value.hand.has_value() != session.hand.has_value() ||
         (value.hand == *value.dominant) != dominant ||
         age_decade(value.birth_year, value.started_utc) != decade ||
         !difference(conditions, conditions_of(value)).empty())

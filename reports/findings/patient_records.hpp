@@ -46,7 +46,8 @@ struct PatientRecords {
                                                   const ReportScope& scope = {});
 
 /// The trials of each task and hand up to the newest one that counts. They point into `records`.
-using TrialsOfTasks = std::map<std::pair<Hand, std::string>, std::vector<const StoredTrial*>>;
+using TrialsOfTasks =
+    std::map<std::pair<std::optional<Hand>, std::string>, std::vector<const StoredTrial*>>;
 [[nodiscard]] TrialsOfTasks sort_by_task(const PatientRecords& records);
 
 }  // namespace isograsp::reports

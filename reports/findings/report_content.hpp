@@ -31,7 +31,7 @@ struct ReportSession {
   std::string date;  ///< YYYY-MM-DD
   std::string started_utc;
   double day = 0.0;  ///< [d] from the first session to the first of the same day (comparable.hpp)
-  Hand hand = Hand::right;
+  std::optional<Hand> hand = Hand::right;  ///< nothing: both
   Source source = Source::device;
   std::string device;      ///< in words
   std::string provenance;  ///< of a recording; one line each
@@ -98,11 +98,11 @@ struct SeriesBreak {
   Text reason;  ///< "other visual gain"
 };
 
-/// One task with one hand: sessions that may be compared with each other.
+/// One task with one hand, or with both: sessions that may be compared with each other.
 struct TaskSection {
   std::string task;
   int version = 1;
-  Hand hand = Hand::right;
+  std::optional<Hand> hand = Hand::right;  ///< nothing: both
   Source source = Source::device;
   std::optional<tasks::TaskSpec> spec;  ///< none: the stored task file cannot be read
   std::vector<MeasureSeries> series;

@@ -42,6 +42,7 @@ std::vector<Fact> header_facts(const ReportContent& content, const Language& lan
   const auto right = of_hand(Hand::right);
   const auto left = of_hand(Hand::left);
   const Text hand = right > 0 && left > 0 ? "right %1, left %2"_text(right, left)
+                    : right + left == 0   ? side_words(std::nullopt)
                                           : side_words(right > 0 ? Hand::right : Hand::left);
   const Text period = last.date == first.date
                           ? day_words(first.date)
@@ -101,7 +102,7 @@ Text mdc_words(const ChangeJudgement& change, const std::string& unit) {
 Text other_hand_words(const ReportContent& content, const TaskSection& section,
                       const MeasureSeries& series) {
   for (const auto& other : content.sections) {
-    if (other.task != section.task || other.hand == section.hand ||
+    if (other.task != section.task || !other.hand || !section.hand || other.hand == section.hand ||
         other.version != section.version || other.source != section.source)
       continue;
     for (const auto& same : other.series)
@@ -196,7 +197,9 @@ Text session_words(const ReportSession& session) {
 
 Text section_subtitle(const TaskSection& section) {
   return middle_dotted(
-      {section.hand == Hand::right ? "Right hand"_text : "Left hand"_text,
+      {!section.hand                 ? "Both hands"_text
+       : section.hand == Hand::right ? "Right hand"_text
+                                     : "Left hand"_text,
        "version %1"_text(section.version), load_words(section),
        section.source == Source::device ? Text() : Text(words_of(section.source))});
 }

@@ -93,22 +93,24 @@ Result<ChangeVerdict> judge(const VerdictContext& context, const storage::Primar
 
 }  // namespace
 
-std::optional<HandStatus> hand_status(std::optional<storage::Side> affected, Hand hand) {
+std::optional<HandStatus> hand_status(std::optional<storage::Side> affected,
+                                      std::optional<Hand> hand) {
   if (!affected) return std::nullopt;
   switch (*affected) {
     case storage::Side::none: return HandStatus::healthy;
     case storage::Side::both: return HandStatus::affected;
     case storage::Side::right:
-      return hand == Hand::right ? HandStatus::affected : HandStatus::other;
-    case storage::Side::left: return hand == Hand::left ? HandStatus::affected : HandStatus::other;
+    case storage::Side::left: break;
   }
-  return std::nullopt;
+  if (!hand) return std::nullopt;
+  const bool right = *affected == storage::Side::right;
+  return (*hand == Hand::right) == right ? HandStatus::affected : HandStatus::other;
 }
 
 std::vector<StableDays> stable_days(std::span<const storage::PooledValue> values, HandStatus status,
                                     bool censored) {
   std::vector<StableDays> all;
-  using Key = std::tuple<storage::RowId, storage::RowId, Hand>;
+  using Key = std::tuple<storage::RowId, storage::RowId, std::optional<Hand>>;
   struct Newest {
     std::size_t place = 0;  ///< in `all`
     const storage::PooledValue* value = nullptr;

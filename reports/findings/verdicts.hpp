@@ -13,11 +13,12 @@
 
 namespace isograsp::reports {
 
-/// Hands are pooled with hands that stand to their person in the same way.
+/// Hands are pooled with hands that stand to their person in the same way; both together are
+/// neither the affected one nor the other.
 enum class HandStatus : std::uint8_t { affected, other, healthy };
 /// Nothing: the affected side is not told.
 [[nodiscard]] std::optional<HandStatus> hand_status(std::optional<storage::Side> affected,
-                                                    Hand hand);
+                                                    std::optional<Hand> hand);
 
 /// The days of the hands of that status. Days of different hands, stable times, frame rates, delays
 /// of the device or visual gains make no pair. `censored`: a trial without value fails its day.

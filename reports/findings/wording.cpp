@@ -61,10 +61,12 @@ Text day_of_year_words(const std::string& iso) {
   return kDays[day.month - 1](day.day);
 }
 
-Text side_words(Hand hand) {
+Text side_words(std::optional<Hand> hand) {
+  if (!hand) return "both"_text;
   return hand == Hand::right ? "right"_text : "left"_text;
 }
-Text hand_words(Hand hand) {
+Text hand_words(std::optional<Hand> hand) {
+  if (!hand) return "both hands"_text;
   return hand == Hand::right ? "right hand"_text : "left hand"_text;
 }
 Text digit_words(Finger finger) {

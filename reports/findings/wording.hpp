@@ -19,8 +19,8 @@ namespace isograsp::reports {
 [[nodiscard]] Text day_words(const std::string& iso);
 [[nodiscard]] Text day_of_year_words(const std::string& iso);
 
-[[nodiscard]] Text side_words(Hand hand);  ///< "right"
-[[nodiscard]] Text hand_words(Hand hand);  ///< "right hand"
+[[nodiscard]] Text side_words(std::optional<Hand> hand);  ///< "right", "both"
+[[nodiscard]] Text hand_words(std::optional<Hand> hand);  ///< "right hand", "both hands"
 [[nodiscard]] Text digit_words(Finger finger);
 
 /// "Maximum grip above rest", with the channel where it has words.

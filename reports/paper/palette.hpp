@@ -15,10 +15,12 @@ struct Palette {
   static QColor line() { return QColor(0xd5, 0xd9, 0xdd); }
   static QColor band() { return QColor(0xf0, 0xf2, 0xf4); }
   static QColor tolerance() { return QColor(0xd3, 0xda, 0xe1); }
-  static QColor of(Hand hand) {
+  static QColor of(std::optional<Hand> hand) {
+    if (!hand) return {0x00, 0x9e, 0x73};  // both
     return hand == Hand::right ? QColor(0x00, 0x72, 0xb2) : QColor(0xd5, 0x5e, 0x00);
   }
-  static QColor pale(Hand hand) {
+  static QColor pale(std::optional<Hand> hand) {
+    if (!hand) return {0x7f, 0xce, 0xb9};
     return hand == Hand::right ? QColor(0x56, 0xb4, 0xe9) : QColor(0xe6, 0x9f, 0x00);
   }
   static QColor target() { return QColor(0x22, 0x26, 0x2b); }

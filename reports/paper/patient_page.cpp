@@ -46,7 +46,7 @@ Words plain_name(const MeasureSeries& series) {
   return "what we measure together"_text;
 }
 
-Text in_plain_words(const MeasureSeries& series, Hand hand) {
+Text in_plain_words(const MeasureSeries& series, std::optional<Hand> hand) {
   const Text what = "%1 (%2)"_text(plain_name(series), hand_words(hand));
   const auto& change = series.verdict->change;
   switch (change.verdict) {

@@ -242,9 +242,11 @@ void add_baseline(PlotView& view, QCPAxisRect& rect, const MeasureSeries& series
 }
 
 void add_values(PlotView& view, QCPAxisRect& rect, const Drawn& all, const QCPRange& range,
-                Hand hand) {
+                std::optional<Hand> hand) {
   const QColor color = Palette::of(hand);
-  const auto shape = hand == Hand::right ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare;
+  const auto shape = !hand                 ? QCPScatterStyle::ssDiamond
+                     : hand == Hand::right ? QCPScatterStyle::ssCircle
+                                           : QCPScatterStyle::ssSquare;
   add_line(rect, all.x, all.mean, QPen(color, view.px(1.0)));
   const auto add_marks = [&](const Values& keys, const Values& values,
                              const QCPScatterStyle& style) {

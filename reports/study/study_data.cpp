@@ -31,7 +31,7 @@ struct Subject {
   std::vector<std::vector<const StoredTrial*>> chosen;  ///< for each condition
 };
 
-bool is_hand(StudyHand wanted, Hand hand, const storage::PatientProfile& profile) {
+bool is_hand(StudyHand wanted, std::optional<Hand> hand, const storage::PatientProfile& profile) {
   switch (wanted) {
     case StudyHand::right: return hand == Hand::right;
     case StudyHand::left: return hand == Hand::left;
@@ -41,7 +41,7 @@ bool is_hand(StudyHand wanted, Hand hand, const storage::PatientProfile& profile
   if (profile.affected != storage::Side::right && profile.affected != storage::Side::left)
     return false;
   const Hand affected = profile.affected == storage::Side::right ? Hand::right : Hand::left;
-  return (hand == affected) == (wanted == StudyHand::affected);
+  return hand && (*hand == affected) == (wanted == StudyHand::affected);
 }
 
 bool selects_session(const TrialSelection& selection, const ReportSession& session,

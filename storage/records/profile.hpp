@@ -86,7 +86,7 @@ inline constexpr std::array<ClinicalScale, 7> kClinicalScales{{
 struct PrimaryMeasure {
   RowId id = 0;
   std::string task_name;
-  Hand hand = Hand::right;
+  std::optional<Hand> hand = Hand::right;  ///< nothing: both
   std::string measure;  ///< name and channel as stored with a trial
   std::string channel;
   std::string chosen_utc;  ///< ISO 8601
@@ -126,10 +126,10 @@ struct PooledValue {
   RowId period_id = 0;  ///< judged stable; 0: a healthy person
   RowId session_id = 0;
   RowId trial_id = 0;
-  std::string started_utc;  ///< of the session
-  Hand hand = Hand::right;
-  std::optional<Side> affected;  ///< of the person; nothing: not told
-  std::optional<Hand> dominant;  ///< of the person, as are the next two
+  std::string started_utc;                 ///< of the session
+  std::optional<Hand> hand = Hand::right;  ///< nothing: both
+  std::optional<Side> affected;            ///< of the person; nothing: not told
+  std::optional<Hand> dominant;            ///< of the person, as are the next two
   std::optional<Sex> sex;
   std::optional<int> birth_year;
   double rate_Hz = 0.0;

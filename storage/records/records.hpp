@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/measure.hpp"
-#include "hand/finger.hpp"
+#include "hand/hands.hpp"
 
 namespace isograsp::storage {
 
@@ -42,8 +42,8 @@ struct SessionRecord {
   RowId id = 0;
   RowId patient_id = 0;
   std::string started_utc;
-  std::string ended_utc;  ///< empty: not closed
-  Hand hand = Hand::right;
+  std::string ended_utc;                   ///< empty: not closed
+  std::optional<Hand> hand = Hand::right;  ///< nothing: both of them
   std::string device_uri;
   std::string device_description;
   bool simulated = false;
@@ -186,7 +186,7 @@ struct MeasurePoint {
   RowId trial_id = 0;
   int trial_number = 0;
   std::string started_utc;
-  Hand hand = Hand::right;
+  std::optional<Hand> hand = Hand::right;  ///< nothing: both
   bool practice = false;
   bool helped = false;
   bool simulated = false;

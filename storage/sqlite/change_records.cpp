@@ -38,7 +38,7 @@ Result<std::vector<PrimaryMeasure>> SqliteStore::primary_measures(RowId patient)
              soci::into(one.chosen_by));
         select.execute();
         while (select.fetch()) {
-          one.hand = hand_from_name(hand).value_or(Hand::right);
+          one.hand = hand_from_name(hand);
           all.push_back(one);
         }
       });
@@ -171,8 +171,7 @@ Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& que
         .get("t.id", one.trial_id)
         .get("m.version", one.measure_version)
         .get("s.started_utc", one.started_utc)
-        .get("s.hand", one.hand,
-             [](const std::string& name) { return hand_from_name(name).value_or(Hand::right); })
+        .get("s.hand", one.hand, hand_from_name)
         .get("coalesce(f.affected, '')", one.affected, side_from_name)
         .get("coalesce(f.dominant, '')", one.dominant, hand_from_name)
         .get("coalesce(f.sex, '')", one.sex, sex_from_name)

@@ -14,8 +14,10 @@ namespace isograsp::storage {
 
 namespace {
 
-Hand read_hand(const std::string& name) {
-  if (const auto hand = hand_from_name(name)) return *hand;
+/// Nothing: both of them.
+std::optional<Hand> read_hand(const std::string& name) {
+  if (const auto hand = hand_from_name(name)) return hand;
+  if (name == name_of(std::optional<Hand>())) return std::nullopt;
   throw Refusal{refused("has a format that this program does not know"_text,
                         "use the program that made it"_text)};
 }

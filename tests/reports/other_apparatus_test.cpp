@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An apparatus that is no platform goes the whole way: session, database, measures, report, export,
 // replay. tests/support/dynamometer.hpp is all that is special about it.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include "exports/research_export.hpp"
 #include "reports/findings/progress_report.hpp"
+#include "reports/findings/report_text.hpp"
 #include "reports/paper/qt_application.hpp"
 #include "reports/paper/report_writer.hpp"
 #include "session/protocol/protocol_run.hpp"
@@ -114,6 +116,35 @@ TEST_F(Handle, GoesTheWholeWayFromItsSensorToPaperAndFiles) {
   const auto exported = exports::write_export(*clinic, {"H-01"}, exports::ExportFormat::csv, out);
   ASSERT_TRUE(exported) << exported.error().message();
   EXPECT_EQ(*exported, 1u);
+}
+
+/// The newest session once more, with the hands that are told.
+void add_again(storage::SessionStore& clinic, std::optional<Hand> hand) {
+  storage::SessionRecord session = clinic.recent_sessions(1).value().at(0);
+  storage::TrialRecord trial = clinic.trials(session.id).value().at(0);
+  const auto measures = clinic.measures(trial.id).value();
+  session.uuid = trial.uuid = trial.signals_hash = "";
+  session.started_utc = "2026-01-02T10:00:00Z";
+  session.hand = hand;
+  trial.preparations.clear();
+  trial.session_id = clinic.begin_session(session).value();
+  trial.id = clinic.begin_trial(trial).value();
+  ASSERT_TRUE(clinic.end_trial(trial, measures));
+}
+
+TEST_F(Handle, ASessionOfBothHandsIsReportedAsOne) {
+  ASSERT_TRUE(run(config("handle://" + forces(9.0))));
+  const auto clinic = store();
+  add_again(*clinic, std::nullopt);
+  const auto content = gather_progress(*clinic, "H-01");
+  ASSERT_TRUE(content) << content.error().message();
+  std::vector<std::optional<Hand>> hands;
+  for (const TaskSection& section : content->sections) hands.push_back(section.hand);
+  std::sort(hands.begin(), hands.end());
+  EXPECT_EQ(hands, (std::vector<std::optional<Hand>>{std::nullopt, Hand::right}))
+      << "never compared with those of one hand";
+  for (const TaskSection& section : test::every(content->sections))
+    EXPECT_EQ(english(section_subtitle(section)).starts_with("Both hands"), !section.hand);
 }
 
 TEST_F(Handle, ReplayedItGivesTheSameBits) {

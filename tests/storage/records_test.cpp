@@ -36,6 +36,28 @@ TEST_F(Records, SessionKeepsEveryField) {
   EXPECT_EQ(all[0], written);
 }
 
+TEST_F(Records, ASessionAndAPrimaryMeasureMayBeOfBothHands) {
+  const auto patient_id = patient();
+  SessionRecord both = example_session(patient_id);
+  both.hand = std::nullopt;
+  both.id = must(store->begin_session(both));
+  TrialRecord trial = example_trial(both.id);
+  trial.status = TrialStatus::completed;
+  trial.id = must(store->begin_trial(trial));
+  Measure peak;
+  peak.name = "peak_force";
+  peak.channel = "grip";
+  peak.unit = "N";
+  peak.value = 12.0;
+  must(store->end_trial(trial, std::vector{peak}));
+  must(store->add_primary_measure(
+      patient_id, {0, trial.task_name, std::nullopt, "peak_force", "grip", "", "Therapist 7"}));
+  reopen();
+  EXPECT_EQ(must(store->sessions(patient_id)).at(0).hand, std::nullopt);
+  EXPECT_EQ(must(store->progress(patient_id)).at(0).hand, std::nullopt);
+  EXPECT_EQ(must(store->primary_measures(patient_id)).at(0).hand, std::nullopt);
+}
+
 TEST_F(Records, PreparationsOfAnyKindKeepEveryField) {
   const RowId session_id = session();
   PreparationRecord zero = example_preparation(session_id);

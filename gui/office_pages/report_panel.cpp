@@ -209,8 +209,7 @@ void ReportPanel::load_pages() {
       [code = code_, scope = scope(),
        stop = reading_stop_.get_token()](storage::SessionStore& store) {
         return reports::gather_progress(
-            store, code, [stop](double, const std::string&) { return !stop.stop_requested(); },
-            scope);
+            store, code, [stop](double, const Text&) { return !stop.stop_requested(); }, scope);
       },
       [this, stop = reading_stop_.get_token()](Result<reports::ReportContent> content) {
         if (!stop.stop_requested()) show_pages(std::move(content));

@@ -41,7 +41,8 @@ void ProtocolActs::skip() {
   if (!flow_.view().may_skip) return;
   example_.stop();
   OpenSession& open = *state_.open;
-  open.session->note("Left out: " + open.work.guide.act()->words() + ": skipped by the therapist");
+  open.session->note("Left out: " + english(open.work.guide.act()->words()) +
+                     ": skipped by the therapist");
   open.work.guide.skip(open.time_s());
   next_.look_at_act();
   flow_.update();

@@ -87,7 +87,7 @@ struct PrimaryMeasure {
   RowId id = 0;
   std::string task_name;
   std::optional<Hand> hand = Hand::right;  ///< nothing: both
-  std::string measure;  ///< name and channel as stored with a trial
+  std::string measure;                     ///< name and channel as stored with a trial
   std::string channel;
   std::string chosen_utc;  ///< ISO 8601
   std::string chosen_by;   ///< as they wish to be called; never in a research export

@@ -161,8 +161,7 @@ void collect(const nlohmann::json& json, std::set<std::string>& keys,
 TEST_F(ResearchExport, PeopleReadItInTheirLanguageAndMachinesAsInEnglish) {
   const auto written = [](ExportFormat format, const std::string& language) {
     const auto out = folder_->path("in_" + language + "_" + std::string(name_of(format)));
-    EXPECT_TRUE(
-        write_export(*store_, {}, format, out, {}, languages::language(language)).ok());
+    EXPECT_TRUE(write_export(*store_, {}, format, out, {}, languages::language(language)).ok());
     return out;
   };
   const std::string bundle = "/patient_1/session_1_bundle.json";

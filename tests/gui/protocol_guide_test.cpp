@@ -39,7 +39,7 @@ std::vector<std::string> follow(ProtocolGuide& guide) {
       case Kind::pause: guide.tick(now_s + act->duration_s); break;
       case Kind::trial: guide.trial_ended(outcome_of(*act), now_s); break;
     }
-    acts.push_back(act->words());
+    acts.push_back(english(act->words()));
     EXPECT_LE(guide.acts_done(), guide.acts());
     if (acts.size() > 200) break;
   }

@@ -360,7 +360,7 @@ TEST_F(StudyOfClinic, ValuesNearTheLargestNumberHaveMeansAndWhatHasNoFigureSaysW
   for (const auto& condition : test::every(analyses[0].conditions)) {
     ASSERT_TRUE(condition.mean.value);
     EXPECT_TRUE(std::isfinite(*condition.mean.value));
-    ASSERT_TRUE(condition.sd.value) << condition.sd.reason;
+    ASSERT_TRUE(condition.sd.value) << english(condition.sd.reason);
     EXPECT_TRUE(std::isfinite(*condition.sd.value));
   }
   const auto json = nlohmann::json::parse(study_json(study_, *data, analyses));

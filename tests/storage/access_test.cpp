@@ -331,7 +331,8 @@ TEST_F(ProtectedClinic, ACheckNamesATextThatCannotBeOpenedAndGoesOn) {
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_NE(english(problems[0]).find("patient_profiles.notes of P-1"), std::string::npos)
       << english(problems[0]);
-  EXPECT_NE(problems[1].find("clinical_scores.text of P-2"), std::string::npos) << problems[1];
+  EXPECT_NE(english(problems[1]).find("clinical_scores.text of P-2"), std::string::npos)
+      << english(problems[1]);
 }
 
 TEST_F(ProtectedClinic, ABackupOpensWithTheSamePassphraseAndHoldsEverything) {

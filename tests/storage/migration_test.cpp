@@ -205,7 +205,8 @@ TEST_P(Migration, OfADamagedTrialPacksTheOthersAndGoesOnLater) {
   const auto damaged = must(migrate_database(path));
   EXPECT_EQ(damaged.packed, 0);
   ASSERT_EQ(damaged.not_packed.size(), 1u);
-  EXPECT_NE(damaged.not_packed[0].find("second 1: the block is missing"), std::string::npos);
+  EXPECT_NE(english(damaged.not_packed[0]).find("second 1: the block is missing"),
+            std::string::npos);
   sql << "UPDATE trials SET sample_count = 100 WHERE number = 9";
   EXPECT_EQ(must(migrate_database(path)).packed, 1);
 }

@@ -16,7 +16,7 @@
 #include "app/stop_signals.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "session/session.hpp"
-#include "tasks/facts/reasons.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::app {
 

@@ -14,7 +14,7 @@
 #include "app/language.hpp"
 #include "core/csv.hpp"
 #include "session/library/library.hpp"
-#include "tasks/facts/reasons.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::app {
 

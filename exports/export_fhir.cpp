@@ -13,7 +13,7 @@
 #include "exports/fhir_codes.hpp"
 #include "tasks/facts/column_facts.hpp"
 #include "tasks/facts/measure_words.hpp"
-#include "tasks/facts/reasons.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::exports {
 

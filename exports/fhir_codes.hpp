@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The codes of a FHIR export: no public code system has the measures of a three-digit grip, so they
-// are those of a local one, which is written beside the data. Units are UCUM.
+// are those of a local one, which is written beside the data. Units are UCUM. Inside exports/ only.
 #pragma once
 
 #include <map>

@@ -6,9 +6,9 @@
 
 #include "hand/columns.hpp"
 #include "statistics/weighted.hpp"
-#include "tasks/facts/reasons.hpp"
 #include "tasks/measure_version.hpp"
 #include "tasks/measures/motion.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::tasks {
 

@@ -26,8 +26,13 @@ QString shortened(const QString& text, const QString& separator, const QFontMetr
   const QString kept = text.mid(last);
   const int room_px = width_px - metrics.horizontalAdvance(kept);
   constexpr int kLeastLetters = 4;  // of the rest
-  if (room_px < kLeastLetters * metrics.averageCharWidth())
-    return metrics.elidedText(text, Qt::ElideMiddle, width_px);
+  if (room_px < kLeastLetters * metrics.averageCharWidth()) {
+    const QString alone = text.mid(last + separator.size());
+    const QString with_mark = QStringLiteral("… ") + alone;
+    return metrics.horizontalAdvance(with_mark) <= width_px
+               ? with_mark
+               : metrics.elidedText(alone, Qt::ElideMiddle, width_px);
+  }
   return metrics.elidedText(text.left(last), Qt::ElideRight, room_px) + kept;
 }
 }  // namespace

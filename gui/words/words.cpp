@@ -10,7 +10,7 @@
 
 #include "gui/words/texts.hpp"
 #include "tasks/facts/measure_words.hpp"
-#include "tasks/facts/reasons.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::gui {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tasks/facts/measure_words.hpp"
-#include "tasks/facts/reasons.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::reports {
 

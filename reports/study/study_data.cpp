@@ -13,7 +13,7 @@
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/patient_records.hpp"
 #include "reports/findings/renewed.hpp"
-#include "tasks/facts/reasons.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::reports {
 

@@ -179,7 +179,7 @@ TEST_F(ResearchExport, PeopleReadItInTheirLanguageAndMachinesAsInEnglish) {
     EXPECT_EQ(values[1], values[0]) << file;
     EXPECT_NE(text.find("\"Nummer der Sitzung\""), std::string::npos) << file;
     EXPECT_EQ(text.find("\"Number of the session\""), std::string::npos) << file;
-    EXPECT_NE(text.find("\"Kraft, Daumen, längs z\""), std::string::npos) << file;
+    EXPECT_NE(text.find("\"Zeit seit Beginn des Versuchs\""), std::string::npos) << file;
   }
   const auto columns = [](const std::string& folder, std::size_t first, std::size_t count) {
     std::string kept;
@@ -200,7 +200,8 @@ TEST_F(ResearchExport, PeopleReadItInTheirLanguageAndMachinesAsInEnglish) {
   constexpr std::size_t kDescription = 7;
   EXPECT_EQ(files_below(bids), files_below(plain));
   EXPECT_EQ(columns(bids, 0, kDescription), columns(plain, 0, kDescription));
-  EXPECT_NE(columns(bids, kDescription, 1).find("Force, pouce, selon z"), std::string::npos);
+  EXPECT_NE(columns(bids, kDescription, 1).find("Temps depuis le début de l’essai"),
+            std::string::npos);
   EXPECT_NE(test::read_file(bids + "/participants.json").find("Côté atteint"), std::string::npos);
 }
 

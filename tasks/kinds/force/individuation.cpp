@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "hand/columns.hpp"
-#include "tasks/facts/reasons.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
 #include "tasks/kinds/tools/segments.hpp"
 #include "tasks/measures/digits.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::tasks {
 

@@ -10,9 +10,9 @@
 
 #include "core/csv.hpp"
 #include "hand/columns.hpp"
-#include "tasks/facts/reasons.hpp"
 #include "tasks/measures/motion.hpp"
 #include "tasks/measures/smoothness.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::tasks {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/stored_text.hpp"
+#include "tasks/reasons/stored_text.hpp"
 
-namespace isograsp::text_detail {
+namespace isograsp::tasks::stored_text_detail {
 
 namespace {
 
@@ -16,7 +16,7 @@ std::optional<std::vector<Argument>> values_in(std::string_view english,
                                                std::string_view sentence) {
   std::vector<Argument> values;
   while (!english.empty()) {
-    if (place_at(english, 0) == 0) {
+    if (text_detail::place_at(english, 0) == 0) {
       if (sentence.empty() || sentence.front() != english.front()) return std::nullopt;
       english.remove_prefix(1);
       sentence.remove_prefix(1);
@@ -24,7 +24,7 @@ std::optional<std::vector<Argument>> values_in(std::string_view english,
     }
     english.remove_prefix(2);
     std::size_t next = 0;  // of the words behind the place, up to the next one
-    while (next < english.size() && place_at(english, next) == 0) ++next;
+    while (next < english.size() && text_detail::place_at(english, next) == 0) ++next;
     const std::string_view behind = english.substr(0, next);
     const std::size_t end = next == english.size() && sentence.ends_with(behind)
                                 ? sentence.size() - behind.size()
@@ -41,4 +41,4 @@ std::optional<std::vector<Argument>> values_in(std::string_view english,
   return values;
 }
 
-}  // namespace isograsp::text_detail
+}  // namespace isograsp::tasks::stored_text_detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/facts/reasons.hpp"
+#include "tasks/reasons/reasons.hpp"
 
 #include <gtest/gtest.h>
 

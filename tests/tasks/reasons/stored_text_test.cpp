@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sentence that was stored is read by the words that wrote it, and by no others.
-#include "core/stored_text.hpp"
+#include "tasks/reasons/stored_text.hpp"
 
 #include <gtest/gtest.h>
 
-namespace isograsp::stored_text_test {
+namespace isograsp::tasks::stored_text_test {
 namespace {
 
 constexpr auto kNear = "not reached within %1 s"_text;
@@ -30,4 +30,4 @@ TEST(StoredText, IsLookedUpAsAWholeWhereNoWordsWroteIt) {
 }
 
 }  // namespace
-}  // namespace isograsp::stored_text_test
+}  // namespace isograsp::tasks::stored_text_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/facts/reasons.hpp"
+#include "tasks/reasons/reasons.hpp"
 
-#include "core/stored_text.hpp"
+#include "tasks/reasons/stored_text.hpp"
 
 namespace isograsp::tasks {
 

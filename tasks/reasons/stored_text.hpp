@@ -8,9 +8,9 @@
 
 #include "core/text.hpp"
 
-namespace isograsp {
+namespace isograsp::tasks {
 
-namespace text_detail {
+namespace stored_text_detail {
 
 /// What stands at each place of `english` in `sentence`, at the first way to divide it; nothing:
 /// these words did not write it. A digit string is a number, all else words that may be known.
@@ -23,7 +23,7 @@ Text filled(const Phrase<Places>& phrase, const std::vector<Argument>& values,
   return phrase(values[Place]...);
 }
 
-}  // namespace text_detail
+}  // namespace stored_text_detail
 
 /// The text that wrote `sentence` with one of these phrases (all with places, each place once and
 /// in order); a sentence that none of them wrote is looked up as a whole (Known).
@@ -31,12 +31,12 @@ template <std::size_t... Places>
 [[nodiscard]] Text stored_text(std::string_view sentence, const Phrase<Places>&... phrases) {
   Text text;
   const auto is_of = [&]<std::size_t P>(const Phrase<P>& phrase) {
-    const auto values = text_detail::values_in(phrase.english(), sentence);
-    if (values) text = text_detail::filled(phrase, *values, std::make_index_sequence<P>());
+    const auto values = stored_text_detail::values_in(phrase.english(), sentence);
+    if (values) text = stored_text_detail::filled(phrase, *values, std::make_index_sequence<P>());
     return values.has_value();
   };
   if (!(is_of(phrases) || ...)) text = Known{std::string(sentence)};
   return text;
 }
 
-}  // namespace isograsp
+}  // namespace isograsp::tasks

@@ -5,6 +5,7 @@
 
 #include "core/date.hpp"
 #include "hand/anatomical_axes.hpp"
+#include "tasks/task_spec.hpp"
 
 namespace isograsp::exports {
 

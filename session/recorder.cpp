@@ -94,8 +94,7 @@ void Recorder::begin(TrialSetup& setup) {
     names.insert(names.end(), group.columns.begin(), group.columns.end());
   signals_ = Signals(std::move(names));
   block_.assign(setup.record.groups.size(), {});
-  stored(store_->begin_trial(setup.record, trial_id_));
-  setup.record.id = trial_id_;
+  if (stored(store_->begin_trial(setup.record, setup.record.id))) trial_id_ = setup.record.id;
 }
 
 void Recorder::add_row(std::span<const double> values) {
@@ -116,7 +115,7 @@ void Recorder::add_row(std::span<const double> values) {
 }
 
 void Recorder::write_block() {
-  stored(store_->append_blocks(trial_id_, second_, block_));
+  stored(store_->append_blocks(trial_->record.id, second_, block_));
   ++second_;
   for (auto& group : block_) group.clear();
 }
@@ -148,7 +147,7 @@ void Recorder::end(const RecordItem& item) {
   if (item.status == storage::TrialStatus::completed && trial_->spec.kind->rests)
     outcome.rest = add_rest(item);
   trial_ = nullptr;
-  last_trial_id_ = std::exchange(trial_id_, 0);
+  last_trial_id_ = std::exchange(trial_id_, std::nullopt);
   SessionNews news;
   news.trial = std::move(outcome);
   publish(std::move(news));
@@ -160,7 +159,7 @@ std::optional<RestOutcome> Recorder::add_rest(const RecordItem& item) {
   RestOutcome outcome;
   outcome.words = words_of(*rest);
   RestRecord& record = outcome.rest;
-  record.trial_id = trial_id_;
+  record.trial_id = trial_->record.id;
   record.session_time_s = item.session_time_s;
   record.recorded_utc = utc_at(item.session_time_s);
   record.operator_name = session_.operator_name;

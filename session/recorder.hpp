@@ -3,6 +3,7 @@
 // finished trial is scored from what was recorded. Not real-time.
 #pragma once
 
+#include <optional>
 #include <condition_variable>
 #include <map>
 #include <memory>
@@ -79,8 +80,8 @@ class Recorder {
   RecordItem item_;
 
   TrialSetup* trial_ = nullptr;
-  storage::RowId trial_id_ = 0;
-  storage::RowId last_trial_id_ = 0;  ///< that ended
+  std::optional<storage::RowId> trial_id_;       ///< of the running trial
+  std::optional<storage::RowId> last_trial_id_;  ///< that ended
   storage::RowId last_rating_id_ = 0;
   std::map<std::string, storage::RowId> in_force_;  ///< the newest preparation of each kind
   int second_ = 0;

@@ -32,9 +32,9 @@ Result<std::vector<storage::SessionRecord>> chain_before(storage::SessionStore& 
     const bool wanted = chain.empty()
                             ? earlier->hand == session.hand &&
                                   earlier->simulated == session.simulated && !earlier->recorded
-                            : earlier->id == chain.back().resumes_id;
+                            : chain.back().resumes_id == earlier->id;
     if (wanted) chain.push_back(*earlier);
-    if (!chain.empty() && chain.back().resumes_id == 0) break;
+    if (!chain.empty() && !chain.back().resumes_id) break;
   }
   return chain;
 }
@@ -109,7 +109,7 @@ void tell(tasks::Agenda& agenda, const tasks::ProtocolSpec& protocol, const Earl
 
 std::uint64_t order_seed(const storage::SessionRecord& session, const EarlierWork& earlier) {
   if (session.seed != 0) return session.seed;
-  return static_cast<std::uint64_t>(earlier.first_id != 0 ? earlier.first_id : session.id);
+  return static_cast<std::uint64_t>(earlier.first_id.value_or(session.id));
 }
 
 std::optional<Text> reason_to_stop(const std::vector<storage::RatingRecord>& ratings) {

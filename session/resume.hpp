@@ -26,8 +26,8 @@ struct EarlierTrial {
 
 /// What an interrupted session, and those that it had resumed itself, did of their protocol.
 struct EarlierWork {
-  storage::RowId first_id = 0;       ///< the session that began the protocol; 0: none
-  storage::RowId last_id = 0;        ///< the newest one
+  std::optional<storage::RowId> first_id;  ///< the session that began the protocol
+  std::optional<storage::RowId> last_id;   ///< the newest one
   std::string allowed;               ///< outcome of its screening, as stored; empty: not asked
   std::optional<double> ceiling_N;   ///< of its screening
   std::vector<EarlierTrial> trials;  ///< in the order in which they were made

@@ -38,7 +38,7 @@ std::vector<Measure> Session::live_score() const {
 void Session::strapped() {
   const double now_s = moment().session_time_s;
   parts_->strapped_at_s = now_s;
-  parts_->recorder->add_event({0, now_s, "strapped", ""});
+  parts_->recorder->add_event({std::nullopt, now_s, "strapped", ""});
 }
 
 double Session::settling_s() noexcept {
@@ -99,7 +99,7 @@ void Session::abort(Words reason) {
 }
 
 void Session::note(const std::string& text) {
-  parts_->recorder->add_event({0, moment().session_time_s, "note", text});
+  parts_->recorder->add_event({std::nullopt, moment().session_time_s, "note", text});
 }
 
 Result<void> Session::answer(const std::vector<storage::SessionAnswer>& answers) {

@@ -66,8 +66,7 @@ tasks::TaskContext SessionKnowledge::next_context() const {
 }
 
 std::optional<double> SessionKnowledge::maximum_force_N() const noexcept {
-  const double maximum_N = references.maximum({});
-  return std::isnan(maximum_N) ? std::nullopt : std::optional(maximum_N);
+  return references.maximum({});
 }
 
 }  // namespace isograsp::session

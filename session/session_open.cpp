@@ -265,7 +265,7 @@ void Session::Opening::start_recording() {
                                               parts.acquisition->records(), !config.virtual_time);
   // Progress is put in order by the times of sessions.
   if (latest)
-    parts.recorder->add_event({0, 0.0, "clock",
+    parts.recorder->add_event({std::nullopt, 0.0, "clock",
                                "The clock of this computer is behind the newest session of this "
                                "file (" +
                                    *latest + ")."});

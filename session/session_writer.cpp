@@ -134,7 +134,7 @@ Result<void> SessionWriter::write_anew(const std::string& path) {
   if (!patient) return patient.error();
   storage::SessionRecord session = session_;
   session.patient_id = patient->id;
-  session.resumes_id = 0;  // that session is not here
+  session.resumes_id.reset();  // that session is not here
   const auto id = store.begin_session(session, answers_);
   if (!id) return id.error();
   Numbers numbers;

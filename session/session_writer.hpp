@@ -4,6 +4,7 @@
 // emergency file (storage/care/emergency.hpp), where the session goes on to its end.
 #pragma once
 
+#include <optional>
 #include <functional>
 #include <map>
 #include <memory>
@@ -65,13 +66,16 @@ class SessionWriter {
     [[nodiscard]] storage::RowId of_trial(storage::RowId given) const {
       return here(trials, given);
     }
+    [[nodiscard]] std::optional<storage::RowId> of_trial(std::optional<storage::RowId> given) const {
+      return given ? std::optional(of_trial(*given)) : std::nullopt;
+    }
     [[nodiscard]] storage::RowId of_rating(storage::RowId given) const {
       return here(ratings, given);
     }
     [[nodiscard]] storage::RowId of_preparation(storage::RowId given) const {
       return here(preparations, given);
     }
-    /// 0: none; one of another session is itself.
+    /// One of another session is itself.
     [[nodiscard]] static storage::RowId here(const std::map<storage::RowId, storage::RowId>& rows,
                                              storage::RowId given) {
       const auto row = rows.find(given);

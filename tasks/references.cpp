@@ -8,7 +8,6 @@ namespace isograsp::tasks {
 namespace {
 
 constexpr std::array<std::string_view, 3> kEfforts{"none", "comfortable", "maximum"};
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 Result<double> measured(const std::map<ForceChannel, double>& values, ForceChannel channel,
                         Words what, Words remedy) {
@@ -33,17 +32,21 @@ std::optional<Effort> effort_from_name(std::string_view name) noexcept {
   return std::nullopt;
 }
 
-double ForceReferences::resting(ForceChannel channel) const noexcept {
-  return resting_C ? force_of(*resting_C, channel) : kUnknown;
+std::optional<double> ForceReferences::resting(ForceChannel channel) const noexcept {
+  if (!resting_C) return std::nullopt;
+  return force_of(*resting_C, channel);
 }
 
-double ForceReferences::noise(ForceChannel channel) const noexcept {
-  return noise_sd_N ? noise_of(*noise_sd_N, channel) : 0.0;
+std::optional<double> ForceReferences::noise(ForceChannel channel) const noexcept {
+  if (!noise_sd_N) return std::nullopt;
+  const double sd_N = noise_of(*noise_sd_N, channel);
+  return sd_N > 0.0 ? std::optional(sd_N) : std::nullopt;  // a device without any tells nothing
 }
 
-double ForceReferences::maximum(ForceChannel channel) const noexcept {
+std::optional<double> ForceReferences::maximum(ForceChannel channel) const noexcept {
   const auto found = maximum_N.find(channel);
-  return found == maximum_N.end() ? kUnknown : found->second;
+  if (found == maximum_N.end()) return std::nullopt;
+  return found->second;
 }
 
 Result<double> ForceReferences::unit_N(Scale scale, ForceChannel channel, double largest) const {
@@ -61,8 +64,8 @@ Result<double> ForceReferences::unit_N(Scale scale, ForceChannel channel, double
                              "the fixed load begins with the second assessment"_text);
   if (!load) return load;
   constexpr double kMostOfToday = 0.5;
-  const double today_N = maximum(channel);
-  if (!(largest * *load <= kMostOfToday * today_N))
+  const auto today_N = maximum(channel);
+  if (!today_N || !(largest * *load <= kMostOfToday * *today_N))
     return refused(
                "the fixed load of %1 N is above half of today's maximum, or that was not measured"_text(
                    shortest(largest * *load)),

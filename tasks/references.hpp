@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,19 +23,17 @@ struct ForceReferences {
   std::optional<FingerWrenches> resting_C;  ///< mean at rest in this session; nothing: not measured
   /// SD of each force component, device empty; nothing: no instrument zero.
   std::optional<std::array<Vec3, kFingerCount>> noise_sd_N;
-  double resolution_N = 0.0;                 ///< coarsest step of a force component; 0: not known
+  std::optional<double> resolution_N;  ///< coarsest step of a force component; nothing: not known
   std::map<ForceChannel, double> maximum_N;  ///< above rest, of this session
   std::map<ForceChannel, double> comfortable_N;  ///< above rest, of this session
   std::map<ForceChannel, double> baseline_N;     ///< maximum of the first assessments
   Effort allowed = Effort::maximum;
   std::optional<double> ceiling_N;  ///< no target may exceed it
 
-  /// Force of the channel at rest; NaN: not measured.
-  [[nodiscard]] double resting(ForceChannel channel) const noexcept;
-  /// SD of the channel, device empty; 0: not known.
-  [[nodiscard]] double noise(ForceChannel channel) const noexcept;
-  /// Maximum of the channel; NaN: not measured.
-  [[nodiscard]] double maximum(ForceChannel channel) const noexcept;
+  // Of a channel; nothing: not measured.
+  [[nodiscard]] std::optional<double> resting(ForceChannel channel) const noexcept;
+  [[nodiscard]] std::optional<double> noise(ForceChannel channel) const noexcept;  ///< SD, device empty
+  [[nodiscard]] std::optional<double> maximum(ForceChannel channel) const noexcept;
 
   /// What one unit of the scale is for this channel [N], or which measurement is missing. The
   /// error's field is `scale`; fixed loads above half of today's maximum are refused.

@@ -3,6 +3,7 @@
 // about tasks of force, tasks with an object, …. Copying takes no memory from the heap.
 #pragma once
 
+#include <optional>
 #include <array>
 #include <limits>
 #include <variant>
@@ -39,9 +40,10 @@ struct ForceView {
   double target_force_N = 0.0;
   double actual_force_N = 0.0;  ///< of the channel
   DigitTargets digit_targets;
-  double resting_force_N = kNotMeasured;  ///< of the channel
-  double maximum_force_N = kNotMeasured;
-  double noise_sd_N = 0.0;
+  // Of the channel; nothing: not measured.
+  std::optional<double> resting_force_N;
+  std::optional<double> maximum_force_N;
+  std::optional<double> noise_sd_N;
 };
 struct ObjectView {
   ForceView grip;  ///< of the hand that holds the object

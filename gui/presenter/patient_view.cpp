@@ -37,7 +37,7 @@ PatientFacts PatientView::facts() const {
   facts.device_fault = now.frames > 0 && now.stage != session::Stage::finished &&
                        flow_.view().device_mood == Mood::fault;
   facts.hand = open.session->known().record.hand.value_or(Hand::right);
-  facts.maximum_force_N = open.session->known().maximum_force_N().value_or(0.0);
+  facts.maximum_force_N = open.session->known().maximum_force_N();
   if (const auto& trial = open.trial) {
     facts.task = trial->task;
     facts.scene = trial->scene;

@@ -108,7 +108,7 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.asks_rest = open.session->known().asks_for(session::PreparationStep::rest);
   facts.zeroed = now.zeroed;
   facts.restarted = now.restarted;
-  facts.maximum_force_N = open.session->known().maximum_force_N().value_or(0.0);
+  facts.maximum_force_N = open.session->known().maximum_force_N();
   facts.settling_s = static_cast<int>(std::ceil(open.session->settling_s()));
   facts.zero_refusal = preparation.zero_refusal;
   facts.zero_only_changed = preparation.zero_only_changed;

@@ -78,7 +78,7 @@ struct FlowFacts {
   Text rest_words;                  ///< what the resting force suggests
   bool rest_done = false;
   int maximum_attempts = 0;
-  double maximum_force_N = 0.0;
+  std::optional<double> maximum_force_N;
   bool task_done = false;  ///< a task after the maximum was completed
   ProtocolFacts protocol;
   Text stop_reason;         ///< why work should end for today; empty: it may go on

@@ -38,7 +38,7 @@ Situation by_hand(const FlowFacts& facts) {
   if (rest && (!facts.rest_done || facts.settling_s > 0)) return before_rest(facts);
   if (facts.task_done) return Situation::trial_stored;
   if (!facts.asks_rest) return Situation::choose_task;  // nothing is scaled to a force
-  if (facts.maximum_force_N <= 0.0) return Situation::first_maximum;
+  if (!(facts.maximum_force_N > 0.0)) return Situation::first_maximum;
   return facts.maximum_attempts < 2 ? Situation::next_maximum : Situation::choose_task;
 }
 

@@ -46,7 +46,7 @@ QString device_words(const FlowFacts& facts, DeviceCondition condition) {
 }
 
 QString maximum_words(const FlowFacts& facts) {
-  return FlowTexts::tr("Maximum %1 N.").arg(facts.maximum_force_N, 0, 'f', 0);
+  return FlowTexts::tr("Maximum %1 N.").arg(facts.maximum_force_N.value_or(0.0), 0, 'f', 0);
 }
 
 QString strap_words(const FlowFacts& facts) {
@@ -126,7 +126,7 @@ QString words_in_work(Situation situation, const FlowFacts& facts) {
       return FlowTexts::tr("%1 Repeat it after one minute, or choose a task and press Start.")
           .arg(maximum_words(facts));
     case Situation::choose_task:
-      if (facts.maximum_force_N <= 0.0) return FlowTexts::tr("Choose a task.");
+      if (!(facts.maximum_force_N > 0.0)) return FlowTexts::tr("Choose a task.");
       return FlowTexts::tr("%1 Choose a task and press Start.").arg(maximum_words(facts));
     case Situation::trial_stored:
       return FlowTexts::tr("Trial stored. Repeat it, choose another task, or disconnect to end.");

@@ -4,6 +4,7 @@
 // Never a name or a code. Frames: W world, O object, C contact. SI units.
 #pragma once
 
+#include <optional>
 #include <array>
 #include <memory>
 #include <string>
@@ -32,7 +33,7 @@ struct PatientFacts {
   std::shared_ptr<const tasks::TaskSpec> task;  ///< the running one
   std::shared_ptr<const Scene> scene;           ///< of that task, turned for the hand
   std::shared_ptr<const TargetPreview> preview;
-  double maximum_force_N = 0.0;
+  std::optional<double> maximum_force_N;
   bool just_completed = false;  ///< the last trial ended well and nothing began since
   bool just_missed = false;     ///< it ended before all its targets were reached
   bool example = false;         ///< all of this is a demonstration: nothing is the patient's

@@ -45,7 +45,7 @@ PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
   facts.task = trial.task;
   facts.scene = trial.scene;
   facts.maximum_force_N =
-      storage::value_of(trial.opened.trial.references, platform::kMaximumForce_N).value_or(0.0);
+      storage::value_of(trial.opened.trial.references, platform::kMaximumForce_N);
   facts.arrived = true;
   facts.stage = session::Stage::trial;
   Stimulus& screen = facts.stimulus;

@@ -79,7 +79,7 @@ std::vector<TrialMark> marks_of(const std::vector<storage::EventRecord>& events,
   for (const auto& event : events) {
     const double t_s = event.session_time_s - trial.session_time_s;
     const bool inside = t_s >= 0.0 && t_s <= length_s;
-    if (event.trial_id == trial.id || (event.trial_id == 0 && inside))
+    if (event.trial_id == trial.id || (!event.trial_id && inside))
       marks.push_back({t_s, event.kind, event.text});
   }
   std::stable_sort(marks.begin(), marks.end(),

@@ -6,10 +6,10 @@ namespace isograsp::session {
 std::array<std::optional<double>, kFingerCount> contact_thresholds(
     const tasks::ForceReferences& references) {
   std::array<std::optional<double>, kFingerCount> threshold_N{};
-  const double maximum_N = references.maximum({});
-  if (!references.noise_sd_N || !(maximum_N > 0.0)) return threshold_N;
+  const auto maximum_N = references.maximum({});
+  if (!references.noise_sd_N || !maximum_N || !(*maximum_N > 0.0)) return threshold_N;
   for (std::size_t f = 0; f < kFingerCount; ++f)
-    threshold_N[f] = contact_threshold_N((*references.noise_sd_N)[f].z(), maximum_N);
+    threshold_N[f] = contact_threshold_N((*references.noise_sd_N)[f].z(), *maximum_N);
   return threshold_N;
 }
 

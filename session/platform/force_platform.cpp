@@ -29,11 +29,6 @@ std::string calibration_text(const DeviceInfo& info) {
   return text;
 }
 
-/// Nothing: not measured.
-std::optional<double> if_measured(double force_N) {
-  return std::isnan(force_N) ? std::nullopt : std::optional(force_N);
-}
-
 }  // namespace
 
 ForcePlatform::ForcePlatform(std::unique_ptr<ForceDevice> device,
@@ -72,11 +67,11 @@ Result<void> ForcePlatform::ready() {
       .about("zero");
 }
 
-double ForcePlatform::resolution_N() const noexcept {
+std::optional<double> ForcePlatform::resolution_N() const noexcept {
   double coarsest_N = 0.0;
   for (const Vec6& unit : device().units_per_count)
     coarsest_N = std::max(coarsest_N, unit.head<3>().cwiseAbs().maxCoeff());
-  return coarsest_N;
+  return coarsest_N > 0.0 ? std::optional(coarsest_N) : std::nullopt;  // 0: it has no counts
 }
 
 void ForcePlatform::describe(storage::SessionRecord& session) const {
@@ -106,12 +101,12 @@ Result<std::unique_ptr<TrialSetup>> ForcePlatform::make_trial(const tasks::TaskS
   if (!prepared) return prepared.error();
   auto trial = *std::move(prepared);
   trial->constants.device_delay_s = device().delay_s;
-  if (options_.display_delay_s) trial->constants.display_delay_s = *options_.display_delay_s;
-  if (references.resolution_N > 0.0) trial->constants.resolution_N = references.resolution_N;
+  trial->constants.display_delay_s = options_.display_delay_s;
+  trial->constants.resolution_N = references.resolution_N;
   storage::set_value(trial->record.references, platform::kMaximumForce_N,
-                     if_measured(references.maximum({})));
+                     references.maximum({}));
   storage::set_value(trial->record.references, platform::kRestingForce_N,
-                     if_measured(references.resting({})));
+                     references.resting({}));
   return std::unique_ptr<TrialSetup>(std::move(trial));
 }
 

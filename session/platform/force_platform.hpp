@@ -38,7 +38,7 @@ class ForcePlatform final : public Apparatus {
 
   [[nodiscard]] const DeviceInfo& device() const noexcept { return device_->info(); }
   /// Coarsest step of a force component; 0: the device has no counts.
-  [[nodiscard]] double resolution_N() const noexcept;
+  [[nodiscard]] std::optional<double> resolution_N() const noexcept;
   /// Of the same device in an earlier session. Before the first zero of this one.
   void set_last_zero(const SixAxes& mean) noexcept { last_zero_ = mean; }
   Latest<Snapshot>& snapshots() noexcept { return snapshots_; }  ///< acquisition -> owner

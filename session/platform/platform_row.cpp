@@ -29,9 +29,8 @@ double number(Number value) {
   return static_cast<double>(value);
 }
 
-/// A noise of 0 means that no noise was measured.
-double known(double value) {
-  return value > 0.0 ? value : kMissing;
+double known(std::optional<double> value) {
+  return value.value_or(kMissing);
 }
 
 /// Rotation of an attitude about world z [rad], -pi … pi.
@@ -77,12 +76,12 @@ void put_task(Sink& sink, const RowFrame& frame, const PlatformFrame& seen) {
   sink.put(columns::sample_flags, number(flags[0] | flags[1] | flags[2]));
   sink.put(columns::target_force_N, force.has_force_target ? force.target_force_N : kMissing);
   sink.put(columns::actual_force_N, force.actual_force_N);
-  sink.put(columns::resting_force_N, force.resting_force_N);
-  sink.put(columns::maximum_force_N, force.maximum_force_N);
+  sink.put(columns::resting_force_N, known(force.resting_force_N));
+  sink.put(columns::maximum_force_N, known(force.maximum_force_N));
   sink.put(columns::noise_sd_N, known(force.noise_sd_N));
-  sink.put(columns::resolution_N, seen.constants.resolution_N);
-  sink.put(columns::device_delay_s, seen.constants.device_delay_s);
-  sink.put(columns::display_delay_s, seen.constants.display_delay_s);
+  sink.put(columns::resolution_N, known(seen.constants.resolution_N));
+  sink.put(columns::device_delay_s, known(seen.constants.device_delay_s));
+  sink.put(columns::display_delay_s, known(seen.constants.display_delay_s));
   if (seen.object != nullptr)
     put_object_task(sink, frame, seen.special.object(), *seen.object);
   else

@@ -2,6 +2,7 @@
 // What the platform records of a frame; its columns are those of hand/columns.hpp.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "grasp_model/plan.hpp"
@@ -12,11 +13,11 @@
 
 namespace isograsp::session {
 
-/// What does not change within a trial and is stored beside its signals; NaN: not known.
+/// What does not change within a trial and is stored beside its signals; nothing: not known.
 struct TrialConstants {
-  double resolution_N = tasks::kNotMeasured;     ///< coarsest step of a force component
-  double device_delay_s = tasks::kNotMeasured;   ///< of the sensors and their filters
-  double display_delay_s = tasks::kNotMeasured;  ///< from the program to the light
+  std::optional<double> resolution_N;     ///< coarsest step of a force component
+  std::optional<double> device_delay_s;   ///< of the sensors and their filters
+  std::optional<double> display_delay_s;  ///< from the program to the light
 };
 
 /// One frame as the platform has it at hand.

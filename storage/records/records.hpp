@@ -62,7 +62,7 @@ struct SessionRecord {
   std::vector<SensorRecord> sensors;  ///< in their order; empty: none told its serial number
   std::string operator_name;  ///< who runs the session, as they wish to be called; may be empty
   std::string realtime;       ///< what the acquisition thread was given; empty: not asked for
-  RowId resumes_id = 0;       ///< the interrupted session whose protocol goes on here; 0: none
+  std::optional<RowId> resumes_id;  ///< the interrupted session whose protocol goes on here
   std::string allowed;    ///< by the screening: "maximum", "comfortable", "none"; empty: not asked
   References references;  ///< "ceiling_N": no target exceeds it
   std::string calibration;  ///< how counts became values, one line a sensor; empty: no counts
@@ -77,7 +77,7 @@ struct PreparationRecord {
   RowId id = 0;
   RowId session_id = 0;
   std::string kind;    ///< such as "instrument_zero"
-  RowId trial_id = 0;  ///< the trial that holds its signals; 0: none
+  std::optional<RowId> trial_id;  ///< the trial that holds its signals
   double session_time_s = 0.0;
   std::string recorded_utc;   ///< ISO 8601
   std::string operator_name;  ///< who confirmed what it needs; may be empty
@@ -161,7 +161,7 @@ struct ScoredTrial {
 };
 
 struct EventRecord {
-  RowId trial_id = 0;  ///< 0: of the session
+  std::optional<RowId> trial_id;  ///< nothing: of the session
   double session_time_s = 0.0;
   std::string kind;  ///< "fault", "pause", "resume", "abort", "note"
   std::string text;
@@ -172,7 +172,7 @@ struct EventRecord {
 struct RatingRecord {
   RowId id = 0;
   RowId session_id = 0;
-  RowId trial_id = 0;  ///< the last one before; 0: none
+  std::optional<RowId> trial_id;  ///< the last one before
   double session_time_s = 0.0;
   std::string recorded_utc;
   int effort = 0;

@@ -18,9 +18,4 @@ struct NullableNumber {
   soci::indicator present;
 };
 
-/// No row is NULL.
-inline soci::indicator null_if_zero(RowId id) {
-  return id == 0 ? soci::i_null : soci::i_ok;
-}
-
 }  // namespace isograsp::storage

@@ -49,7 +49,7 @@ Result<std::vector<EventRecord>> SqliteStore::events(RowId session) {
   const auto done = database_.guard("reading events"_text, [&] {
     EventRecord one;
     Row row(database_.sql());
-    row.get("coalesce(trial_id, 0)", one.trial_id)
+    row.get("trial_id", one.trial_id)
         .get("session_time_s", one.session_time_s)
         .get("kind", one.kind)
         .get("text", one.text);
@@ -67,7 +67,7 @@ std::vector<PreparationRecord> SqliteStore::read_preparations(const std::string&
   row.get("id", one.id)
       .get("session_id", one.session_id)
       .get("kind", one.kind)
-      .get("coalesce(trial_id, 0)", one.trial_id)
+      .get("trial_id", one.trial_id)
       .get("session_time_s", one.session_time_s)
       .get("recorded_utc", one.recorded_utc)
       .get("operator_name", one.operator_name)
@@ -130,7 +130,7 @@ Result<std::vector<RatingRecord>> SqliteStore::ratings(RowId session) {
     Row row(database_.sql());
     row.get("id", one.id)
         .get("session_id", one.session_id)
-        .get("coalesce(trial_id, 0)", one.trial_id)
+        .get("trial_id", one.trial_id)
         .get("session_time_s", one.session_time_s)
         .get("recorded_utc", one.recorded_utc)
         .get("effort", one.effort)

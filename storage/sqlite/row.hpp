@@ -97,10 +97,6 @@ class NewRow {
   NewRow& set(const std::string& column, const std::optional<T>& value) {
     return value ? set(column, *value) : *this;
   }
-  /// 0 is NULL: no row has this number.
-  NewRow& set_row(const std::string& column, std::int64_t id) {
-    return id != 0 ? set(column, SqlValue(id)) : *this;
-  }
 
   /// `otherwise`: an ON CONFLICT clause. Throws as SOCI does.
   void insert(const std::string& otherwise = "");

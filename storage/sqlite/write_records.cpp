@@ -86,9 +86,9 @@ Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
         session.uuid.empty() ? new_uuid(patient + "\n" + started + "\n" + std::to_string(before))
                              : session.uuid;
     NewRow(sql, "sessions")
-        .set_row("patient_id", session.patient_id)
+        .set("patient_id", session.patient_id)
         .set("uuid", uuid)
-        .set_row("resumes_id", session.resumes_id)
+        .set("resumes_id", session.resumes_id)
         .set("started_utc", started)
         .set("hand", name_of(session.hand))
         .set("device_uri", session.device_uri)
@@ -141,7 +141,7 @@ Result<RowId> SqliteStore::add_preparation(const PreparationRecord& preparation)
     NewRow(database_.sql(), "preparations")
         .set("session_id", preparation.session_id)
         .set("kind", preparation.kind)
-        .set_row("trial_id", preparation.trial_id)
+        .set("trial_id", preparation.trial_id)
         .set("session_time_s", preparation.session_time_s)
         .set("recorded_utc", preparation.recorded_utc)
         .set("operator_name", preparation.operator_name)
@@ -177,26 +177,29 @@ Result<std::string> SqliteStore::database_id() {
 }
 
 Result<void> SqliteStore::add_event(RowId session, const EventRecord& event) {
-  auto trial_present = null_if_zero(event.trial_id);
   return database_.transact("storing an event"_text, [&] {
-    database_.sql() << "INSERT INTO events (session_id, trial_id, session_time_s, kind, text) "
-                       "VALUES (:session, :trial, :time, :kind, :text)",
-        soci::use(session), soci::use(event.trial_id, trial_present),
-        soci::use(event.session_time_s), soci::use(event.kind), soci::use(event.text);
+    NewRow(database_.sql(), "events")
+        .set("session_id", session)
+        .set("trial_id", event.trial_id)
+        .set("session_time_s", event.session_time_s)
+        .set("kind", event.kind)
+        .set("text", event.text)
+        .insert();
   });
 }
 
 Result<RowId> SqliteStore::add_rating(const RatingRecord& rating) {
   RowId id = 0;
-  auto trial_present = null_if_zero(rating.trial_id);
   const auto done = database_.transact("storing a rating"_text, [&] {
-    soci::session& sql = database_.sql();
-    sql << "INSERT INTO ratings (session_id, trial_id, session_time_s, recorded_utc, effort, pain) "
-           "VALUES (:session, :trial, :time, :utc, :effort, :pain)",
-        soci::use(rating.session_id), soci::use(rating.trial_id, trial_present),
-        soci::use(rating.session_time_s), soci::use(rating.recorded_utc), soci::use(rating.effort),
-        soci::use(rating.pain);
-    id = last_id(sql, "ratings");
+    NewRow(database_.sql(), "ratings")
+        .set("session_id", rating.session_id)
+        .set("trial_id", rating.trial_id)
+        .set("session_time_s", rating.session_time_s)
+        .set("recorded_utc", rating.recorded_utc)
+        .set("effort", rating.effort)
+        .set("pain", rating.pain)
+        .insert();
+    id = last_id(database_.sql(), "ratings");
   });
   if (!done) return done.error();
   return id;

@@ -169,7 +169,7 @@ TEST_F(FaultDuringATrial, ARestartBetweenTrialsIsStoredAndNothingStartsBeforeANe
   const auto faults = stored_faults();
   bool index_told = false;
   for (const auto& fault : every(faults)) {
-    EXPECT_EQ(fault.trial_id, 0) << "between trials";
+    EXPECT_FALSE(fault.trial_id) << "between trials";
     EXPECT_GT(fault.session_time_s, 0.0);
     index_told = index_told || fault.text.find("index") != std::string::npos;
   }

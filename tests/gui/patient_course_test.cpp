@@ -256,8 +256,8 @@ TEST_F(PatientCourseTest, EventsStandOnTheTimeAxisOfTheirTrial) {
   const storage::RowId session = add_session(*store_, "P-1", {});
   const auto trials = store_->trials(session);
   for (const auto& event : {storage::EventRecord{(*trials)[1].id, 1.5, "fault", "no samples"},
-                            storage::EventRecord{0, 2.5, "note", "moved"},
-                            storage::EventRecord{0, 500.0, "note", "much later"},
+                            storage::EventRecord{std::nullopt, 2.5, "note", "moved"},
+                            storage::EventRecord{std::nullopt, 500.0, "note", "much later"},
                             storage::EventRecord{(*trials)[2].id, 1.0, "pause", ""}})
     ASSERT_TRUE(store_->add_event(session, event).ok());
   const auto all = course();

@@ -262,7 +262,7 @@ TEST_F(ProtectedClinic, IdentityAndFreeTextStandNowhereInTheFile) {
     must(store->add_stable_period(
         patient, {0, "2026-01-01", "2026-01-31", "", "SECRETJUDGE", "SECRETPERIOD"}));
     const RowId session = must(store->begin_session(example_session(patient)));
-    must(store->add_event(session, {0, 1.0, "note", "SECRETEVENT"}));
+    must(store->add_event(session, {std::nullopt, 1.0, "note", "SECRETEVENT"}));
     EXPECT_EQ(must(store->treatment_marks(patient)).at(0).text, "SECRETMARK");
     EXPECT_EQ(must(store->clinical_scores(patient)).at(0).text, "SECRETSCORE");
     EXPECT_EQ(must(store->primary_measures(patient)).at(0).chosen_by, "SECRETCHOOSER");

@@ -114,9 +114,9 @@ std::multiset<std::string> content_of(const std::string& path) {
       const auto trials = must(store.trials(session.id));
       for (const auto& trial : trials) uuid_of_trial[trial.id] = trial.uuid;
       for (const auto& one : must(store.events(session.id)))
-        all.insert(of + one.kind + one.text + uuid_of_trial.at(one.trial_id));
+        all.insert(of + one.kind + one.text + uuid_of_trial.at(one.trial_id.value_or(0)));
       for (const auto& one : must(store.ratings(session.id)))
-        all.insert(of + std::to_string(one.pain) + uuid_of_trial.at(one.trial_id));
+        all.insert(of + std::to_string(one.pain) + uuid_of_trial.at(one.trial_id.value_or(0)));
       for (const auto& trial : test::every(trials)) {
         EXPECT_EQ(trial.preparations, std::vector{must(store.preparations(session.id)).front().id});
         for (const auto& [name, value] : trial.references)

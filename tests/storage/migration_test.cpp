@@ -124,7 +124,7 @@ TEST_P(Migration, AnOldFileIsReadAsItIs) {
   EXPECT_FALSE(all.trials[1].references.contains("thumb_threshold_N"));
   EXPECT_EQ(all.preparations.size(), GetParam() < 2 ? 1u : 2u) << "and the resting force";
   EXPECT_EQ(all.session.sensors.size(), GetParam() < 2 ? 0u : 3u);
-  EXPECT_EQ(all.session.resumes_id, 0);
+  EXPECT_FALSE(all.session.resumes_id);
   const bool three = GetParam() >= 3;
   EXPECT_EQ(all.session.allowed, three ? "maximum" : "");
   EXPECT_EQ(value_of(all.session.references, "ceiling_N"),

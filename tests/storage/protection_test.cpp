@@ -35,8 +35,8 @@ struct PlainClinic : testing::Test {
       must(store->add_stable_period(
           patient, {0, "2026-01-01", "2026-01-31", "", "SECRETJUDGE", "SECRETPERIOD"}));
       const RowId session = must(store->begin_session(example_session(patient)));
-      must(store->add_event(session, {0, 1.0, "note", "SECRETEVENT"}));
-      must(store->add_event(session, {0, 2.0, "pause", "key"}));
+      must(store->add_event(session, {std::nullopt, 1.0, "note", "SECRETEVENT"}));
+      must(store->add_event(session, {std::nullopt, 2.0, "pause", "key"}));
       TrialRecord trial = example_trial(session);
       trial.id = must(store->begin_trial(trial));
       must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));

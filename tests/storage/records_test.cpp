@@ -189,7 +189,7 @@ TEST_F(Records, RatingsAndHelpComeBack) {
   EXPECT_EQ(ratings[0].session_time_s, 61.5);
   EXPECT_EQ(ratings[0].recorded_utc, "2026-03-01T09:31:01Z");
   EXPECT_EQ(ratings[0].effort, 10);
-  EXPECT_EQ(ratings[1].trial_id, 0);
+  EXPECT_FALSE(ratings[1].trial_id);
   EXPECT_EQ(ratings[1].pain, 10);
 }
 
@@ -322,13 +322,13 @@ TEST_F(Records, SignalsComeBackToTheBitInTheOrderOfTheGroups) {
 TEST_F(Records, EventsBelongToASessionOrToOneOfItsTrials) {
   TrialRecord trial = example_trial(session());
   trial.id = must(store->begin_trial(trial));
-  must(store->add_event(trial.session_id, {0, 1.5, "note", "'; DROP TABLE events; --"}));
+  must(store->add_event(trial.session_id, {std::nullopt, 1.5, "note", "'; DROP TABLE events; --"}));
   must(store->add_event(trial.session_id, {trial.id, 2.5, "fault", "no sample for 60 ms"}));
   EXPECT_FALSE(store->add_event(trial.session_id, {trial.id + 1, 3.0, "fault", ""}).ok());
   EXPECT_FALSE(store->add_event(trial.session_id + 1, {0, 3.0, "note", ""}).ok());
   const auto events = must(store->events(trial.session_id));
   ASSERT_EQ(events.size(), 2u);
-  EXPECT_EQ(events[0].trial_id, 0);
+  EXPECT_FALSE(events[0].trial_id);
   EXPECT_EQ(events[0].session_time_s, 1.5);
   EXPECT_EQ(events[0].text, "'; DROP TABLE events; --");
   EXPECT_EQ(events[1].trial_id, trial.id);

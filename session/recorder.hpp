@@ -3,11 +3,11 @@
 // finished trial is scored from what was recorded. Not real-time.
 #pragma once
 
-#include <optional>
 #include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 

@@ -4,10 +4,10 @@
 // emergency file (storage/care/emergency.hpp), where the session goes on to its end.
 #pragma once
 
-#include <optional>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -66,7 +66,8 @@ class SessionWriter {
     [[nodiscard]] storage::RowId of_trial(storage::RowId given) const {
       return here(trials, given);
     }
-    [[nodiscard]] std::optional<storage::RowId> of_trial(std::optional<storage::RowId> given) const {
+    [[nodiscard]] std::optional<storage::RowId> of_trial(
+        std::optional<storage::RowId> given) const {
       return given ? std::optional(of_trial(*given)) : std::nullopt;
     }
     [[nodiscard]] storage::RowId of_rating(storage::RowId given) const {

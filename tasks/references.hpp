@@ -24,7 +24,7 @@ struct ForceReferences {
   /// SD of each force component, device empty; nothing: no instrument zero.
   std::optional<std::array<Vec3, kFingerCount>> noise_sd_N;
   std::optional<double> resolution_N;  ///< coarsest step of a force component; nothing: not known
-  std::map<ForceChannel, double> maximum_N;  ///< above rest, of this session
+  std::map<ForceChannel, double> maximum_N;      ///< above rest, of this session
   std::map<ForceChannel, double> comfortable_N;  ///< above rest, of this session
   std::map<ForceChannel, double> baseline_N;     ///< maximum of the first assessments
   Effort allowed = Effort::maximum;
@@ -32,7 +32,8 @@ struct ForceReferences {
 
   // Of a channel; nothing: not measured.
   [[nodiscard]] std::optional<double> resting(ForceChannel channel) const noexcept;
-  [[nodiscard]] std::optional<double> noise(ForceChannel channel) const noexcept;  ///< SD, device empty
+  [[nodiscard]] std::optional<double> noise(
+      ForceChannel channel) const noexcept;  ///< SD, device empty
   [[nodiscard]] std::optional<double> maximum(ForceChannel channel) const noexcept;
 
   /// What one unit of the scale is for this channel [N], or which measurement is missing. The

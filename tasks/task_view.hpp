@@ -3,9 +3,9 @@
 // about tasks of force, tasks with an object, …. Copying takes no memory from the heap.
 #pragma once
 
-#include <optional>
 #include <array>
 #include <limits>
+#include <optional>
 #include <variant>
 
 #include "grasp_model/plan.hpp"

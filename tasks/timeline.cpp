@@ -55,8 +55,9 @@ Result<void> check_resolution(const TaskSpec& spec, const Segment& segment,
   const Aim* aim = spec.aim();
   const double target_N = largest_N(segment);
   if (aim == nullptr || segment.phase != Phase::active || target_N == 0.0) return {};
-  const double least_band_N = std::max(kLeastSteps * references.resolution_N.value_or(0.0),
-                                       kLeastNoise * references.noise(segment.channel).value_or(0.0));
+  const double least_band_N =
+      std::max(kLeastSteps * references.resolution_N.value_or(0.0),
+               kLeastNoise * references.noise(segment.channel).value_or(0.0));
   const double band = aim->band_fraction * target_N;
   constexpr double kRounding = 1e-9;
   if (band >= least_band_N * (1.0 - kRounding)) return {};

@@ -51,8 +51,7 @@ FingerPicture picture_finger(const Contact& contact, const PatientFacts& facts) 
   finger.shown = true;
   finger.touching = seen.contact[f];
   const double normal_N = seen.press_N[f];
-  const double maximum_N =
-      facts.maximum_force_N > 0.0 ? *facts.maximum_force_N : kAssumedMaximum_N;
+  const double maximum_N = facts.maximum_force_N > 0.0 ? *facts.maximum_force_N : kAssumedMaximum_N;
   finger.effort = std::clamp(normal_N / maximum_N, 0.0, 1.0);
   const double reach_N = contact.threshold_N > 0.0 ? contact.threshold_N : kApproach_N;
   const double approach = facts.calm ? 0.0 : 0.8 * std::min(1.0, normal_N / reach_N);

@@ -4,9 +4,9 @@
 // Never a name or a code. Frames: W world, O object, C contact. SI units.
 #pragma once
 
-#include <optional>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "grasp_model/scene.hpp"

@@ -103,10 +103,8 @@ Result<std::unique_ptr<TrialSetup>> ForcePlatform::make_trial(const tasks::TaskS
   trial->constants.device_delay_s = device().delay_s;
   trial->constants.display_delay_s = options_.display_delay_s;
   trial->constants.resolution_N = references.resolution_N;
-  storage::set_value(trial->record.references, platform::kMaximumForce_N,
-                     references.maximum({}));
-  storage::set_value(trial->record.references, platform::kRestingForce_N,
-                     references.resting({}));
+  storage::set_value(trial->record.references, platform::kMaximumForce_N, references.maximum({}));
+  storage::set_value(trial->record.references, platform::kRestingForce_N, references.resting({}));
   return std::unique_ptr<TrialSetup>(std::move(trial));
 }
 

@@ -76,7 +76,7 @@ struct SessionRecord {
 struct PreparationRecord {
   RowId id = 0;
   RowId session_id = 0;
-  std::string kind;    ///< such as "instrument_zero"
+  std::string kind;               ///< such as "instrument_zero"
   std::optional<RowId> trial_id;  ///< the trial that holds its signals
   double session_time_s = 0.0;
   std::string recorded_utc;   ///< ISO 8601

@@ -189,7 +189,7 @@ void Recorder::add_preparation(const RecordItem& item) {
       outcome.accepted ? english(outcome.remark) + " " : english(outcome.reason);
   if (!outcome.remark.empty() || !outcome.accepted)
     stored(store_->add_event(
-        {0, item.session_time_s, outcome.name + (outcome.accepted ? "" : " refused"), words}));
+        {std::nullopt, item.session_time_s, outcome.name + (outcome.accepted ? "" : " refused"), words}));
   publish(std::move(news));
 }
 

@@ -188,8 +188,8 @@ void Recorder::add_preparation(const RecordItem& item) {
   const std::string words =
       outcome.accepted ? english(outcome.remark) + " " : english(outcome.reason);
   if (!outcome.remark.empty() || !outcome.accepted)
-    stored(store_->add_event(
-        {std::nullopt, item.session_time_s, outcome.name + (outcome.accepted ? "" : " refused"), words}));
+    stored(store_->add_event({std::nullopt, item.session_time_s,
+                              outcome.name + (outcome.accepted ? "" : " refused"), words}));
   publish(std::move(news));
 }
 

@@ -133,7 +133,7 @@ class Limits : public testing::Test {
     session.hand = hand;
     session.device_uri = "can://can0";
     const storage::RowId id = must(store_->begin_session(session));
-    must(store_->add_rating({0, id, 0, 0.0, "", 6, 2}));
+    must(store_->add_rating({0, id, std::nullopt, 0.0, "", 6, 2}));
     int number = 0;
     for (const auto& [file, measures] : trials) {
       storage::TrialRecord trial;

@@ -149,9 +149,10 @@ TEST_F(Records, ATrialSaysHowWhatItRestsOnHasDriftedSince) {
 
 TEST_F(Records, ACorrectedRatingIsOneRatingAndSaysWhatItWas) {
   const RowId session_id = session();
-  const RowId id = must(store->add_rating({0, session_id, 0, 61.5, "2026-03-01T09:31:01Z", 8, 5}));
-  must(store->correct_rating({id, session_id, 0, 64.0, "", 3, 5}));
-  EXPECT_FALSE(store->correct_rating({id, session_id, 0, 65.0, "", 11, 5}).ok());
+  const RowId id =
+      must(store->add_rating({0, session_id, std::nullopt, 61.5, "2026-03-01T09:31:01Z", 8, 5}));
+  must(store->correct_rating({id, session_id, std::nullopt, 64.0, "", 3, 5}));
+  EXPECT_FALSE(store->correct_rating({id, session_id, std::nullopt, 65.0, "", 11, 5}).ok());
   EXPECT_FALSE(store->correct_rating({id + 1, session_id, 0, 65.0, "", 1, 1}).ok()) << "no such";
   reopen();
   const auto ratings = must(store->ratings(session_id));
@@ -177,9 +178,9 @@ TEST_F(Records, RatingsAndHelpComeBack) {
   must(store->mark_helped(trial.id, true));
   EXPECT_FALSE(store->mark_helped(trial.id + 1, true).ok()) << "there is none";
   must(store->add_rating({0, session_id, trial.id, 61.5, "2026-03-01T09:31:01Z", 10, 0}));
-  must(store->add_rating({0, session_id, 0, 90.0, "2026-03-01T09:31:30Z", 0, 10}));
-  EXPECT_FALSE(store->add_rating({0, session_id, 0, 91.0, "", 11, 0}).ok());
-  EXPECT_FALSE(store->add_rating({0, session_id, 0, 91.0, "", 0, -1}).ok());
+  must(store->add_rating({0, session_id, std::nullopt, 90.0, "2026-03-01T09:31:30Z", 0, 10}));
+  EXPECT_FALSE(store->add_rating({0, session_id, std::nullopt, 91.0, "", 11, 0}).ok());
+  EXPECT_FALSE(store->add_rating({0, session_id, std::nullopt, 91.0, "", 0, -1}).ok());
   reopen();
   EXPECT_TRUE(must(store->trials(session_id)).at(0).helped);
   EXPECT_TRUE(must(store->progress(must(store->patients()).at(0).id)).at(0).helped);

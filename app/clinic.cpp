@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Removes the files that a clinic is made with however its making ends.
+/// Temporary files from which a clinic is made. They are removed in the end, whether it was made or
+/// not.
 class Parts {
  public:
   Parts(const std::string& database, std::size_t groups) : database_(database), groups_(groups) {}
@@ -47,7 +48,7 @@ class Parts {
   std::size_t groups_;
 };
 
-/// What is known of a person beside the sessions.
+/// Stores what is known of a person beside the sessions.
 Result<void> tell(storage::SessionStore& store, const DemoPerson& person) {
   const auto patient = store.find_patient(person.code);
   if (!patient) return patient.error();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words behind `isograsp`: subcommands, their options, and what each of them does. Commands are
-// declared through these handles. The library that parses stands behind them, in command_line.cpp
-// alone: its headers take longer to compile than any command.
+// The command line of `isograsp`: subcommands, their options, and what each of them does. Commands
+// are declared through these handles. Only command_line.cpp includes the parsing library: its
+// headers take longer to compile than any command.
 //
 // A handle is a pointer: copy it freely while the CommandLine lives. Variables that options fill
 // are held by reference and must live until parse() has returned; the action keeps them (by a
@@ -29,7 +29,8 @@ namespace isograsp::app {
 /// What a subcommand does, or why it could not.
 using Action = std::function<Result<void>()>;
 
-/// One option or flag. Each call adds a demand on what is typed, or a word to its line in the help.
+/// One option or flag. Each call adds a condition for what is typed, or a word to its line in the
+/// help.
 class Option {
  public:
   Option required();
@@ -40,11 +41,11 @@ class Option {
   Option positive();
   /// One of these words.
   Option one_of(std::initializer_list<const char*> words);
-  /// `objection` says what is wrong with the text, or nothing; the help does not tell of it.
+  /// `objection` says what is wrong with the text, or nothing; the help does not mention it.
   Option check(std::function<std::string(const std::string& text)> objection);
-  /// Means something only beside the other one.
+  /// May be given only together with the other one.
   Option needs(Option other);
-  /// Never beside the other one.
+  /// May not be given together with the other one.
   Option excludes(Option other);
   /// The word that stands for its value in the help, in place of TEXT, INT or FLOAT.
   Option type(const char* word);
@@ -60,8 +61,8 @@ class Option {
 /// Options and flags that belong together.
 class OptionGroup {
  public:
-  /// `--name VALUE` or `--name=VALUE`; a name without dashes is a word by its place. What is typed
-  /// goes into the variable; without it the variable stays as it is.
+  /// `--name VALUE` or `--name=VALUE`; a name without dashes is a positional argument. What is
+  /// typed goes into the variable; without it the variable stays as it is.
   Option option(const std::string& name, std::string& value, const std::string& help);
   /// One or more words, and the option may be given more than once.
   Option option(const std::string& name, std::vector<std::string>& values, const std::string& help);

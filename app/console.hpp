@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the program speaks on a terminal: every word passes here, and no control character that
-// stands in a file gets through. Words from a file go through printable() as well, so that they
-// stay on their line.
+// Output on a terminal: all output of the program goes through these functions, so that no control
+// character from a file reaches the terminal. Words from a file go through printable() as well, so
+// that they stay on their line.
 #pragma once
 
 #include <string>
@@ -15,16 +15,16 @@
 
 namespace isograsp::app {
 
-/// As std::printf to standard output, then printable_lines().
+/// Writes like std::printf to standard output, through printable_lines().
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
-/// Lines for people, in the spoken language; each of them is printable() and so stays one.
+/// Lines for people, in the spoken language; each goes through printable() and so stays one line.
 class Lines {
  public:
   Lines() = default;
   Lines(const Text& first) { add(first); }  // NOLINT: a text is a line
   Lines(Words first) { add(first); }        // NOLINT: words are a line
   void add(const Text& line);
-  /// Of a table: columns are the same in every language.
+  /// A row of a table: columns are the same in every language.
   void add_row(std::string row) { lines_.push_back(std::move(row)); }
   [[nodiscard]] bool empty() const noexcept { return lines_.empty(); }
   /// All of them with their ends.
@@ -37,8 +37,8 @@ class Lines {
 void print_line(const Text& line);
 /// To standard output.
 void print_lines(const Lines& lines);
-/// One document; all but ASCII as \uXXXX, which means the same. What is no UTF-8, such as the name
-/// of a file, becomes U+FFFD.
+/// One document. Characters beyond ASCII are written as \uXXXX, which means the same. Bytes that
+/// are no UTF-8, as may be in the name of a file, become U+FFFD.
 void print_json(const nlohmann::ordered_json& document);
 /// As print(), to standard error.
 [[gnu::format(printf, 1, 2)]] void print_aside(const char* format, ...);

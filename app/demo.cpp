@@ -55,7 +55,7 @@ Result<std::string> make_small_clinic() {
 
 namespace {
 
-/// A clinic, and in it today's session of somebody who comes for two months.
+/// Makes a clinic, and in it today's session of a patient who has come for two months.
 Result<void> headless() {
   const std::string now = now_utc();
   const auto database = make_clinic_named("demonstration-session.db", now);

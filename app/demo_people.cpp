@@ -43,7 +43,7 @@ kind = "task"
 task = "two_target.toml"
 )";
 
-/// Days of a clinic that stands at a given time.
+/// Days and times before the moment at which the clinic is made.
 class Calendar {
  public:
   explicit Calendar(const std::string& now_utc) : now_(time_of_utc(now_utc).value_or(0)) {}
@@ -211,7 +211,8 @@ DemoPerson interrupted(const Calendar& calendar) {
   return person;
 }
 
-/// People of whom a clinician says that they do not change: they make the measurement error.
+/// People who do not change in a clinician's judgement: the measurement error is computed from
+/// them.
 std::vector<DemoGroup> stable_people(const Calendar& calendar) {
   constexpr int kPeople = 12;
   constexpr int kBegan = 20;

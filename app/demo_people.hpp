@@ -37,7 +37,7 @@ struct DemoPerson {
 using DemoGroup = std::vector<DemoPerson>;
 
 /// Four patients (one better, one worse, one treated a week ago, one whose session of today was
-/// broken off), stable people enough for verdicts and healthy ones enough for a band. `now_utc`:
+/// broken off), enough stable people for verdicts and enough healthy ones for a band. `now_utc`:
 /// ISO 8601; the newest session lies less than an hour before it.
 [[nodiscard]] std::vector<DemoGroup> small_clinic(const std::string& now_utc);
 /// The same people and twelve patients of the library who train over two months.

@@ -77,7 +77,7 @@ Result<void> import_recording(const ImportOptions& options) {
   return {};
 }
 
-/// The forces go the way of a session: object, task, signals, measures.
+/// The forces are processed as in a session: object, task, signals, measures.
 Result<void> import_forces(const ImportOptions& options) {
   RunOptions run;
   run.task_file = options.task;
@@ -157,7 +157,7 @@ Result<void> import_signals(const ImportOptions& options) {
   return {};
 }
 
-/// What has to be given with what.
+/// Checks which options must be given together.
 Result<void> check_import(const ImportOptions& options) {
   const auto wrong = [](const char* field, const Text& what, const Text& remedy) {
     return refused(what, remedy).about(field);

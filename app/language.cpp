@@ -13,7 +13,8 @@ namespace {
 
 const Language* spoken_now = nullptr;
 
-/// The value of the last --language, which goes with it; nothing: there is none.
+/// Takes every --language and its value out of the words; the last value, or nothing if there is
+/// none.
 std::optional<std::string> taken_out(std::vector<const char*>& words) {
   constexpr std::string_view kOption = "--language";
   std::optional<std::string> code;
@@ -34,7 +35,7 @@ std::optional<std::string> taken_out(std::vector<const char*>& words) {
   return code;
 }
 
-/// Of the windows; empty: as the desktop has it.
+/// The language set in the windows; empty: that of the desktop.
 std::string set_by_the_clinic() {
   const std::string set = gui::language_in_settings();
   return languages::is_language(set) ? set : "";

@@ -25,7 +25,7 @@ Result<void> log_in_to(storage::Access& access, const LoginOptions& options) {
                               : access.log_in_with_recovery_key(*secret);
     if (!done || options.user.empty()) return done;
   }
-  // A name given beside the passphrase is who acts: the log names people.
+  // A user who is named beside the passphrase is the one who acts: the log names people.
   const auto password = storage::Secret::from_file(options.password_file);
   if (!password) return password.error();
   return access.log_in(options.user, *password);

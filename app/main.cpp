@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) {
   using isograsp::operator""_text;
-  // What it makes, files and folders alike, holds people's records: for their owner only.
+  // Files and folders that the program makes hold people's records: for their owner only.
   umask(S_IRWXG | S_IRWXO);
   isograsp::app::let_writes_fail();
   isograsp::app::CommandLine line(

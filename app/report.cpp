@@ -64,7 +64,7 @@ Result<void> run(const Options& options) {
   Result<void> done;
   std::shared_ptr<const void> login;
   if (options.all) {
-    // The processes that write have no connection in common; they have the login.
+    // The writing processes share no connection, but they share the login.
     if (*access) login = (*access)->keep_login();
     access->reset();
     done = write_all_reports({options.database, options.out, options.format, options.threads});

@@ -33,7 +33,7 @@ struct Shared {
   std::atomic<int> done{0};
   std::atomic<int> failed{0};
   std::atomic<bool> told{false};
-  char error[1024] = {};  ///< written once, by who set `told`
+  char error[1024] = {};  ///< written once, by the process that set `told`
 };
 static_assert(std::atomic<std::size_t>::is_always_lock_free);
 
@@ -126,10 +126,10 @@ Result<void> write_all_reports(const ReportAllOptions& options) {
     const pid_t child = fork();
     if (child < 0) break;
     if (child == 0) {
-      prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody writes on when the command was killed
+      prctl(PR_SET_PDEATHSIG, SIGKILL);  // no process goes on if the command is killed
       if (getppid() != parent) _exit(1);
       work(*codes, options, shared);
-      _exit(0);  // nothing of the parent is ended twice
+      _exit(0);  // the parent's exit handlers do not run here
     }
     children.push_back(child);
   }

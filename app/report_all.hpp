@@ -15,7 +15,7 @@ struct ReportAllOptions {
   int threads = 1;
 };
 /// One file CODE.FORMAT for each patient, each whole or not at all. Plots belong to the main thread
-/// of a process, so each thread is a process of its own; all take the next patient that is left.
+/// of a process, so each worker is a process of its own; it takes the next patient that is left.
 /// Errors: the first that was met; the other reports are written all the same, and the error says
 /// how many are missing. @pre this process has made no thread and no QApplication yet
 [[nodiscard]] Result<void> write_all_reports(const ReportAllOptions& options);

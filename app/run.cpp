@@ -48,7 +48,8 @@ void print_trial(const session::TrialOutcome& outcome) {
   for (const auto& measure : outcome.measures) print_measure(measure);
 }
 
-/// One task and nothing else: nobody can be asked to relax or to take the hand out.
+/// The protocol of the options. A task alone becomes a protocol without other steps, because nobody
+/// can be asked to relax or to take the hand out.
 Result<session::ReadyProtocol> protocol_of(const RunOptions& options) {
   if (!options.protocol_text.empty())
     return session::read_protocol(options.protocol_text, options.protocol_file, library_folder());

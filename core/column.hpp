@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A column of signals: each stands once, as a constant, with its name in files, what it means and
-// in which axes. Who writes it and who reads it name that constant, so that a column cannot have
-// two names. Here: the type, and the columns of every trial; others beside what they are
-// about.
+// in which axes. Code that writes or reads it uses that constant, so that a column cannot have two
+// names. Here: the type, and the columns of every trial; other columns are defined beside their
+// subject.
 #pragma once
 
 #include <array>
@@ -39,8 +39,8 @@ class FixedText {
   std::size_t size_ = 0;
 };
 
-/// What a column is: words with a finger, an axis at their places. Put together while the program
-/// is compiled.
+/// What a column is: words in which a finger or an axis is put at its place. Put together while the
+/// program is compiled.
 class ColumnWords {
  public:
   constexpr ColumnWords() = default;

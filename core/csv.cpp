@@ -87,7 +87,7 @@ bool read_field(std::string_view field, double& value) noexcept {
   return true;
 }
 
-/// Perhaps behind apostrophes that were put there.
+/// Also after apostrophes that were put in front of it.
 bool looks_like_formula(std::string_view text) noexcept {
   text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
   return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;

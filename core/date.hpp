@@ -11,7 +11,7 @@ namespace isograsp {
 
 using Date = std::chrono::year_month_day;
 
-/// A day of the calendar in the ISO 8601 form 2026-03-05 and no other; nothing: it is none.
+/// A day of the calendar in the ISO 8601 form 2026-03-05 and no other; nothing: no such day.
 [[nodiscard]] std::optional<Date> date_from_iso(std::string_view text);
 [[nodiscard]] std::string iso_text(Date date);
 /// From `first` to `second`; negative if `second` lies before it. @pre both are days of the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The language of what is written, unless somebody chooses another.
+// The language of all texts, unless another one is chosen.
 #pragma once
 
 #include "core/text.hpp"

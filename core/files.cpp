@@ -37,8 +37,8 @@ bool clear_leftover(const std::string& name) {
   return true;
 }
 
-/// A new file of this name, locked as long as it is open: not one that somebody put there, nor what
-/// a link leads to. Closed, with errno, if there is none.
+/// Makes a new file of this name, locked as long as it is open; never opens a file that exists, nor
+/// one that a link leads to. Closed, with errno, if it cannot be made.
 Descriptor create_exclusively(const std::string& name) {
   constexpr int kTries = 100;  // against others that clear away and begin at the same moment
   for (int tries = 0; tries < kTries; ++tries) {

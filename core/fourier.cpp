@@ -148,7 +148,7 @@ class LowPass {
       const std::ptrdiff_t shift = reach_ - centre;
       const double* const tap = tap_.data();
       const double* const sample = x.data();
-      std::array<double, 4> sum{};  // four sums wait less for each other than one
+      std::array<double, 4> sum{};  // four sums run side by side: faster than one
       std::ptrdiff_t n = first;
       for (; n + 4 <= end; n += 4)
         for (std::ptrdiff_t i = 0; i < 4; ++i)
@@ -159,7 +159,7 @@ class LowPass {
     return thin;
   }
 
-  /// Spectrum of the filter at f < stop; e^-s has no digit there.
+  /// Spectrum of the filter at f < stop; there e^-s is below the rounding.
   [[nodiscard]] double gain(double f) const {
     const double angle = 2.0 * std::numbers::pi * half_ * f;
     const double s = std::sqrt(kShape * kShape - angle * angle);
@@ -167,7 +167,7 @@ class LowPass {
   }
 
  private:
-  static constexpr double kShape = 36.0;  ///< e^-36 = 2e-16: what is left has no digit
+  static constexpr double kShape = 36.0;  ///< e^-36 = 2e-16: the rest is below the rounding
   double half_;
   std::ptrdiff_t reach_;
   std::vector<double> tap_;
@@ -178,7 +178,8 @@ class LowPass {
 std::vector<double> low_magnitudes(std::span<const double> x, std::size_t length,
                                    std::size_t last_line) {
   assert(x.size() <= length && last_line <= length / 2);
-  // Thinned to `rate` of the samples, what lies above rate - highest comes back below highest.
+  // If only this share `rate` of the samples is kept, frequencies above rate - highest fold back
+  // below highest.
   constexpr double kLeastRate = 2.4;  ///< of the highest line: the filter's slope costs no digits
   const double highest = static_cast<double>(last_line) / static_cast<double>(length);
   std::size_t step = 1;

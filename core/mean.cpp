@@ -17,7 +17,7 @@ double arithmetic_mean(std::span<const double> values) {
   double scaled = 0.0;
   for (const double value : values) scaled += std::ldexp(value, kSmaller);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  // Its rounding may lie beyond the largest number of all.
+  // Rounding may take the mean beyond the largest finite number.
   const double mean =
       std::clamp(scaled / count, std::ldexp(*least, kSmaller), std::ldexp(*most, kSmaller));
   return std::ldexp(mean, -kSmaller);

@@ -57,7 +57,7 @@ Result<StagingFolder> StagingFolder::beside(const std::string& target) {
       return failed("is being written by another program now"_text,
                     "wait until it is done, or give another name"_text)
           .at(target);
-    // A link or a file in its place leads nowhere and is nobody's work.
+    // A link or a file in its place is not followed, and nobody's work is in it.
     if (errno == ENOTDIR || errno == ELOOP) fs::remove(made.path_, failure);
   }
   return failed("its folder is read-only"_text, "choose a folder that you may write to"_text)

@@ -9,9 +9,9 @@
 namespace isograsp {
 
 /// A new, empty folder ".NAME.making" beside `target` (in the same file system, so that what is
-/// made can be renamed to it), for its owner only and locked against other programs. It goes with
-/// this object, with all that is still in it; what a program that was killed has left goes with the
-/// next one that makes the same. No link leads out of it.
+/// made can be renamed to it), for its owner only and locked against other programs. It is removed
+/// with this object, with all that is still in it. A folder that a killed program has left is
+/// removed by the next one that makes the same target. No link leads out of it.
 class StagingFolder {
  public:
   /// Errors: the folder of `target` cannot be written to, or another program makes `target` now.

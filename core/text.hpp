@@ -19,8 +19,8 @@
 
 namespace isograsp {
 
-/// A number with the digits that people shall read, with '.' as decimal sign: a language has its
-/// own.
+/// A number with the digits that people shall read, and '.' as decimal sign, which a language
+/// replaces by its own.
 struct Number {
   std::string digits;
   bool operator==(const Number&) const = default;

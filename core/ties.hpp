@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When two computed values are the same: means of equal trials differ in their last bits by the
-// order in which they were added, and neither a rank nor what is called best may turn on that.
+// order in which they were added. Neither a rank nor the choice of the best may depend on that.
 // Times within a trial have a rule of their own (statistics/samples.hpp).
 #pragma once
 

@@ -9,8 +9,8 @@
 
 #define TOML_EXCEPTIONS 0  // the packaged library is built with exceptions: use the headers alone
 #define TOML_HEADER_ONLY 1
-// Two slips of version 3.3: it asserts on "[ = ]" before it reports the error, and what a letter
-// beyond ASCII is where a blank may stand it calls unreachable (it is no blank).
+// Two faults of version 3.3: it asserts on "[ = ]" before it reports the error, and it declares a
+// case unreachable that a letter beyond ASCII in place of a blank does reach (it is no blank).
 #define TOML_ASSERT(condition) static_assert(true)
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE
@@ -24,7 +24,7 @@ static_assert(TOML_LIB_MAJOR == 3 && TOML_LIB_MINOR == 3, "are both slips still 
 namespace isograsp {
 
 namespace {
-/// [bytes] An error is a line to read, whatever names the file has.
+/// [bytes] Longer names are cut, so that an error stays a line to read.
 constexpr std::size_t kLongestName = 300;
 }  // namespace
 
@@ -115,8 +115,8 @@ constexpr std::size_t kLargestText = std::size_t{4} << 20;
 constexpr int kMostKeyParts = 64;
 
 /// toml++ builds and frees tables by recursion and limits the nesting of values, but not the parts
-/// of a dotted key: a.a.a… would overflow the stack. Walks over strings and comments and counts the
-/// dots between anything that ends a key.
+/// of a dotted key: a.a.a… would overflow the stack. This class passes over strings and comments
+/// and counts the dots up to each character that ends a key.
 class KeyDepth {
  public:
   explicit KeyDepth(std::string_view text) : text_(text) {}

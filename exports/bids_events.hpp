@@ -9,7 +9,7 @@
 
 namespace isograsp::exports {
 
-/// A cell of words: no tab, no line break, without_formula(); "n/a" if there are none.
+/// A cell of text: no tab, no line break, no formula (without_formula()); "n/a" if it is empty.
 [[nodiscard]] std::string tsv_cell(std::string text);
 [[nodiscard]] std::string bids_events(const ExportTrial& trial);
 /// What its columns and words mean.

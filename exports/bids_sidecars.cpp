@@ -25,7 +25,7 @@ std::string bids_channels_sidecar(const Language& language) {
   for (const auto& [axes, description] : kColumnAxes)
     json["reference_frame"]["Levels"][std::string(axes)] = {{"RotationRule", "right-hand"},
                                                             {"Description", say(description)}};
-  // Left hands are mirrored: no rule of turning.
+  // Data of a left hand are mirrored, so no rotation rule holds.
   json["reference_frame"]["Levels"]["hand"].erase("RotationRule");
   json["group"] = {{"Description", say("Columns that are recorded together"_text)}};
   return json.dump(2) + "\n";

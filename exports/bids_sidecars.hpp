@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In the language of the export: what stands beside the tables of a BIDS data set and says what
-// their columns are: JSON, and the text that people read first.
+// Files beside the tables of a BIDS data set, in the language of the export: JSON that says what
+// the columns are, and the text that people read first.
 #pragma once
 
 #include <string>

@@ -31,7 +31,7 @@ std::string file_of(const ExportPlace& place) {
          "_bundle.json";
 }
 
-/// Names that no other export has: bundles of several clinics can be put together.
+/// A name that no other export has, so that bundles of several clinics can be put together.
 std::string new_urn() {
   return "urn:uuid:" + boost::uuids::to_string(boost::uuids::random_generator()());
 }
@@ -51,7 +51,7 @@ Json quantity(double value, const std::string& unit) {
   return json;
 }
 
-/// What is not said, said so.
+/// Says that a value is not given, and why.
 Json absent(const std::string& reason) {
   return {{"coding",
            {{{"system", "http://terminology.hl7.org/CodeSystem/data-absent-reason"},
@@ -135,7 +135,7 @@ class FhirExport final : public ExportWriter {
     first_ = false;
   }
 
-  /// Pseudonymous; no person at all if the device was simulated.
+  /// Marks the data as pseudonymous, and as test data if the device was simulated.
   static Json meta_of(const ExportTrial& trial) {
     Json meta{{"security",
                {{{"system", "http://terminology.hl7.org/CodeSystem/v3-ObservationValue"},
@@ -161,7 +161,7 @@ class FhirExport final : public ExportWriter {
            {"value", "IsoGrasp " + trial.session.software_version}}}}};
   }
 
-  /// What people read of a code is in the language; what it means is defined in English.
+  /// The display of a code is in the chosen language; its definition is in English.
   Json coded(const std::string& code, const char* kind, const Text& words, std::string definition) {
     codes_.add(code, {kind, say(words), std::move(definition)});
     const std::string& display = codes_.display(code);
@@ -182,7 +182,7 @@ class FhirExport final : public ExportWriter {
     json["status"] = trial.trial.status == storage::TrialStatus::completed ? "final" : "cancelled";
     json["code"] = std::move(code);
     json["subject"] = {{"reference", patient_urn_}};
-    // The day stays in the clinic; its place in the course is a component.
+    // The date stays in the clinic; the day within the course is a component.
     json["_effectiveDateTime"] = {
         {"extension",
          {{{"url", "http://hl7.org/fhir/StructureDefinition/data-absent-reason"},
@@ -241,7 +241,7 @@ class FhirExport final : public ExportWriter {
     for (const auto& name : trial.signals.names()) {
       const auto facts = tasks::describe_column(name);
       const std::string axes = facts.axes.empty() ? "" : " Axes: " + facts.axes + ".";
-      // No factor and an origin of 0: what stands there are the values themselves, to the last bit.
+      // No factor and an origin of 0: the values stand there themselves, to the last bit.
       json["component"].push_back({{"code", coded("signal:" + name, "signal", facts.description,
                                                   english(facts.description) + "." + axes)},
                                    {"valueSampledData",

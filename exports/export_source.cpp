@@ -28,7 +28,7 @@ storage::SessionRecord without_identity(const storage::SessionRecord& session) {
   storage::SessionRecord safe = session;
   safe.started_utc.clear();
   safe.ended_utc.clear();
-  // The name of a recording's file may be a person's: it stays here.
+  // The name of a recording's file may name a person, so it is not exported.
   if (safe.recorded) safe.device_description = "Recorded forces";
   safe.device_uri = session.device_uri.substr(0, session.device_uri.find(':'));
   safe.provenance.clear();
@@ -53,7 +53,7 @@ ExportPlace place_of(int patient, int session, const storage::TrialRecord& trial
 /// The forces in the axes of the hand as a group of their own behind the stored ones.
 void add_forces_of_the_hand(ExportTrial& exported) {
   const std::size_t stored = exported.signals.names().size();
-  // How others' devices stood, and often which hand it was, is not known.
+  // For devices of others it is not known how they stood, and often not for which hand.
   if (exported.session.device_uri != "recording" && exported.session.hand)
     add_anatomical_forces(exported.signals, *exported.session.hand);
   const auto& names = exported.signals.names();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is exported: finds the trials that are asked for and takes from the database what may leave
-// the clinic. The only place of the export that sees the rest. The thread of the store.
+// Finds the trials that are asked for and takes from the database what may leave the clinic. No
+// other part of the export sees the rest. Runs on the thread of the store.
 #pragma once
 
 #include <functional>
@@ -28,13 +28,13 @@ struct ExportSource {
   std::string first_started_utc;  ///< of the patient's first session
 };
 
-/// The last word on research was no, or the records are restricted. `field`: of `file` or an
-/// option.
+/// The error for a person whose last answer on research was no, or whose records are restricted.
+/// `field`: of `file` or an option.
 [[nodiscard]] Error not_released(const std::string& code, const std::string& file,
                                  const std::string& field);
 
-/// How many of the people asked for are left out: the last word on research was no, or their
-/// records are restricted.
+/// How many of the people asked for are left out because their last answer on research was no, or
+/// because their records are restricted.
 [[nodiscard]] Result<std::size_t> count_not_released(storage::SessionStore& store,
                                                      const ExportRequest& request);
 
@@ -45,7 +45,7 @@ struct ExportSource {
     storage::SessionStore& store, const ExportRequest& request,
     const std::function<Result<void>(const ExportSource&)>& visit);
 
-/// Reads it, without all that could tell who, when or where.
+/// Reads it, without anything that could tell who, when or where.
 [[nodiscard]] Result<ExportTrial> load_trial(storage::SessionStore& store,
                                              const ExportSource& source);
 

@@ -35,10 +35,10 @@ class ExportWriter {
   [[nodiscard]] virtual Result<void> finish() = 0;
 };
 
-/// Writes below `folder`, which is made with the first file. What people read of names there
-/// (descriptions, displays) is in `language`, which must outlive the writer; columns, keys, codes
-/// and the sentences of the database are as they are. An object that is destroyed without
-/// finish() leaves what it wrote.
+/// Writes below `folder`, which is made with the first file. Texts for people (descriptions,
+/// displays) are in `language`, which must outlive the writer; columns, keys, codes and the
+/// sentences of the database stay as they are. A writer that is destroyed without finish() leaves
+/// what it wrote.
 [[nodiscard]] std::unique_ptr<ExportWriter> make_export_writer(ExportFormat format,
                                                                const std::filesystem::path& folder,
                                                                const Language& language);

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 }  // namespace
 
 void add_language(nlohmann::ordered_json& resource, const Language& language) {
-  const std::string code = translated("en"_text, language);  // each says its own
+  const std::string code = translated("en"_text, language);  // each language has its own code here
   if (code != "en") resource["language"] = code;
 }
 

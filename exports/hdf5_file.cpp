@@ -15,7 +15,7 @@ namespace {
 static_assert(std::is_same_v<hid_t, std::int64_t>);
 
 constexpr hsize_t kChunkRows = 4096;  // 32 KiB: of the size that the chunk cache is made for
-constexpr unsigned kDeflate = 4;      // more takes twice as long for a percent
+constexpr unsigned kDeflate = 4;      // a higher level takes twice as long and saves a percent
 
 /// Ids that the library gives are negative if it failed.
 template <class Id>
@@ -64,7 +64,7 @@ Owned scalar() {
   return {H5Screate(H5S_SCALAR), H5Sclose};
 }
 
-/// Dataset properties without times.
+/// Dataset properties without time stamps.
 Owned timeless() {
   Owned properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   checked(H5Pset_obj_track_times(properties, false), "a dataset");

@@ -40,7 +40,7 @@ Result<void> publish(const fs::path& from, const fs::path& to) {
   return {};
 }
 
-/// Everything into a folder beside which nobody looks. Returns the number of trials.
+/// Writes everything into the staging folder. Returns the number of trials.
 Result<std::size_t> write_all(storage::SessionStore& store, const ExportRequest& request,
                               ExportFormat format, const fs::path& staging, std::size_t total,
                               const Progress& progress, const Language& language) {

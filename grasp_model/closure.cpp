@@ -30,7 +30,7 @@ struct Cone {
   Eigen::MatrixXd N;    ///< its rows of the null space
 };
 
-/// What the contact really passes.
+/// The contact without limits that are negligible or too large for a double.
 Contact effective(Contact contact, double length_m) {
   if (contact.model == ContactModel::bonded) return contact;
   contact.friction = std::min(contact.friction, kLargestFriction);
@@ -136,11 +136,11 @@ std::optional<Internal> internal_forces(const std::vector<Contact>& contacts,
   return internal;
 }
 
-/// Some x in three dimensions has A x > 0 in every row: the sum of the extreme rays of A x >= 0,
-/// which stand among the vectors that are normal to two rows.
+/// Whether some x in three dimensions has A x > 0 in every row. If so, the sum of the extreme rays
+/// of A x >= 0 is such an x; each of these rays is normal to two rows.
 bool has_interior(std::vector<Vec3> A) {
   constexpr double kStrict = 1e-12;  // of unit vectors; well above the rounding of a sum of rays
-  // Along a direction that no row sees x may go as it likes: let it go forward.
+  // Along a direction that is normal to all rows, x is free: one more row makes it go forward.
   Eigen::Matrix<double, Eigen::Dynamic, 3> rows(static_cast<Eigen::Index>(A.size()) + 1, 3);
   rows.row(0).setZero();
   for (std::size_t i = 0; i < A.size(); ++i)
@@ -159,7 +159,7 @@ bool has_interior(std::vector<Vec3> A) {
       const double length = ray.norm();
       if (length == 0.0) continue;
       ray /= length;
-      const double rounding = kStrict / length;  // rows that almost agree leave their normal vague
+      const double rounding = kStrict / length;  // nearly parallel rows: their normal is inexact
       for (const double sign : {-1.0, 1.0})
         if (std::all_of(A.begin(), A.end(),
                         [&](const Vec3& row) { return sign * row.dot(ray) >= -rounding; }))
@@ -232,7 +232,7 @@ class CuttingPlanes {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(internal_.dimension);
     for (const auto& cone : internal_.cones)
       if (cone.limited) sum += cone.N.bottomRows(1).transpose();
-    if (sum.norm() < kNegligible) return false;  // what presses in one place must pull in another
+    if (sum.norm() < kNegligible) return false;  // one presses only if another pulls
     add_row(sum, 0.0, GLP_FX, 1.0);
     for (const auto& cone : internal_.cones)
       for (Eigen::Index i = 0; i < cone.N.rows(); ++i)  // the last: g_n >= t
@@ -290,7 +290,7 @@ class CuttingPlanes {
     add_row(row, -1.0, GLP_LO, 0.0);
   }
 
-  /// The optimum; no value if the numbers defeat the library: then the answer is no, the safe one
+  /// The optimum; no value if the library fails numerically. Then the answer is no, the safe one
   /// (never in 100,000 grasps with friction from 1e-9 to 1e20).
   [[nodiscard]] std::optional<double> solve() {
     constexpr double kTolerance = 1e-9;    // a tenth of the depth that is asked for
@@ -307,7 +307,7 @@ class CuttingPlanes {
       if (glp_get_status(program_.get()) == GLP_OPT) return glp_get_obj_val(program_.get());
       glp_adv_basis(program_.get(), 0);
     }
-    glp_exact(program_.get(), &options);  // rational numbers: slow, but never lost
+    glp_exact(program_.get(), &options);  // rational numbers: slow, but without rounding
     if (glp_get_status(program_.get()) == GLP_OPT) return glp_get_obj_val(program_.get());
     return std::nullopt;
   }
@@ -319,8 +319,9 @@ class CuttingPlanes {
     return z;
   }
 
-  /// The library keeps an environment per thread, which prints: silent while it is ours to use.
-  /// One that we opened goes with us, a caller's stays.
+  /// The library keeps an environment for each thread, which prints. It is silent during the life
+  /// of this object. An environment that this object has opened is closed with it; one of the
+  /// caller stays.
   struct Environment {
     bool opened = glp_init_env() == 0;
     int printed = glp_term_out(GLP_OFF);

@@ -12,7 +12,7 @@ namespace isograsp {
 
 namespace {
 
-/// |(a, b)| at the price of a square root; hypot only where a square would leave the doubles.
+/// |(a, b)| by one square root; by hypot only where a square would over- or underflow.
 double tangential_length(double a, double b) noexcept {
   const double square = a * a + b * b;
   if (square > 1e-280 && square < 1e280) return std::sqrt(square);

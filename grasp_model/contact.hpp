@@ -44,7 +44,7 @@ struct ContactForce {
   bool slip = false;  ///< the clamp acted
 };
 
-/// All that the contact transmits is a number.
+/// All components that the contact transmits are finite.
 [[nodiscard]] inline bool usable(const FrictionLimit& limit, const Wrench& F_C) noexcept {
   const Vec3& f = F_C.force;
   return std::isfinite(f.z()) &&
@@ -54,12 +54,12 @@ struct ContactForce {
 
 /// Radial clamp of the tangential force to mu f_z at the measured f_z (never a projection that
 /// would invent grip); with torsion: of (f_t, t_z) to the ellipsoid. Zero for f_z <= 0. Real-time
-/// safe; squares that leave the doubles are met too, inputs that are not finite are not.
+/// safe; right also where squares over- or underflow, but not for inputs that are not finite.
 [[nodiscard]] ContactForce clamp_to_friction(const FrictionLimit& limit,
                                              const Wrench& F_C) noexcept;
 
-/// The same for a pressing finger, inline and without torsion, where no square leaves the doubles:
-/// true if so, and then the same bits. Real-time safe.
+/// The same for a pressing finger, inline and without torsion, if no square over- or underflows:
+/// returns whether that is so, and then the bits are the same. Real-time safe.
 [[nodiscard]] inline bool clamp_without_torsion(const FrictionLimit& limit, const Wrench& F_C,
                                                 ContactForce& out) noexcept {
   constexpr double kLeast = 1e-280;  // above it a square and its root keep all their digits

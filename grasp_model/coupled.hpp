@@ -15,7 +15,7 @@ struct CoupledAxes {
   Mat3 damping = Mat3::Zero();    ///< world axes [N s/m]
   Mat3 stiffness = Mat3::Zero();  ///< world axes [N/m]
   std::array<bool, 3> free{};
-  /// Some free axis feels the motion of another.
+  /// The motion of some free axis acts on another one.
   [[nodiscard]] bool coupled() const noexcept;
 };
 

@@ -52,7 +52,8 @@ QuadraturePanel::QuadraturePanel(const FreeAxes& axes, const Quadrature& nodes,
 Motion QuadraturePanel::advance(Eigen::Index axis, const Motion& start,
                                 const PanelForces& forces) const noexcept {
   const auto i = static_cast<std::size_t>(axis);
-  // What a stiff axis remembers is the end of the panel, where the difference vanishes.
+  // A stiff axis depends on the force near the end of the panel only, where the difference
+  // vanishes.
   Motion end = whole_[i].advance(start, forces.end[axis]);
   for (std::size_t n = 0; n < nodes_; ++n) {
     const double difference = forces.node[n][axis] - forces.end[axis];

@@ -66,11 +66,11 @@ struct Criteria {
 [[nodiscard]] bool force_closure(const std::vector<Contact>& contacts,
                                  const std::vector<Eigen::Index>& rows);
 /// Without linearisation; for planar rows with up to three contacts, two soft contacts, three
-/// points and whatever else sees its cones as wedges. No value: there is no exact test.
+/// points and any other contacts whose cones are wedges. No value: there is no exact test.
 [[nodiscard]] std::optional<bool> exact_force_closure(const std::vector<Contact>& contacts,
                                                       const std::vector<Eigen::Index>& rows);
-/// By linear programs that close in on the round cones; within 1e-8 of the total normal force of
-/// the threshold the answer is no.
+/// By linear programs that close in on the round cones. If the grasp is nearer to the threshold
+/// than 1e-8 of the total normal force, the answer is no.
 [[nodiscard]] bool force_closure_by_cuts(const std::vector<Contact>& contacts,
                                          const std::vector<Eigen::Index>& rows);
 

@@ -115,7 +115,8 @@ Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
 }
 
 void Plan::compile_contacts() {
-  // Rows that act on something free. A force that follows turns within the plane across its axis.
+  // Rows that act on something free. A force that turns with the object acts in the whole plane
+  // across the axis.
   std::array<bool, 6> moves = scene_.free;
   if (force_follows_)
     for (std::size_t i = 0; i < 3; ++i)

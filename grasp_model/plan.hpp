@@ -31,10 +31,10 @@ struct ObjectState {
   double angle_rad = 0.0;                    ///< one free rotation: its angle, unwrapped
   /// Three free rotations: estimated error of the attitude made in the last hold [rad].
   double error_rad = 0.0;
-  /// The estimate is above the scene's tolerance, or the motion was too stiff to resolve: finite,
-  /// not exact (docs/grasp_model.md).
+  /// The estimate is above the scene's tolerance, or the motion was too stiff to resolve: the state
+  /// is finite but not exact (docs/grasp_model.md).
   bool tolerance_exceeded = false;
-  /// Three free rotations: how finely the last hold was divided; where the next one begins.
+  /// Three free rotations: how finely the last hold was divided; the next one begins with it.
   int level = 0;
 };
 
@@ -60,8 +60,8 @@ class Plan {
   [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
   [[nodiscard]] double hold_s() const noexcept { return hold_s_; }
   [[nodiscard]] ObjectState initial_state() const;
-  /// At rest at `X_WO`, as far as the free degrees of freedom reach; the others stay as they began.
-  /// A single free rotation takes the angle within half a turn. Real-time safe.
+  /// At rest at `X_WO` in the free degrees of freedom; the locked ones stay as they began. A single
+  /// free rotation gets its angle within half a turn. Real-time safe.
   [[nodiscard]] ObjectState at_rest(const Pose& X_WO) const noexcept;
 
   /// One hold, from finger forces to the object's new state: contact hysteresis, friction clamp,
@@ -142,7 +142,7 @@ class Plan {
   void follow_about_axis(const Coefficients& steps, const Vec6& held,
                          ObjectState& state) const noexcept;
   /// Translations over one panel of a force that turns; `between(from, to)` gives the forces of a
-  /// part of it, should a limit be met inside.
+  /// part of it, which are needed if a travel limit is met inside.
   template <class Between>
   void push_over(const QuadraturePanel& panel, const PanelForces& forces, const Between& between,
                  ObjectState& state) const noexcept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernel of most scenes: three fingers, every free axis moves independently, no travel ends, no
 // torsion. From finger forces to pose in straight code, so that the processor can overlap frames.
-// The same bits as step_any, which does the rest.
+// Gives the same bits as step_any, which serves all other scenes.
 #include "grasp_model/plan.hpp"
 
 namespace isograsp {

@@ -26,7 +26,7 @@ unsigned Plan::touch(const FingerWrenches& wrench_C, ObjectState& state,
   for (std::size_t i = 0; i < contacts_; ++i) {
     const Pressing& contact = pressing_[i];
     const Wrench& measured = wrench_C[contact.finger];
-    if (!usable(contact.limit, measured)) continue;  // no sample: it stays, and does nothing
+    if (!usable(contact.limit, measured)) continue;  // no sample: state kept, no force passed
     bool& on = state.contact[contact.finger];
     on = contact.rule.touches(on, measured.force.z());
     if (!on) continue;

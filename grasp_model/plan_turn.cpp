@@ -18,7 +18,7 @@ namespace {
 constexpr double kPanel_rad = 0.5;
 /// The explicit step is stable up to this.
 constexpr double kStable_rad = 5.0;
-/// A damper that would cost more explicit steps than 2 to this is better met by one stiff step.
+/// If a damper needs more than 2 to this explicit steps, one stiff step is better.
 constexpr int kStiffLevel = 3;
 /// A step one level coarser makes an error larger by 2 to this power.
 constexpr int kExplicitOrder = 8;
@@ -32,7 +32,7 @@ int level_for(double turn_rad, double part_rad) noexcept {
   return level;
 }
 
-/// A force in world axes that is constant in object axes; off the unit sphere as SpinRate.
+/// A force in world axes that is constant in object axes. If q is not of length 1: as in SpinRate.
 Vec3 turned(const so3::SpinVector& y, const Vec3& force_O) noexcept {
   const Vec3 v = y.segment<3>(1);
   const Vec3 t = 2.0 * v.cross(force_O);

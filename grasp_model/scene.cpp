@@ -11,7 +11,8 @@ namespace isograsp {
 
 namespace {
 
-/// Decimals of a file cannot hit a subspace exactly; this much is taken as meant, and made exact.
+/// Decimals in a file cannot give an attitude exactly if axes are locked. An error up to this is
+/// accepted and removed.
 constexpr double kAttitudeRounding = 1e-9;
 
 /// Principal moments of a homogeneous solid about its COM [kg m^2].

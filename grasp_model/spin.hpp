@@ -42,7 +42,7 @@ class SpinRate {
   void load(const Torques& torques) noexcept;
   [[nodiscard]] SpinVector operator()(const SpinVector& y) const noexcept;
 
-  /// Massless axes have no velocity of their own: their damper balances the rest at once.
+  /// Sets the velocity of massless axes to that at which their damper balances all other torques.
   void settle(SpinVector& y) const noexcept;
   [[nodiscard]] const Body& body() const noexcept { return body_; }
   [[nodiscard]] const Torques& torques() const noexcept { return torques_; }
@@ -51,8 +51,8 @@ class SpinRate {
   [[nodiscard]] double fastest(const SpinVector& y, double hold_s) const noexcept;
   /// The damper is faster than the spring: motion settles instead of swinging.
   [[nodiscard]] bool overdamped() const noexcept { return overdamped_; }
-  /// Something turns or swings too fast to be followed in steps of `step_s`, and is not gone at the
-  /// end of the hold: a step that damps it would look exact and be wrong.
+  /// Part of the motion is too fast for steps of `step_s` and has not died away at the end of the
+  /// hold: a step that damps it would look exact and be wrong.
   [[nodiscard]] bool too_fast(const SpinVector& y, double step_s, double hold_s) const noexcept;
   /// Torque of all but damper and gyroscopic term [N m].
   [[nodiscard]] Vec3 drive(const SpinVector& y) const noexcept;

@@ -42,8 +42,8 @@ Motion advance_within(const Oscillator& oscillator, const LinearStep& step, cons
   const auto outside = [&travel](double x) { return x < travel.least || x > travel.most; };
   double left_s = hold_s;
   LinearStep whole = step;
-  // From rest at a stop the motion can reach the other one, and from there come back no further:
-  // three events at most.
+  // Three events at most: the motion can go from rest at one stop to the other one, but when it
+  // comes back it does not reach the first.
   for (int event = 0; event < 4; ++event) {
     const double resting = force - oscillator.k * start.x;
     const bool at_most =

@@ -44,7 +44,8 @@ struct LinearStep {
   LinearStep() = default;  ///< of a locked axis: nothing moves
   LinearStep(const Oscillator& oscillator, double hold_s) noexcept;
 
-  /// State after the hold. For m = 0 the velocity is what force and spring leave for the damper.
+  /// State after the hold. For m = 0 the velocity is that at which the damper balances force and
+  /// spring.
   [[nodiscard]] Motion advance(const Motion& start, double force) const noexcept {
     const double pushed = force_share * force;
     const double off = pushed - position_share * start.x;
@@ -52,8 +53,9 @@ struct LinearStep {
     return {base + (x_of_v * start.v + x_of_off * off), v_of_v * start.v + v_of_off * off};
   }
 
-  // Most of the way to the rest F/k is gone in one hold: then `off` is the distance to the rest,
-  // F/k - x, and steps from the rest; else it is the force F - k x, and steps from x.
+  // True if most of the way to the rest F/k is covered in one hold: then `off` is the distance F/k
+  // - x to the rest, and the step begins there. False: `off` is the force F - k x, and the step
+  // begins at x.
   bool about_rest = false;
   double force_share = 1.0;     ///< 1/k, or 1
   double position_share = 0.0;  ///< 1, or k

@@ -9,7 +9,7 @@
 
 namespace isograsp {
 
-/// Axes of the hand. The thumb's are the same: not its own borders, which turn as it opposes.
+/// Axes of the hand. The thumb has the same axes: its own borders turn as it opposes.
 enum class HandAxis : std::uint8_t {
   flexion,  ///< closing the grip, into the object; negative: extension, opening
   radial,   ///< towards the thumb's side of the hand; negative: ulnar

@@ -9,7 +9,7 @@
 
 namespace isograsp::columns {
 
-/// What was asked and what was done stand in pairs: "target_force_N" with "actual_force_N".
+/// Target and actual value have two columns: "target_force_N" and "actual_force_N".
 inline constexpr std::string_view kTarget = "target_";
 inline constexpr std::string_view kActual = "actual_";
 

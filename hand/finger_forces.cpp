@@ -44,7 +44,7 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
                                       "add the column"_text);
     }
   }
-  // Other columns may stand beside; one that looks like a finger's but is not must be a slip.
+  // Other columns are allowed; one that looks like a finger's but is not is taken for a mistake.
   auto standard = finger_forces_columns();
   for (const Finger finger : kFingers)
     for (const HandAxis axis : kHandAxes) standard.push_back(anatomical_column(finger, axis));
@@ -147,7 +147,7 @@ Result<TimeGrid> read_time_grid(const std::string& path) {
   auto grid = scan_times(
       path, [](CsvReader& csv, std::size_t time, double& t_s) { return csv.next(time, t_s); });
   if (grid) return grid;
-  // What is wrong first in the file is what to name, and it may stand in another column.
+  // The error has to name what is wrong first in the file, which may be in another column.
   std::vector<double> fields;
   return scan_times(path, [&fields](CsvReader& csv, std::size_t time, double& t_s) {
     fields.resize(csv.columns().size());

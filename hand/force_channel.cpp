@@ -13,7 +13,8 @@ constexpr std::array<std::string_view, 7> kDigits{"grip",  "grip_mean", "pinch",
 constexpr std::array<std::string_view, kDirectionCount> kDirections{"+x", "-x", "+y",
                                                                     "-y", "+z", "-z"};
 
-/// One number per finger becomes one of the channel; `grip` says how two sides make one.
+/// Makes the number of a channel from one number per finger; `grip` combines the two sides of a
+/// grip.
 template <class Sides, class Together>
 double combine(const std::array<double, kFingerCount>& of, Digits digits, Sides&& smaller,
                Together&& together) noexcept {

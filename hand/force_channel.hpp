@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which one number is taken from three fingertip forces: of which digits, in which direction.
-// Contact frames: z into the object, so closing is +z and opening -z. SI units.
+// A force channel makes one number of three fingertip forces: it says which digits are taken, and
+// in which direction. Contact frames: z into the object, so closing is +z and opening -z. SI units.
 #pragma once
 
 #include <compare>

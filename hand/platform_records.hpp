@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a platform for three fingers stores before and with its trials, by the names under which it
-// is found again.
+// Names of what a platform for three fingers stores before and with its trials.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person in front of the device can see, and what their fingers answer. A person (real or
-// virtual) gets to know the task through this alone. What is not on the screen is not in it: a
+// What a person in front of the device can see, and what their fingers answer. This is all that a
+// person (real or virtual) gets to know of the task. What is not on the screen is not in it: a
 // hidden force or target is 0 here.
 #pragma once
 
@@ -37,7 +37,7 @@ struct ShownProgress {
 struct Stimulus {
   double t_s = 0.0;              ///< session time of the picture [s]
   Cue cue = Cue::hand_out;       ///< what is to be done now; in a pause: relax
-  Cue page_cue = Cue::hand_out;  ///< of the page, over which a pause lays its notice
+  Cue page_cue = Cue::hand_out;  ///< of the page on which a pause shows its notice
   ShownProgress progress;
   ForceChannel channel;  ///< which force the cue is about
   bool force_target_shown = false;
@@ -49,7 +49,7 @@ struct Stimulus {
   std::array<Vec3, kFingerCount> digit_force_C{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   bool object_shown = false;  ///< the object and what follows are on the screen
   Pose X_WO;
-  Vec3 v_WO_W = Vec3::Zero();      ///< by which it is drawn where it is now [m/s]
+  Vec3 v_WO_W = Vec3::Zero();      ///< [m/s]; used to draw it where it is now
   Vec3 w_WO_W = Vec3::Zero();      ///< [rad/s]
   bool pose_target_shown = false;  ///< false: X_WT is that of the object
   Pose X_WT;

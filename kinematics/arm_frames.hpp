@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From one row of markers to the frames of a rig. W is the world of the cameras; of a left arm, its
-// reflection: give mirrored() rig and markers. Positions in m.
+// From one row of markers to the frames of a rig. W is the world of the cameras; for a left arm its
+// reflection, so pass mirrored() rig and markers. Positions in m.
 #pragma once
 
 #include <optional>
@@ -81,7 +81,7 @@ class ArmFrames {
 };
 
 /// Row by row: one frame built from three directions, as PointsFrame says. Missing points give a
-/// missing pose; directions within 5 degrees of each other nothing.
+/// missing pose; directions within 5 degrees of each other give nothing.
 [[nodiscard]] std::optional<Quat> attitude_from_axes(const Vec3& primary, int a,
                                                      const Vec3& secondary, int b) noexcept;
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rotation vector of q = (w, v), w >= 0:  phi = 2 atan2(|v|, w) v / |v|
-// Angles from R, the middle one by atan2 so that it keeps its digits near +-pi/2, and the innermost
-// one from what is left when the outermost is turned back: near +-pi/2 their errors then cancel.
-//   rpy: a2 = atan2(-R31, |(R11, R21)|),  a3 = atan2(R21, R11),  S = Rz(-a3) R,  a1 = atan2(-S23,
-//   S22) zxy: a2 = atan2(R32, |(R31, R33)|),   a1 = atan2(-R12, R22), S = Rz(-a1) R,  a3 =
-//   atan2(S13, S11)
+// Angles from R: the middle one by atan2, so that it keeps its digits near +-pi/2. Then the
+// outermost turn is taken back, and the innermost angle is computed from what is left: near +-pi/2
+// the errors of both then cancel.
+//   rpy: a2 = atan2(-R31, |(R11, R21)|),  a3 = atan2(R21, R11)
+//        S = Rz(-a3) R,  a1 = atan2(-S23, S22)
+//   zxy: a2 = atan2(R32, |(R31, R33)|),  a1 = atan2(-R12, R22)
+//        S = Rz(-a1) R,  a3 = atan2(S13, S11)
 // Mean attitude: eigenvector of the largest eigenvalue of sum q q^T (Markley et al. 2007).
 #include "kinematics/attitude.hpp"
 

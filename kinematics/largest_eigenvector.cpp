@@ -23,7 +23,7 @@ double largest_eigenvalue(const Mat4& a) noexcept {
   const double c2 = -p2 / 2.0;
   const double c1 = -p3 / 3.0;
   const double c0 = a.determinant();
-  constexpr int kMostSteps = 60;  // two equal zeros are neared by half the distance a step
+  constexpr int kMostSteps = 60;  // near two equal zeros a step only halves the distance
   double x = std::sqrt(0.75 * p2);
   for (int step = 0; step < kMostSteps; ++step) {
     const double slope = (4.0 * x * x + 2.0 * c2) * x + c1;
@@ -84,7 +84,7 @@ Vec4 largest_eigenvector(const Mat4& n) noexcept {
   const double size = centred.norm();
   if (!(size > 0.0)) return Vec4::UnitX();  // all vectors are eigenvectors
   const Mat4 a = centred / size;
-  // Shorter: a second eigenvalue is so near that the columns are rounding alone.
+  // Shorter: a second eigenvalue is so near that the columns contain only rounding.
   constexpr double kShortest = 1e-9;
   const Vec4 first = adjugate_column(a, largest_eigenvalue(a));
   if (first.norm() > kShortest) {

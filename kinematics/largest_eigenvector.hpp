@@ -10,8 +10,8 @@ namespace isograsp {
 using Mat4 = Eigen::Matrix4d;
 using Vec4 = Eigen::Vector4d;
 
-/// Of length 1, its sign as it comes. Two equal largest eigenvalues: one of their vectors.
-/// Real-time: fixed size, nothing allocated. @pre n is symmetric and finite
+/// Of length 1, with any sign. Two equal largest eigenvalues: one of their vectors. Real-time:
+/// fixed size, nothing allocated. @pre n is symmetric and finite
 [[nodiscard]] Vec4 largest_eigenvector(const Mat4& n) noexcept;
 
 }  // namespace isograsp

@@ -146,7 +146,8 @@ std::optional<PoseEvent> PoseTaskRun::step(double t_s, const Pose& X_WO) noexcep
     if (finished()) return event;
   }
   if (!matched_) {
-    // A target of no patience can end in the row of its cue; the one before it is told first.
+    // A target with a time limit of zero can end in the row of its cue; the one before it is
+    // reported first.
     const auto given_up = seek(t_s, last_);
     if (!event) event = given_up;
   }

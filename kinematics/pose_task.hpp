@@ -43,10 +43,9 @@ struct PoseEvent {
   std::optional<double> angle_error_rad;
 };
 
-/// The automaton. Real-time: step() allocates nothing. Task clock c = t - pauses. A pose that is
-/// missing is stood in for by the last one for 50 ms; then everything stands still, and the first
-/// pose more than 50 ms behind the last one makes the pauses longer by what is above 50 ms and
-/// begins a stay anew.
+/// The automaton. Real-time: step() allocates nothing. Task clock c = t - pauses. A missing pose is
+/// replaced by the last one for 50 ms; then everything stands still. When the next pose comes, the
+/// part of the gap above 50 ms is added to the pauses, and a stay begins anew.
 class PoseTaskRun {
  public:
   explicit PoseTaskRun(const PoseTask& task) noexcept : task_(task) {}
@@ -54,7 +53,7 @@ class PoseTaskRun {
   /// One row, in order of time; a missing pose is missing_pose(). Gives the target that ended in
   /// this row, if one did.
   std::optional<PoseEvent> step(double t_s, const Pose& X_WO) noexcept;
-  /// The record ends: a target that was reached ends with it, one that is sought does not count.
+  /// The record ends: a target that was reached ends with it, one not yet reached does not count.
   [[nodiscard]] std::optional<PoseEvent> finish() noexcept;
 
   [[nodiscard]] bool finished() const noexcept { return target_ >= task_.targets.size(); }

@@ -11,7 +11,7 @@ namespace isograsp {
 struct Range {
   std::optional<double> min_rad;
   std::optional<double> max_rad;
-  /// Of the mean of +-0.1 s about a row: one bad row is no range.
+  /// Of the mean over +-0.1 s about a row, so that one bad row makes no range.
   std::optional<double> min_held_rad;
   std::optional<double> max_held_rad;
 };

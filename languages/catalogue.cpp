@@ -34,7 +34,7 @@ std::optional<std::string> unquoted(std::string_view quoted) {
 
 Result<std::vector<Translation>> read_translations(std::string_view po) {
   std::vector<Translation> all;
-  std::string* open = nullptr;  // what a line in quotes goes on with
+  std::string* open = nullptr;  // the text that the next line in quotes continues
   int number = 0;
   for (std::size_t from = 0; from < po.size();) {
     const std::size_t end = std::min(po.find('\n', from), po.size());

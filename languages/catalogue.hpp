@@ -25,7 +25,7 @@ struct Translation {
 /// How numbers and days are written.
 struct Forms {
   char decimal_sign = '.';
-  std::string day = "yyyy-MM-dd";  ///< of yyyy, MM and dd
+  std::string day = "yyyy-MM-dd";  ///< made of yyyy, MM and dd
 };
 
 class Catalogue : public Language {

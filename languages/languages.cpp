@@ -50,7 +50,7 @@ std::string desktop_language() {
   for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"})
     if (locale.empty()) locale = setting(name);
   if (locale.empty() || locale == "C" || locale == "POSIX") return "en";
-  // A list, the first wish first; without a locale it says nothing (gettext does the same).
+  // A list in the order of preference; without a locale it is ignored (gettext does the same).
   for (std::string_view wishes = setting("LANGUAGE"); !wishes.empty();) {
     const auto end = std::min(wishes.find(':'), wishes.size());
     if (const auto code = code_of(wishes.substr(0, end)); is_language(code))

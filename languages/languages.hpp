@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The languages in which texts can be said (core/text.hpp), compiled into the program. What each
-// says stands in languages/<code>.po, what the windows alone say in
-// gui/translations/isograsp_<code>.ts.
+// The languages of texts (core/text.hpp), compiled into the program. Their words are in
+// languages/<code>.po, those of the windows alone in gui/translations/isograsp_<code>.ts.
 #pragma once
 
 #include <array>
@@ -16,7 +15,7 @@ struct LanguageFacts {
   const char* code;  ///< ISO 639-1
   const char* name;  ///< in the language itself, UTF-8
   char decimal_sign;
-  const char* day;  ///< how it is written: of yyyy, MM and dd
+  const char* day;  ///< form of a day, made of yyyy, MM and dd
 };
 /// In the order in which they are offered; English, in which the sources are written, first.
 inline constexpr auto kLanguages =
@@ -24,7 +23,7 @@ inline constexpr auto kLanguages =
                                   {"de", "Deutsch", ',', "dd.MM.yyyy"},
                                   {"fr", "Français", ',', "dd/MM/yyyy"}});
 
-/// Instead of a code: as the desktop has it.
+/// In place of a code: the language of the desktop.
 inline constexpr const char* kDesktopLanguage = "system";
 
 [[nodiscard]] bool is_language(std::string_view code) noexcept;

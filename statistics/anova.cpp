@@ -92,7 +92,7 @@ Sphericity sphericity_of(const MatrixXd& scatter, Index subjects) {
   const double f = p * (p + 1.0) / 2.0 - 1.0;
   result.mauchly_w = w;
   result.mauchly_df = f;
-  // Relative to 1: the product of variances whose ratios are given to some ulp.
+  // Relative to 1: w is a product of ratios of variances, each exact to some ulp.
   constexpr double kSingular = 1e-14;
   if (w < kSingular) {
     result.mauchly_chi2 = result.mauchly_p = "a difference between conditions does not vary"_text;
@@ -124,7 +124,7 @@ void undefine(WithinEffect& effect, const Text& why) {
     *one = why;
 }
 
-/// The effect of orthonormal contrasts, against how much subjects differ in them.
+/// The effect of orthonormal contrasts, compared with their variation between subjects.
 WithinEffect effect_of(const SubjectTable& table, const MatrixXd& of_contrasts) {
   WithinEffect effect;
   const Index n = table.rows();
@@ -153,7 +153,7 @@ WithinEffect effect_of(const SubjectTable& table, const MatrixXd& of_contrasts) 
   return effect;
 }
 
-/// How much the means of the subjects differ.
+/// Sum of squares of the subjects' means.
 double subjects_sum(const SubjectTable& table) {
   const Eigen::VectorXd means = table.rowwise().mean();
   return static_cast<double>(table.cols()) * (means.array() - means.mean()).matrix().squaredNorm();

@@ -25,7 +25,8 @@ Computed quantile(std::span<const double> x, std::span<const double> weight, dou
   if (all.empty()) return "no samples"_text;
   constexpr double kRoundingSlack = 1e-9;  // sums in another order reach the share as well
   double missing = share * total - kRoundingSlack * total;
-  // The values are not sorted but halved: only the half that holds the quantile is looked at again.
+  // The values are not sorted but split in two; only the part that holds the quantile is split
+  // again.
   auto first = all.begin();
   auto end = all.end();
   while (end - first > 1) {

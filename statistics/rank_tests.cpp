@@ -30,7 +30,7 @@ double sum_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Of whole numbers below 2^53 this is exact.
+/// Exact for whole numbers below 2^53.
 double two_sided(const std::vector<double>& distribution, double w) {
   const auto at = static_cast<std::ptrdiff_t>(std::lround(2.0 * w));
   const double below = std::accumulate(distribution.begin(), distribution.begin() + at + 1, 0.0);
@@ -49,7 +49,7 @@ std::vector<double> walsh_averages(std::span<const double> differences) {
   return means;
 }
 
-/// How many Walsh averages lie outside an interval of error rate `alpha`, on each side; 0: such an
+/// How many Walsh averages lie outside an interval of error rate `alpha`, on each side; 0: the
 /// interval has no end.
 std::size_t outside(std::size_t n, double alpha) {
   const auto count = static_cast<double>(n);
@@ -98,7 +98,7 @@ Friedman friedman(const SubjectTable& table) {
   Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(table.cols());
   double squares = 0.0;  // of ranks about their mean, over all subjects
   const double mean_rank = (k + 1.0) / 2.0;
-  // Of the whole table: near zero the values of one person have no size of their own.
+  // Of the whole table: the values of one person may all be near zero and then give no scale.
   const double width = tie_width({table.data(), static_cast<std::size_t>(table.size())});
   for (Index row = 0; row < table.rows(); ++row) {
     const Eigen::RowVectorXd values = table.row(row);

@@ -48,8 +48,8 @@ struct SignedRank {
   Computed low = kNotComputed;  ///< its interval, for all comparisons of the family together
   Computed high = kNotComputed;
 };
-/// @param tied  sizes of differences that are no further apart are tied, differences no larger are
-///              zero: tie_width() of the values that were subtracted
+/// @param tied  differences whose sizes differ by no more are tied; those no larger are zero:
+///              tie_width() of the values that were subtracted
 /// @param comparisons  in the family: p_bonferroni and the interval @pre all finite
 [[nodiscard]] SignedRank signed_rank(std::span<const double> differences, double tied,
                                      int comparisons = 1, double confidence = 0.95);

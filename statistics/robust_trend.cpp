@@ -18,7 +18,7 @@ namespace isograsp::statistics {
 
 namespace {
 
-/// How often each point was drawn; all pairs of points carry the product of theirs.
+/// How often each point was drawn; a pair of points counts as the product of both numbers.
 using Counts = std::span<const std::uint16_t>;
 
 /// The draws of all resamples of so many points. They depend on nothing else, so trends over the
@@ -26,7 +26,7 @@ using Counts = std::span<const std::uint16_t>;
 struct Resamples {
   std::size_t points;
   Bootstrap bootstrap;
-  std::vector<std::uint16_t> counts;  ///< of one resample behind those of the other
+  std::vector<std::uint16_t> counts;  ///< one resample after the other
 };
 
 std::shared_ptr<const Resamples> resamples_of(std::size_t n, const Bootstrap& bootstrap) {
@@ -81,7 +81,7 @@ struct Pairs {
   }
 };
 
-/// Of pairs, in the order of their slopes.
+/// Pairs of points in the order of their slopes.
 struct Slopes {
   Pairs pairs;
   std::vector<double> slope;
@@ -91,7 +91,7 @@ struct Slopes {
 std::int64_t count_of(const Pairs& pairs, Counts drawn) {
   const auto n = static_cast<std::int64_t>(drawn.size());
   std::int64_t all = 0;
-  if (static_cast<std::int64_t>(pairs.size()) == n * (n - 1) / 2) {  // no two at one x: at once
+  if (static_cast<std::int64_t>(pairs.size()) == n * (n - 1) / 2) {  // all x differ: a formula
     for (const std::int64_t times : drawn) all += times * times;
     return (n * n - all) / 2;
   }
@@ -99,14 +99,14 @@ std::int64_t count_of(const Pairs& pairs, Counts drawn) {
   return all;
 }
 
-/// Of slopes that each stand as often as their points were drawn together.
+/// Median of the slopes, each counted as often as its two points were drawn together.
 std::optional<double> median_of(const Slopes& slopes, Counts drawn) {
   const std::int64_t all = count_of(slopes.pairs, drawn);
   if (all == 0) return std::nullopt;
   std::int64_t passed = 0;
   std::size_t at = 0;
   const auto slope_at = [&](std::int64_t place) {  // counted from 0
-    constexpr std::size_t kAtOnce = 16;            // sums that wait for no decision
+    constexpr std::size_t kAtOnce = 16;            // added without a branch between them
     while (at + kAtOnce <= slopes.pairs.size()) {
       std::int64_t of_block = 0;
       for (std::size_t i = 0; i < kAtOnce; ++i) of_block += slopes.pairs.times(at + i, drawn);
@@ -130,7 +130,8 @@ int order_of(double a, double b, double width) {
   return a < b ? 1 : -1;
 }
 
-/// Of pairs: the product of the orders of their days and of their times, and which are untied.
+/// For each pair: the product of the order of its days and of its times, and which of both are
+/// untied.
 struct Orders {
   Pairs pairs;
   std::vector<std::int8_t> agreement;

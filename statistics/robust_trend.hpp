@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a measure is going, whatever single bad days say. Pure statistics, deterministic.
+// Trends of a measure that single bad days do not change. Pure statistics, deterministic.
 #pragma once
 
 #include <cstdint>
@@ -26,22 +26,23 @@ struct Bootstrap {
   friend bool operator==(const Bootstrap&, const Bootstrap&) = default;
 };
 
-/// Slope of y over x: the median of the slopes of all pairs (Theil 1950, Sen 1968); a quarter of
-/// the points may be anything. Nothing: fewer than kLeastTrendDays points, all at one x, or values
-/// so large that a slope is no number. @pre x and y have the same size
+/// Slope of y over x: the median of the slopes of all pairs (Theil 1950, Sen 1968). Up to a quarter
+/// of the points may be wrong by any amount. Nothing: fewer than kLeastTrendDays points, all at one
+/// x, or values so large that a slope is no number. @pre x and y have the same size
 [[nodiscard]] std::optional<Estimate> theil_sen(std::span<const double> x,
                                                 std::span<const double> y,
                                                 const Bootstrap& bootstrap = {});
 
-/// A day of a censored time: those that came, and how many did not.
+/// A day of a censored time: the times of the events that came, and how many did not come.
 struct CensoredDay {
   double x = 0.0;
   std::optional<double> value;  ///< median of the day with misses tied worst; nothing: a miss
   int reached = 0;
   int tried = 0;
 };
-/// The trend of a time that does not always come, by ranks: Kendall's tau-b (1945) of time and day,
-/// days whose median was not reached tied as the longest. -1 … 1; negative: sooner.
+/// Trend of the time to an event that does not always come, by ranks: Kendall's tau-b (1945) of
+/// time and day. Days whose median was not reached are tied as the longest. -1 … 1; negative:
+/// sooner.
 struct RankTrend {
   Estimate tau;
   int reached = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A variance from differences of pairs, some of which are wild: a day on which the hand was swollen
+// A variance from differences of pairs, some of which are outliers: one day with a swollen hand
 // must not decide what counts as a change for everybody. Formula and source: docs/change.md.
 #pragma once
 
@@ -9,11 +9,11 @@ namespace isograsp::statistics {
 
 /// Two values of the same thing.
 struct PairDifference {
-  double difference = 0.0;  ///< of any sign; infinite or not a number: as wild as can be
+  double difference = 0.0;  ///< of any sign; infinite or not a number: an outlier
   double weight = 1.0;      ///< > 0
 };
 
-/// What makes the estimate right for values without wild ones, as shares of their variance.
+/// Factors that make the estimate right for values without outliers, as shares of their variance.
 struct Consistency {
   double median;  ///< of (a - b)^2 / 2
   double kept;    ///< mean of what lies within kKeptSds
@@ -25,8 +25,8 @@ inline constexpr Consistency kOneVariance{0.45493642, 0.97333692};
 /// Normal with standard deviations between 1 and 2, all equally likely (10 to 20 %).
 inline constexpr Consistency kUnequalVariances{0.41363067, 0.94449647};
 
-/// Of few values both steps make a little too small a variance: this share of it on average, within
-/// 0.01 from ten values on (docs/change.md). @param count  of values of equal weight
+/// Of few values both steps give a variance that is a little too small: on average this share of
+/// it, within 0.01 from ten values on (docs/change.md). @param count  of values of equal weight
 [[nodiscard]] double small_sample_share(double count);
 
 struct RobustSd {

@@ -20,7 +20,7 @@ struct Computed {
   Text reason;
 };
 
-/// A time that ends at an event, or how long was waited for it in vain: right-censored.
+/// The time to an event, or the time waited for it if it did not come: right-censored.
 struct EventTime {
   Computed time_s;
   std::optional<double> longer_than_s;  ///< set exactly when the event did not come

@@ -25,7 +25,7 @@ struct CompleteSubjects {
 [[nodiscard]] CompleteSubjects complete_subjects(const SubjectTable& table);
 
 /// Why a test that needs so many subjects and conditions cannot be made of the table; empty: it
-/// can. Missing values are no part of a test: complete_subjects() goes before.
+/// can. Tests take no missing values: call complete_subjects() first.
 [[nodiscard]] Text obstacle_of(const SubjectTable& table, Eigen::Index least_subjects,
                                Eigen::Index least_conditions);
 
@@ -34,8 +34,8 @@ struct CompleteSubjects {
 [[nodiscard]] Text obstacle_to_squares(const SubjectTable& table, Eigen::Index least_subjects,
                                        Eigen::Index least_conditions);
 
-/// A sum of squares (or a range squared) of values of that size which is nothing but rounding: each
-/// of `terms` is wrong by at most some ulp.
+/// True if a sum of squares (or a squared range) of values of that size is rounding alone: each of
+/// `terms` is wrong by at most some ulp.
 [[nodiscard]] bool only_rounding(double sum_of_squares, double largest, Eigen::Index terms);
 
 }  // namespace isograsp::statistics

@@ -38,8 +38,9 @@ std::vector<SurvivalStep> survival(std::span<const Completion> completions) {
     const double time_s = *first;
     const auto end = std::upper_bound(first, reached_s.end(), time_s);
     const auto done = static_cast<double>(end - first);
-    // Who stops when another arrives was still trying, whatever the last bits of the two times say.
-    // Arrivals themselves need no such care: two steps in one place or one make the same share.
+    // Somebody who stops when another arrives was still trying then, even if the last bits of the
+    // two times differ. Arrivals need no such care: two steps at almost one time give the same
+    // share as one.
     const auto trying = static_cast<double>(
         std::count_if(completions.begin(), completions.end(), [time_s](const Completion& c) {
           return c.reached ? c.time_s >= time_s : !is_earlier(c.time_s, time_s);

@@ -26,9 +26,9 @@ constexpr auto kSecond = std::to_array<std::string_view>(
      "gain",
      // Overlaps of two samples no longer hide the peak of a record shorter than the shifts.
      "lag",
-     // Who stops within the rounding of a time when another target is reached was still trying.
+     // Who stops at the time at which another target is reached, within rounding, was still trying.
      "median_completion_time", "restricted_mean_time"});
-/// Single samples no longer count, then: nor does the row after the end.
+/// Version 2: single samples no longer count. Version 3: nor does the row after the end.
 constexpr auto kThird = std::to_array<std::string_view>({"coflexion"});
 
 template <class Names>

@@ -40,14 +40,15 @@ Text out_of_range(double size) {
   return {};
 }
 
-/// Times, and what is known of hand and device beside the signals.
+/// Why times, or what is known of hand and device beside the signals, cannot be used; empty: they
+/// can.
 Text unusable_context(const Signals& signals, std::span<const double> hold_s) {
   for (const double length_s : hold_s)
     if (Text why = out_of_range(length_s); !why.empty()) return why;
   for (const std::string_view name :
        {columns::t_s, columns::resting_force_N, columns::maximum_force_N, columns::noise_sd_N,
         columns::resolution_N, columns::device_delay_s, columns::display_delay_s})
-    for (const double value : signals.column(name))  // next to nothing these may be
+    for (const double value : signals.column(name))  // these may be close to zero
       if (std::abs(value) > kMostSize) return out_of_range(std::abs(value));
   return {};
 }
@@ -74,7 +75,7 @@ Record::Record(const Signals& signals) : signals_(signals) {
       missing_[row] = std::isnan(flags[row]) ||
                       (static_cast<unsigned>(flags[row]) & unsigned{bit(SampleFlag::missing)}) != 0;
     }
-    // On a regular grid a product has one rounding, a running sum as many as rows.
+    // On a regular grid a product is rounded once, but a running sum once in each row.
     task_time_s_[row] = regular ? static_cast<double>(unpaused) * hold_s_[row] : elapsed_s;
     if (paused(row)) continue;
     elapsed_s += hold_s_[row];

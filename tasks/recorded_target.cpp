@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kCourseCutoff_Hz = 2.0;  // above what a hand follows, below tremor
 constexpr double kPointsPerSecond = 10;   // five times that
-constexpr double kLeast_m = 0.005;        // less comes about by itself: half a shipped tolerance
+constexpr double kLeast_m = 0.005;        // smaller ones are unintended: half a shipped tolerance
 constexpr double kLeast_rad = 5.0 * std::numbers::pi / 180.0;
 constexpr double kLeast_N = 0.5;     // several steps of a coarse sensor
 constexpr double kStillness = 0.02;  // of the range

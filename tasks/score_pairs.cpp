@@ -46,7 +46,7 @@ void score_pair(const Record& record, const std::string& quantity_column,
                        const statistics::Computed& computed) {
     measures.push_back(make_measure(name, quantity.channel, unit, both, computed));
   };
-  // Two measures know no target: a row counts wherever the actual value does.
+  // Two measures do not use the target: they count every row that has an actual value.
   const auto target_values = record.signals().column(target_column);
   const bool target_has_gaps = std::any_of(target_values.begin(), target_values.end(),
                                            [](double value) { return std::isnan(value); });

@@ -47,7 +47,8 @@ std::string newtons(double force_N) {
   return text;
 }
 
-/// A target is worth showing only where the sensors can tell on it from beside it (clinical rule).
+/// Refuses a target whose band the sensors cannot resolve: they must tell a force on the target
+/// from one beside it (clinical rule).
 Result<void> check_resolution(const TaskSpec& spec, const Segment& segment,
                               const ForceReferences& references) {
   constexpr double kLeastSteps = 5.0;

@@ -35,7 +35,7 @@ double between_points(const Waveform& w, double t_s) {
   return std::lerp(w.values[k - 1], w.values[k], share);
 }
 
-/// @param start_cycles  what a parallel form is ahead of form 0
+/// @param start_cycles  lead of a parallel form over form 0 [cycles]
 double value_at(const Waveform& w, double duration_s, double t_s, double start_cycles) {
   const double cycles = w.frequency_Hz * t_s + start_cycles;
   switch (w.shape) {

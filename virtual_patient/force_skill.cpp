@@ -9,10 +9,10 @@
 namespace isograsp::virtual_patient {
 
 namespace {
-constexpr double kCorrectionRate_per_s = 0.8;    ///< far below 1 / loop delay: a calm loop
+constexpr double kCorrectionRate_per_s = 0.8;    ///< far below 1 / loop delay: a stable loop
 constexpr double kLargestCorrectionShare = 0.2;  ///< of the largest force
 constexpr double kSlopeTime_s = 0.1;
-constexpr double kSuddenRate_per_s = 2.0;  ///< of the largest: a jump cannot be foreseen
+constexpr double kSuddenRate_per_s = 2.0;  ///< of the largest: a jump cannot be predicted
 }  // namespace
 
 FingerForces shared(ForceChannel channel, double force_N) noexcept {
@@ -87,7 +87,7 @@ void ForceSkill::perceive(const Stimulus& picture, double t_s) noexcept {
   }
   blind_ = !picture.force_shown;
   if (!any) return;
-  // The first pictures show a force that does not answer yet.
+  // The first pictures do not yet show what the person does.
   if (!seen_) answers_s_ = picture.t_s + lapse_s_ + 2.0 * loop_delay_s(traits_);
   const double dt_s = latest_s_ > 0.0 ? picture.t_s - latest_s_ : 0.0;
   if (picture.force_target_shown) perceive_target(picture, dt_s);

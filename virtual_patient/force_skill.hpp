@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making one force of a channel: from the force wanted of all to the force wanted of each digit,
-// and following a target on the screen, seen late. What is not on the screen is held from memory.
-// Contact frames; SI units.
+// How a person makes one force of a channel: shares it among the digits and follows a target on the
+// screen, which is seen late. A force that is not on the screen is held from memory. Contact
+// frames; SI units.
 #pragma once
 
 #include "core/random.hpp"
@@ -49,7 +49,7 @@ class ForceSkill {
   [[nodiscard]] FingerForces wanted(double t_s) const noexcept;
 
  private:
-  /// One number that moves, foreseen by its smoothed slope.
+  /// A number that moves, predicted by its smoothed slope.
   struct Moving {
     double value = 0.0;
     double slope = 0.0;  ///< [1/s]

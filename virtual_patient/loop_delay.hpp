@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How late the screen's answer to an intention is perceived.
+// The delay from an intention until its effect on the screen is perceived.
 #pragma once
 
 #include "virtual_patient/traits.hpp"

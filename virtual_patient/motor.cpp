@@ -48,7 +48,7 @@ Vec3 misdirected(const Vec3& force_C, double angle_rad) noexcept {
   const Vec3 axis = force_C.cross(drift);
   const double across = axis.norm();
   const double size = force_C.norm();
-  constexpr double kAlongTheDrift = 1e-9;  // no plane to turn in, and nothing to turn
+  constexpr double kAlongTheDrift = 1e-9;  // along the drift: nothing to turn
   if (angle_rad <= 0.0 || across <= kAlongTheDrift * size) return force_C;
   const double turn_rad = std::min(angle_rad, std::atan2(across, force_C.dot(drift)));
   return std::cos(turn_rad) * force_C + std::sin(turn_rad) * (axis / across).cross(force_C);

@@ -15,8 +15,8 @@ namespace isograsp::virtual_patient {
 /// Wanted force of each fingertip [N], contact frames.
 using FingerForces = std::array<Vec3, kFingerCount>;
 
-/// The share of their strength that a digit's force asks for: the ellipsoid with half axes
-/// sideways, sideways, closing or opening strength is where it is 1. Real-time safe.
+/// The share of a digit's strength that a force needs. It is 1 on the ellipsoid whose half axes are
+/// the sideways strength (twice) and the closing or opening strength. Real-time safe.
 [[nodiscard]] double strength_used(const PatientTraits& traits, const Vec3& force_C) noexcept;
 
 /// A force turned by `angle_rad` towards closing and +x of the contact frame (the direction into
@@ -31,7 +31,7 @@ class Motor {
   /// force, and a digit pulls only if the person wants one to open. No digit ever exceeds its
   /// strength. Real-time safe.
   [[nodiscard]] FingerWrenches step(const FingerForces& wanted, double dt_s) noexcept;
-  /// The hand leaves the device: all forces are exactly zero, and strength returns for `dt_s`.
+  /// The hand leaves the device: all forces are exactly zero, and strength recovers for `dt_s`.
   void take_away(double dt_s) noexcept;
   /// Share of the strength that is left.
   [[nodiscard]] double freshness() const noexcept { return 1.0 - fatigue_; }

@@ -28,7 +28,7 @@ constexpr double kLargestCorrectionFraction = 0.5;
 constexpr double kShift_m = 0.005;
 constexpr double kShift_rad = 0.05;
 
-/// A target that is slower stands or creeps: its place is what counts.
+/// A slower target stands or creeps: the person moves to its place instead of pursuing it.
 constexpr double kPursued_m_s = 0.005;
 constexpr double kPursued_rad_s = 0.05;
 constexpr double kSpeedSeen_s = 0.1;  ///< time constant of seeing a speed
@@ -210,7 +210,7 @@ void ObjectSkill::perceive(const Stimulus& picture, double t_s) noexcept {
   seen_ = true;
   if (!picture.object_shown) return;
 
-  // What is seen answers to what was wanted one loop delay ago.
+  // The picture shows the effect of what was wanted one loop delay ago.
   const double answered_s = t_s - loop_delay_s(traits_);
   error_ = error(planned(answered_s).X_WO, picture.X_WO);
   bool held = true;
@@ -251,7 +251,7 @@ void ObjectSkill::squeeze(Stacked& forces) const noexcept {
       const std::size_t f = index_of(contact.finger);
       const auto column = 3 * static_cast<Eigen::Index>(f);
       const double share = grip_[column + 2];
-      constexpr double kNoGrip = 1e-3;  // this finger has nobody to press against
+      constexpr double kNoGrip = 1e-3;  // no other finger opposes this one
       if (share < kNoGrip) continue;
       const double tangential_N = forces.segment<2>(column).norm();
       const double holding_N =

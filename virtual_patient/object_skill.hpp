@@ -34,9 +34,9 @@ class PosePlan {
   double duration_s_ = 1.0;
 };
 
-/// Smooth pursuit of a target that moves without jumps: its speed is seen, and one loop delay is
-/// bridged by it (people predict a target that they follow). From where the hand was it is caught
-/// up with least jerk.
+/// Smooth pursuit of a target that moves without jumps: its speed is seen and used to predict it
+/// one loop delay ahead (people predict a target that they follow). The distance between hand and
+/// target at the beginning is made up with least jerk.
 class Pursuit {
  public:
   /// The target as perceived at time t_s of the person, `dt_s` after the picture before.
@@ -50,7 +50,7 @@ class Pursuit {
   [[nodiscard]] PosePlan::Point at(double t_s) const noexcept;
 
  private:
-  /// Where the target will be when what is wanted at t_s has come to pass.
+  /// Where the target will be when what is wanted at t_s takes effect.
   [[nodiscard]] Pose expected(double t_s) const noexcept;
 
   Pose target_;
@@ -98,7 +98,7 @@ class ObjectSkill {
   PosePlan plan_;
   Pursuit pursuit_;
   bool pursuing_ = false;
-  double moving_s_ = 0.0;  ///< the target moves without jumps since
+  double moving_s_ = 0.0;  ///< since when the target moves without jumps
   bool waiting_ = false;   ///< a new target was perceived; the movement starts at waiting_until_s_
   double waiting_until_s_ = 0.0;
   bool seen_ = false;

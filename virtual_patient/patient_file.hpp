@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // People as files, format "isograsp-patient-1" (library/patients, docs/virtual_patient.md). A file
-// says every trait: nobody is silently healthy in what was left out.
+// must give every trait, so that nobody is taken for healthy where a trait was left out.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ namespace {
 
 using T = PatientTraits;
 
-// Ranges refuse slips (milliseconds for seconds, percent for shares), not unusual people.
+// The ranges find mistakes (milliseconds for seconds, percent for shares), not unusual people.
 constexpr std::array kFields{
     TraitField{"senses", "visual_delay_s", &T::visual_delay_s, 0.02, 0.9},
     TraitField{"senses", "reaction_s", &T::reaction_s, 0.05, 5.0},
@@ -122,7 +122,7 @@ PatientTraits on_day(const PatientTraits& traits, std::uint64_t day_seed) {
 }
 
 std::uint64_t day_seed(std::uint64_t person_seed, std::uint64_t day) noexcept {
-  // An odd factor: days of one person and people of one day never meet below 2^63 / 1e9 days.
+  // An odd factor: seeds of different days and people do not coincide below 2^63 / 1e9 days.
   constexpr std::uint64_t kDaysApart = 1'000'000'007U;
   return person_seed * kDaysApart + day;
 }

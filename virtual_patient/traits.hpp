@@ -94,7 +94,7 @@ inline constexpr double kLargestArmPush = 1.0;
 
 /// The person as they are on one day: maximum, tone and release each times exp(cv g - cv^2 / 2), g
 /// standard normal and independent, so that the mean over days is the trait. The between-day CV is
-/// sqrt(exp(cv^2) - 1), cv to 1 % of itself at 20 %.
+/// sqrt(exp(cv^2) - 1); at 20 % it agrees with cv to 1 %.
 [[nodiscard]] PatientTraits on_day(const PatientTraits& traits, std::uint64_t day_seed);
 /// The seed of a person's day.
 [[nodiscard]] std::uint64_t day_seed(std::uint64_t person_seed, std::uint64_t day) noexcept;

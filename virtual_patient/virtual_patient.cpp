@@ -50,7 +50,7 @@ struct VirtualPatient::Mind {
   [[nodiscard]] FingerForces risen(const FingerForces& goal, double t_s) const noexcept;
 
   PatientTraits traits;
-  Random random, attention, recall;  // one stream each: more of one thing never changes another
+  Random random, attention, recall;  // separate, so that more draws of one never change another
   VisualMemory memory;
   Motor motor;
   ForceSkill following;
@@ -147,7 +147,7 @@ void VirtualPatient::Mind::act(double t_s) noexcept {
 FingerForces VirtualPatient::Mind::recalled(ForceChannel channel) const noexcept {
   if (!held_channel) return nothing();
   if (*held_channel == channel) return held;
-  // Felt with other digits or in another direction: as many newtons.
+  // Remembered with other digits or in another direction: the same number of newtons.
   FingerWrenches felt;
   for (std::size_t f = 0; f < kFingerCount; ++f) felt[f].force = held[f];
   return shared(channel, force_of(felt, *held_channel));

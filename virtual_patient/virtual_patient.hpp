@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person in software: sees target and object after a visual delay, plans, presses with three
-// weak, noisy, coupled fingers. Knows the screen (Stimulus) and how the object answers to pushing
-// (the scene), never the task's answer. Same seed, same forces.
+// weak, noisy, coupled fingers. Knows only the screen (Stimulus) and how the object answers to
+// pushing (the scene), nothing else of the task. Same seed, same forces.
 #pragma once
 
 #include <cstdint>

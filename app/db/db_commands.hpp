@@ -15,7 +15,7 @@ namespace isograsp::app {
 
 /// Accounts, passphrase, policy, audit log (app/db/db_access.cpp).
 void add_db_access(Subcommand db);
-/// Protecting a database that was made without (app/db/db_protect.cpp).
+/// Protects a database that was made without protection (app/db/db_protect.cpp).
 void add_db_protect(Subcommand db);
 /// Identity, consent, erasure, export of one person (app/db/db_person.cpp).
 void add_db_person(Subcommand db);
@@ -52,9 +52,9 @@ Subcommand add_access_command(Subcommand parent, const char* name, const char* d
 void print_recovery_key(bool as_json, nlohmann::ordered_json json, Lines text,
                         const storage::Secret& key);
 
-/// As --json has them.
+/// The texts in English, for --json.
 [[nodiscard]] nlohmann::ordered_json english_list(const std::vector<Text>& texts);
-/// Prints one or the other.
+/// Prints the JSON or the text.
 void print_answer(bool as_json, const nlohmann::ordered_json& json, const Lines& text);
 
 }  // namespace isograsp::app

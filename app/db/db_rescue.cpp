@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// isograsp db rescue: sessions whose database was taken away come back into it.
+// isograsp db rescue: puts sessions of emergency files back into the database that had disappeared.
 #include <memory>
 
 #include <nlohmann/json.hpp>

@@ -80,7 +80,8 @@ Json wrench_rows(const std::array<Vec6, kFingerCount>& wrenches) {
   return json;
 }
 
-/// Those of three fingers as they were always given; others with the names of their columns.
+/// Preparations of three fingers keep the form that they always had; others have the names of their
+/// columns.
 void add_preparations(const std::vector<storage::PreparationRecord>& all, Json& session) {
   const auto add = [&](const char* list, const char* kind) {
     for (const auto& one : all) {

@@ -22,8 +22,8 @@ namespace isograsp::app {
 
 namespace {
 
-/// Beyond this a stored measure is not the one that its signals give: the same build and CPU agree
-/// to the bit; another libm may round the last digits otherwise.
+/// Above this difference a stored measure does not follow from its signals: the same build and CPU
+/// agree to the bit; another libm may round the last digits in another way.
 constexpr double kLargestRelativeDifference = 1e-12;
 
 double relative_difference(double a, double b) {
@@ -105,7 +105,7 @@ Result<void> for_each_trial(
   return {};
 }
 
-/// One trial: where it is, and what came of it.
+/// One trial: its place, and the result of checking it.
 struct Checked {
   std::string place;
   storage::TrialRecord trial;

@@ -93,7 +93,7 @@ void print_config(const std::string& path, const DeviceConfig& config) {
   }
 }
 
-/// Walks the therapist through every support; presses are found by themselves.
+/// Leads the therapist through every support; presses are detected without a key.
 Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
                                             const std::string& device) {
   auto live = LiveDevice::open(device);
@@ -106,7 +106,7 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
   };
   std::optional<double> weight_N;
   if (options.weight_N > 0.0) weight_N = options.weight_N;
-  // A platform that takes both hands stands for one of them now: where the wrist is follows.
+  // A platform for both hands is set up for one of them now, and so tells where the wrist is.
   const auto& info = live->device().info();
   const Hand hand = options.hand.value_or(info.hand.value_or(Hand::right));
   if (info.hand) {
@@ -153,7 +153,7 @@ Result<nlohmann::ordered_json> walk_through(const DevicesOptions& options,
   return steps;
 }
 
-/// Where the sensors of this file are, if anybody says it.
+/// The device of this file, if the options or the file name it; else empty.
 std::string device_of(const DevicesOptions& options, const DeviceConfig& config) {
   if (!options.device.empty()) return options.device;
   if (config.interface.empty()) return "";

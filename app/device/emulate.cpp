@@ -172,7 +172,7 @@ void play_on(Bus& bus, Clock& clock, Emulator& emulator, double duration_s,
     const BusEvent event = bus.receive(std::min({emulator.next(), now + kLook, end}), in);
     if (event == BusEvent::frame) emulator.receive(in.frame, in.stamp);
   }
-  emulator.finish(clock.now());  // what was measured still leaves
+  emulator.finish(clock.now());  // what was measured is still sent
   while (emulator.take(Timestamp::max(), out)) bus.send(out);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The raw frames of a device's bus to a log, on a thread of its own: candump lines of a CAN bus,
-// lines of datagrams of a network.
+// Writes the raw frames of a device's bus to a log, on a thread of its own: candump lines of a CAN
+// bus, lines of datagrams of a network.
 #pragma once
 
 #include <array>

@@ -164,7 +164,7 @@ struct ComparedPair {
   std::optional<double> p_holm;
 };
 
-/// Differences are those of printed numbers: what is nearer than this is one value.
+/// Values are printed numbers: differences are rounded to this, so that equal ones are equal.
 constexpr double kDifferenceDigits = 1e12;
 
 std::vector<ComparedPair> compared(const ValueColumns& columns) {

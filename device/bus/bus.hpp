@@ -22,7 +22,7 @@ enum class BusEvent : std::uint8_t {
   frame,           ///< `out` holds one
   timeout,         ///< the deadline has passed
   error_warning,   ///< the controller counts many errors: the bus still works
-  error_passive,   ///< so many that other nodes no longer hear about them
+  error_passive,   ///< so many that it no longer signals them to other nodes
   error_active,    ///< back to normal
   overflow,        ///< the controller lost frames that came too fast
   bus_off,         ///< the controller switched itself off after errors
@@ -35,7 +35,7 @@ enum class BusEvent : std::uint8_t {
 struct BusCounters {
   std::uint64_t kernel_drops = 0;  ///< frames that nobody read in time
   std::uint64_t overflows = 0;     ///< times that the controller said it lost frames
-  std::uint64_t error_frames = 0;  ///< also those that are no event: a disturbed frame on the wire
+  std::uint64_t error_frames = 0;  ///< also those without an event: a disturbed frame on the wire
   /// Frames given up: the transmit queue stayed full for 10 ms, or the bus is off, down or gone.
   std::uint64_t unsent = 0;
 };
@@ -55,8 +55,8 @@ class Bus {
   [[nodiscard]] virtual BusCounters counters() const noexcept = 0;
 };
 
-/// Opens a CAN interface of the kernel and lets only standard data frames with these identifiers
-/// in; no identifiers: every frame. Errors name the interface and what to do.
+/// Opens a CAN interface of the kernel that passes only standard data frames with these
+/// identifiers; without identifiers, every frame. Errors name the interface and what to do.
 [[nodiscard]] Result<std::unique_ptr<Bus>> open_socketcan(const std::string& interface,
                                                           std::span<const std::uint32_t> ids);
 
@@ -67,14 +67,14 @@ struct CanInterface {
 /// CAN interfaces of this computer, in alphabetical order.
 [[nodiscard]] std::vector<CanInterface> list_can_interfaces();
 
-/// One UDP socket per sensor, connected to "HOST:PORT" (numbers): only its datagrams come in, and
-/// BusFrame::id is the sensor's number. Errors name the address.
+/// One UDP socket per sensor, connected to "HOST:PORT" (a numeric address): only datagrams of that
+/// sensor come in, and BusFrame::id is the sensor's number. Errors name the address.
 [[nodiscard]] Result<std::unique_ptr<Bus>> open_udp(
     const std::array<std::string, kFingerCount>& addresses);
 
-/// One serial port per sensor ("/dev/ttyUSB0"), 8N1, without flow control; BusFrame::id is the
-/// sensor's number and a frame is what the port had, at most 16 bytes, so that none completes two
-/// packets. Errors name the port.
+/// One serial port per sensor ("/dev/ttyUSB0"), 8N1, without flow control. BusFrame::id is the
+/// sensor's number. A frame holds the bytes that the port had, at most 16, so that no frame
+/// completes two packets. Errors name the port.
 [[nodiscard]] Result<std::unique_ptr<Bus>> open_serial(
     const std::array<std::string, kFingerCount>& ports, unsigned baud);
 

@@ -9,15 +9,15 @@
 namespace isograsp {
 
 struct CanErrorNews {
-  /// error_warning, error_passive, error_active, bus_off or restarted: the worst that the frame
-  /// names, whether its receive or its transmit counter is the reason.
+  /// The worst state that the frame names for the receive or the transmit counter: error_warning,
+  /// error_passive, error_active, bus_off or restarted.
   std::optional<BusEvent> state;
   /// The controller lost frames that it received, or that it was given to send.
   bool overflow = false;
 };
 
-/// No news: a disturbed frame on the wire, a missing acknowledgement, a transmission that took too
-/// long. The bus goes on; such frames are counted.
+/// A disturbed frame on the wire, a missing acknowledgement or a transmission that took too long is
+/// no news: the bus goes on, and such frames are counted.
 /// @pre frame.error
 [[nodiscard]] CanErrorNews read_can_error(const BusFrame& frame) noexcept;
 

@@ -26,7 +26,7 @@ bool is_switched_on(const std::string& interface) noexcept {
 }
 
 bool is_off_the_bus(const std::string& interface) {
-  // The flags of the interface learn of it up to a second later.
+  // The carrier file is right at once; the flags of the interface follow up to a second later.
   std::ifstream carrier("/sys/class/net/" + interface + "/carrier");
   int present = 0;
   return carrier >> present && present == 0;

@@ -16,7 +16,7 @@ namespace isograsp {
 
 namespace {
 
-constexpr int kReceiveBuffer = 1 << 20;  // 1 MiB: seconds of frames, not half of one
+constexpr int kReceiveBuffer = 1 << 20;  // 1 MiB: frames of some seconds, not of half a second
 
 BusFrame from_kernel(const can_frame& in) noexcept {
   BusFrame frame;

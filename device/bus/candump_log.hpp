@@ -22,8 +22,8 @@ struct CandumpEntry {
   bool flexible_data_rate = false;  ///< a CAN FD frame: `frame` carries its identifier only
 };
 
-/// Reads one line without its end. nullopt: a line that does not begin with "(" (DROPCOUNT and the
-/// like stand in logs). Errors carry no file and no line.
+/// Reads one line without its end. nullopt: a line that does not begin with "("; logs hold such
+/// lines, e.g. DROPCOUNT. Errors carry no file and no line.
 [[nodiscard]] Result<std::optional<CandumpEntry>> parse_candump_line(std::string_view line);
 
 /// One line without its end, six fraction digits.

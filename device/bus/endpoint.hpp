@@ -20,11 +20,11 @@ struct Endpoint {
   [[nodiscard]] std::string text() const;
 };
 
-/// "192.168.1.1": four numbers up to 255 without leading zeros; nullopt: it is none.
+/// "192.168.1.1": four numbers up to 255 without leading zeros; nullopt: no such address.
 [[nodiscard]] std::optional<std::uint32_t> parse_ipv4(std::string_view text) noexcept;
-/// 1 … 65535 without leading zeros; nullopt: it is none.
+/// 1 … 65535 without leading zeros; nullopt: no such number.
 [[nodiscard]] std::optional<std::uint16_t> parse_port(std::string_view text) noexcept;
-/// "192.168.1.1:49152"; nullopt: it is none.
+/// "192.168.1.1:49152"; nullopt: no address with a port.
 [[nodiscard]] std::optional<Endpoint> parse_endpoint(std::string_view text) noexcept;
 
 }  // namespace isograsp

@@ -36,7 +36,8 @@ class KernelBus : public Bus {
   }
 
  protected:
-  /// A full queue is no matter of writability (poll says writable all the time): only time helps.
+  /// Time until a full queue is tried again. poll() cannot wait for room: it reports a full queue
+  /// as writable, too.
   static constexpr Timestamp kRetry = std::chrono::milliseconds(2);
 
   /// What errors name.

@@ -37,9 +37,9 @@ class ClockMap {
 
  private:
   static constexpr Timestamp kRefresh = std::chrono::seconds(1);
-  static constexpr Timestamp kStep = std::chrono::microseconds(500);  // more than jitter: was set
+  static constexpr Timestamp kStep = std::chrono::microseconds(500);  // no jitter: clock was set
 
-  /// The reading between two close readings of the other clock; the closest of five.
+  /// Reads one clock between two readings of the other; the shortest of five tries counts.
   void measure() noexcept {
     Timestamp best = Timestamp::max();
     for (int i = 0; i < 5; ++i) {

@@ -28,7 +28,7 @@ std::optional<Timestamp> parse_log_time(std::string_view text) noexcept {
   if (fraction.size() != 6 && fraction.size() != 9) return std::nullopt;
   const auto seconds = parse_digits(text.substr(0, dot));
   const auto parts = parse_digits(fraction);
-  constexpr std::int64_t kLastSecond = 9'223'372'035;  // whose nanoseconds can be counted
+  constexpr std::int64_t kLastSecond = 9'223'372'035;  // the last in 64 bits of nanoseconds
   if (!seconds || !parts || *seconds > kLastSecond) return std::nullopt;
   return std::chrono::seconds(*seconds) +
          std::chrono::nanoseconds(fraction.size() == 6 ? *parts * 1000 : *parts);

@@ -22,7 +22,7 @@ namespace isograsp {
 /// Cuts the first word off; empty: there is none.
 [[nodiscard]] std::string_view take_word(std::string_view& text) noexcept;
 [[nodiscard]] bool is_hex_digit(char c) noexcept;
-/// Of two digits; nullopt: they are none.
+/// A byte from two hexadecimal digits; nullopt if they are not.
 [[nodiscard]] std::optional<std::uint8_t> parse_hex_byte(std::string_view digits) noexcept;
 void append_hex_byte(std::string& text, std::uint8_t byte);
 

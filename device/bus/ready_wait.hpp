@@ -48,7 +48,8 @@ struct WaitAllocator {
   }
 };
 
-/// Clears a flag when the wait is over, whatever ended it: the descriptor itself is asked next.
+/// Clears a flag when the wait is over, for whatever reason: what happened is found out by reading
+/// the descriptor.
 struct WaitOver {
   using allocator_type = WaitAllocator<std::byte>;
   bool* pending;

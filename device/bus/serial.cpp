@@ -72,7 +72,7 @@ class Port {
     }
     descriptor_.non_blocking(true, failure);
     prefer_prompt_bytes(own);
-    ::tcflush(own, TCIOFLUSH);  // what came before is old
+    ::tcflush(own, TCIOFLUSH);  // bytes from before are too old
     return failure;
   }
   void close() noexcept {
@@ -85,7 +85,7 @@ class Port {
     if (!is_open()) return ENODEV;
     const auto n = ::write(descriptor_.native_handle(), bytes.data(), bytes.size());
     if (n < 0) return errno;
-    // Half a command is none: the conversation asks again.
+    // A command that was sent in part is a failure: the conversation asks again.
     return static_cast<std::size_t>(n) == bytes.size() ? 0 : EIO;
   }
   /// 0, or errno (EAGAIN: nothing).
@@ -105,7 +105,8 @@ class Port {
  private:
   using Descriptor = asio::posix::basic_stream_descriptor<asio::io_context::executor_type>;
 
-  /// Drivers of USB adapters collect bytes for 16 ms unless told otherwise. Not all can be told.
+  /// Drivers of USB adapters collect bytes for 16 ms unless this is switched off. Not every driver
+  /// allows it.
   static void prefer_prompt_bytes(int descriptor) noexcept {
     (void)::ioctl(descriptor, TIOCEXCL);
     serial_struct settings{};
@@ -202,7 +203,7 @@ class Serial final : public KernelBus {
       for (auto& port : ports_) port.begin_wait();
       // steady_clock is CLOCK_MONOTONIC, as is the clock of Timestamp.
       io_.run_one_until(std::chrono::steady_clock::time_point(deadline));
-    } catch (const std::exception&) {  // no wait is possible: at least never spin
+    } catch (const std::exception&) {  // cannot wait: sleep, so as not to spin
       clock_->wait_until(std::min(deadline, clock_->now() + kRetry));
     }
   }

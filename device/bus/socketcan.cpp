@@ -45,7 +45,7 @@ class SocketCan final : public KernelBus {
     socket_.assign(asio::generic::raw_protocol(PF_CAN, CAN_RAW), opened.descriptor);
     gone_ = down_ = false;
     drops_told_ = 0;
-    off_ = is_off_the_bus(interface_);  // its error frame has come long ago
+    off_ = is_off_the_bus(interface_);  // the error frame was sent before this socket was open
     if (off_) tell(BusEvent::bus_off);
     return 0;
   }
@@ -54,8 +54,8 @@ class SocketCan final : public KernelBus {
     while (true) {
       if (!works() && clock_->now() >= look_at_) look_again();
       send_waiting(clock_->now());
-      // Before the frames that came after it: those from before the loss were read when it was
-      // told.
+      // Told before the frames that arrived after the restart. Frames from before the loss have
+      // been read already, when the loss was told.
       if (untold_ == bit(BusEvent::restarted)) return next_untold(out);
       BusEvent event;
       // The wire cannot bring frames as fast as they are read here, so this ends.
@@ -100,11 +100,11 @@ class SocketCan final : public KernelBus {
       return true;
     }
     const int failure = write_can_socket(socket_.native_handle(), frame);
-    // A full transmit queue is no matter of writability: poll says writable all the time.
+    // poll() cannot wait for room: it reports a full transmit queue as writable, too.
     if (failure == ENOBUFS || failure == EAGAIN) return false;
     if (failure == 0) {
       if (down_) note_up();
-      if (off_) ++counters_.unsent;  // the kernel takes what it cannot send
+      if (off_) ++counters_.unsent;  // the kernel accepts frames that it cannot send
     } else {
       ++counters_.unsent;
       note_failure(failure);
@@ -116,7 +116,8 @@ class SocketCan final : public KernelBus {
     if (!socket_.is_open()) return Read::nothing;
     CanReading in;
     if (const int failure = read_can_socket(socket_.native_handle(), in); failure != 0) {
-      // Told once; what had come before is still there and goes first.
+      // The kernel tells a failure once. Frames that arrived before it can still be read, so they
+      // come first.
       return note_failure(failure) ? Read::no_news : Read::nothing;
     }
     if (in.notes.dropped) {
@@ -182,7 +183,7 @@ class SocketCan final : public KernelBus {
     if (!gone_) return note_up();
     try {
       if (open() == 0 && !off_) note_up();
-    } catch (const std::exception&) {  // next time
+    } catch (const std::exception&) {  // tried again next time
     }
   }
 
@@ -197,7 +198,7 @@ class SocketCan final : public KernelBus {
       }
       // steady_clock is CLOCK_MONOTONIC, as is the clock of Timestamp.
       io_.run_one_until(std::chrono::steady_clock::time_point(deadline));
-    } catch (const std::exception&) {  // the descriptor is no more
+    } catch (const std::exception&) {  // the descriptor is closed
       gone_ = true;
       note_loss(BusEvent::interface_gone);
     }
@@ -218,7 +219,7 @@ class SocketCan final : public KernelBus {
   bool off_ = false;              ///< bus-off, as far as error frames tell
   bool down_ = false;
   bool gone_ = false;
-  Timestamp look_at_{0};  ///< whether the interface is back
+  Timestamp look_at_{0};  ///< when to look whether the interface is back
 };
 
 std::string names_of(const std::vector<CanInterface>& interfaces) {

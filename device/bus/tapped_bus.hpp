@@ -26,7 +26,7 @@ struct BusTap {
   std::atomic<std::uint64_t> overrun{0};  ///< frames that found the ring full and are not in it
 };
 
-/// As real-time safe as the bus in it: copying waits for nobody.
+/// As real-time safe as the bus in it: copying never waits.
 class TappedBus final : public Bus {
  public:
   /// `tap` may outlive the bus: what it holds can still be read.

@@ -29,8 +29,8 @@ namespace {
 
 constexpr int kDatagramBuffer = 1 << 20;  // 1 MiB: a second of datagrams at 1000 Hz
 constexpr Timestamp kReconnect = std::chrono::milliseconds(250);  // the network is gone
-constexpr int kMostErrors = 8;                                    // that wait in one socket
-constexpr std::size_t kLongestFrame = 255;                        // that BusFrame can tell
+constexpr int kMostErrors = 8;                                    // that wait in a socket
+constexpr std::size_t kLongestFrame = 255;                        // longest that BusFrame can tell
 
 /// The way to the sensor is gone: a cable, an adapter or an address of this computer.
 bool is_network_failure(int failure) noexcept {
@@ -70,8 +70,8 @@ class Channel {
     if (socket_.non_blocking(true, failure)) return failure.value();
     return connect();
   }
-  /// Again, with the address that this computer has now. The port may be another one after that:
-  /// the sensor has to be started again.
+  /// Connects again, with the present address of this computer. Its port may be another one after
+  /// that, so the sensor has to be started again.
   int connect() noexcept {
     sockaddr none{};
     none.sa_family = AF_UNSPEC;
@@ -86,7 +86,8 @@ class Channel {
     for (int attempt = 0;; ++attempt) {
       const auto n = ::send(socket_.native_handle(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
       if (n >= 0) return 0;
-      // What an earlier datagram met is told to the next call; this one was not sent for it.
+      // The kernel tells the failure of an earlier datagram to the next call, and does not send
+      // this one then: send it again.
       if (errno != ECONNREFUSED || attempt > 0) return errno;
     }
   }
@@ -160,8 +161,8 @@ class Udp final : public KernelBus {
     return true;
   }
 
-  /// A sensor that is not there (ECONNREFUSED, EHOSTUNREACH) shows by its silence, as one that was
-  /// unplugged does; only the way to it is this bus's own.
+  /// A sensor that is not there (ECONNREFUSED, EHOSTUNREACH) is found by its silence, like one that
+  /// was unplugged. The bus itself reports only that the way to the sensor has failed.
   void note_failure(std::size_t sensor, int failure) noexcept {
     ++counters_.error_frames;
     if (!is_network_failure(failure)) return;
@@ -190,7 +191,7 @@ class Udp final : public KernelBus {
       const std::size_t sensor = (next_ + i) % kFingerCount;
       out.frame = {};
       int failure = channels_[sensor].receive(out, counters_.kernel_drops);
-      // What earlier datagrams met is told first, each time once.
+      // Failures of earlier datagrams are told first, one by each call.
       for (int told = 0; failure != 0 && failure != EAGAIN && told < kMostErrors; ++told) {
         note_failure(sensor, failure);
         failure = channels_[sensor].receive(out, counters_.kernel_drops);

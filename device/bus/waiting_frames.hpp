@@ -21,7 +21,7 @@ class WaitingFrames {
   static constexpr Timestamp kLongestWait = std::chrono::milliseconds(10);
 
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
-  /// False, and counted as given up, if there is no room.
+  /// False if there is no room: the frame is counted as given up.
   bool push(const BusFrame& frame, Timestamp now) noexcept {
     if (count_ == kRoom) {
       ++given_up_;

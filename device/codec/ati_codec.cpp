@@ -224,8 +224,8 @@ bool AtiCalibration::usable() const noexcept {
   if (!matrix.allFinite() || counts.per_force == 0 || counts.per_torque == 0 ||
       !ati_newton(units.force) || !ati_newton_metre(units.torque))
     return false;
-  // Rows of force and torque differ by orders of magnitude in any units: each is measured by
-  // itself.
+  // Rows of force and torque differ by orders of magnitude, whatever the units: each row is divided
+  // by its own length.
   const Vec6 lengths = matrix.rowwise().stableNorm();
   if (!(lengths.minCoeff() > 0.0) || !lengths.allFinite()) return false;
   constexpr double kSmallestPivot = 1e-5;  // relative; single precision resolves 6e-8

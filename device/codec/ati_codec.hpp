@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of ATI F/T sensors with a NETCANOEM board on CAN: the host asks, the board answers with
-// six strain gages, and matrix, counts and bias are the host's. Pure: frames and arrival times in,
-// readings and answers out; no bus, no clock, no allocation. Facts: ATI manual 9610-05-1030-04.
-// Wrenches are in the sensor frame.
+// Frames of ATI F/T sensors with a NETCANOEM board on CAN. The host asks, and the board answers
+// with six strain gages; the host itself applies matrix, counts and bias. Pure: frames and arrival
+// times in, readings and answers out; no bus, no clock, no allocation. Source: ATI manual
+// 9610-05-1030-04. Wrenches are in the sensor frame.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ enum class AtiWord : std::uint8_t {
   foreign,  ///< no word of this protocol: wrong length, extended, remote
   request,  ///< asks the board
   answer,   ///< told apart from a request by its length
-  either    ///< selects a calibration, or echoes that
+  either    ///< selects a calibration, or is the echo of such a frame
 };
 /// @pre ati_owns(base, frame)
 [[nodiscard]] AtiWord ati_word(const BusFrame& frame) noexcept;
@@ -62,9 +62,9 @@ struct AtiReading {
   RawCounts gages{};  ///< 0 … 5 in this order, 16 bits each
 
   [[nodiscard]] bool operator==(const AtiReading&) const = default;
-  /// A gage at the end of its range. Each axis mixes all gages: none can be used.
+  /// A gage is at the end of its range. Every axis is computed from all gages, so none can be used.
   [[nodiscard]] bool saturated() const noexcept;
-  /// The board goes on sending in a critical error; the host must refuse the values.
+  /// The board reports a critical error. It goes on sending, but the host must refuse the values.
   [[nodiscard]] bool critical() const noexcept;
   [[nodiscard]] bool valid() const noexcept { return !saturated() && !critical(); }
 };
@@ -151,7 +151,8 @@ class AtiPairing {
   };
   /// A frame with gages. @pre ati_word() is AtiWord::answer, opcode `gages` or `odd_gages`
   [[nodiscard]] std::optional<Reading> push(const BusFrame& frame, Timestamp stamp) noexcept;
-  /// The gages were asked for: what still waits belongs to an older question. Also at the end.
+  /// Called when the gages are asked for, and at the end: a half that still waits belongs to an
+  /// older question.
   void ask() noexcept;
 
   /// Halves without the other half.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of JR3 sensors behind the open CAN adaptor: one synchronisation frame makes all
-// adaptors send force and moment at once, both with the number of the sensor's own frame. Pure:
-// frames and arrival times in, samples and answers out; no bus, no clock, no allocation.
-// Little-endian. Wrenches are in the sensor frame. Facts: docs/devices.md.
+// Frames of JR3 sensors behind the open CAN adaptor: one synchronisation frame makes all adaptors
+// send force and moment at once, both with the number of the sensor's own frame. Pure: frames and
+// arrival times in, samples and answers out; no bus, no clock, no allocation. Little-endian.
+// Wrenches are in the sensor frame. Source: docs/devices.md.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace isograsp {
 /// Numbers of the three adaptors (1 … 127): thumb, index, middle.
 inline constexpr std::array<std::uint8_t, kFingerCount> kJr3Nodes{1, 2, 3};
 
-/// An identifier is this plus the number of the adaptor; that of `sync` stands alone.
+/// An identifier is this value plus the number of the adaptor; for `sync` it is the value alone.
 enum class Jr3Opcode : std::uint16_t {
   sync = 0x080,
   acknowledge = 0x100,  ///< from the adaptor: it does not say what it answers
@@ -82,7 +82,7 @@ struct Jr3Calibration {
   [[nodiscard]] bool operator==(const Jr3Calibration&) const = default;
 };
 
-/// One measurement in counts: ±16384 is the full scale, and numbers reach twice as far.
+/// One measurement in counts: ±16384 is the full scale, and 16 bits reach twice as far.
 struct Jr3Reading {
   std::uint16_t number = 0;  ///< of the sensor's frame, at most 8 kHz; wraps
   RawCounts raw{};           ///< Fx Fy Fz Mx My Mz
@@ -108,13 +108,14 @@ class Jr3Pairing {
   };
   /// A frame with values. @pre jr3_word() is an answer with the opcode `force` or `moment`
   [[nodiscard]] std::optional<Reading> push(const BusFrame& frame, Timestamp stamp) noexcept;
-  /// Nothing of what came before can be completed: the adaptor began anew, or the log ends.
+  /// Drops what waits, because it can no longer be completed: the adaptor began anew, or the log
+  /// ends.
   void forget() noexcept;
 
   /// Halves without the other half.
   [[nodiscard]] std::uint64_t torn() const noexcept { return torn_; }
-  /// Halves that wait already, or that come again within 2 ms of the newest complete sample. Later
-  /// ones make a sample with the same number: the sensor itself does not go on.
+  /// Halves that came twice: while the first one still waits, or within 2 ms of the newest complete
+  /// sample. After 2 ms they make a sample with the same number: the sensor itself stands still.
   [[nodiscard]] std::uint64_t duplicate() const noexcept { return duplicate_; }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // JR3 PCI receiver cards as comedi's driver jr3_pci shows them: one subdevice per sensor, eight
-// channels per filter. Also the little frames in which card and session talk to each other, so that
-// a card is a bus like any other. Pure. Wrenches are in the sensor frame.
+// channels per filter. Also the short frames between card and session, so that a card can be used
+// as a bus. Pure. Wrenches are in the sensor frame.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kJr3HighestSample = 0x7FFF;
 [[nodiscard]] constexpr unsigned jr3_comedi_channel(unsigned filter, unsigned axis) noexcept {
   return 8 * filter + axis;
 }
-/// What comedi calls the highest value of a channel is in kN, or kN m: full scale in N, N m.
+/// Full scale [N, N m] from comedi's highest value of a channel, which is in kN or kN m.
 [[nodiscard]] constexpr double jr3_comedi_full_scale(double most) noexcept {
   return 1000.0 * most;
 }
@@ -33,7 +33,7 @@ inline constexpr std::uint32_t kJr3HighestSample = 0x7FFF;
 using Jr3ComediSamples = std::array<std::uint16_t, 6>;
 /// Counts: the full scale is ±16384.
 [[nodiscard]] RawCounts jr3_comedi_counts(const Jr3ComediSamples& samples) noexcept;
-/// A sample at the end of its range was clipped; +full scale itself cannot be said.
+/// A sample at the end of its range was clipped. (+full scale itself has no sample value.)
 [[nodiscard]] bool jr3_comedi_saturated(const Jr3ComediSamples& samples) noexcept;
 /// Full scales in [N, N m].
 [[nodiscard]] Wrench wrench_of(const Jr3ComediSamples& samples, const Vec6& full_scale) noexcept;

@@ -242,7 +242,7 @@ Result<NetFtBoxConfig> NetFtBoxConfig::parse(std::string_view xml, const std::st
     std::istringstream in{std::string(xml)};
     boost::property_tree::read_xml(in, tree);
   } catch (const boost::property_tree::xml_parser_error& problem) {
-    // Without its line: the parser counts them in text that it has already changed.
+    // The error has no line: the parser counts lines in text that it has already changed.
     return refused("this is no XML: %1"_text(problem.message()), kRemedy).at(where);
   }
   if (tree.size() != 1)

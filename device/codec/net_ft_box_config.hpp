@@ -29,8 +29,8 @@ struct NetFtBoxConfig {
   std::string serial_number;      ///< cfgcalsn, of the transducer's calibration: "FT27462"
   NetFtScale scale;               ///< cfgcpf, cfgcpt, scfgfu, scfgtu
   std::optional<double> rate_Hz;  ///< comrdtrate, of the records; nothing: the page does not tell
-  /// setuserfilter of a Net box [Hz]; 0: no filter; none: the page does not tell in words that are
-  /// known here (Axia).
+  /// setuserfilter of a Net box [Hz]; 0: no filter; nothing: the page gives it in a form that is
+  /// not known here (Axia).
   std::optional<double> filter_Hz;
   /// cfgtfx is not zero: the box shifts or turns the wrench before it sends it.
   bool transformed = false;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of ATI Net F/T boxes and Ethernet Axia sensors: RDT requests and records over UDP, the
-// status words, and the order of the records. Pure: datagrams in, records out; no socket, no
-// clock, no allocation. Facts: docs/devices.md. Values are in the sensor frame, before zero and
-// mounting.
+// Frames of ATI Net F/T boxes and Ethernet Axia sensors: RDT requests and records over UDP, and the
+// status words. Pure: datagrams in, records out; no socket, no clock, no allocation. Source:
+// docs/devices.md. Values are in the sensor frame, before zero and mounting.
 #pragma once
 
 #include <cstdint>
@@ -72,7 +71,7 @@ struct NetFtScale {
 /// The meanings of the status word differ.
 enum class NetFtProduct : std::uint8_t { net_box, axia };
 
-/// What a record is worth.
+/// Whether the values of a record can be used.
 struct NetFtVerdict {
   bool critical = false;   ///< the sensor itself says that the values mean nothing
   bool saturated = false;  ///< a gage at its end (by status), or a value at the end of 32 bits

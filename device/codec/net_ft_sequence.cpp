@@ -8,26 +8,25 @@ namespace isograsp {
 namespace {
 
 constexpr std::uint32_t kHalf = 0x80000000;
-/// No datagram is late by more.
+/// Longest delay of a datagram.
 constexpr double kLongestDelay_s = 1.0;
-/// Measurements inside the sensor in that time.
+/// Most measurements that a sensor makes in that time.
 constexpr std::uint32_t kLongestLate = 8000;
-/// Delays differ by no more than this between a record and the next but one: what is missing
-/// between them was sent.
+/// Largest difference between the delays of a record and the next but one. Within it, a gap between
+/// them is believed: the missing records were sent.
 constexpr double kLongestJitter_s = 0.05;
-/// The arrival of a datagram is known no better than this: it may seem to come before the start.
+/// Error of the arrival time of a datagram: it may seem to come before the start.
 constexpr double kStampJitter_s = 0.001;
 /// The first records of a stream need not be a whole period apart.
 constexpr double kPartOfRecord = 0.25;
-/// Boxes round their rate to a fraction of their own and have clocks of their own.
+/// Relative error of the rate: a box rounds it to a fraction of its own rate and has its own clock.
 constexpr double kRateTolerance = 0.02;
-/// A box may be slower than believed by the tolerance, and what is believed faster than the middle
-/// by another: its records seem late by no more than two tolerances of the time that passes. What
-/// is saved up is given back a little faster, so that a slow clock never makes room for a forged
-/// record.
+/// sent_in() assumes a rate that is one tolerance too high, and a box may be one tolerance too
+/// slow: then `spare_` grows by two tolerances of the time that passes. It is reduced a little
+/// faster, so that a slow clock never makes room for a forged record.
 constexpr double kGivenBack = 2.1;
-/// But not what the network has shown to need: the most that one record has caught up is remembered
-/// for about this time.
+/// `spare_` is not reduced below `jitter_`, which the network has shown to need: the most that one
+/// record has caught up is remembered for about this time.
 constexpr double kJitterMemory_s = 60.0;
 
 }  // namespace
@@ -38,12 +37,12 @@ void NetFtSequence::start(Timestamp when) noexcept {
   unplaced_.reset();
 }
 
-/// Records, at most.
+/// Most records that a box sends in this time.
 double NetFtSequence::sent_in(double seconds) const noexcept {
   return seconds * rate_Hz_ * (1.0 + kRateTolerance);
 }
 
-/// The slack of a record that may come a little early.
+/// By how many records a record may come too early.
 double NetFtSequence::slack() const noexcept {
   return kPartOfRecord + sent_in(kStampJitter_s);
 }
@@ -89,7 +88,7 @@ NetFtSequence::Place NetFtSequence::push(const NetFtRecord& record, Timestamp st
   return Place::late;
 }
 
-/// The first record may have been sent at the start.
+/// Record 1 may have been sent at the start itself.
 NetFtSequence::Place NetFtSequence::begin(const NetFtRecord& record, Timestamp stamp) noexcept {
   const double since_s = to_seconds(stamp - *started_) + kStampJitter_s;
   const double sent = 1.0 + sent_in(since_s);
@@ -100,7 +99,7 @@ NetFtSequence::Place NetFtSequence::begin(const NetFtRecord& record, Timestamp s
   return Place::in_order;
 }
 
-/// It is the newest now.
+/// Makes this record the newest one.
 void NetFtSequence::advance(const NetFtRecord& record, Timestamp stamp) noexcept {
   const std::uint32_t ahead = record.rdt_sequence - newest_->rdt;
   lost_ += ahead - 1;
@@ -117,8 +116,8 @@ NetFtSequence::Place NetFtSequence::go_on(const NetFtRecord& record, Timestamp s
   const std::uint32_t ft_ahead = record.ft_sequence - newest_->ft;
   if (ft_ahead >= kHalf) return contradiction(record, stamp, Place::unplaced);
   const double since_s = std::max(0.0, to_seconds(stamp - newest_stamp_));
-  // The next one may have been kept by the network for long; that some of those before it are
-  // missing is believed only as far as the time tells it.
+  // A record that follows the newest one directly may have had a long delay. If records before it
+  // are missing, a shorter delay is accepted: a gap must agree with the time.
   const double given_back = kGivenBack * kRateTolerance * sent_in(since_s);
   const double spare = std::max(spare_ - given_back, std::min(spare_, jitter_));
   const double kept = ahead == 1 ? spare : std::min(spare, kLongestJitter_s * rate_Hz_);
@@ -134,8 +133,8 @@ NetFtSequence::Place NetFtSequence::go_on(const NetFtRecord& record, Timestamp s
   return Place::stalled;
 }
 
-/// Where a stream comes earlier than before for good, a delay that lasted has ended: it goes on
-/// with the first record that is not before its time after the one before.
+/// If all records come earlier from now on, a long delay of the network has ended. The stream goes
+/// on with the first record that is not too early after the one before.
 NetFtSequence::Place NetFtSequence::before_its_time(const NetFtRecord& record,
                                                     Timestamp stamp) noexcept {
   if (record.rdt_sequence - newest_->rdt >= kWindow || !unplaced_)
@@ -152,7 +151,8 @@ NetFtSequence::Place NetFtSequence::before_its_time(const NetFtRecord& record,
   return Place::impossible;
 }
 
-/// A stream that began anew goes on from its first record; a stray record stands alone.
+/// If this record continues the last one that did not fit, the stream began anew; else it is a
+/// stray record.
 NetFtSequence::Place NetFtSequence::contradiction(const NetFtRecord& record, Timestamp stamp,
                                                   Place what) noexcept {
   if (unplaced_) {

@@ -16,12 +16,11 @@ namespace isograsp {
 /// twice and k lost on the way, whatever their order: lost - late = k and duplicate = d, as long as
 /// nothing is late by more than 63 records and the newest record arrives.
 ///
-/// Anybody on the network can send a record. No box sends more of them than its rate and the time
-/// since its start allow, however long the network kept them: a number beyond that is impossible.
-/// So lost() agrees with the time that has passed, and one forged record changes nothing. A record
-/// that comes before its time is impossible in the tenth hour as in the first second, as far as the
-/// network itself does not scatter them. A delay that lasts becomes the new time after a while, and
-/// when it ends the stream goes on from there.
+/// Anybody on the network can send a record. But no box sends more records than its rate and the
+/// time since its start allow, however long the network kept them: a higher number is impossible.
+/// So lost() agrees with the time that has passed, and one forged record changes nothing. This
+/// holds in the tenth hour as in the first second, within the jitter that the network shows. A long
+/// delay becomes the new normal after a while; when it ends, the stream goes on from there.
 class NetFtSequence {
  public:
   enum class Place : std::uint8_t {
@@ -35,11 +34,12 @@ class NetFtSequence {
     restarted    ///< a second record confirms that the box, or its stream, began anew
   };
 
-  /// `rate_Hz`: of the records. Where it is not known: the fastest that any box can measure.
+  /// `rate_Hz`: of the records; if it is not known, the fastest that any box can measure.
   explicit NetFtSequence(double rate_Hz = kNetFtFastest_Hz) noexcept : rate_Hz_(rate_Hz) {}
 
-  /// From here on only the records of a stream that was begun at `when`: those from number 1 on, as
-  /// far as so many can have been sent since. Without it the first record of any number begins.
+  /// From now on only records of a stream that was started at `when` count: their numbers begin
+  /// with 1 and are not higher than the time since then allows. Without start(), the first record
+  /// of any number begins.
   void start(Timestamp when) noexcept;
   [[nodiscard]] Place push(const NetFtRecord& record, Timestamp stamp) noexcept;
 
@@ -80,8 +80,8 @@ class NetFtSequence {
   std::optional<Number> newest_;
   std::optional<Arrival> unplaced_;
   Timestamp newest_stamp_{0};
-  double jitter_ = 0.0;     ///< records by which one has caught up lately
-  double spare_ = 0.0;      ///< records that could have come by newest_stamp_, beyond the newest
+  double jitter_ = 0.0;     ///< records that one record has caught up lately
+  double spare_ = 0.0;      ///< records beyond the newest that could have come by newest_stamp_
   std::uint64_t seen_ = 0;  ///< bit k: record number newest - k has come
   std::array<std::uint32_t, kWindow> ft_of_{};
   std::uint64_t lost_ = 0;

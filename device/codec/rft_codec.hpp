@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of Robotous RFT sensors on CAN. Pure: frames and arrival times in, samples and answers
-// out; no bus, no clock, no allocation. Facts: RFT Series Manual 1.82, sections 3.3 - 3.6.
-// Values are in the sensor frame, before zero and mounting; Fz is positive in tension.
+// Frames of Robotous RFT sensors on CAN. Pure: frames and arrival times in, samples and answers
+// out; no bus, no clock, no allocation. Source: RFT Series Manual 1.82, sections 3.3 - 3.6. Values
+// are in the sensor frame, before zero and mounting; Fz is positive in tension.
 #pragma once
 
 #include <array>
@@ -53,7 +53,7 @@ enum class RftCommand : std::uint8_t {
 /// Whether the manual knows a command with this number.
 [[nodiscard]] bool is_rft_command(std::uint8_t number) noexcept;
 
-/// D1 … D16, which the two frames of a sensor make together. Data and answers look alike: D1 tells.
+/// D1 … D16: the two frames of a sensor together. D1 tells data from answers.
 struct RftPacket {
   std::uint8_t command = 0;                ///< D1
   std::array<std::uint8_t, 15> content{};  ///< R1 … R15
@@ -85,7 +85,7 @@ struct RftCounts {
 /// In the sensor frame [N, N m]. Divides, so that 617 counts are 12.34 N to the last bit.
 [[nodiscard]] Wrench wrench_of(const RftCounts& counts, const RftDivisors& divisors) noexcept;
 
-/// A value at either end of its 16 bits says no more than "beyond".
+/// A value is at either end of its 16 bits: the true one may lie beyond.
 [[nodiscard]] bool at_end_of_numbers(const RftCounts& counts) noexcept;
 
 /// Output rates that the sensor knows [Hz] and their codes; nullopt for any other rate.
@@ -116,8 +116,8 @@ class RftPairing {
   [[nodiscard]] std::uint64_t torn() const noexcept { return torn_; }
   /// Frames that repeat the one before bit for bit within 2 ms.
   [[nodiscard]] std::uint64_t duplicate() const noexcept { return duplicate_; }
-  /// Frames that carry our identifiers and nothing else of ours: wrong length, unknown D1, extended
-  /// or remote.
+  /// Frames that carry the sensor's identifiers but are not of this protocol: wrong length, unknown
+  /// D1, extended or remote.
   [[nodiscard]] std::uint64_t foreign() const noexcept { return foreign_; }
   [[nodiscard]] const RftIds& ids() const noexcept { return ids_; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of Robotous RFT sensors as bytes of a serial line or as datagrams: 55, the same field
-// as on CAN (8 bytes of a command, 16 of an answer), the low byte of the field's sum, AA. Pure, no
-// allocation. Facts: RFT Series Manual 1.82, section 3.5.2.
+// Frames of Robotous RFT sensors as bytes of a serial line or as datagrams: 55, the same field as
+// on CAN (8 bytes of a command, 16 of an answer), the low byte of the field's sum, AA. Pure, no
+// allocation. Source: RFT Series Manual 1.82, section 3.5.2.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ inline constexpr std::size_t kRftStreamPacket = 19;   ///< bytes of an answer or
 /// @pre the counts fit 16 bits
 [[nodiscard]] BusFrame encode_stream_counts(std::uint32_t peer, const RftCounts& counts,
                                             RftCommand command = RftCommand::start) noexcept;
-/// The 8 bytes of the field of a command; nullopt: it is none.
+/// The 8 bytes of the field of a command; nullopt: no command.
 [[nodiscard]] std::optional<std::array<std::uint8_t, 8>> decode_stream_command(
     std::span<const std::uint8_t> bytes) noexcept;
 

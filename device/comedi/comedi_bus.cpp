@@ -17,7 +17,7 @@ bool ComediBus::send(const BusFrame& frame) noexcept {
   const auto question = jr3_comedi_question(frame);
   if (!question || clock_ == nullptr) return false;
   const auto content = answer(frame.id, *question);
-  if (!content) return true;  // it was asked
+  if (!content) return true;  // sent, but without an answer
   if (count_ == answers_.size()) {
     ++counters_.kernel_drops;
     return true;
@@ -54,8 +54,8 @@ std::optional<BusFrame> ComediBus::read_samples(std::uint32_t sensor,
 std::optional<BusFrame> ComediBus::read_identity(std::uint32_t sensor,
                                                  const Jr3ComediQuestion& question) noexcept {
   Jr3ComediIdentity identity;
-  // Until the driver has talked to the sensor its ranges say nothing, and libcomedi keeps those of
-  // the moment at which it opened the card.
+  // Ranges are valid only after the driver has talked to the sensor, and libcomedi keeps those of
+  // the moment at which it opened the card: so it is opened again.
   if (card_->read(question.subdevice, kJr3SerialChannel, identity.serial_number) !=
           ComediCard::Reading::good ||
       !card_->reopen())

@@ -75,7 +75,7 @@ void read_support(TomlReader& sensor, Support& support) {
   if (!sensor.has("support_normal") && !sensor.has("support_tangent")) return;
   const Vec3 z = sensor.vec3("support_normal");
   const Vec3 tangent = sensor.vec3("support_tangent");
-  constexpr double kParallel = 1e-6;  // below this the tangent says nothing
+  constexpr double kParallel = 1e-6;  // below this the direction of the tangent is rounding
   if (z.norm() < kParallel || z.cross(tangent).norm() < kParallel * z.norm() * tangent.norm() ||
       tangent.norm() < kParallel) {
     sensor.fail("support_tangent", "normal and tangent do not span a plane"_text,
@@ -169,7 +169,8 @@ Result<ClinicCalibration> ClinicCalibration::read(const std::string& path) {
     if (values.size() != 6) continue;
     for (int column = 0; column < 6; ++column)
       out.matrix(row, column) = values[static_cast<std::size_t>(column)];
-    // A correction corrects by per cents. Twice as much or half is a matrix of another kind.
+    // A correction changes values by some per cent. A factor of 2 or 1/2 shows another kind of
+    // matrix.
     constexpr double kLargest = 2.0;
     const double own = out.matrix(row, row);
     if (!(own >= 1.0 / kLargest && own <= kLargest))

@@ -26,7 +26,7 @@ struct FamilyFacts;
 struct Mounting {
   Quat q_CS = Quat(0.0, 1.0, 0.0, 0.0);  ///< turns S components into C components
   Vec3 p_SC_S = Vec3::Zero();            ///< contact point, measured from the sensor's origin [m]
-  double sign = 1.0;  ///< -1: the sensor tells what it does to the finger, not what it feels
+  double sign = 1.0;  ///< -1: the sensor gives the force on the finger, not the force on itself
 
   /// The wrench about the contact point, in C: f_C = s R f_S, tau_C = s R (tau_S - p x f_S). Exact
   /// inverse of to_sensor().
@@ -67,7 +67,7 @@ struct SensorConfig {
 };
 
 struct DeviceConfig {
-  const FamilyFacts* family = nullptr;  ///< of the three sensors; never null in what is made below
+  const FamilyFacts* family = nullptr;  ///< of the three sensors; never null if made below
   std::string name;
   std::string interface;     ///< "can0"; a URI goes before it
   std::optional<Hand> hand;  ///< the platform serves this hand only

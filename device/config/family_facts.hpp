@@ -59,13 +59,13 @@ struct FamilyFacts {
   SensorConfig (*standard)(std::size_t finger) = nullptr;
   /// Reads the keys that hold for all three sensors; nullptr: there are none.
   void (*read_device)(TomlReader& root, DeviceConfig& config) = nullptr;
-  /// Reads the keys of one sensor that other families have not.
+  /// Reads the keys of one sensor that other families do not have.
   void (*read_sensor)(TomlReader& keys, SensorConfig& sensor) = nullptr;
   /// Identifiers or addresses of a sensor: no other one may have them.
   std::vector<std::string> (*identities)(const SensorConfig& sensor) = nullptr;
   /// How a sensor is reached, for people: "node 1".
   std::string (*place)(const SensorConfig& sensor) = nullptr;
-  /// Whether the sensors can be set so. As it stands: 10 to 1000 Hz, no filter.
+  /// Whether the sensors can be set to this rate or filter. Default: 10 to 1000 Hz, no filter.
   bool (*has_rate)(double rate_Hz) = [](double rate_Hz) {
     return rate_Hz >= 10.0 && rate_Hz <= 1000.0;
   };
@@ -75,22 +75,23 @@ struct FamilyFacts {
   void (*add_can_ids)(const SensorConfig& sensor, CanIds& ids) = nullptr;
   /// "HOST:PORT"; empty: not known.
   std::string (*udp_address)(const SensorConfig& sensor) = nullptr;
-  /// The sensor is where a device URI says.
+  /// Sets the address of the sensor from a device URI.
   void (*set_address)(SensorConfig& sensor, const std::string& address) = nullptr;
 
   // The conversation.
   /// @pre rate and filter of the configuration exist
   std::unique_ptr<SensorSession> (*make_session)(const DeviceConfig& config,
                                                  std::size_t finger) = nullptr;
-  /// The same, after asking the sensor what its frames will not tell; nullptr: they tell all.
+  /// The same, after asking the sensor for what its frames do not contain; nullptr: nothing to ask.
   Result<std::unique_ptr<SensorSession>> (*ask_session)(const DeviceConfig& config,
                                                         std::size_t finger) = nullptr;
 
-  // The other end of the wire, and logs of it; all nullptr: a card in this computer has no wire.
+  // Emulated sensors and logs of raw frames; all nullptr for a card in this computer: it has no
+  // wire.
   std::unique_ptr<EmulatedSensor> (*make_emulated)(std::size_t finger,
                                                    const DeviceConfig& config) = nullptr;
-  /// The bus of three emulated sensors at the address `on`; `uri` becomes the device that finds
-  /// them. nullptr: they play on CAN.
+  /// Opens a bus of three emulated sensors at the address `on`; `uri` becomes the device URI that
+  /// connects to them. nullptr: they are emulated on a CAN bus.
   Result<std::unique_ptr<Bus>> (*open_emulated)(const std::string& on, const DeviceConfig& config,
                                                 std::string& uri) = nullptr;
   /// Of a log of CAN frames (candump).
@@ -101,7 +102,7 @@ struct FamilyFacts {
       const std::function<void(const std::string&, Timestamp, const DecodedSample&)>& take) =
       nullptr;
 
-  // What to do about a rate or filter that the sensors have not.
+  // What to do about a rate or filter that the sensors do not have.
   Words rate_remedy = "use 10 to 1000"_text;
   Words filter_remedy = "leave filter_Hz out"_text;
 

@@ -10,7 +10,7 @@ namespace isograsp {
 
 namespace {
 
-/// The cut-off of the ideal low-pass that is windowed; the window moves the -3 dB point.
+/// `ideal_Hz`: cut-off of the ideal low-pass before the window; the window shifts the -3 dB point.
 std::vector<double> windowed_sinc(int taps, double rate_Hz, double ideal_Hz) {
   const double middle = (taps - 1) / 2.0;
   const double omega = 2.0 * std::numbers::pi * ideal_Hz / rate_Hz;
@@ -48,7 +48,7 @@ Result<std::vector<double>> design_fir(int taps, double rate_Hz, double cutoff_H
   const double half_power = std::sqrt(0.5);
   double low_Hz = 0.0;
   double high_Hz = rate_Hz / 2.0;
-  const double least_Hz = rate_Hz * 1e-6;  // the window alone: the lowest cut-off there is
+  const double least_Hz = rate_Hz * 1e-6;  // nearly the window alone: the lowest cut-off possible
   if (fir_gain(windowed_sinc(taps, rate_Hz, least_Hz), rate_Hz, cutoff_Hz) > half_power ||
       fir_gain(windowed_sinc(taps, rate_Hz, high_Hz), rate_Hz, cutoff_Hz) < half_power)
     return refused("%1 taps cannot make this cut-off at this rate"_text(taps),
@@ -75,7 +75,7 @@ bool FirFilter::push(Vec6& value) noexcept {
   next_ = next_ + 1 == length_ ? 0 : next_ + 1;
   count_ = std::min(count_ + 1, length_);
   if (count_ < length_) return false;
-  // The coefficients are the same from both ends: the order of the window does not matter.
+  // The coefficients are symmetric, so the direction through the window does not matter.
   value.setZero();
   for (std::size_t n = 0; n < length_; ++n) {
     const std::size_t i = next_ + n < length_ ? next_ + n : next_ + n - length_;

@@ -24,12 +24,13 @@ struct Platform {
   Platform();
 };
 
-/// Wrench of all fingers on the platform about its origin, in P: F = sum R f,
-/// tau = sum (R tau_f + p x R f). What an arm or a trunk pushes: finger forces that only squeeze
+/// Wrench of all fingers on the platform about its origin, in P: F = sum R f, tau = sum (R tau_f +
+/// p x R f). It shows how the arm or the trunk pushes, because finger forces that only squeeze
 /// cancel in F.
 [[nodiscard]] Wrench net_wrench(const Platform& platform, const FingerWrenches& wrench_C) noexcept;
 
-/// Below this force along z the place where a pad presses is not told (clinical rules, posture).
+/// Below this force along z the place where a pad presses is not computed (clinical rules,
+/// posture).
 inline constexpr double kLeastForceForPlace_N = 2.0;
 /// Pad centre of pressure on the support, x and y of C: (-tau_y / f_z, tau_x / f_z) [m].
 [[nodiscard]] std::optional<Eigen::Vector2d> centre_of_pressure(const Wrench& wrench_C) noexcept;

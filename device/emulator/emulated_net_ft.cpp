@@ -59,7 +59,7 @@ class EmulatedNetFt final : public EmulatedSensor {
  private:
   [[nodiscard]] double period_s() const noexcept { return inside_per_record_ / kInside_Hz; }
 
-  /// Measurements inside go on without anybody listening.
+  /// The box goes on measuring inside, also while it sends nothing.
   void pass_time(Timestamp now) noexcept {
     const double passed_s = std::max(0.0, to_seconds(now - inside_since_) / clock_);
     inside_ += static_cast<std::uint32_t>(std::llround(passed_s * kInside_Hz));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A Net F/T box in software: idle at power-up, measures 7000 times a second inside and sends every
-// n-th measurement with both numbers. What of the faults is the network's is played by the
-// emulator round it.
+// n-th measurement with both numbers. Faults of the network are played by the emulator around it.
 #pragma once
 
 #include <cstddef>

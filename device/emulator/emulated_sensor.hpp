@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One sensor in software, as it looks from the bus. A protocol's emulated sensor understands the
-// commands and makes the frames; what it feels, its clock, its noise and every fault come from the
-// emulator round it. No bus and no real clock.
+// commands and makes the frames; the wrench, the clock, the noise and every fault come from the
+// emulator around it. No bus and no real clock.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class EmulatorWorld {
   [[nodiscard]] virtual Wrench feel(std::size_t finger, double play_s) = 0;
   /// A whole number of counts, uniform within plus or minus the noise of the emulator; 0: none.
   [[nodiscard]] virtual int noise_counts() = 0;
-  /// The low-pass of a real sensor acts; a file is played as it stands.
+  /// True: the low-pass of a real sensor acts. False: the wrenches of a file are played unchanged.
   [[nodiscard]] virtual bool filtered() const = 0;
   [[nodiscard]] virtual std::string serial_number(std::size_t finger) const = 0;
   /// True seconds per second of the sensor's own clock.
@@ -51,7 +51,8 @@ class EmulatedSensor {
   virtual void measure(EmulatorWorld& world) = 0;
   /// Power off and on: settings survive as in the real sensor, the rest does not.
   virtual void power_dip(Timestamp now, EmulatorWorld& world) = 0;
-  /// An answer that nobody asked for, in the middle of a stream; of a family that has one.
+  /// Sends an answer without a question in the middle of a stream, if the family has such an
+  /// answer.
   virtual void answer_unasked(Timestamp, EmulatorWorld&) {}
   /// Since when the play runs for this sensor; Timestamp::max(): not yet.
   [[nodiscard]] virtual Timestamp play_start() const = 0;

@@ -124,7 +124,7 @@ void Emulator::send_sample(std::size_t finger, Timestamp when, std::span<const B
     second = false;
     lose_first_of_next_[finger] = true;
   }
-  const bool whole = frames.size() == 1;  // one frame is both
+  const bool whole = frames.size() == 1;  // a single frame is both the first and the second
   counters.lost_first += first ? 0 : 1;
   counters.lost_second += second || whole ? 0 : 1;
   counters.lost_samples += first && second ? 0 : 1;

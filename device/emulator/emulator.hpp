@@ -27,7 +27,7 @@ struct EmulatorOptions {
   std::uint64_t seed = 1;
   double clock_error = 200e-6;  ///< each sensor's own, uniform within plus or minus this
   int noise_counts = 0;         ///< each axis, uniform within plus or minus this
-  bool filtered = false;        ///< the sensor's low-pass acts; a file is played as it stands
+  bool filtered = false;        ///< the low-pass of the sensor acts; false for a file
   std::vector<Fault> faults;
 };
 
@@ -59,7 +59,7 @@ class Emulator final : private EmulatorWorld {
   [[nodiscard]] bool take(Timestamp now, BusFrame& out);
   /// When take() will have something; Timestamp::max() while idle.
   [[nodiscard]] Timestamp next() const noexcept;
-  /// Nothing is measured any more; what was still leaves.
+  /// Ends measuring; what was measured before is still sent.
   void finish(Timestamp now);
   [[nodiscard]] const std::array<EmulatorCounters, kFingerCount>& counters() const noexcept {
     return counters_;
@@ -88,7 +88,7 @@ class Emulator final : private EmulatorWorld {
   [[nodiscard]] bool silent(std::size_t finger, Timestamp now) const noexcept;
   [[nodiscard]] const Fault* acting(Fault::Kind kind, std::size_t finger,
                                     double t_s) const noexcept;
-  /// Throws the dice for every fault of this kind; the one that hits.
+  /// Draws for every fault of this kind whether it happens now; returns the one that does.
   [[nodiscard]] const Fault* hit(Fault::Kind kind, std::size_t finger);
   [[nodiscard]] Timestamp instant_of(const Fault& fault) const noexcept;
   void depart(Timestamp when, const BusFrame& frame);

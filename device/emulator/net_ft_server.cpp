@@ -115,7 +115,7 @@ class OpenBoxes final : public NetFtServer {
 
   bool send(const BusFrame& frame) noexcept override {
     if (frame.id >= kFingerCount || !frame.is_standard())
-      return true;  // no such thing on a network
+      return true;  // a network has no such frames
     const auto& client = clients_[frame.id];
     beast::error_code failure;
     const auto bytes = frame.bytes();
@@ -156,7 +156,7 @@ class OpenBoxes final : public NetFtServer {
     });
   }
 
-  /// Only wakes receive(): that reads.
+  /// Only wakes receive(), which then reads.
   void listen(std::size_t finger) {
     sockets_[finger].async_wait(udp::socket::wait_read, [this, finger](beast::error_code failure) {
       if (failure == asio::error::operation_aborted) return;
@@ -176,7 +176,7 @@ class OpenBoxes final : public NetFtServer {
           listen(f);
           break;
         }
-        if (failure) continue;  // what an earlier record met: nobody listens
+        if (failure) continue;  // an earlier record was refused: nobody listens
         clients_[f] = from;
         out = {};
         out.frame.id = static_cast<std::uint32_t>(f);

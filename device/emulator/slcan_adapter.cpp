@@ -135,7 +135,7 @@ std::optional<int> SlcanAdapter::switching_on_ended() noexcept {
 void SlcanAdapter::unplug() noexcept {
   for (int* end : {&master_, &slave_})
     if (*end >= 0) ::close(std::exchange(*end, -1));
-  // Without the adapter it ends at once.
+  // The program that switches on ends at once when the adapter is gone.
   if (switching_on_ >= 0) (void)waitpid(std::exchange(switching_on_, -1), nullptr, 0);
   open_ = off_ = stalled_ = false;
   told_bit_rate_ = 0;

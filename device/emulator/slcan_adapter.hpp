@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A USB-CAN adapter in software. It plays the adapter at one end of a pseudo-terminal; at the other
-// end the kernel's slcan driver makes a CAN interface of it, with a bit rate, a short transmit
-// queue and error states: what a virtual CAN interface has not. Seen from here it is the Bus of the
-// nodes that hang on the adapter.
+// end the kernel's slcan driver makes a CAN interface of it. This one has a bit rate, a short
+// transmit queue and error states, which a virtual CAN interface does not have. Seen from here it
+// is the Bus of the nodes that hang on the adapter.
 //
 // Needs the right to make interfaces (root), the kernel module slcan and the program ip.
 #pragma once
@@ -48,8 +48,8 @@ class SlcanAdapter final : public Bus {
   /// A frame from a node of the bus to the computer. Without effect, and counted as unsent, while
   /// the adapter is unplugged, stalled, bus-off or switched off.
   bool send(const BusFrame& frame) noexcept override;
-  /// A frame from the computer to the nodes. The kernel waits for answers while an interface is
-  /// being switched on, so this has to be called all the time. interface_gone: the interface could
+  /// A frame from the computer to the nodes. Has to be called all the time, because the kernel
+  /// waits for answers while an interface is being switched on. interface_gone: the interface could
   /// not be switched on after plugging in.
   [[nodiscard]] BusEvent receive(Timestamp deadline, ReceivedFrame& out) noexcept override;
   [[nodiscard]] BusCounters counters() const noexcept override { return counters_; }

@@ -54,7 +54,7 @@ enum class SlcanError : char {
 };
 [[nodiscard]] SlcanText format_slcan_error(SlcanError error) noexcept;
 
-/// What the adapter says to a command; an empty one: nobody understood the line.
+/// What the adapter answers to a command; nothing: the line was not understood.
 [[nodiscard]] SlcanText format_slcan_answer(const std::optional<SlcanCommand>& command) noexcept;
 
 /// Cuts a stream of characters into lines. A line that is too long for the protocol is malformed
@@ -69,7 +69,7 @@ class SlcanLines {
   }
 
  private:
-  std::array<char, 28> line_{};  // one more than any line has: never mistaken for a good one
+  std::array<char, 28> line_{};  // one more than any line: a cut line is never valid
   std::size_t size_ = 0;
 };
 

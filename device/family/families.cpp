@@ -14,7 +14,7 @@ namespace isograsp {
 
 namespace {
 
-// One row each, in the order in which they are told to people.
+// One row each, in the order in which they are listed for people.
 // clang-format off
 constexpr std::array kFamilies{
     &kRftFamily,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JR3 sensors on a PCI card in this computer: no wire, hence no raw frames and none emulated.
+// JR3 sensors on a PCI card in this computer. There is no wire, so there are no raw frames to log
+// and no emulated sensors.
 #include "device/codec/jr3_comedi_codec.hpp"
 #include "device/comedi/comedi_bus.hpp"
 #include "device/config/device_config.hpp"

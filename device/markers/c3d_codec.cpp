@@ -83,7 +83,7 @@ Result<C3dParameter> parse_parameter(std::span<const std::uint8_t> record) {
   return parameter;
 }
 
-/// Records from `at` on; what is behind a record that does not lead further is not looked at.
+/// Reads records from `at` on, until one has no offset to a next record.
 Result<C3dParameters> parse_parameters(std::span<const std::uint8_t> head, std::size_t at) {
   std::map<int, std::string> groups;
   std::vector<std::pair<int, std::pair<std::string, C3dParameter>>> found;
@@ -149,7 +149,7 @@ std::size_t frame_count(std::span<const std::uint8_t> head, const C3dParameters&
   };
   double frames = 1.0 + little_endian<std::uint16_t>(head, 8) -
                   static_cast<double>(little_endian<std::uint16_t>(head, 6));
-  constexpr double kOverflown = 65535.0;  // what writers store for a count that has no room
+  constexpr double kOverflown = 65535.0;  // what writers store for a count that does not fit
   if (const auto stored = number_of(parameters, "POINT:FRAMES");
       stored && *stored > frames && *stored != kOverflown)
     frames = *stored;

@@ -22,7 +22,7 @@ class MarkerCsvWriter {
   [[nodiscard]] static Result<MarkerCsvWriter> create(const std::string& path,
                                                       const std::vector<std::string>& markers);
   void write(double t_s, std::span<const Vec3> p_W);
-  /// Nothing is left under the path without it.
+  /// Without commit() no file is left under the path.
   [[nodiscard]] Result<void> commit();
 
  private:

@@ -15,7 +15,7 @@
 
 namespace isograsp {
 
-/// What was met; the numbers only grow.
+/// What the stream has held so far; counters never decrease.
 struct QtmRtCounts {
   std::uint64_t packets = 0;
   std::uint64_t frames = 0;       ///< rows given
@@ -26,7 +26,7 @@ struct QtmRtCounts {
 
 class QtmRtStream {
  public:
-  /// A packet of more bytes is none: the stream has lost its way.
+  /// No packet is larger: such a size means that the boundaries of the packets are lost.
   static constexpr std::size_t kLargestPacket = std::size_t{16} << 20;
 
   struct Row {

@@ -9,7 +9,7 @@ std::optional<AtiSample> AtiDecoder::push(const BusFrame& frame, Timestamp stamp
   switch (ati_word(frame)) {
     case AtiWord::foreign: ++foreign_; return std::nullopt;
     case AtiWord::request: hear_request(frame); return std::nullopt;
-    case AtiWord::either:  // a slot is asked for, then echoed; both say the same
+    case AtiWord::either:  // a slot is asked for, then echoed: both mean the same
       echo_due_ = !echo_due_;
       ++(echo_due_ ? requests_ : answers_);
       select(frame.data[0]);
@@ -25,12 +25,13 @@ void AtiDecoder::hear_request(const BusFrame& frame) noexcept {
   switch (ati_opcode(frame)) {
     case AtiOpcode::gages: return pairing_.ask();
     case AtiOpcode::matrix_row: row_ = frame.data[0]; return assembly_.forget();
-    case AtiOpcode::reset: return select(0);  // every reset falls back to it
+    case AtiOpcode::reset: return select(0);  // every reset selects slot 0
     default: return;
   }
 }
 
-/// What was known belongs to the slot before. The same slot again changes nothing.
+/// Another slot: what was learned is forgotten, since it belongs to the slot before. The same slot
+/// again changes nothing.
 void AtiDecoder::select(std::uint8_t slot) noexcept {
   if (slot_ && *slot_ != slot) calibration_.reset();
   slot_ = slot;

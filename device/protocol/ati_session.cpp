@@ -12,7 +12,7 @@ namespace {
 constexpr Timestamp kAtiAnswerTime = std::chrono::milliseconds(100);  // while it is set up
 constexpr Timestamp kSampleTime = std::chrono::milliseconds(5);
 
-// The set-up in its order: numbers, with names of their own.
+// Steps of the set-up in their order: numbers, with names of their own.
 struct AtiStep {
   enum : int {
     calibration,
@@ -105,7 +105,7 @@ SensorSession::Heard AtiSession::hear_slot(std::optional<int> step, std::uint8_t
     other_slot_ = slot;
     return Heard::wrong_calibration;
   }
-  if (slot != slot_) return Heard::restarted;  // somebody else chose another one
+  if (slot != slot_) return Heard::restarted;  // another program selected another slot
   if (awaits_ == Awaits::echo) awaits_ = Awaits::nothing;
   return Heard::nothing;
 }
@@ -190,7 +190,7 @@ SensorSession::Heard AtiSession::hear_reading(const AtiReading& reading, Timesta
 std::optional<BusFrame> AtiSession::start(Timestamp now) noexcept {
   if (!next_poll_)
     next_poll_ = now;
-  else  // set up again: what was not asked meanwhile is lost
+  else  // set up again: samples that were not asked for meanwhile are lost
     counters_.lost += pass_slots(now);
   return std::nullopt;
 }

@@ -12,10 +12,10 @@
 
 namespace isograsp {
 
-/// An answer has 5 ms. After one that did not come, the calibration is selected again before the
-/// next question: its echo comes after everything older, so that no late answer is taken for a new
-/// one, and a board that was reset in between has the right calibration again. What comes late is
-/// dropped and counted.
+/// An answer must come within 5 ms. After one that did not, the calibration is selected again
+/// before the next question. Its echo comes after everything older, so that no late answer is taken
+/// for a new one, and a board that was reset in between has the right calibration again. What comes
+/// late is dropped and counted.
 ///
 /// The board tells a reset by its watchdog bit, or by a bad calibration if its first slot holds
 /// none; it is set up again then, as after 100 ms of silence.

@@ -12,8 +12,9 @@
 
 namespace isograsp {
 
-/// A sensor that is not ready gives no samples; after 100 ms of that it is identified again: the
-/// driver may have found another one, and it takes about ten seconds to begin.
+/// A sensor that is not ready gives no samples. After 100 ms without samples it is identified
+/// again, because the driver may have found another sensor; the driver needs about ten seconds to
+/// begin.
 class Jr3ComediSession final : public SensorSession {
  public:
   /// @pre config.sensors[finger] is reached as a Jr3ComediSensor, config.rate_Hz > 0 and

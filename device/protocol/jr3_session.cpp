@@ -15,7 +15,7 @@ constexpr Timestamp kJr3StopTime =
 constexpr Timestamp kSettleTime = std::chrono::milliseconds(100);
 constexpr int kPatience = 3;  // answers "not initialised" until that is a failure
 
-// The set-up in its order: numbers, with names of their own.
+// Steps of the set-up in their order: numbers, with names of their own.
 struct Jr3Step {
   enum : int { stop, state, force_scales, moment_scales, start_sync, settle, all };
 };
@@ -59,7 +59,8 @@ std::optional<SensorSession::Question> Jr3Session::question(int step) const noex
     return Question{jr3_request(node_, opcode), kJr3AnswerTime};
   };
   switch (step) {
-    // Acknowledgements look alike: the one of a stop is not waited for, so that none is left over.
+    // All acknowledgements look alike. The answer to a stop is not expected: it is discarded in the
+    // waiting time, so that none is left over for the next step.
     case Jr3Step::stop: return Question{stop_frame(), kJr3StopTime, false};
     case Jr3Step::state: return ask(Jr3Opcode::state);
     case Jr3Step::force_scales: return ask(Jr3Opcode::force_scales);

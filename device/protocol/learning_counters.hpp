@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a decoder counts that learns the scales of its sensor from the log itself: every frame is in
-// a sample or in one of these, or was torn or doubled (see its pairing).
+// Counters of a decoder that learns the scales of its sensor from the log itself. Every frame
+// belongs to a sample, or is counted here, or is counted by the pairing as torn or duplicate.
 #pragma once
 
 #include <cstdint>

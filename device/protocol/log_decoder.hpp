@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A raw log to samples, offline: those of a CAN bus frame by frame. Values are in the sensor
-// frames, before zero, calibration of the clinic and mounting. Pure.
+// Decodes a raw log into samples, offline; a log of a CAN bus frame by frame. Values are in the
+// sensor frames, before zero, calibration of the clinic and mounting. Pure.
 #pragma once
 
 #include <array>
@@ -51,8 +51,8 @@ class LogDecoder {
   /// Nothing more will come: half a sample is torn.
   virtual void finish() noexcept = 0;
   [[nodiscard]] virtual DecodedCounts counts(std::size_t finger) const noexcept = 0;
-  /// Scales that this decoder found are used from the beginning by the next one; nullptr: there is
-  /// nothing to learn from a log of this protocol, one reading is enough.
+  /// A decoder that uses the scales found by this one from the beginning of the log; nullptr: a log
+  /// of this protocol has nothing to learn from, one reading is enough.
   [[nodiscard]] virtual std::unique_ptr<LogDecoder> second_reading() const { return nullptr; }
 };
 

@@ -15,8 +15,8 @@ using SensorSessions = std::array<std::unique_ptr<SensorSession>, kFingerCount>;
 
 /// @pre rate and filter of the configuration exist
 [[nodiscard]] SensorSessions make_sessions(const DeviceConfig& config);
-/// The same, after asking sensors what their frames will not tell: what their counts mean. Errors
-/// name the finger. Not real-time safe: it may wait seconds for each sensor.
+/// The same, after asking the sensors for what their frames do not contain: the scale of their
+/// counts. Errors name the finger. Not real-time safe: it may wait seconds for each sensor.
 [[nodiscard]] Result<SensorSessions> ask_sessions(const DeviceConfig& config);
 
 }  // namespace isograsp

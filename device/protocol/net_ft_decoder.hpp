@@ -27,8 +27,8 @@ struct NetFtSample {
   bool valid = false;  ///< no critical status and nothing saturated
 };
 
-/// A record that comes late is a sample all the same, at its place in the log; one that came
-/// before, or that no box can have sent yet, is none.
+/// A late record still makes a sample, at its place in the log. A record that came before, or that
+/// no box can have sent yet, makes none.
 class NetFtDecoder {
  public:
   explicit NetFtDecoder(const NetFtScale& scale = {},
@@ -62,10 +62,10 @@ class NetFtDecoder {
 struct NetFtFingers {
   std::array<std::optional<Endpoint>, kFingerCount> box;  ///< port 0: any
 
-  /// nullopt: no finger's.
+  /// nullopt: the box of no finger.
   [[nodiscard]] std::optional<std::size_t> finger_of(const Endpoint& from) const noexcept;
-  /// Those that sent records, in ascending order, are thumb, index and middle. Errors: none, or
-  /// more than three; they name `log`.
+  /// The boxes that sent records are thumb, index and middle in ascending order. Errors: there are
+  /// none, or more than three; they name `log`.
   [[nodiscard]] static Result<NetFtFingers> in_order(std::vector<Endpoint> senders,
                                                      const std::string& log);
   /// As the configuration says: "192.168.1.1" or with a port.

@@ -24,7 +24,7 @@ NetFtSession::NetFtSession(const DeviceConfig& config, std::size_t finger, NetFt
       finger_(static_cast<std::uint32_t>(finger)),
       box_(std::move(box)),
       sequence_(config.rate_Hz) {
-  // Whether it is the right one was seen when the box was asked: its records do not tell.
+  // The serial number was checked when the box was asked: its records do not contain it.
   (void)hear_serial(box_.serial_number);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The conversation with one Net F/T box or Ethernet Axia: stop, one record to see that it answers,
-// start. The box then sends by itself; every record has two numbers. Its software bias is left
-// alone: the zero is kept on this side.
+// start. The box then sends by itself; every record has two numbers. Its software bias is not used:
+// this program keeps the zero.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ class NetFtSession final : public SensorSession {
   }
   [[nodiscard]] std::optional<BusFrame> stop_frame() const noexcept override;
   [[nodiscard]] Vec6 units_per_count() const noexcept override;
-  /// That of a first-order low-pass with the cut-off that the box has; of an Axia unknown: 0.
+  /// That of a first-order low-pass with the cut-off of the box; 0 for an Axia: not known.
   [[nodiscard]] double sensor_delay_s() const noexcept override;
 
  private:

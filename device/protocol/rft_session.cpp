@@ -13,7 +13,7 @@ constexpr Timestamp kRftStopTime =
     std::chrono::milliseconds(20);                                // what was under way is discarded
 constexpr Timestamp kCommandTime = std::chrono::milliseconds(1);  // after one without an answer
 
-// The set-up in its order: numbers, with names of their own.
+// Steps of the set-up in their order: numbers, with names of their own.
 struct RftStep {
   enum : int { stop, serial_number, read_filter, set_filter, read_rate, set_rate, clear_bias, all };
 };
@@ -90,7 +90,7 @@ std::optional<SensorSession::Question> RftSession::question(int step) const noex
     case RftStep::set_rate:
       if (rate_is_right_) return std::nullopt;
       return Question{command(RftCommand::set_rate, {rate_code_}), kRftAnswerTime};
-    // A sensor forgets its bias when its power dips; the zero is therefore kept on this side.
+    // A sensor forgets its bias when its power dips, so this program keeps the zero itself.
     default: return Question{command(RftCommand::set_bias, {0}), kCommandTime, false};
   }
 }

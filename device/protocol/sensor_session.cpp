@@ -10,9 +10,9 @@ namespace isograsp {
 namespace {
 
 constexpr Timestamp kSilence = std::chrono::milliseconds(100);
-constexpr Timestamp kNextRound = std::chrono::milliseconds(250);  // after three tries in vain
+constexpr Timestamp kNextRound = std::chrono::milliseconds(250);  // after three failed tries
 constexpr int kTries = 3;
-constexpr double kLongestGap = 1.5;  // periods between two samples with none lost between
+constexpr double kLongestGap = 1.5;  // periods between two samples of which none is lost
 constexpr std::size_t kLongestSerial = 32;
 
 }  // namespace
@@ -88,8 +88,8 @@ void SensorSession::time_out(Timestamp now) noexcept {
   switch (phase_) {
     case Phase::setup:
       if (!question(step_)->answered) return advance(now);
-      // A command before may have been lost, and a sensor that streams may hear nothing else:
-      // start over.
+      // An earlier command may have been lost, and a sensor that streams may ignore this one: begin
+      // with the first step again.
       if (++tries_ < kTries) return enter(0, now);
       return fail(Failure::no_answer, now);
     case Phase::streaming:  // silent for too long: perhaps its power dipped and it is idle now

@@ -20,13 +20,13 @@ namespace isograsp {
 
 /// One sample of one sensor in the sensor frame, before zero, mounting and clinic's calibration.
 struct Measurement {
-  Timestamp stamp{0};      ///< arrival of the frame that completed it
-  RawCounts raw_counts{};  ///< as sent
-  Wrench wrench_S;         ///< [N, N m]
-  bool valid = true;       ///< false: the sensor itself, or a saturated gage, says it means nothing
-  bool overload = false;   ///< the sensor's own overload sign
-  bool saturated = false;  ///< a value at the end of what its number can say
-  bool status_error = false;  ///< the sensor's own word that something is wrong
+  Timestamp stamp{0};         ///< arrival of the frame that completed it
+  RawCounts raw_counts{};     ///< as sent
+  Wrench wrench_S;            ///< [N, N m]
+  bool valid = true;          ///< false: no meaning, by the sensor's own word or a saturated gage
+  bool overload = false;      ///< the sensor's own overload sign
+  bool saturated = false;     ///< a value is at the end of its number range
+  bool status_error = false;  ///< the sensor itself reports that something is wrong
   bool numbered = false;      ///< the sensor numbers its samples and this number is new
   std::uint32_t status = 0;   ///< the protocol's own status word
 };
@@ -35,7 +35,7 @@ struct Measurement {
 struct SessionCounters {
   std::uint64_t torn = 0;       ///< halves of samples without the other half
   std::uint64_t duplicate = 0;  ///< frames that came twice
-  std::uint64_t late = 0;       ///< answers that came when nobody waited any more
+  std::uint64_t late = 0;       ///< answers that came too late
   std::uint64_t lost = 0;       ///< samples missing by count, by question or by time
   std::uint64_t foreign = 0;    ///< frames with the sensor's address that it does not send
   std::uint64_t restarts = 0;   ///< times that the sensor forgot its state and was set up again
@@ -48,7 +48,7 @@ class SensorSession {
     no_answer,
     wrong_serial,
     wrong_calibration,  ///< not the one that the configuration names, or the sensor calls it bad
-    refused             ///< the sensor says no to a setting
+    refused             ///< the sensor refuses a setting
   };
 
   virtual ~SensorSession() = default;
@@ -72,7 +72,7 @@ class SensorSession {
   /// @pre ready()
   void go(Timestamp now) noexcept;
   [[nodiscard]] bool streaming() const noexcept { return phase_ == Phase::streaming; }
-  /// The frame that makes the sensor be quiet, if its protocol has one.
+  /// The frame that stops the sensor from sending, if its protocol has one.
   [[nodiscard]] virtual std::optional<BusFrame> stop_frame() const noexcept { return std::nullopt; }
 
   [[nodiscard]] Failure failure() const noexcept { return failure_; }
@@ -80,8 +80,8 @@ class SensorSession {
   [[nodiscard]] Error error(std::string_view finger, const std::string& place) const;
   /// As the sensor said it; empty before, or if its protocol does not tell.
   [[nodiscard]] std::string_view serial_number() const noexcept { return serial_number_; }
-  /// Units per count, sensor frame; known when ready(). Zero: one count is no number of newtons
-  /// (each axis mixes all gages).
+  /// Units per count, sensor frame; known when ready(). Zero: a count has no scale of its own,
+  /// because each axis is computed from all gages.
   [[nodiscard]] virtual Vec6 units_per_count() const noexcept = 0;
   /// Known delay from force to stamp inside the sensor [s].
   [[nodiscard]] virtual double sensor_delay_s() const noexcept { return 0.0; }

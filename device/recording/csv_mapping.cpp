@@ -26,7 +26,7 @@ struct MappedUnit {
   double value = 1.0;  ///< N, N m, or per second
 };
 
-/// Refuses a multiple that a number cannot say in SI units.
+/// Refuses a scale of zero and one that over- or underflows in SI units.
 void require_size(TomlReader& reader, std::string_view key, double scale, double size) {
   if (scale == 0.0)
     reader.fail(key, "is zero"_text, "write how many units one step is"_text);
@@ -34,7 +34,7 @@ void require_size(TomlReader& reader, std::string_view key, double scale, double
     reader.fail(key, "is out of range"_text, "write how many units one step is"_text);
 }
 
-/// A unit with the multiple of it that one step of the log means (1, or e.g. newtons per count).
+/// A unit and its scale: how many units one step of the log is (1, or e.g. newtons per count).
 MappedUnit force_unit(TomlReader& reader, const MappedUnit& fallback) {
   constexpr std::array<double, 6> kNewtons{
       1.0, 1e-3, 1e3, kStandardGravity, 1e-3 * kStandardGravity, kPound_kg * kStandardGravity};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Anybody's CSV logs to a finger-forces file (docs/file_formats.md), as a mapping file says it:
-// which file and column is which finger and axis, with sign, unit and rate.
+// Converts CSV logs of any origin to a finger-forces file (docs/file_formats.md). A mapping file
+// says which file and column is which finger and axis, with sign, unit and rate.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ Result<LogReport> read_can_log(const std::string& path, const DeviceConfig& conf
                                const TakeSample& take) {
   LogReport report;
   std::unique_ptr<LogDecoder> decoder = config.family->make_log_decoder(config);
-  std::string interface;  // of the first frame of a sensor; the same numbers elsewhere are others
+  std::string interface;  // of the first frame of a sensor: only this bus is decoded
   bool any_frame = false;
   const auto read = [&](const auto& on_sample) -> Result<void> {
     auto log = CandumpReader::open(path);

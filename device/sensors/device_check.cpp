@@ -14,7 +14,7 @@ namespace {
 constexpr double kEmpty_s = 1.0;
 constexpr double kLetGo = 0.5;  // of the least press: below it the supports are free again
 
-/// What is said of this finger.
+/// The words for this finger.
 template <std::size_t Places>
 Phrase<Places> of(Finger finger, Phrase<Places> thumb, Phrase<Places> index,
                   Phrase<Places> middle) {

@@ -54,9 +54,9 @@ struct CheckResult {
 };
 
 struct CheckLimits {
-  double least_N = 3.0;        ///< a press is felt from here on: above any noise and cable pull
-  double hold_s = 0.5;         ///< for so long
-  double patience_s = 30.0;    ///< then nothing was felt
+  double least_N = 3.0;        ///< smallest force of a press: above any noise and cable pull
+  double hold_s = 0.5;         ///< shortest time of a press
+  double patience_s = 30.0;    ///< longest wait for a press
   double share_of_axis = 0.8;  ///< cosine to the asked axis: within 37 degrees, as hands press
   double scale_tolerance = 0.05;
 };

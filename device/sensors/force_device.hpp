@@ -38,7 +38,7 @@ struct SensorCounters {
   std::uint64_t invalid = 0;        ///< samples that came but mean nothing, whatever the reason
   std::uint64_t torn = 0;           ///< half samples
   std::uint64_t duplicate = 0;      ///< frames that came twice
-  std::uint64_t late = 0;           ///< answers that came when nobody waited any more
+  std::uint64_t late = 0;           ///< answers that came too late
   std::uint64_t lost = 0;           ///< samples missing by count or by time
   std::uint64_t stale = 0;          ///< samples that repeat one value for too long
   std::uint64_t saturated = 0;      ///< samples at the end of the range

@@ -80,7 +80,7 @@ void FrameClock::push(const SensorSample& sample) noexcept {
   const bool inner =
       track.count >= 2 && interval(track.after[track.count - 2].stamp) == interval(sample.stamp);
   if (inner) {
-    const std::uint8_t told = track.last().flags;  // an overload between grid points is one too
+    const std::uint8_t told = track.last().flags;  // an overload between grid points counts, too
     track.last() = sample;
     track.last().flags |= told;
   } else if (track.count < track.after.size()) {

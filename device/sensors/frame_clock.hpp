@@ -11,10 +11,10 @@
 
 namespace isograsp {
 
-/// Grid point k lies at start + k * period. A sensor's value there is its sample at that instant,
-/// or, for sensors that are not on the grid, the linear interpolation between the valid samples
-/// before and after it if these are at most two sensor periods apart (and 10 % for jitter); else it
-/// is missing, never invented. Held values and freezing are the business of hand/stale.hpp.
+/// Grid point k lies at start + k * period. A sensor's value there is its sample at that instant.
+/// For sensors that are not on the grid it is the linear interpolation between the valid samples
+/// before and after, if these are at most two sensor periods apart (and 10 % for jitter). Otherwise
+/// the value is missing, never invented. hand/stale.hpp holds values and freezes.
 class FrameClock {
  public:
   FrameClock(double frame_period_s, double sample_period_s, bool on_grid, Timestamp start) noexcept;

@@ -14,14 +14,14 @@ FrameReader::FrameReader(ForceDevice& device, const Clock& clock, Timestamp star
       newest_(start) {}
 
 bool FrameReader::next(FingerFrame& frame) noexcept {
-  // A slot is closed by the time of the samples, not by that of the clock: only when nothing waits
-  // to be read are they the same.
+  // A slot is closed by the stamps of the samples, not by the clock: the two agree only when no
+  // sample waits to be read.
   while (!frames_.pop(newest_, frame)) {
     SensorSample sample;
     switch (device_.read(frames_.deadline(), sample)) {
       case ReadStatus::sample:
         frames_.push(sample);
-        newest_ = std::max(newest_, sample.stamp - Timestamp{1});  // its equals may still wait
+        newest_ = std::max(newest_, sample.stamp - Timestamp{1});  // equal stamps may still wait
         completed_by_ = sample.stamp;
         break;
       case ReadStatus::timeout:

@@ -17,8 +17,8 @@ namespace isograsp {
 [[nodiscard]] Result<std::unique_ptr<ForceDevice>> open_sensors(const Uri& uri,
                                                                 const DeviceOptions& options);
 
-/// What a device URI says: the configuration file or the protocol's standard, with interface or
-/// addresses, rate and fir of the URI in force.
+/// The configuration of a device URI: the configuration file or the protocol's standard, in which
+/// interface or addresses, rate and fir of the URI replace what stands there.
 [[nodiscard]] Result<DeviceConfig> config_of(const Uri& uri);
 
 }  // namespace isograsp

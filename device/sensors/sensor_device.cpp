@@ -12,8 +12,8 @@ namespace isograsp {
 
 namespace {
 
-constexpr Timestamp kRecent = std::chrono::seconds(1);        // how long a damaged sample is told
-constexpr Timestamp kRestartTold = std::chrono::seconds(10);  // how long a restart is told
+constexpr Timestamp kRecent = std::chrono::seconds(1);  // how long a damaged sample is reported
+constexpr Timestamp kRestartTold = std::chrono::seconds(10);  // how long a restart is reported
 // The values of a sensor that measures change a little all the time. The screens say within 0.2 s
 // that they stand still, but not before some repeats: a slow sensor sends few samples in that time.
 constexpr Timestamp kLongestStandstill = std::chrono::milliseconds(150);
@@ -179,7 +179,7 @@ Result<void> SensorDevice::start(Clock& clock) {
     SensorSession& session = *sessions_[f];
     if (!session.serial_number().empty()) info_.serial_numbers[f] = session.serial_number();
     info_.units_per_count[f] = session.units_per_count();
-    session.reset_counters();  // damaged answers are no damaged samples
+    session.reset_counters();  // answers damaged in the set-up are no damaged samples
     Track fresh;
     fresh.filter = tracks_[f].filter;
     fresh.filter.restart();
@@ -201,7 +201,7 @@ void SensorDevice::note(BusEvent event) noexcept {
     case BusEvent::overflow: last_overflow_ = clock_->now(); break;
     case BusEvent::restarted:
       bus_fault_ = bus_trouble_ = DeviceFault::none;
-      for (auto& session : sessions_)  // asked in vain until now
+      for (auto& session : sessions_)  // so far they were asked in vain
         if (!session->streaming()) session->begin(clock_->now());
       break;
     case BusEvent::frame:
@@ -240,8 +240,9 @@ void SensorDevice::watch_counters(Timestamp now) noexcept {
   }
 }
 
-/// A sensor that measures dithers by a count or two. Where every sample has a number the number
-/// tells; where none has, one value for too long means that nothing is measured any more.
+/// The values of a sensor that measures vary by a count or two. If every sample has a number, the
+/// number tells whether it measures; if not, one value repeated for too long means that it no
+/// longer does.
 bool SensorDevice::repeats_too_long(Track& track, const Measurement& measurement) const noexcept {
   if (measurement.numbered || track.repeated_since == Timestamp::min() ||
       measurement.raw_counts != track.repeated) {
@@ -284,7 +285,7 @@ void SensorDevice::fill(std::size_t finger, const Measurement& measurement,
   out.valid = measurement.valid;
   out.flags = 0;
   Wrench wrench_S = measurement.wrench_S;
-  // Told at once and before any filter: a hand may be in danger.
+  // Reported at once and before any filter: a hand may be in danger.
   const bool saturated = measurement.saturated || at_limit(wrench_S, sensor.range);
   if (saturated) out.flags |= bit(SampleFlag::saturated);
   if (measurement.overload) out.flags |= bit(SampleFlag::overload);
@@ -322,8 +323,8 @@ ReadStatus SensorDevice::read(Timestamp deadline, SensorSample& out) noexcept {
     if (event == BusEvent::frame) {
       if (take(in, out)) return ReadStatus::sample;
     } else if (event == BusEvent::timeout) {
-      // Only now, with nothing left to read, is a sensor's silence its own: after a stall of this
-      // computer the frames have been waiting.
+      // Silence is judged only now, when nothing is left to read: after a stall of this computer
+      // the frames have been waiting, and the sensors were not silent.
       const Timestamp now = clock_->now();
       serve(now);
       watch_counters(now);
@@ -338,7 +339,7 @@ void SensorDevice::stop() noexcept {
   if (clock_ == nullptr) return;
   for (const auto& session : sessions_)
     if (const auto frame = session->stop_frame()) bus_->send(*frame);
-  // Frames that found the bus busy leave while somebody receives.
+  // Frames that still wait for the bus are sent by receive().
   constexpr Timestamp kDrain = std::chrono::milliseconds(5);
   const Timestamp end = clock_->now() + kDrain;
   ReceivedFrame ignored;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What became of targets, and what movements are scored by, as tables (docs/markers.md).
+// Tables of how targets ended, and of the targets by which movements are scored (docs/markers.md).
 #pragma once
 
 #include <span>

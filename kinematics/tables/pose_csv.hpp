@@ -28,7 +28,7 @@ class PoseWriter {
                                                  Hand hand);
   /// @pre one pose for each frame of the rig
   void write(double t_s, std::span<const FramePose> frames);
-  /// Nothing is left under the path without it.
+  /// Without commit() no file is left under the path.
   [[nodiscard]] Result<void> commit();
 
  private:

@@ -17,7 +17,7 @@ namespace {
 
 /// Research measures answer questions about groups; a single patient's report leaves them out.
 enum class Use : std::uint8_t { clinical, research };
-/// A trial without value took longer than was waited.
+/// censored: a trial without value took longer than the time waited.
 enum class Time : std::uint8_t { whole, censored };
 
 struct Entry {
@@ -92,7 +92,7 @@ constexpr std::array kEntries{
     Entry{"fatigue_slope", "Fading of the force"_text, Better::near_zero, Use::clinical,
           Time::whole, "Fading of the grip"_text},
     Entry{"endurance", "Endurance"_text, Better::higher, Use::clinical, Time::censored},
-    // How soon. A median over the cues, and how often it came at all.
+    // How soon: a median over the cues, and how often the event came at all.
     Entry{"reaction_time", "Reaction time"_text, Better::lower, Use::clinical, Time::censored},
     Entry{"reaction_time_restricted", "Reaction time, misses at the limit"_text, Better::lower},
     Entry{"reaction_time_share", "Cues answered"_text, Better::higher},
@@ -167,7 +167,8 @@ constexpr std::array kEntries{
     Entry{"contact_time", "Time in contact"_text, Better::unknown},
     Entry{"slip", "Slip"_text, Better::lower},
     Entry{"drops", "Drops"_text, Better::lower},
-    // Neither too little nor too much: the safety margin, and what of the friction was used.
+    // A grip neither too weak nor too strong: the safety margin, and the used share of the
+    // friction.
     Entry{"safety_margin", "Safety margin (virtual)"_text, Better::unknown},
     Entry{"friction_utilisation", "Friction used (virtual)"_text, Better::unknown},
     Entry{"grip_variation", "Variation of the grip"_text, Better::lower},
@@ -182,9 +183,10 @@ constexpr std::array kEntries{
     Entry{"throughput", "Throughput"_text, Better::higher, Use::research},
 };
 
-/// Shares and indices: bounded, or logarithms already; their error is much the same wherever they
-/// stand. Counts and shares of time that are often 0: an error that were a share of the mean would
-/// vanish there, and 0 has no logarithm. Also all that is best near zero, and may be negative.
+/// Measures whose error is much the same for small and large values. Shares and indices are
+/// bounded, or are logarithms already. Counts and shares of time are often 0: an error proportional
+/// to the mean would vanish there, and 0 has no logarithm. Also all measures that are best near
+/// zero and may be negative.
 constexpr std::array<std::string_view, 15> kSteadyErrors{
     "time_in_range",         "time_in_corridor",
     "individuation_index",   "projection_ratio",
@@ -195,8 +197,8 @@ constexpr std::array<std::string_view, 15> kSteadyErrors{
     "net_push_time",         "slip",
     "grips_missed"};
 
-/// Differences of logarithms, correlations, shares with a sign: zero is no end of their scale. What
-/// is best near zero is judged by its distance, which has one.
+/// Differences of logarithms, correlations and shares with a sign: their scale does not end at
+/// zero. A measure that is best near zero is judged by its distance from zero, whose scale does.
 constexpr std::array<std::string_view, 5> kBelowZero{"individuation_index", "projection_ratio",
                                                      "synergy_index", "synergy_index_z",
                                                      "grip_load_correlation"};
@@ -318,7 +320,7 @@ MeasureWords words_of(std::string_view name, std::string_view channel) {
       std::find(kSteadyErrors.begin(), kSteadyErrors.end(), name) == kSteadyErrors.end();
   words.below_zero = std::find(kBelowZero.begin(), kBelowZero.end(), name) != kBelowZero.end();
   Text behind = channel_words(channel);
-  if (!behind.empty() && name != "opening_force")  // its name says it all
+  if (!behind.empty() && name != "opening_force")  // the title of this measure is enough
     words.title = "%1%2"_text(std::move(words.title), std::move(behind));
   return words;
 }

@@ -55,7 +55,7 @@ class Centred {
 };
 
 double sum_of_products(const double* x, const double* y, std::size_t count) {
-  std::array<double, 4> sum{};  // four sums wait less for each other than one
+  std::array<double, 4> sum{};  // four sums run side by side: faster than one
   std::size_t k = 0;
   for (; k + 4 <= count; k += 4)
     for (std::size_t i = 0; i < 4; ++i) sum[i] += x[k + i] * y[k + i];

@@ -144,7 +144,7 @@ std::vector<std::optional<double>> rough_correlations(std::span<const double> x,
     const auto n = static_cast<double>(x.size() - lost);
     const double xx = of_x.xx - of_x.x * of_x.x / n;
     const double yy = of_y.xx - of_y.x * of_y.x / n;
-    constexpr double kCancelled = 1e-3;  // of the whole: less has lost three more digits
+    constexpr double kCancelled = 1e-3;  // of the whole: below, three more digits are lost
     if (xx <= kCancelled * x_without_first[0].xx || yy <= kCancelled * y_without_first[0].xx)
       continue;
     const auto i = static_cast<std::size_t>(shift + most);

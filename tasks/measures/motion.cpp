@@ -60,7 +60,7 @@ double path_length(std::span<const Vec3> position_m) {
   double length_m = 0.0;
   for (std::size_t k = 1; k < position_m.size(); ++k) {
     const Vec3 d = position_m[k] - position_m[k - 1];
-    // In this order: that of norm() depends on the version of Eigen, and so would the last bit.
+    // In this order: the order in norm() depends on the version of Eigen, and with it the last bit.
     length_m += std::sqrt(d.x() * d.x() + d.y() * d.y() + d.z() * d.z());
   }
   return length_m;

@@ -74,7 +74,8 @@ TemplateMatches count_anywhere(const Sets& sets, const WordRange& bits) {
   return matches_in(sets, bits);
 }
 
-/// Number of a sample by time or by size. Half the memory of std::size_t: it is what is waited for.
+/// Number of a sample by time or by size. Half the memory of std::size_t, because reading memory
+/// takes most of the time.
 using Number = std::uint32_t;
 
 /// Ranks [low, high) of samples.
@@ -149,7 +150,7 @@ class MatchCounter {
   }
 
  private:
-  // Stored sets cost memory, ranks between two of them a look at each.
+  // Each stored set costs memory, each rank between two of them costs a look at it.
   static constexpr std::size_t kMostSets = 1024;
   static constexpr std::size_t kLeastSpacing = 32;
 

@@ -19,7 +19,7 @@ statistics::EventTime time_to_level(std::span<const double> t_s, std::span<const
   if (found.empty()) return {"not released"_text, t_s.back() - cue_s};
   const std::size_t k = found.front().first;
   if (k == 0) return {"let go before the cue"_text, {}};
-  const double above_N = force_N[k - 1];  // a hole may part two rows that are both below
+  const double above_N = force_N[k - 1];  // both rows may be below if a gap parts them
   const double time_s =
       above_N > level_N ? statistics::crossing_time(t_s, force_N, k, level_N) : t_s[k];
   return {time_s - cue_s, {}};

@@ -58,7 +58,7 @@ Text unknown(const PowerSpectrum& spectrum, Band band) {
 
 PowerSpectrum welch(const statistics::UniformSamples& samples) {
   constexpr double kWindow_s = 4.0;
-  constexpr double kLeastWindow = 8.0;  ///< samples: below, a Hann window is no window
+  constexpr double kLeastWindow = 8.0;  ///< samples: a Hann window needs as many
   PowerSpectrum spectrum;
   const double in_window = std::round(kWindow_s / samples.step_s);
   if (in_window < kLeastWindow) {

@@ -32,7 +32,7 @@ std::optional<Synergy> synergy(const Eigen::MatrixXd& trials, const Eigen::Vecto
   const Eigen::VectorXd across = about_mean * jacobian.normalized();
   Synergy found;
   found.v_ort = across.squaredNorm() / degrees;
-  // Summed from its own part: a difference of sums would lose a small v_ucm.
+  // Summed from its own part: in a difference of sums a small v_ucm would be lost by rounding.
   const Eigen::MatrixXd within = about_mean - across * jacobian.normalized().transpose();
   found.v_ucm = within.squaredNorm() / degrees / (n - 1.0);
   found.v_tot = all / n;

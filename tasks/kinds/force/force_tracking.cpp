@@ -26,7 +26,7 @@ KindSpec read_force_tracking(TomlReader& reader) {
   spec.lead_in_s = read_wait(reader, "lead_in_s", spec.lead_in_s);
   spec.duration_s = read_duration(reader, "duration_s", spec.duration_s);
   spec.waveform = read_waveform(reader, spec.duration_s);
-  // Axes of a pose would meet in another path: those are no parallel forms.
+  // Only here: in a pose, shifted axes would meet in another path, which is no parallel form.
   using Wave = Waveform::Shape;
   if (spec.waveform.shape == Wave::sine || spec.waveform.shape == Wave::triangle)
     spec.waveform.forms = read_count(reader, "forms", spec.waveform.forms, kMostForms);

@@ -179,10 +179,10 @@ void add_cycles(const ForceTrackingSpec& spec, const Record& record, MeasureList
   using Wave = Waveform::Shape;
   const auto [shape, f_Hz] = std::pair(spec.waveform.shape, spec.waveform.frequency_Hz);
   if (shape != Wave::sine && shape != Wave::triangle && shape != Wave::rectangle) return;
-  // Of a minimum of forces the digits have no common gradient.
+  // A channel that is a minimum of forces has no gradient that is common to all digits.
   const Digits digits = spec.aim.channel.digits;
   if (digits != Digits::sum && digits != Digits::grip_mean) return;
-  constexpr std::size_t kLeftOut = 1;  // until in time with the target
+  constexpr std::size_t kLeftOut = 1;  // the person gets in time with the target
   constexpr std::size_t kLeast = 15;   // synergy.hpp
   constexpr double kRoundingSlack = 1e-9;
   const auto cycles =

@@ -74,7 +74,7 @@ std::vector<Measure> score_individuation(const IndividuationSpec& spec, const Re
   }
   const Section all = join(sections);
   const double noise_N = record.constant(columns::noise_sd_N).value_or(0.0);
-  constexpr double kLeastRise_sd = 3.0;  // a press that is not above the noise moved nobody
+  constexpr double kLeastRise_sd = 3.0;  // a smaller rise is not above the noise
   list.add("individuation_index", "digits", "", all, individuation_index(points));
   list.add("individuation_slope", "digits", "", all, individuation_slope(points));
   for (const Finger j : spec.digits)

@@ -60,7 +60,7 @@ KindSpec read_recorded(TomlReader& reader) {
 
 void add_corridor(const Record& record, MeasureList& list) {
   const Section section = record.select({}, {columns::actual_force_N, "corridor_error_N"});
-  // The error is a distance from the nearer edge: the corridor seen from there is a line at 0.
+  // The error is the distance from the nearer edge, so here both edges are at 0.
   const auto error_N =
       section.reason.empty() ? section.values("corridor_error_N") : std::vector<double>();
   const std::vector<double> edge_N(error_N.size(), 0.0);

@@ -41,7 +41,7 @@ Segments steadiness_segments(const SteadinessSpec& spec, const Unit& unit, Pace&
   return segments;
 }
 
-/// "force_25_percent" or "force_5_N"; what has the name of one before is "force_5_N_2" and so on.
+/// "force_25_percent" or "force_5_N"; if the name is taken already, "force_5_N_2" and so on.
 std::vector<std::string> channels_of_levels(const SteadinessSpec& spec) {
   std::vector<std::string> channels;
   std::map<std::string, int> known;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pick, place and release: an object appears, is touched, carried to its target, held there for a
 // while and let go. An object that was picked up and is away from its place and its target without
-// a touch was dropped: that is counted and the object appears again where it began. Let go too
-// early inside the tolerance it may be taken hold of again; the time of holding begins anew. After
-// the time limit the next object comes, and this one is censored.
+// a touch was dropped: the drop is counted, and the object appears again where it began. An object
+// that was let go too early inside the tolerance may be grasped again; the time of holding begins
+// anew. After the time limit the next object comes, and this one is censored.
 #include "tasks/kinds/object/pick_place.hpp"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ class PickPlace final : public Task {
     if (inside) view.phase = Phase::hold;
     if (held_ && inside && !touched) return true;
     inside_frames_ = inside && touched ? inside_frames_ + 1 : 0;
-    // n + 1 samples span n periods; what is carried away again was not placed.
+    // n + 1 samples span n periods; an object that is carried away again was not placed.
     held_ = inside && (held_ || inside_frames_ > hold_frames_);
     if (held_)
       view.hold_fraction = 1.0;

@@ -41,8 +41,8 @@ class PickPlaceScore {
     return make_measure("drops", "contact", "", section, most);
   }
 
-  /// The way that ended at the target: from where the object appeared last. In the row in which it
-  /// is put there it is still where it was before.
+  /// The path that ended at the target, from where the object appeared last. It begins one row
+  /// after the object appeared again: in that row its position is still the old one.
   [[nodiscard]] Section last_path(const Attempt& attempt) const {
     const auto drops = record_.signals().column(columns::drops);
     std::size_t first = attempt.first_row + 1;

@@ -46,8 +46,8 @@ class PoseScore {
   [[nodiscard]] bool held(std::size_t target) const {
     return attempts_.all[target].reached && spec_.targets[target].hold_s > 0.0;
   }
-  /// Why nothing is known of holds, and of ways to a target: what of it is missing. `otherwise`:
-  /// though targets were held.
+  /// Why there is no value about holds, or about paths to a target. `otherwise`: the reason if
+  /// targets were held.
   [[nodiscard]] Words nothing_held(Words otherwise) const {
     const bool asked = std::any_of(spec_.targets.begin(), spec_.targets.end(),
                                    [](const PoseTarget& target) { return target.hold_s > 0.0; });
@@ -120,7 +120,7 @@ class PoseScore {
         make_measure("path_efficiency", "position", "%", transports, path_efficiency(paths_m)));
   }
 
-  /// Touch lost on the way; across a pause nothing is the patient's doing.
+  /// How often touch was lost on the way; a loss across a pause is not counted.
   [[nodiscard]] Measure drops() const {
     Section touched = record_.select(kMoving, object_.contact_columns());
     if (touched.reason.empty())
@@ -220,7 +220,7 @@ class PoseScore {
         trials.empty()
             ? statistics::Computed(section.reason)
             : statistics::Computed(difficulty_bit / static_cast<double>(trials.size()))));
-    // Every start lies within the tolerance of the target before.
+    // Every start lies within the tolerance of the target before, so distances may differ by that.
     const bool alike = most_m - least_m <= 2.0 * spec_.position_tolerance_m;
     all.push_back(
         make_measure("throughput", "position", "bit/s", section,

@@ -76,7 +76,7 @@ class TrackingScore {
       return result;
     }
     result.section = object_.select_attitudes(0, record_.rows(), kScored);
-    // The target turns about this axis alone: the angle about it of the object's attitude, too.
+    // The target turns about this axis alone, so the object's angle is taken about this axis, too.
     const auto angle = [axis = dof - 3](const Quat& q) {
       return 2.0 * std::atan2(q.vec()[axis], q.w());
     };

@@ -122,7 +122,7 @@ void add_grasp(std::vector<Measure>& measures, const Record& record,
   }
   Section section = record.select(phases, all);
   if (!known) section.reason = "forces, contacts or utilisation of the fingers are missing"_text;
-  // Beside a contact of 1 no force looks small.
+  // The forces are checked alone: beside a contact, which is 1, no force would look small.
   if (Text why = record.unusable(section, forces); section.reason.empty() && !why.empty()) {
     section = {};
     section.reason = std::move(why);

@@ -28,7 +28,6 @@ const Snapshot& Session::snapshot() noexcept {
   if (p.platform != nullptr) return p.platform->snapshots().read();
   static_cast<Moment&>(p.blank) = moment();
   if (!p.known.asks_for(PreparationStep::zero)) p.blank.zeroed = true;
-  p.blank.screen = screen_of(p.blank);
   return p.blank;
 }
 std::vector<Measure> Session::live_score() const {

@@ -14,7 +14,7 @@ namespace isograsp::gui {
   facts.stage = now.stage;
   facts.pause_cause = now.pause_cause;
   facts.published = now.published;
-  facts.stimulus = now.screen;
+  facts.stimulus = session::screen_of(now);
   return facts;
 }
 

@@ -241,12 +241,11 @@ void ForcePlatform::move() noexcept {
 
 void ForcePlatform::publish() noexcept {
   if (now_.stage == Stage::finished) now_.health = device_->health();
-  now_.screen = screen_of(now_);
   snapshots_.publish(now_);
 }
 
 void ForcePlatform::show() noexcept {
-  if (person_ != nullptr) person_->see(now_.screen);
+  if (person_ != nullptr) person_->see(screen_of(now_));
 }
 
 ApparatusFault ForcePlatform::fault() const noexcept {

@@ -45,11 +45,10 @@ struct Snapshot : Moment {
   bool has_object = false;
   ObjectState object;
   GraspWrench grasp;
-
-  Stimulus screen;  ///< what the patient sees, a real one as a simulated one
 };
 
-/// What is on the patient's screen at this frame, decided here alone. Real-time safe.
+/// What is on the patient's screen at this frame, decided here alone: for whoever draws it when
+/// they draw, for a simulated person in every frame. Real-time safe.
 [[nodiscard]] Stimulus screen_of(const Snapshot& now) noexcept;
 
 }  // namespace isograsp::session

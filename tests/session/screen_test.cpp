@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is on the patient's screen is decided once, in the acquisition thread: real and simulated
-// people get the same. What a task hides is not in it.
+// What is on the patient's screen is decided in one place: real and simulated people get the same.
+// What a task hides is not in it.
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Snapshot in_trial() {
 /// Force targets, forces and poses that are hidden are as if there were none.
 void expect_hidden(const Snapshot& now, const std::string& of) {
   const tasks::ForceView& force = now.special.force();
-  const Stimulus& screen = now.screen;
+  const Stimulus screen = screen_of(now);
   EXPECT_EQ(screen.force_shown, force.force_shown) << of;
   EXPECT_EQ(screen.shown_force_N, force.force_shown ? force.actual_force_N : 0.0) << of;
   EXPECT_EQ(screen.force_target_shown, force.force_target_shown) << of;

@@ -44,10 +44,8 @@ Result<void> run_decode_markers(const PoseOptions& options) {
   if (auto different = check_different(options.in, options.out); !different) return different;
   const auto counts = convert_qtm_rt_log(options.in, options.out);
   if (!counts) return counts.error();
-  const auto number = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
-  print_aside("%s: %llu rows; %llu repeated, %llu without labels, %llu of other kinds\n",
-              printable(options.in).c_str(), number(counts->frames), number(counts->repeated),
-              number(counts->unlabelled), number(counts->passed_over));
+  print_note("%1: %2 rows; %3 repeated, %4 without labels, %5 of other kinds"_text(
+      options.in, counts->frames, counts->repeated, counts->unlabelled, counts->passed_over));
   return {};
 }
 

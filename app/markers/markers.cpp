@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp markers: recordings of markers on an arm become poses, angles and measures, offline
 // (docs/markers.md).
+#include <nlohmann/json.hpp>
+
 #include "app/commands.hpp"
 #include "app/markers/marker_commands.hpp"
 #include "core/files.hpp"
@@ -37,6 +39,10 @@ Error about_file(const Error& error, const std::string& path) {
   return named;
 }
 
+nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
 void add_markers(CommandLine& line) {
   Subcommand markers =
       line.subcommand("markers", "Recordings of markers on an arm: poses, angles and measures");
@@ -45,6 +51,7 @@ void add_markers(CommandLine& line) {
   add_marker_rig(markers);
   add_marker_task(markers);
   add_marker_scores(markers);
+  add_marker_box(markers);
   markers.footer(
       "Example:\n  isograsp markers poses --rig rig.toml --in trial.c3d --out poses.csv");
 }

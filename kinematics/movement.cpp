@@ -24,7 +24,7 @@ constexpr double kLongestGap_s = 0.1;
 constexpr double kTenth = 0.1;
 constexpr double k63 = 1.0 - 1.0 / std::numbers::e;
 
-Valued none(std::string reason) {
+Valued none(Text reason) {
   return {std::nullopt, std::move(reason)};
 }
 
@@ -35,14 +35,14 @@ struct Rows {
 };
 
 /// Why the rows cannot be measured; empty: they can.
-std::string objection_to(const Rows& rows, const PoseTarget& target) {
+Text objection_to(const Rows& rows, const PoseTarget& target) {
   if (rows.t_s.empty() || rows.t_s.front() - target.cue_s > kLongestStandIn_s + kMarkerTimeSlack_s)
-    return "no valid sample at the cue";
+    return "no valid sample at the cue"_text;
   if (*target.matched_s - rows.t_s.back() > kLongestStandIn_s + kMarkerTimeSlack_s)
-    return "no valid sample at the match";
+    return "no valid sample at the match"_text;
   for (std::size_t k = 1; k < rows.t_s.size(); ++k)
-    if (rows.t_s[k] - rows.t_s[k - 1] > kLongestGap_s + kMarkerTimeSlack_s) return "gap";
-  return "";
+    if (rows.t_s[k] - rows.t_s[k - 1] > kLongestGap_s + kMarkerTimeSlack_s) return "gap"_text;
+  return {};
 }
 
 Valued crossing(std::span<const double> t_s, const std::vector<double>& curve, double level,
@@ -51,8 +51,8 @@ Valued crossing(std::span<const double> t_s, const std::vector<double>& curve, d
     if (curve[k] < level && level <= curve[k + 1])
       return {
           t_s[k] + (t_s[k + 1] - t_s[k]) * (level - curve[k]) / (curve[k + 1] - curve[k]) - cue_s,
-          ""};
-  return none("not crossed");
+          {}};
+  return none("not crossed"_text);
 }
 
 /// |(roll, pitch, yaw)| of each row; empty: pitch comes too near to 90 degrees.
@@ -79,7 +79,7 @@ void measure_angle(LinkMovement& movement, const std::vector<Quat>& q, double cu
   const double theta = whole.norm();
   movement.rotation.value = theta;
   if (theta < kLeastRotation_rad) {
-    movement.t10 = movement.t63 = none("too little rotation");
+    movement.t10 = movement.t63 = none("too little rotation"_text);
     return;
   }
   for (const Vec3& part : phi) {
@@ -94,13 +94,13 @@ void measure_rpy(LinkMovement& movement, const std::vector<Quat>& q, const RigLi
                  double cue_s) {
   const auto norms = angle_norms(q, link);
   if (norms.empty()) {
-    movement.rotation_rpy = movement.t10_rpy = movement.t63_rpy = none("gimbal lock");
+    movement.rotation_rpy = movement.t10_rpy = movement.t63_rpy = none("gimbal lock"_text);
     return;
   }
   const double change = norms.back() - norms.front();
   movement.rotation_rpy.value = change;
   if (std::abs(change) < kLeastRotation_rad) {
-    movement.t10_rpy = movement.t63_rpy = none("too little rotation");
+    movement.t10_rpy = movement.t63_rpy = none("too little rotation"_text);
     return;
   }
   for (const double n : norms) movement.rpy.push_back((n - norms.front()) / change);
@@ -113,7 +113,7 @@ Valued share(const LinkMovement& link, const std::vector<double>& curve, const V
              const Valued& forearm_t63, double cue_s) {
   if (!forearm_t63.value) return none(forearm_t63.reason);
   if (curve.empty()) return none(undefined.reason);
-  return {curve_at(link.t_s, curve, cue_s + *forearm_t63.value), ""};
+  return {curve_at(link.t_s, curve, cue_s + *forearm_t63.value), {}};
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ LinkMovement measure_link(std::span<const double> t_s, std::span<const Pose> X_L
     }
     movement.reason = objection_to(rows, target);
   } else {
-    movement.reason = "not reached";
+    movement.reason = "not reached"_text;
   }
   if (!movement.reason.empty()) {
     for (Valued* value : {&movement.rotation, &movement.rotation_rpy, &movement.t10, &movement.t63,
@@ -184,11 +184,12 @@ std::vector<MovementMeasure> movement_measures(const Rig& rig, const MovementSco
       measure.channel = channel;
       measure.value = valued.value;
       measure.unit = unit;
-      measure.reason = valued.reason;
+      measure.reason = english(valued.reason);
       measures.push_back({m, std::move(measure)});
     };
     add("duration", "task",
-        target.matched_s ? Valued{*target.matched_s - target.cue_s, ""} : none("not reached"), "s");
+        target.matched_s ? Valued{*target.matched_s - target.cue_s, {}} : none("not reached"_text),
+        "s");
     const LinkMovement& forearm = scores.links[m][*rig.link(rig.score->forearm)];
     for (std::size_t l = 0; l < rig.links.size(); ++l) {
       const LinkMovement& link = scores.links[m][l];

@@ -25,12 +25,12 @@ struct PoseTarget {
 /// A number, or the reason why there is none.
 struct Valued {
   std::optional<double> value;
-  std::string reason;
+  Text reason;
 };
 
 /// One link in one movement: what its rows give, and the curves that bands are made of.
 struct LinkMovement {
-  std::string reason;         ///< why there are no rows to measure; empty: there are
+  Text reason;                ///< why there are no rows to measure; empty: there are
   std::vector<double> t_s;    ///< valid rows
   std::vector<double> angle;  ///< r_angle, 0 at the first row and 1 at the last; empty: undefined
   std::vector<double> rpy;    ///< r_rpy

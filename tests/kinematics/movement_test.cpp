@@ -88,7 +88,7 @@ TEST(Movement, TheShareAlongTheAxisIsNegativeAfterAWrongStart) {
 
 TEST(Movement, SaysWhyThereIsNoValueInTheOrderOfItsReasons) {
   const auto reason_of = [](const Turn& turn, const PoseTarget& target) {
-    return measure_link(turn.t_s, turn.X_L, RigLink(), target).reason;
+    return english(measure_link(turn.t_s, turn.X_L, RigLink(), target).reason);
   };
   const auto lost = [](int from, int to) {
     Turn turn = even_turn(1.0);
@@ -105,9 +105,10 @@ TEST(Movement, SaysWhyThereIsNoValueInTheOrderOfItsReasons) {
   const Turn little = even_turn(0.08);  // 4.6 degrees
   const auto link = measure_link(little.t_s, little.X_L, RigLink(), kTarget);
   EXPECT_WITHIN(*link.rotation.value, 0.08, kExact);
-  EXPECT_EQ(link.t10.reason, "too little rotation");
+  EXPECT_EQ(english(link.t10.reason), "too little rotation");
   const Turn steep = even_turn(1.0, 1.56);
-  EXPECT_EQ(measure_link(steep.t_s, steep.X_L, RigLink(), kTarget).t63_rpy.reason, "gimbal lock");
+  EXPECT_EQ(english(measure_link(steep.t_s, steep.X_L, RigLink(), kTarget).t63_rpy.reason),
+            "gimbal lock");
 }
 
 TEST(Movement, BandsOfEqualMovementsHaveNoSpread) {

@@ -6,8 +6,9 @@
 #   one GoogleTest program tests_<folder>; every case is its own CTest entry "<folder>/<case>". Suites
 #   whose cases share what takes long to make run TOGETHER, in one process each: their entry is
 #   "<folder>/<suite>", its output names the cases. So do those that live in REAL_TIME: only one other
-#   test runs beside them (the presets start three at a time). LONG_IF_SANITIZED: with sanitizers only
-#   where there is time (ISOGRASP_LONG_TESTS), because they would take long and tell little more.
+#   test runs beside them (the presets start three at a time), and they begin first (COST), so that the
+#   others run beside them and none is left for the end. LONG_IF_SANITIZED: with sanitizers only where
+#   there is time (ISOGRASP_LONG_TESTS), because they would take long and tell little more.
 
 add_library(isograsp_options INTERFACE)
 target_compile_features(isograsp_options INTERFACE cxx_std_20)
@@ -76,7 +77,7 @@ function(isograsp_test name)
     set_tests_properties(${name}/${suite} PROPERTIES
       TIMEOUT 600 ENVIRONMENT "${environment}" FAIL_REGULAR_EXPRESSION "0 tests from 0 test suites")
     if(suite IN_LIST ARG_REAL_TIME)
-      set_tests_properties(${name}/${suite} PROPERTIES PROCESSORS 2)
+      set_tests_properties(${name}/${suite} PROPERTIES PROCESSORS 2 COST 100)
     endif()
     list(APPEND others "${suite}.*")
   endforeach()

@@ -50,10 +50,6 @@ bool has_closed(Windows& windows) {
 
 }  // namespace
 
-std::string language_in_settings() {
-  return SettingsFile(SettingsFile::usual_path()).now().language;
-}
-
 Result<void> run_application(const ApplicationConfig& config) {
   const auto display = variable("DISPLAY");
   const auto platform = variable("QT_QPA_PLATFORM");

@@ -8,7 +8,8 @@
 #   "<folder>/<suite>", its output names the cases. So do those that live in REAL_TIME: only one other
 #   test runs beside them (the presets start three at a time), and they begin first (COST), so that the
 #   others run beside them and none is left for the end. LONG_IF_SANITIZED: with sanitizers only where
-#   there is time (ISOGRASP_LONG_TESTS), because they would take long and tell little more.
+#   there is time (ISOGRASP_LONG_TESTS), because they would take long and tell little more. With
+#   sanitizers four processes share the cases of a program: "<folder>/shard_0" … 3.
 
 add_library(isograsp_options INTERFACE)
 target_compile_features(isograsp_options INTERFACE cxx_std_20)
@@ -68,9 +69,13 @@ function(isograsp_test name)
   # Emergency files of tests stay with the build.
   set(environment "XDG_STATE_HOME=${CMAKE_CURRENT_BINARY_DIR}/state")
   set(others "")
-  if(ARG_LONG_IF_SANITIZED AND ISOGRASP_SANITIZE AND NOT ISOGRASP_LONG_TESTS)
+  if(ARG_LONG_IF_SANITIZED AND ISOGRASP_SANITIZE)
     list(REMOVE_ITEM ARG_TOGETHER ${ARG_LONG_IF_SANITIZED})
-    list(TRANSFORM ARG_LONG_IF_SANITIZED APPEND ".*" OUTPUT_VARIABLE others)
+    if(ISOGRASP_LONG_TESTS)
+      list(APPEND ARG_TOGETHER ${ARG_LONG_IF_SANITIZED})
+    else()
+      list(TRANSFORM ARG_LONG_IF_SANITIZED APPEND ".*" OUTPUT_VARIABLE others)
+    endif()
   endif()
   foreach(suite ${ARG_TOGETHER} ${ARG_REAL_TIME})
     add_test(NAME ${name}/${suite} COMMAND tests_${name} --gtest_filter=${suite}.*)
@@ -82,6 +87,19 @@ function(isograsp_test name)
     list(APPEND others "${suite}.*")
   endforeach()
   list(JOIN others ":" others)
+  if(ISOGRASP_SANITIZE)
+    # Such a process takes as long to begin and to end as many a test: a few of them share the cases.
+    # Folders that stand higher in the house take longer and begin first.
+    get_property(place GLOBAL PROPERTY ISOGRASP_TEST_PLACE)
+    math(EXPR place "0${place} + 1")
+    set_property(GLOBAL PROPERTY ISOGRASP_TEST_PLACE ${place})
+    foreach(shard RANGE 3)
+      add_test(NAME ${name}/shard_${shard} COMMAND tests_${name} --gtest_filter=*-${others})
+      set_tests_properties(${name}/shard_${shard} PROPERTIES TIMEOUT 900 COST ${place}
+        ENVIRONMENT "${environment};GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${shard}")
+    endforeach()
+    return()
+  endif()
   gtest_discover_tests(tests_${name} TEST_PREFIX ${name}/ TEST_FILTER "*-${others}" DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300 ENVIRONMENT "${environment}")
 endfunction()

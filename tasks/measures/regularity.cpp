@@ -74,14 +74,14 @@ TemplateMatches count_anywhere(const Sets& sets, const WordRange& bits) {
   return matches_in(sets, bits);
 }
 
-/// Number of a sample by time or by size. Half the memory of std::size_t, because reading memory
+/// RowNumber of a sample by time or by size. Half the memory of std::size_t, because reading memory
 /// takes most of the time.
-using Number = std::uint32_t;
+using RowNumber = std::uint32_t;
 
 /// Ranks [low, high) of samples.
 struct Range {
-  Number low = 0;
-  Number high = 0;
+  RowNumber low = 0;
+  RowNumber high = 0;
 };
 
 /// The samples by size, and for each sample the range of those at most r away: rounding keeps the
@@ -90,15 +90,15 @@ struct Ranking {
   Ranking(std::span<const double> x, double r) : sample(x.size()), rank(x.size()), near(x.size()) {
     struct Numbered {
       double value;
-      Number sample;
+      RowNumber sample;
     };
     std::vector<Numbered> sorted(x.size());
-    for (Number j = 0; j < x.size(); ++j) sorted[j] = {x[j], j};
+    for (RowNumber j = 0; j < x.size(); ++j) sorted[j] = {x[j], j};
     boost::sort::pdqsort_branchless(
         sorted.begin(), sorted.end(),
         [](const Numbered& a, const Numbered& b) { return a.value < b.value; });
     Range range;
-    for (Number k = 0; k < x.size(); ++k) {
+    for (RowNumber k = 0; k < x.size(); ++k) {
       const auto [value, j] = sorted[k];
       sample[k] = j;
       rank[j] = k;
@@ -107,9 +107,9 @@ struct Ranking {
       near[j] = range;
     }
   }
-  std::vector<Number> sample;  ///< by rank
-  std::vector<Number> rank;    ///< by sample
-  std::vector<Range> near;     ///< by sample
+  std::vector<RowNumber> sample;  ///< by rank
+  std::vector<RowNumber> rank;    ///< by sample
+  std::vector<Range> near;        ///< by sample
 };
 
 /// Counts matches of templates (x_j, x_j+1, x_j+2) with sets of templates, one bit each. The bit of
@@ -155,12 +155,14 @@ class MatchCounter {
   static constexpr std::size_t kLeastSpacing = 32;
 
   /// A bit that no range of first samples holds.
-  [[nodiscard]] Number no_template() const { return static_cast<Number>(ranking_.sample.size()); }
+  [[nodiscard]] RowNumber no_template() const {
+    return static_cast<RowNumber>(ranking_.sample.size());
+  }
 
   /// By rank of the sample at `offset` of a template: the template's bit.
-  [[nodiscard]] std::vector<Number> bits_of_templates(std::size_t offset) const {
+  [[nodiscard]] std::vector<RowNumber> bits_of_templates(std::size_t offset) const {
     const std::size_t templates = ranking_.sample.size() - kTemplate;
-    std::vector<Number> bits;
+    std::vector<RowNumber> bits;
     bits.reserve(ranking_.sample.size());
     for (const std::size_t sample : ranking_.sample)
       bits.push_back(sample >= offset && sample - offset < templates
@@ -169,7 +171,7 @@ class MatchCounter {
     return bits;
   }
 
-  static void flip(std::vector<Word>& set, Number bit) {
+  static void flip(std::vector<Word>& set, RowNumber bit) {
     set[bit / kBits] ^= Word{1} << (bit % kBits);
   }
 
@@ -196,7 +198,7 @@ class MatchCounter {
   [[nodiscard]] std::int64_t matches_between(std::size_t from, std::size_t to, Range first) const {
     std::int64_t count = 0;
     for (std::size_t k = std::min(from, to); k < std::max(from, to); ++k) {
-      const Number bit = third_bit_[k];
+      const RowNumber bit = third_bit_[k];
       const Word is_second = (second_[bit / kBits] >> (bit % kBits)) & 1U;
       const bool is_first = bit - first.low < first.high - first.low;
       count += static_cast<std::int64_t>(is_second & static_cast<Word>(is_first));
@@ -207,12 +209,12 @@ class MatchCounter {
   CountMatches count_matches_ =
       __builtin_cpu_supports("popcnt") != 0 ? count_with_popcnt : count_anywhere;
   Ranking ranking_;
-  std::size_t words_;               ///< of one set
-  std::size_t spacing_;             ///< ranks between stored sets
-  std::vector<Number> second_bit_;  ///< by rank of the second sample
-  std::vector<Number> third_bit_;   ///< by rank of the third sample
-  std::vector<Word> second_;        ///< templates with a similar second sample
-  std::vector<Word> lowest_third_;  ///< set k: templates of the k spacing_ lowest third samples
+  std::size_t words_;                  ///< of one set
+  std::size_t spacing_;                ///< ranks between stored sets
+  std::vector<RowNumber> second_bit_;  ///< by rank of the second sample
+  std::vector<RowNumber> third_bit_;   ///< by rank of the third sample
+  std::vector<Word> second_;           ///< templates with a similar second sample
+  std::vector<Word> lowest_third_;     ///< set k: templates of the k spacing_ lowest third samples
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/variable.hpp"
 
 namespace isograsp::app::demo_test {
 namespace {
@@ -25,7 +26,7 @@ class DemonstrationClinic : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<TemporaryFolder>();
-    ASSERT_EQ(setenv("XDG_DATA_HOME", folder_->path().c_str(), 1), 0);
+    data_ = std::make_unique<test::Variable>("XDG_DATA_HOME", folder_->path());
     const auto demo = isograsp("demo --headless");
     ASSERT_EQ(demo.status, 0) << demo.err;
     const auto done = isograsp("report --all --db " + db() + " --out " + folder_->path("reports"));
@@ -34,6 +35,7 @@ class DemonstrationClinic : public testing::Test {
   }
   static void TearDownTestSuite() {
     store_.reset();
+    data_.reset();
     folder_.reset();
   }
   static std::string db() { return folder_->path("isograsp/demonstration-session.db"); }
@@ -63,6 +65,7 @@ class DemonstrationClinic : public testing::Test {
   }
 
   static inline std::unique_ptr<TemporaryFolder> folder_;
+  static inline std::unique_ptr<test::Variable> data_;
   static inline std::unique_ptr<storage::SessionStore> store_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "tests/support/command.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/variable.hpp"
 
 namespace isograsp::app::every_command_test {
 namespace {
@@ -56,8 +57,8 @@ TEST(EveryCommand, EndsByItselfWithAStatusWhateverStandsBehindIt) {
   const test::TemporaryFolder folder;
   const std::string absent = folder.path("absent/file");
   const std::string binary = folder.write("binary", std::string("\x00\xff\x1b[2J\n\n=1+1", 12));
-  setenv("HOME", folder.path("HOME").c_str(), 1);
-  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  const test::Variable home("HOME", folder.path("HOME"));
+  const test::Variable platform("QT_QPA_PLATFORM", "offscreen");
   const std::vector<std::string> behind{"",
                                         "'' ''",
                                         absent,

@@ -10,6 +10,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/must.hpp"
+#include "tests/support/variable.hpp"
 
 namespace isograsp::app::protected_emergency_test {
 namespace {
@@ -21,7 +22,6 @@ using Json = nlohmann::json;
 class ProtectedEmergency : public testing::Test {
  protected:
   ProtectedEmergency() {
-    setenv("XDG_STATE_HOME", folder_.path("state").c_str(), 1);
     const auto task = [&](const char* file, const char* keys) {
       static_cast<void>(
           folder_.write(file, std::string("format = \"isograsp-task-1\"\nname = \"") + file +
@@ -47,8 +47,6 @@ class ProtectedEmergency : public testing::Test {
             folder_.write("person.json", R"({"name": "Vera Novak", "birth_date": "1950-03-05"})") +
             login_);
   }
-  ~ProtectedEmergency() override { unsetenv("XDG_STATE_HOME"); }
-
   static std::string must_do(const std::string& arguments) {
     const auto done = isograsp(arguments);
     EXPECT_EQ(done.status, 0) << arguments << "\n" << done.err;
@@ -128,6 +126,7 @@ class ProtectedEmergency : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
+  test::Variable state_{"XDG_STATE_HOME", folder_.path("state")};
   std::string db_ = folder_.path("clinic.db");
   std::string login_ = " --passphrase-file " + folder_.write("words", "words of the clinic\n");
   std::string protocol_;

@@ -13,6 +13,7 @@
 #include "storage/records/session_store.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/recorded_data.hpp"
+#include "tests/support/variable.hpp"
 
 namespace isograsp::app::run_test {
 namespace {
@@ -239,7 +240,7 @@ TEST(CommandLine, AnInputIsNeverOverwrittenAndAFileWithoutFramesIsNoLog) {
 
 TEST(WholeDemonstration, GoesFromForceToReportWithoutAQuestion) {
   const TemporaryFolder folder;
-  ASSERT_EQ(setenv("XDG_DATA_HOME", folder.path().c_str(), 1), 0);
+  const test::Variable data("XDG_DATA_HOME", folder.path());
   const auto demo = isograsp("demo --headless");
   ASSERT_EQ(demo.status, 0) << demo.err;
   const auto at = demo.out.rfind("Report:");

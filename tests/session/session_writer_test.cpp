@@ -12,6 +12,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/care/emergency.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/support/variable.hpp"
 
 namespace isograsp::session::session_writer_test {
 namespace {
@@ -97,7 +98,6 @@ const Interference kInterferences[]{
 class Recording {
  public:
   Recording() {
-    setenv("XDG_STATE_HOME", folder_.file("state").c_str(), 1);
     auto store = storage::opened(path);
     const storage::PatientRecord patient = storage::must(store->add_patient("P-1"));
     storage::SessionRecord session = storage::example_session(patient.id);
@@ -108,8 +108,6 @@ class Recording {
     EXPECT_TRUE(end());
     begin(2);
   }
-  ~Recording() { unsetenv("XDG_STATE_HOME"); }
-
   Result<void> end() {
     trial.status = storage::TrialStatus::completed;
     trial.samples = 200;
@@ -153,6 +151,7 @@ class Recording {
   }
 
   storage::TemporaryFolder folder_;
+  test::Variable state_{"XDG_STATE_HOME", folder_.file("state")};
 
  public:
   std::string path = folder_.file("clinic.db");

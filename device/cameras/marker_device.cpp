@@ -16,7 +16,8 @@ struct Scheme {
   std::string_view name;
   Result<std::unique_ptr<MarkerDevice>> (*open)(const Uri&, MarkerSource*);
 };
-constexpr std::array kSchemes{Scheme{"replay", open_marker_replay},
+constexpr std::array kSchemes{Scheme{"qtm", open_qtm}, Scheme{"natnet", open_natnet},
+                              Scheme{"replay", open_marker_replay},
                               Scheme{"sim", open_simulated_markers}};
 
 }  // namespace

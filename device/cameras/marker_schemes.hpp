@@ -22,4 +22,13 @@ namespace isograsp {
 [[nodiscard]] Result<std::unique_ptr<MarkerDevice>> open_simulated_markers(const Uri& uri,
                                                                            MarkerSource* source);
 
+/// qtm://HOST[:PORT]?rig=…: Qualisys Track Manager, RT protocol over TCP.
+[[nodiscard]] Result<std::unique_ptr<MarkerDevice>> open_qtm(const Uri& uri, MarkerSource* source);
+
+/// natnet://HOST[:PORT]?local=…&multicast=…&rig=…: Motive (OptiTrack), NatNet 2.5 to 4.1 over UDP;
+/// PORT is that of commands. `local`: address of this computer in the network of the cameras;
+/// `multicast`: group of the frames, else the one that Motive names.
+[[nodiscard]] Result<std::unique_ptr<MarkerDevice>> open_natnet(const Uri& uri,
+                                                                MarkerSource* source);
+
 }  // namespace isograsp

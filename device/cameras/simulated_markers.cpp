@@ -11,7 +11,8 @@ namespace isograsp {
 
 namespace {
 
-constexpr std::uint64_t kDropStream = 17;  ///< apart from what draws on the same seed elsewhere
+constexpr std::uint64_t kLostPictureStream =
+    17;  ///< apart from what draws on the same seed elsewhere
 
 class SimulatedMarkers final : public MarkerDevice {
  public:
@@ -36,7 +37,7 @@ class SimulatedMarkers final : public MarkerDevice {
   [[nodiscard]] Result<void> start(Clock& clock) override {
     clock_ = &clock;
     start_ = clock.now();
-    dropping_ = Random(seed_, kDropStream);
+    dropping_ = Random(seed_, kLostPictureStream);
     counters_ = {};
     next_ = 0;
     lost_ = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "device/markers/marker_period.hpp"
 #include "device/markers/marker_reader.hpp"
 
 namespace isograsp {
@@ -28,11 +29,7 @@ Result<MarkerPlay> MarkerPlay::read(const std::string& path) {
   }
   if (play.t_s.size() < 2)
     return refused("holds fewer than two rows"_text, "record some seconds"_text).at(path);
-  std::vector<double> steps;
-  for (std::size_t k = 1; k < play.t_s.size(); ++k) steps.push_back(play.t_s[k] - play.t_s[k - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  play.period_s = *middle;
+  play.period_s = period_of(play.t_s);
   return play;
 }
 

@@ -114,7 +114,7 @@ TEST(MarkerPlay, IsReadFromARecording) {
       folder.write("m.csv", "t_s,A_x_m,A_y_m,A_z_m\n3,1,2,3\n3.02,,,\n3.04,4,5,6\n")));
   EXPECT_EQ(play.labels, (std::vector<std::string>{"A"}));
   EXPECT_EQ(play.t_s.front(), 0.0);
-  EXPECT_NEAR(play.period_s, 0.02, 1e-12);
+  EXPECT_EQ(play.period_s, 0.02);
   EXPECT_FALSE(play.p_W[1].allFinite());
   EXPECT_FALSE(MarkerPlay::read(folder.write("o.csv", "t_s,A_x_m,A_y_m,A_z_m\n3,1,2,3\n")));
 }

@@ -200,6 +200,13 @@ Result<TomlReader> TomlReader::parse(std::string_view text, std::string file,
   return reader;
 }
 
+std::vector<std::string> TomlReader::keys() const {
+  std::vector<std::string> keys;
+  if (node_->table != nullptr)
+    for (const auto& [key, node] : *node_->table) keys.emplace_back(key.str());
+  return keys;
+}
+
 bool TomlReader::has(std::string_view key) const {
   return node_->table != nullptr && node_->table->contains(key);
 }

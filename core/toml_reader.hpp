@@ -32,6 +32,8 @@ class TomlReader {
                                                 std::string_view format);
 
   [[nodiscard]] bool has(std::string_view key) const;
+  /// Of this table, in the order of their letters: where keys are names that the file gives.
+  [[nodiscard]] std::vector<std::string> keys() const;
 
   /// A finite number; an integer is accepted. Without `fallback` the key is required.
   double number(std::string_view key, std::optional<double> fallback = {});

@@ -50,7 +50,7 @@ std::optional<Quat> attitude_from_axes(const Vec3& primary, int a, const Vec3& s
 /// Turns names into places in a row.
 class ArmFrames::Compiler {
  public:
-  Compiler(const Rig& rig, std::span<const std::string> markers) : rig_(rig), markers_(markers) {}
+  Compiler(const Rig& rig, SeenMarkers seen) : rig_(rig), out_(std::move(seen)) {}
 
   ArmFrames compile() {
     for (const RigFrame& frame : rig_.frames)
@@ -70,12 +70,13 @@ class ArmFrames::Compiler {
         one.p_F = landmark.position_m;
         return one;
       }
-    const auto at = std::find(markers_.begin(), markers_.end(), name);
-    if (at == markers_.end()) {
+    const auto& markers = out_.seen_.names();
+    const auto at = std::find(markers.begin(), markers.end(), name);
+    if (at == markers.end()) {
       absent_.insert(name);
       return one;
     }
-    one.marker = static_cast<std::size_t>(at - markers_.begin());
+    one.marker = static_cast<std::size_t>(at - markers.begin());
     found_any_ = true;
     return one;
   }
@@ -106,7 +107,6 @@ class ArmFrames::Compiler {
   }
 
   const Rig& rig_;
-  std::span<const std::string> markers_;
   ArmFrames out_;
   std::set<std::string> absent_;
   bool found_any_ = false;
@@ -165,7 +165,9 @@ struct ArmFrames::Solver {
 };
 
 Result<ArmFrames> ArmFrames::compile(const Rig& rig, std::span<const std::string> markers) {
-  Compiler compiler(rig, markers);
+  auto seen = SeenMarkers::compile(rig, markers);
+  if (!seen) return seen.error();
+  Compiler compiler(rig, *std::move(seen));
   ArmFrames frames = compiler.compile();
   if (!compiler.found_any())
     return refused("has none of the markers that the rig '%1' names"_text(rig.name),
@@ -174,8 +176,9 @@ Result<ArmFrames> ArmFrames::compile(const Rig& rig, std::span<const std::string
 }
 
 void ArmFrames::solve(std::span<const Vec3> p_W, std::span<FramePose> frames) noexcept {
+  const std::span<const Vec3> seen_W = seen_.see(p_W);
   for (std::size_t f = 0; f < frames_.size(); ++f) {
-    frames[f] = std::visit(Solver{p_W, frames.first(f)}, frames_[f]);
+    frames[f] = std::visit(Solver{seen_W, frames.first(f)}, frames_[f]);
     if (!has_pose(frames[f].state)) continue;
     frames[f].X_W.q = continued(frames[f].X_W.q, last_[f]);
     last_[f] = frames[f].X_W.q;

@@ -7,12 +7,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/result.hpp"
 #include "kinematics/rig.hpp"
 #include "kinematics/rigid_body.hpp"
+#include "kinematics/seen_markers.hpp"
 
 namespace isograsp {
 
@@ -31,16 +33,18 @@ struct FramePose {
 
 class ArmFrames {
  public:
-  /// `markers` are the labels of the columns of a row. A marker of the rig that is not among them
-  /// is never seen. Errors: none of them is.
+  ArmFrames() = default;
+  /// `markers` are the labels of the columns of a row; what they show is judged by SeenMarkers. A
+  /// marker of the rig that is not among them is never seen. Errors: none of them is, or two are
+  /// one.
   [[nodiscard]] static Result<ArmFrames> compile(const Rig& rig,
                                                  std::span<const std::string> markers);
 
   [[nodiscard]] std::size_t frames() const noexcept { return frames_.size(); }
   /// Markers that the rig names and the rows do not have.
   [[nodiscard]] const std::vector<std::string>& absent() const noexcept { return absent_; }
-  /// Real-time: nothing is allocated. `p_W`: as many as labels, missing ones NaN.
-  /// @pre frames.size() == frames()
+  /// Real-time: nothing is allocated. `p_W`: as many as labels, missing ones NaN; rows in the order
+  /// of time. @pre frames.size() == frames()
   void solve(std::span<const Vec3> p_W, std::span<FramePose> frames) noexcept;
 
  private:
@@ -74,7 +78,9 @@ class ArmFrames {
   using Method = std::variant<Cluster, Points, Point>;
   class Compiler;
   struct Solver;
+  explicit ArmFrames(SeenMarkers seen) : seen_(std::move(seen)) {}
 
+  SeenMarkers seen_;
   std::vector<Method> frames_;
   std::vector<Quat> last_;  ///< attitude of each frame in the last row that had one
   std::vector<std::string> absent_;

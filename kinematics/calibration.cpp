@@ -24,10 +24,12 @@ Result<std::vector<Vec3>> measured_template(const Rig& rig, std::size_t index,
   const auto& cluster = std::get<ClusterFrame>(rig.frames[index].method);
   const auto poses = poses_of(with_recipe(rig, index, *cluster.calibration), rows, Hand::right);
   if (!poses) return poses.error();
+  const auto names = aliased(rig, rows.markers);
+  if (!names) return names.error();
   std::vector<std::size_t> columns;
   for (const std::string& marker : cluster.markers)
-    for (std::size_t c = 0; c < rows.markers.size(); ++c)
-      if (rows.markers[c] == marker) columns.push_back(c);
+    for (std::size_t c = 0; c < names->size(); ++c)
+      if ((*names)[c] == marker) columns.push_back(c);
   std::vector<Vec3> sums(columns.size(), Vec3::Zero());
   int count = 0;
   for (std::size_t row = 0; row < rows.p_W.size(); ++row) {

@@ -43,6 +43,7 @@ class RigReader {
     check_landmarks();
     for (TomlReader& table : root_.tables("link")) read_link(table);
     read_score();
+    read_alias();
     if (root_.has("view")) {
       TomlReader table = root_.table("view");
       rig_.view = {std::string(kSignedAxes[table.choice("right", kSignedAxes, 0)]),
@@ -133,6 +134,7 @@ class RigReader {
       TomlReader recipe = table.table("calibration");
       frame.calibration = read_points(recipe);
     }
+    frame.unlabelled = table.boolean("unlabelled", false);
     return frame;
   }
 
@@ -192,6 +194,19 @@ class RigReader {
     rig_.score = score;
   }
 
+  void read_alias() {
+    if (!root_.has("alias")) return;
+    TomlReader table = root_.table("alias");
+    const std::vector<std::string> markers = markers_of(rig_);
+    for (const std::string& label : table.keys()) {
+      const RigAlias alias{label, table.text(label)};
+      if (std::find(markers.begin(), markers.end(), alias.marker) == markers.end())
+        table.fail(label, "'%1' is no marker of this file"_text(alias.marker),
+                   "name one of its markers"_text);
+      rig_.alias.push_back(alias);
+    }
+  }
+
   TomlReader& root_;
   Rig rig_;
 };
@@ -204,6 +219,44 @@ std::optional<std::size_t> Rig::frame(std::string_view wanted) const noexcept {
 
 std::optional<std::size_t> Rig::link(std::string_view wanted) const noexcept {
   return find_named(links, wanted);
+}
+
+Result<std::vector<std::string>> aliased(const Rig& rig, std::span<const std::string> labels) {
+  std::vector<std::string> names(labels.begin(), labels.end());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (const RigAlias& alias : rig.alias)
+      if (alias.label == labels[i]) names[i] = alias.marker;
+  for (const RigAlias& alias : rig.alias)
+    if (std::count(names.begin(), names.end(), alias.marker) > 1)
+      return refused("calls two markers '%1', by the names of the rig"_text(alias.marker),
+                     "keep one of them in [alias]"_text);
+  return names;
+}
+
+std::vector<std::string> markers_of(const Rig& rig) {
+  std::vector<std::string> markers;
+  const auto add = [&](const RigPoint& names) {
+    for (const std::string& name : names)
+      if (!find_named(rig.landmarks, name) &&
+          std::find(markers.begin(), markers.end(), name) == markers.end())
+        markers.push_back(name);
+  };
+  const auto add_points = [&](const PointsFrame& frame) {
+    for (const RigPoint* point : {&frame.origin, &frame.primary.from, &frame.primary.to,
+                                  &frame.secondary.from, &frame.secondary.to})
+      add(*point);
+  };
+  for (const RigFrame& frame : rig.frames) {
+    if (const auto* cluster = std::get_if<ClusterFrame>(&frame.method)) {
+      add(cluster->markers);
+      if (cluster->calibration) add_points(*cluster->calibration);
+    } else if (const auto* points = std::get_if<PointsFrame>(&frame.method)) {
+      add_points(*points);
+    } else {
+      add(std::get<PointFrame>(frame.method).origin);
+    }
+  }
+  return markers;
 }
 
 Result<Rig> parse_rig(std::string_view text, const std::string& file) {

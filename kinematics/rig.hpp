@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -40,6 +41,8 @@ struct ClusterFrame {
   std::vector<Vec3> template_m;
   std::optional<double> max_residual_m;    ///< else that of the rig
   std::optional<PointsFrame> calibration;  ///< the frame that templates are measured in
+  /// Its markers have no labels: they are found by their distances (kinematics/cloud_match.hpp).
+  bool unlabelled = false;
 };
 /// A point with the attitude of another frame.
 struct PointFrame {
@@ -82,6 +85,12 @@ struct RigView {
   std::string up = "y";
 };
 
+/// What cameras call a marker of the rig.
+struct RigAlias {
+  std::string label;
+  std::string marker;
+};
+
 struct Rig {
   std::string name;
   double max_residual_m = 0.003;
@@ -90,11 +99,18 @@ struct Rig {
   std::vector<RigLink> links;
   std::optional<RigScore> score;
   std::optional<RigView> view;
+  std::vector<RigAlias> alias;
 
   /// Index of the frame, or nothing.
   [[nodiscard]] std::optional<std::size_t> frame(std::string_view name) const noexcept;
   [[nodiscard]] std::optional<std::size_t> link(std::string_view name) const noexcept;
 };
+
+/// Labels of cameras as the rig calls its markers; others stay. Errors: two of them are one marker.
+[[nodiscard]] Result<std::vector<std::string>> aliased(const Rig& rig,
+                                                       std::span<const std::string> labels);
+/// Markers that the frames name, each once.
+[[nodiscard]] std::vector<std::string> markers_of(const Rig& rig);
 
 /// Reads and checks a rig: names known, each once, frames in order of dependence. `file` is used in
 /// errors.

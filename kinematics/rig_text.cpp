@@ -36,6 +36,7 @@ struct MethodText {
       text += "calibration = { origin = " + point_text(frame.calibration->origin) +
               ", primary = " + axis_text(frame.calibration->primary) +
               ", secondary = " + axis_text(frame.calibration->secondary) + " }\n";
+    if (frame.unlabelled) text += "unlabelled = true\n";
     return text;
   }
   std::string operator()(const PointsFrame& frame) const {
@@ -71,6 +72,9 @@ std::string rig_text(const Rig& rig) {
     text += "\n[score]\nforearm = " + toml_text(rig.score->forearm) +
             "\nsync = " + toml_text(rig.score->sync) +
             "\nobject = " + toml_text(rig.score->object) + "\n";
+  if (!rig.alias.empty()) text += "\n[alias]\n";
+  for (const RigAlias& alias : rig.alias)
+    text += toml_text(alias.label) + " = " + toml_text(alias.marker) + "\n";
   if (rig.view)
     text += "\n[view]\nright = " + toml_text(rig.view->right) +
             "\nup = " + toml_text(rig.view->up) + "\n";

@@ -8,6 +8,7 @@
 #include "core/files.hpp"
 #include "device/markers/marker_csv.hpp"
 #include "device/markers/marker_reader.hpp"
+#include "device/markers/natnet_log.hpp"
 #include "device/markers/qtm_rt_log.hpp"
 #include "kinematics/arm_frames.hpp"
 #include "kinematics/tables/pose_csv.hpp"
@@ -42,10 +43,20 @@ Result<void> run_convert_markers(const PoseOptions& options) {
 
 Result<void> run_decode_markers(const PoseOptions& options) {
   if (auto different = check_different(options.in, options.out); !different) return different;
+  constexpr auto kCounted = "%1: %2 rows; %3 repeated, %4 without labels, %5 of other kinds"_text;
+  if (options.protocol == "natnet") {
+    const auto counts = convert_natnet_log(options.in, options.out);
+    if (!counts) return counts.error();
+    print_note(kCounted(options.in, counts->rows, counts->repeated, counts->stream.unlabelled,
+                        counts->stream.passed_over));
+    if (counts->stream.damaged > 0)
+      print_note("%1: %2 datagrams are damaged"_text(options.in, counts->stream.damaged));
+    return {};
+  }
   const auto counts = convert_qtm_rt_log(options.in, options.out);
   if (!counts) return counts.error();
-  print_note("%1: %2 rows; %3 repeated, %4 without labels, %5 of other kinds"_text(
-      options.in, counts->frames, counts->repeated, counts->unlabelled, counts->passed_over));
+  print_note(kCounted(options.in, counts->frames, counts->repeated, counts->unlabelled,
+                      counts->passed_over));
   return {};
 }
 
@@ -114,7 +125,7 @@ void add_marker_poses(Subcommand markers) {
         add("decode", "A log of a stream of markers as a table", run_decode_markers);
     command.option("--protocol", options->protocol, "How the system speaks")
         .required()
-        .one_of({"qtm-rt"});
+        .one_of({"qtm-rt", "natnet"});
     command.option("LOG", options->in, "Log: (time) ADDRESS:PORT HEX, a line for each piece")
         .required();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers from bytes, the least significant first. @pre the bytes are there
+// Numbers from bytes and into them, the least significant first. @pre the bytes are there
 #pragma once
 
 #include <bit>
@@ -20,6 +20,12 @@ template <class Unsigned>
 [[nodiscard]] constexpr float little_endian_float(std::span<const std::uint8_t> bytes,
                                                   std::size_t at) noexcept {
   return std::bit_cast<float>(little_endian<std::uint32_t>(bytes, at));
+}
+template <class Unsigned>
+constexpr void put_little_endian(std::span<std::uint8_t> bytes, std::size_t at,
+                                 Unsigned value) noexcept {
+  for (std::size_t i = 0; i < sizeof(Unsigned); ++i)
+    bytes[at + i] = static_cast<std::uint8_t>(value >> (8 * i));
 }
 
 }  // namespace isograsp

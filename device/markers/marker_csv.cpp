@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/markers/marker_csv.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,8 @@ class MarkerCsv final : public MarkerReader {
   MarkerCsv(CsvReader csv, std::vector<std::string> markers)
       : csv_(std::move(csv)), row_(csv_.columns().size()) {
     markers_ = std::move(markers);
+    simulated_ = std::any_of(csv_.comments().begin(), csv_.comments().end(),
+                             [](const std::string& line) { return line.starts_with("simulated"); });
   }
 
   Result<bool> next(double& t_s, std::span<Vec3> p_W) override {

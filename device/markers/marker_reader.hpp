@@ -26,12 +26,15 @@ class MarkerReader {
 
   /// Labels, without the "subject:" that some systems write in front.
   [[nodiscard]] const std::vector<std::string>& markers() const noexcept { return markers_; }
+  /// The file says of itself that software made it: reports of it carry a watermark.
+  [[nodiscard]] bool simulated() const noexcept { return simulated_; }
   /// The next row; false at the end. Times [s] increase strictly. Errors name the file and, of a
   /// text, the line. @pre p_W.size() == markers().size()
   [[nodiscard]] virtual Result<bool> next(double& t_s, std::span<Vec3> p_W) = 0;
 
  protected:
   std::vector<std::string> markers_;
+  bool simulated_ = false;
 };
 
 /// Opens a recording; its first bytes say of which format it is: C3D, TRC, a table of Qualisys

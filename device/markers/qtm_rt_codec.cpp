@@ -5,7 +5,9 @@
 // [mm] (and the residual) as float32; NaN: not seen.
 #include "device/markers/qtm_rt_codec.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <sstream>
 
@@ -20,71 +22,121 @@ namespace isograsp {
 namespace {
 
 constexpr std::size_t kPacketHead = 8;
+constexpr std::uint32_t kError = 0;
+constexpr std::uint32_t kCommand = 1;
 constexpr std::uint32_t kXml = 2;
 constexpr std::uint32_t kData = 3;
 constexpr std::size_t kDataHead = 16;
 constexpr std::size_t kComponentHead = 8;
+constexpr std::size_t kMarkersHead = 8;
 constexpr std::uint32_t k3d = 1;
 constexpr std::uint32_t k3dWithResidual = 9;
 
-}  // namespace
-
-Result<void> QtmRtStream::take(std::span<const std::uint8_t> bytes,
-                               const std::function<void(const Row&)>& row) {
-  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
-  std::size_t at = 0;
-  while (waiting_.size() - at >= kPacketHead) {
-    const std::size_t size = little_endian<std::uint32_t>(waiting_, at);
-    if (size < kPacketHead || size > kLargestPacket)
-      return refused("no packet begins where one should (%1 bytes)"_text(size),
-                     "check that it is a stream of QTM, little endian"_text);
-    if (waiting_.size() - at < size) break;
-    if (auto done = packet(std::span(waiting_).subspan(at, size), row); !done) return done;
-    at += size;
-  }
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(at));
-  return {};
+std::string_view text_in(std::span<const std::uint8_t> bytes) noexcept {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return text.substr(0, text.find('\0'));
 }
 
-Result<void> QtmRtStream::packet(std::span<const std::uint8_t> bytes,
-                                 const std::function<void(const Row&)>& row) {
-  ++counts_.packets;
-  switch (little_endian<std::uint32_t>(bytes, 4)) {
-    case kXml: return parameters(bytes.subspan(kPacketHead));
-    case kData: data(bytes.subspan(kPacketHead), row); return {};
-    default: ++counts_.passed_over; return {};
-  }
-}
-
-Result<void> QtmRtStream::parameters(std::span<const std::uint8_t> xml) {
-  std::string text(xml.begin(), xml.end());
-  text.resize(std::min(text.size(), text.find('\0')));
-  boost::property_tree::ptree tree;
-  try {
-    std::istringstream in(text);
-    boost::property_tree::read_xml(in, tree);
-  } catch (const boost::property_tree::xml_parser_error& problem) {
-    return refused("the parameters of QTM are broken: %1"_text(Known{problem.message()}),
-                   "record the stream again"_text);
-  }
+/// What the XML of the parameters says of the markers.
+struct Parameters {
   std::vector<std::string> labels;
+  std::optional<double> rate_Hz;
+};
+Parameters parameters_in(std::string_view xml) {
+  boost::property_tree::ptree tree;
+  std::istringstream in{std::string(xml)};
+  boost::property_tree::read_xml(in, tree);
+  Parameters found;
   for (const auto& [root, content] : tree) {
+    const double rate_Hz = content.get<double>("General.Frequency", 0.0);
+    if (rate_Hz > 0.0 && std::isfinite(rate_Hz)) found.rate_Hz = rate_Hz;
     const auto points = content.get_child_optional("The_3D");
     if (!points) continue;
     for (const auto& [key, label] : *points)
-      if (key == "Label") labels.emplace_back(without_subject(label.get<std::string>("Name", "")));
+      if (key == "Label")
+        found.labels.emplace_back(without_subject(label.get<std::string>("Name", "")));
   }
-  if (labels.empty()) return {};
-  if (!labels_.empty() && labels != labels_)
-    return refused("the labels change within the stream"_text,
-                   "record each set of markers by itself"_text);
-  labels_ = std::move(labels);
-  p_W_.resize(labels_.size());
-  return {};
+  return found;
 }
 
-bool QtmRtStream::markers(std::span<const std::uint8_t> component, std::size_t floats) {
-  constexpr std::size_t kMarkersHead = 8;
+}  // namespace
+
+void QtmRtStream::add(std::span<const std::uint8_t> bytes) {
+  if (at_ == waiting_.size()) {
+    waiting_.clear();
+    at_ = 0;
+  } else if (waiting_.size() + bytes.size() > waiting_.capacity()) {
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(at_));
+    at_ = 0;
+  }
+  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+}
+
+QtmRtStream::Step QtmRtStream::next(Row& row) noexcept {
+  if (trouble_ == Trouble::boundary || trouble_ == Trouble::xml) return Step::lost;
+  while (waiting_.size() - at_ >= kPacketHead) {
+    const std::size_t size = little_endian<std::uint32_t>(waiting_, at_);
+    if (size < kPacketHead || size > kLargestPacket) {
+      wrong_size_ = size;
+      return lose(Trouble::boundary);
+    }
+    if (waiting_.size() - at_ < size) break;
+    const auto bytes = std::span<const std::uint8_t>(waiting_).subspan(at_, size);
+    at_ += size;
+    ++counts_.packets;
+    if (const auto step = packet(bytes, row)) return *step;
+  }
+  return Step::more;
+}
+
+std::optional<QtmRtStream::Step> QtmRtStream::packet(std::span<const std::uint8_t> bytes,
+                                                     Row& row) {
+  const auto body = bytes.subspan(kPacketHead);
+  switch (little_endian<std::uint32_t>(bytes, 4)) {
+    case kError: message_ = text_in(body); return Step::refusal;
+    case kCommand: message_ = text_in(body); return Step::message;
+    case kXml: return parameters(body);
+    case kData:
+      if (data(body, row)) return Step::row;
+      return std::nullopt;
+    default: ++counts_.passed_over; return std::nullopt;
+  }
+}
+
+QtmRtStream::Step QtmRtStream::parameters(std::span<const std::uint8_t> xml) {
+  if (!told_.empty() && std::equal(xml.begin(), xml.end(), told_.begin(), told_.end())) {
+    foreign_ = false;
+    return Step::labels;
+  }
+  try {
+    Parameters found = parameters_in(text_in(xml));
+    if (found.labels.empty()) {
+      if (!rate_Hz_) rate_Hz_ = found.rate_Hz;
+      return Step::no_labels;
+    }
+    foreign_ = !labels_.empty() && found.labels != labels_;
+    if (foreign_) {
+      trouble_ = Trouble::labels;
+      return Step::other_labels;
+    }
+    labels_ = std::move(found.labels);
+    rate_Hz_ = found.rate_Hz;
+    told_.assign(xml.begin(), xml.end());
+    p_W_.resize(labels_.size());
+    // Room for what arrives at once while frames of these markers come.
+    constexpr std::size_t kAtOnce = std::size_t{256} << 10;
+    constexpr std::size_t kLargestMarker = 16;
+    waiting_.reserve(2 * (kAtOnce + labels_.size() * kLargestMarker));
+    return Step::labels;
+  } catch (const boost::property_tree::xml_parser_error& problem) {
+    xml_problem_ = problem.message();
+  } catch (const std::exception& problem) {  // no memory
+    xml_problem_ = problem.what();
+  }
+  return lose(Trouble::xml);
+}
+
+bool QtmRtStream::markers(std::span<const std::uint8_t> component, std::size_t floats) noexcept {
   constexpr double kMillimetre = 1e-3;
   if (component.size() < kMarkersHead) return false;
   const std::size_t count = little_endian<std::uint32_t>(component, 0);
@@ -102,11 +154,10 @@ bool QtmRtStream::markers(std::span<const std::uint8_t> component, std::size_t f
   return true;
 }
 
-void QtmRtStream::data(std::span<const std::uint8_t> bytes,
-                       const std::function<void(const Row&)>& row) {
+bool QtmRtStream::data(std::span<const std::uint8_t> bytes, Row& row) noexcept {
   if (bytes.size() < kDataHead) {
     ++counts_.passed_over;
-    return;
+    return false;
   }
   const auto stamp_us = static_cast<std::int64_t>(little_endian<std::uint64_t>(bytes, 0));
   const auto frame = little_endian<std::uint32_t>(bytes, 8);
@@ -122,19 +173,61 @@ void QtmRtStream::data(std::span<const std::uint8_t> bytes,
       ++counts_.passed_over;
       continue;
     }
-    if (labels_.empty() || !markers(component, type == k3d ? 3 : 4)) {
+    if (labels_.empty() || foreign_ || !markers(component, type == k3d ? 3 : 4)) {
       ++counts_.unlabelled;
-      return;
+      return false;
     }
-    if (last_frame_ && frame <= *last_frame_) {
-      ++counts_.repeated;
-      return;
-    }
-    last_frame_ = frame;
-    ++counts_.frames;
-    row({stamp_us, frame, p_W_});
-    return;
+    row = {stamp_us, frame, p_W_};
+    return true;
   }
+  return false;
+}
+
+bool QtmRtStream::is_new(std::uint32_t frame) noexcept {
+  if (last_frame_ && frame <= *last_frame_) {
+    ++counts_.repeated;
+    return false;
+  }
+  last_frame_ = frame;
+  ++counts_.frames;
+  return true;
+}
+
+QtmRtStream::Step QtmRtStream::lose(Trouble trouble) noexcept {
+  trouble_ = trouble;
+  return Step::lost;
+}
+
+Error QtmRtStream::problem() const {
+  switch (trouble_) {
+    case Trouble::xml:
+      return refused("the parameters of QTM are broken: %1"_text(Known{xml_problem_}),
+                     "record the stream again"_text);
+    case Trouble::labels:
+      return refused("the labels change within the stream"_text,
+                     "record each set of markers by itself"_text);
+    default:
+      return refused("no packet begins where one should (%1 bytes)"_text(wrong_size_),
+                     "check that it is a stream of QTM, little endian"_text);
+  }
+}
+
+void QtmRtStream::restart() noexcept {
+  waiting_.clear();
+  at_ = 0;
+  message_ = {};
+  last_frame_.reset();
+  trouble_ = Trouble::none;
+  foreign_ = false;
+}
+
+std::size_t encode_qtm_rt_command(std::string_view command, std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = kPacketHead + command.size() + 1;
+  put_little_endian(out, 0, static_cast<std::uint32_t>(size));
+  put_little_endian(out, 4, kCommand);
+  std::memcpy(out.data() + kPacketHead, command.data(), command.size());
+  out[size - 1] = 0;
+  return size;
 }
 
 }  // namespace isograsp

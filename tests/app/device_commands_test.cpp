@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // devices, monitor, record, decode and emulate as a user calls them, where no CAN bus is needed.
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "tests/support/command.hpp"
 #include "tests/support/within.hpp"
@@ -148,6 +151,8 @@ TEST(DecodeCommand, ReadsDatagramsOfNetFtBoxes) {
             "saturated+status_error_summary+status_transducer_saturation_or_ad_error\n");
 }
 
+const std::string kArm = ISOGRASP_SOURCE_DIR "/tests/data/isotonic/session_a_markers.csv";
+
 TEST(DeviceCommands, AnErrorIsOneLineWithAPlaceAndARemedyAndNothingIsWritten) {
   const TemporaryFolder folder;
   const auto out = folder.path("out.csv");
@@ -183,7 +188,17 @@ TEST(DeviceCommands, AnErrorIsOneLineWithAPlaceAndARemedyAndNothingIsWritten) {
         {"emulate --protocol rft --on nocan9 --fault explode=thumb", "there is no such fault"},
         {"emulate --protocol rft --on nocan9 --fault lose=thumb:tx3:1", "there is no such fault"},
         {"emulate --protocol rft --on nocan9 --fault lose=thumb:tx1:2", "'2' is not a probability"},
-        {"emulate --protocol rft --on nocan9 --fault silence=toe@1s", "there is no such finger"}}) {
+        {"emulate --protocol rft --on nocan9 --fault silence=toe@1s", "there is no such finger"},
+        {"emulate --protocol qtm-rt --on 127.0.0.1:22223 --play absent.csv", "absent.csv"},
+        {"emulate --protocol qtm-rt --on here --play " + kArm, "--on: 'here' is no address"},
+        {"emulate --protocol qtm-rt --on 127.0.0.1:22223 --fault close --play " + kArm,
+         "the instant is missing"},
+        {"emulate --protocol natnet --on 127.0.0.1:1510 --fault split --play " + kArm,
+         "NatNet has no connection"},
+        {"emulate --protocol natnet --on 127.0.0.1:1510 --bitstream 4.2 --play " + kArm,
+         "--bitstream: '4.2' is no known version"},
+        {"emulate --protocol natnet --on 127.0.0.1:1510 --multicast x --play " + kArm,
+         "--multicast: 'x' is no address"}}) {
     const auto result = isograsp(arguments);
     EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
     EXPECT_EQ(result.err.find("isograsp: error: "), 0u) << result.err;
@@ -192,6 +207,31 @@ TEST(DeviceCommands, AnErrorIsOneLineWithAPlaceAndARemedyAndNothingIsWritten) {
     EXPECT_TRUE(result.out.empty()) << result.out;
   }
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+/// A TCP port of this computer that nobody has.
+int free_port() {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in at{};
+  at.sin_family = AF_INET;
+  at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof at;
+  EXPECT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&at), size), 0);
+  EXPECT_EQ(::getsockname(socket, reinterpret_cast<sockaddr*>(&at), &size), 0);
+  ::close(socket);
+  return ntohs(at.sin_port);
+}
+
+TEST(DeviceCommands, EmulatedCamerasWaitForAClientUntilTimeIsUp) {
+  for (const std::string protocol : {"qtm-rt", "natnet"}) {
+    const auto emulated = isograsp("emulate --protocol " + protocol +
+                                   " --on 127.0.0.1:" + std::to_string(free_port()) +
+                                   " --duration 0.05 --json --play " + kArm);
+    ASSERT_EQ(emulated.status, 0) << emulated.err;
+    const auto report = nlohmann::json::parse(emulated.out);
+    EXPECT_EQ(report["pictures"], 0);
+    EXPECT_EQ(report["clients"], 0);
+  }
 }
 
 TEST(DeviceCommands, MonitorAndRecordTheSimulatedPatient) {

@@ -45,6 +45,17 @@ TEST(TomlReader, ReadsOneTextOrSeveralAndListsOfPoints) {
   }
 }
 
+TEST(TomlReader, TellsTheKeysOfATableWhoseNamesTheFileGives) {
+  auto root = TomlReader::parse("format = \"f\"\n[names]\n\"left hand.1\" = \"A\"\nB = \"C\"\n",
+                                "n.toml", "f");
+  ASSERT_TRUE(root);
+  auto names = root->table("names");
+  EXPECT_EQ(names.keys(), (std::vector<std::string>{"B", "left hand.1"}));
+  EXPECT_EQ(names.text("left hand.1"), "A");
+  EXPECT_FALSE(root->finish()) << "B was not asked for";
+  EXPECT_TRUE(root->table("absent", false).keys().empty());
+}
+
 TEST(TomlReader, NamesFileLineFieldAndRemedyOfTheFirstProblem) {
   const std::pair<const char*, const char*> bad[] = {
       {"", "x.toml:1: a: is missing; add it"},

@@ -11,6 +11,7 @@
 #include "device/markers/qtm_rt_codec.hpp"
 #include "device/markers/qtm_rt_log.hpp"
 #include "tests/support/must.hpp"
+#include "tests/support/no_alloc.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/within.hpp"
 
@@ -143,6 +144,74 @@ TEST(QtmRt, FramesWithoutLabelsOrOfAnotherNumberAreCountedAndLeftOut) {
   EXPECT_EQ(stream.counts().unlabelled, 2U);
   EXPECT_EQ(stream.counts().repeated, 1U);
   EXPECT_EQ(stream.counts().frames, 1U);
+}
+
+TEST(QtmRt, StepByStepItSaysWhatEachPacketWas) {
+  using Step = QtmRtStream::Step;
+  QtmRtStream stream;
+  QtmRtStream::Row row;
+  stream.add(
+      joined({packet(1, {'H', 'i', 0}), packet(0, {'N', 'o', 0}), packet(2, {'<', 'a', '/', '>'}),
+              labels({"A", "B"}), frame(9, {{1, 2, 3, 0}, {4, 5, 6, 0}}, true),
+              frame(9, {{1, 2, 3, 0}, {4, 5, 6, 0}}, true), labels({"A", "C"}),
+              frame(10, {{1, 2, 3, 0}, {4, 5, 6, 0}}, true), labels({"A", "B"}),
+              frame(11, {{1, 2, 3, 0}, {4, 5, 6, 0}}, true)}));
+  EXPECT_EQ(stream.next(row), Step::message);
+  EXPECT_EQ(stream.message(), "Hi");
+  EXPECT_EQ(stream.next(row), Step::refusal);
+  EXPECT_EQ(stream.message(), "No");
+  EXPECT_EQ(stream.next(row), Step::no_labels);
+  EXPECT_EQ(stream.next(row), Step::labels);
+  EXPECT_EQ(stream.next(row), Step::row);
+  EXPECT_EQ(stream.next(row), Step::row) << "who reads live numbers them himself";
+  EXPECT_EQ(row.frame, 9U);
+  EXPECT_EQ(stream.next(row), Step::other_labels);
+  EXPECT_EQ(stream.next(row), Step::labels) << "the frame between them has other markers";
+  EXPECT_EQ(stream.next(row), Step::row);
+  EXPECT_EQ(row.frame, 11U);
+  EXPECT_EQ(stream.next(row), Step::more);
+  EXPECT_EQ(stream.labels(), (std::vector<std::string>{"A", "B"}));
+}
+
+TEST(QtmRt, ANewConnectionKeepsTheLabelsAndForgetsWhatWaited) {
+  using Step = QtmRtStream::Step;
+  QtmRtStream stream;
+  QtmRtStream::Row row;
+  stream.add(joined({labels({"A"}), {1, 2, 3}}));
+  EXPECT_EQ(stream.next(row), Step::labels);
+  EXPECT_EQ(stream.next(row), Step::more);
+  stream.restart();
+  stream.add(frame(1, {{1, 2, 3, 0}}, false));
+  EXPECT_EQ(stream.next(row), Step::row);
+  stream.add(Bytes{9, 0, 0, 0xF0, 0, 0, 0, 0});
+  EXPECT_EQ(stream.next(row), Step::lost);
+  stream.add(frame(2, {{1, 2, 3, 0}}, false));
+  EXPECT_EQ(stream.next(row), Step::lost) << "until it begins anew";
+  stream.restart();
+  stream.add(frame(3, {{1, 2, 3, 0}}, false));
+  EXPECT_EQ(stream.next(row), Step::row);
+}
+
+TEST(QtmRt, RowsAllocateNothingHoweverTheyAreCut) {
+  QtmRtStream stream;
+  QtmRtStream::Row row;
+  const Bytes told = labels({"A", "B"});
+  stream.add(told);
+  EXPECT_EQ(stream.next(row), QtmRtStream::Step::labels);
+  const Bytes bytes = frame(1, {{1, 2, 3, 0}, {4, 5, 6, 0}}, true);
+  std::size_t rows = 0;
+  const auto before = test::allocations();
+  for (int round = 0; round < 3000; ++round) {  // more than the room that is kept
+    for (std::size_t at = 0; at < bytes.size(); at += 7) {
+      stream.add(std::span(bytes).subspan(at, std::min<std::size_t>(7, bytes.size() - at)));
+      while (stream.next(row) == QtmRtStream::Step::row) ++rows;
+    }
+    if (round % 100 != 0) continue;
+    stream.add(told);
+    static_cast<void>(stream.next(row));
+  }
+  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(rows, 3000U);
 }
 
 TEST(QtmRt, AStreamThatHasLostItsWayIsRefused) {

@@ -373,10 +373,10 @@ TEST(ArmPostures, HoldTheAnglesThatTheirNamesSay) {
   constexpr double kSkin_rad = 4.0 * kDeg;  // markers lie beside the axes of the joints
   EXPECT_WITHIN(change("pronation", 0, 2), 30.0 * kDeg, 1e-6);
   EXPECT_WITHIN(change("supination", 0, 2), -40.0 * kDeg, 1e-6);
-  EXPECT_WITHIN(change("flexion", 1, 0), 25.0 * kDeg, kSkin_rad);
-  EXPECT_WITHIN(change("extension", 1, 0), -20.0 * kDeg, kSkin_rad);
-  EXPECT_WITHIN(change("ulnar deviation", 1, 1), 15.0 * kDeg, kSkin_rad);
-  EXPECT_WITHIN(change("radial deviation", 1, 1), -10.0 * kDeg, kSkin_rad);
+  EXPECT_WITHIN(change("flexion", 1, 0), 30.0 * kDeg, kSkin_rad);
+  EXPECT_WITHIN(change("extension", 1, 0), -25.0 * kDeg, kSkin_rad);
+  EXPECT_WITHIN(change("ulnar deviation", 1, 1), 20.0 * kDeg, kSkin_rad);
+  EXPECT_WITHIN(change("radial deviation", 1, 1), -15.0 * kDeg, kSkin_rad);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "virtual_patient/arm/reach.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Cholesky>
 
@@ -19,7 +20,8 @@ namespace {
 constexpr double kLength_m = 0.2;  ///< of an error that counts as one radian
 constexpr int kSteps = 16;
 constexpr int kParts = 6;
-constexpr int kPasses = 4;
+constexpr int kHalves = 3;
+constexpr int kPasses = kJoints - 5;  ///< with fewer than six joints left nothing can be chosen
 /// Keeps the equations solvable where ranges leave fewer than six ways to move: 0.1 % of a joint
 /// that is free to turn.
 constexpr double kRidge = 1e-3 * 0.3;
@@ -53,7 +55,11 @@ Joints Reach::posture_for(const Pose& X_WO) const noexcept {
     // The way there in parts, so that the equations are nearly linear.
     const double part = std::min(1.0, static_cast<double>(step) / kParts);
     const Pose X_BO{from.p + part * (goal.p - from.p), so3::exp(part * turn) * from.q};
-    const Joints next = improved(q, X_BO);
+    Joints next = improved(q, X_BO);
+    // Far from linear, a whole step leads astray.
+    const double before = error_at(q, X_BO).norm();
+    for (int half = 0; half < kHalves && error_at(next, X_BO).norm() > before; ++half)
+      next = 0.5 * (q + next);
     const bool settled = step > kParts && (next - q).cwiseAbs().maxCoeff() < kSettled;
     q = next;
     if (settled) break;
@@ -61,14 +67,17 @@ Joints Reach::posture_for(const Pose& X_WO) const noexcept {
   return q;
 }
 
-Joints Reach::improved(const Joints& q, const Pose& X_BO) const noexcept {
+Vec6 Reach::error_at(const Joints& q, const Pose& X_BO) const noexcept {
   const Pose X_now = body_.poses_B(q)[index_of(Segment::object)];
-  ArmJacobian J = body_.jacobian_B(q);
   Vec6 error;
-  error << X_BO.p - X_now.p, rotation_vector(X_BO.q * X_now.q.conjugate());
-  error.head<3>() /= kLength_m;
+  error << (X_BO.p - X_now.p) / kLength_m, rotation_vector(X_BO.q * X_now.q.conjugate());
+  return error;
+}
+
+Joints Reach::improved(const Joints& q, const Pose& X_BO) const noexcept {
+  ArmJacobian J = body_.jacobian_B(q);
   J.topRows<3>() /= kLength_m;
-  const Vec6 needed = error + J * (q - body_.rest);
+  const Vec6 needed = error_at(q, X_BO) + J * (q - body_.rest);
   Joints compliance = compliance_;
   Joints ended = Joints::Zero();  // ways of joints that are at an end
   Joints within = q;
@@ -79,12 +88,18 @@ Joints Reach::improved(const Joints& q, const Pose& X_BO) const noexcept {
     const Joints next =
         body_.rest + ended + weighted.transpose() * square.ldlt().solve(needed - J * ended);
     within = next.cwiseMax(body_.least).cwiseMin(body_.most);
-    if (within == next) break;
+    // The one that goes furthest beyond its end, for what it costs.
+    int worst = -1;
+    double most = 0.0;
     for (int k = 0; k < kJoints; ++k) {
-      if (within[k] == next[k]) continue;
-      ended[k] = within[k] - body_.rest[k];
-      compliance[k] = 0.0;
+      const double beyond = std::abs(within[k] - next[k]) / std::sqrt(compliance_[k]);
+      if (!(beyond > most) || compliance[k] == 0.0) continue;
+      most = beyond;
+      worst = k;
     }
+    if (worst < 0) break;
+    ended[worst] = within[worst] - body_.rest[worst];
+    compliance[worst] = 0.0;
   }
   return within;
 }

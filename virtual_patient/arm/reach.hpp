@@ -19,6 +19,9 @@ class Reach {
   [[nodiscard]] Joints posture_for(const Pose& X_WO) const noexcept;
 
  private:
+  /// What is left to the object at X_BO, lengths scaled.
+  [[nodiscard]] Vec6 error_at(const Joints& q, const Pose& X_BO) const noexcept;
+  /// One step of Gauss-Newton.
   [[nodiscard]] Joints improved(const Joints& q, const Pose& X_BO) const noexcept;
 
   const ArmBody& body_;

@@ -78,13 +78,13 @@ Result<Postures> forearm_and_wrist_postures(const Rig& rig) {
       {"initial"},
       {"pronation", 30.0},
       {"supination", -40.0},
-      {"flexion", 0.0, 25.0},
-      {"extension", 0.0, -20.0},
-      {"ulnar deviation", 0.0, 0.0, 15.0},
-      {"radial deviation", 0.0, 0.0, -10.0},
+      {"flexion", 0.0, 30.0},
+      {"extension", 0.0, -25.0},
+      {"ulnar deviation", 0.0, 0.0, 20.0},
+      {"radial deviation", 0.0, 0.0, -15.0},
       {"pronation and flexion", 25.0, 20.0},
       {"supination and extension", -30.0, -15.0},
-      {"supination and ulnar deviation", -30.0, 0.0, 12.0},
+      {"supination and ulnar deviation", -30.0, 0.0, 15.0},
   };
   return postures_of(rig, "Forearm and wrist (made by calculation, not recorded from a person)",
                      kTurns);

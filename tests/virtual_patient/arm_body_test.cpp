@@ -240,7 +240,7 @@ TEST(ArmReach, ATurnAboutTheForearmIsSharedAsTheTraitsSay) {
     const double forearm_rad = found[joint::pronation] - body.rest[joint::pronation];
     // The object lies 3 cm beside the axis of the forearm, so that its place, too, asks something
     // of every joint.
-    constexpr double kShare = 0.1;
+    constexpr double kShare = 0.01;
     EXPECT_WITHIN(found[joint::turn_z] / (found[joint::turn_z] + forearm_rad), part, kShare);
   }
 }

@@ -66,6 +66,17 @@ TEST(ArmMarkers, TheSameSeedShowsTheSameBitsAndAnotherDoesNot) {
   EXPECT_TRUE(differs);
 }
 
+TEST(ArmMarkers, OnAnotherDayTheSamePersonHasOtherMarkersAndAnotherForm) {
+  const ArmTraits traits = *arm_traits("paretic");
+  VirtualArm one(traits, 3, Hand::right, 1), same(traits, 3, Hand::right, 1),
+      later(traits, 3, Hand::right, 2);
+  EXPECT_EQ(one.person(), same.person());
+  EXPECT_EQ(one.body().forearm_m, later.body().forearm_m);
+  EXPECT_NE(one.person().supination_rad, later.person().supination_rad);
+  EXPECT_EQ(one.body().markers[4].p_S, same.body().markers[4].p_S);
+  EXPECT_NE(one.body().markers[4].p_S, later.body().markers[4].p_S);
+}
+
 TEST(ArmMarkers, NoneIsAllocatedForAndNoneIsHalfSeen) {
   VirtualArm arm(*arm_traits("paretic"), 5);
   std::vector<Vec3> p_W(kArmMarkers);

@@ -143,7 +143,7 @@ TEST(ArmTask, TheSharesThatAreMeasuredAreThoseOfTheTraits) {
     const Person person = measured(traits, 2, "screw");
     const double part = fingers / (fingers + traits.forearm_share);
     // Measured up to the entry, 10 degrees before the end; and the object lies beside the axis.
-    constexpr double kPart = 0.12;
+    constexpr double kPart = 0.05;
     EXPECT_WITHIN(person.finger_part, part, kPart) << fingers;
     EXPECT_GT(person.finger_part, last + 0.05);
     last = person.finger_part;
@@ -154,11 +154,14 @@ TEST(ArmTask, FingersThatStartBeforeTheForearmHaveTheLargerShareWhereItPasses63P
   ArmTraits together = alike();
   together.forearm_lag = together.wrist_lag = 0.0;
   // Both follow the same curve: 63 % of the one is 63 % of the other.
-  constexpr double kShare = 0.12;
-  EXPECT_WITHIN(measured(together, 3, "screw").finger_share, 1.0 - 1.0 / std::numbers::e, kShare);
+  constexpr double kTogether = 0.05;  // noise of markers and muscles
+  EXPECT_WITHIN(measured(together, 3, "screw").finger_share, 1.0 - 1.0 / std::numbers::e,
+                kTogether);
   ArmTraits early = alike();
   early.forearm_lag = 0.2;
-  // Least jerk is at 63 % after 0.57 of its time; the fingers are then at least jerk of 0.77.
+  // Least jerk is at 63 % after 0.57 of its time; the fingers are then at least jerk of 0.77,
+  // of a way that is measured up to the entry only.
+  constexpr double kShare = 0.1;
   EXPECT_WITHIN(measured(early, 3, "screw").finger_share, 0.92, kShare);
 }
 
@@ -273,6 +276,18 @@ TEST(ArmTask, AnObjectThatCamerasLoseMakesTheArmTurnBackUntilItIsSeenAgain) {
   EXPECT_GT(way_m(played, start), 0.9 * there_m);
 }
 
+TEST(ArmTask, WhenSomebodyStepsBeforeTheCamerasTheTaskGoesOnAfterwards) {
+  ArmTraits traits = *arm_traits("healthy");
+  traits.block_per_s = 0.2;
+  traits.block_s = 0.7;
+  const ArmOutcome outcome = play(traits, 5, golden_postures(), kThereAndBack);
+  int missing = 0;
+  for (const Pose& X_WO : every(outcome.series.X_W[*outcome.rig.frame("object")]))
+    missing += is_missing(X_WO) ? 1 : 0;
+  EXPECT_GT(missing, 60) << "it did happen";
+  EXPECT_EQ(outcome.reached(), 8);
+}
+
 TEST(ArmTask, APictureThatStandsStillIsNotChased) {
   PlayedArm played(*arm_traits("healthy"), 3);
   played.show(Cue::relax, 1.0);
@@ -371,11 +386,11 @@ TEST(ArmPostures, HoldTheAnglesThatTheirNamesSay) {
   };
   constexpr double kDeg = std::numbers::pi / 180.0;
   constexpr double kSkin_rad = 4.0 * kDeg;  // markers lie beside the axes of the joints
-  EXPECT_WITHIN(change("pronation", 0, 2), 30.0 * kDeg, 1e-6);
-  EXPECT_WITHIN(change("supination", 0, 2), -40.0 * kDeg, 1e-6);
-  EXPECT_WITHIN(change("flexion", 1, 0), 30.0 * kDeg, kSkin_rad);
-  EXPECT_WITHIN(change("extension", 1, 0), -25.0 * kDeg, kSkin_rad);
-  EXPECT_WITHIN(change("ulnar deviation", 1, 1), 20.0 * kDeg, kSkin_rad);
+  EXPECT_WITHIN(change("pronation", 0, 2), 40.0 * kDeg, 1e-6);
+  EXPECT_WITHIN(change("supination", 0, 2), -50.0 * kDeg, 1e-6);
+  EXPECT_WITHIN(change("flexion", 1, 0), 40.0 * kDeg, kSkin_rad);
+  EXPECT_WITHIN(change("extension", 1, 0), -30.0 * kDeg, kSkin_rad);
+  EXPECT_WITHIN(change("ulnar deviation", 1, 1), 25.0 * kDeg, kSkin_rad);
   EXPECT_WITHIN(change("radial deviation", 1, 1), -15.0 * kDeg, kSkin_rad);
 }
 

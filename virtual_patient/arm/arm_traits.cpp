@@ -67,6 +67,8 @@ constexpr std::array kFields{
     ArmTraitField{"camera_m", &T::camera_m, 0.0, 0.01},
     ArmTraitField{"loss_per_s", &T::loss_per_s, 0.0, 10.0},
     ArmTraitField{"loss_s", &T::loss_s, 0.0, 10.0},
+    ArmTraitField{"block_per_s", &T::block_per_s, 0.0, 1.0},
+    ArmTraitField{"block_s", &T::block_s, 0.0, 60.0},
     ArmTraitField{"view_rad", &T::view_rad, 0.5, kHalfTurn_rad},
     ArmTraitField{"day_cv", &T::day_cv, 0.0, 0.5},
 };

@@ -70,11 +70,14 @@ struct ArmTraits {
   double skin_m = 0.0003;     ///< SD of a marker on moving skin, each axis
   double skin_s = 0.4;        ///< its time constant
   double camera_m = 0.00015;  ///< SD of each picture, each axis
-  double loss_per_s =
-      0.01;  ///< losses of a marker that faces the cameras; at a grazing angle ten times that
+  /// Losses of a marker that faces the cameras; at a grazing angle ten times that.
+  double loss_per_s = 0.01;
   double loss_s = 0.06;  ///< mean duration of a loss
-  double view_rad =
-      1.5;  ///< a marker is seen from within this angle of its own direction; pi: from everywhere
+  /// Somebody steps before the cameras: all but the brace is lost, for block_s.
+  double block_per_s = 0.0;
+  double block_s = 1.0;
+  /// A marker is seen from within this angle of its own direction; pi: from everywhere.
+  double view_rad = 1.5;
 
   double day_cv = 0.0;  ///< between days, SD / mean of ranges and durations
 

@@ -76,15 +76,15 @@ Result<std::vector<Pose>> measured_frames(const Rig& rig, const ArmBody& body, c
 Result<Postures> forearm_and_wrist_postures(const Rig& rig) {
   constexpr Turn kTurns[] = {
       {"initial"},
-      {"pronation", 30.0},
-      {"supination", -40.0},
-      {"flexion", 0.0, 30.0},
-      {"extension", 0.0, -25.0},
-      {"ulnar deviation", 0.0, 0.0, 20.0},
+      {"pronation", 40.0},
+      {"supination", -50.0},
+      {"flexion", 0.0, 40.0},
+      {"extension", 0.0, -30.0},
+      {"ulnar deviation", 0.0, 0.0, 25.0},
       {"radial deviation", 0.0, 0.0, -15.0},
-      {"pronation and flexion", 25.0, 20.0},
-      {"supination and extension", -30.0, -15.0},
-      {"supination and ulnar deviation", -30.0, 0.0, 15.0},
+      {"pronation and flexion", 30.0, 30.0},
+      {"supination and extension", -40.0, -20.0},
+      {"supination and ulnar deviation", -40.0, 0.0, 15.0},
   };
   return postures_of(rig, "Forearm and wrist (made by calculation, not recorded from a person)",
                      kTurns);

@@ -32,6 +32,11 @@ double second_best(const Vec3& outward_W) noexcept {
   return second;
 }
 
+/// Probability that what happens at a rate happens within dt_s.
+double happens(double rate_per_s, double dt_s) noexcept {
+  return 1.0 - std::exp(-rate_per_s * dt_s);
+}
+
 Vec3 gaussian(Random& random) noexcept {
   const double x = random.gaussian();
   const double y = random.gaussian();
@@ -51,6 +56,9 @@ void SeenMarkers::look(const ArmBody& body, const ArmPoses& X_W, double dt_s,
   const double keep = std::exp(-dt_s / traits_.skin_s);
   const double fresh = traits_.skin_m * std::sqrt(1.0 - keep * keep);
   const double edge = std::cos(traits_.view_rad);
+  blocked_s_ = std::max(0.0, blocked_s_ - dt_s);
+  const bool steps_in = loss_random_.uniform() < happens(traits_.block_per_s, dt_s);
+  if (blocked_s_ == 0.0 && steps_in) blocked_s_ = traits_.block_s;
   for (std::size_t m = 0; m < kArmMarkers; ++m) {
     const ArmMarker& marker = body.markers[m];
     const Pose& X_WS = X_W[index_of(marker.segment)];
@@ -63,11 +71,13 @@ void SeenMarkers::look(const ArmBody& body, const ArmPoses& X_W, double dt_s,
     const double seen = second_best(X_WS.q * marker.outward_S);
     lost_s_[m] = std::max(0.0, lost_s_[m] - dt_s);
     const double rate_per_s = traits_.loss_per_s / std::clamp(seen, kGrazing, 1.0);
-    if (lost_s_[m] == 0.0 && chance < 1.0 - std::exp(-rate_per_s * dt_s)) lost_s_[m] = length_s;
+    if (lost_s_[m] == 0.0 && chance < happens(rate_per_s, dt_s)) lost_s_[m] = length_s;
     const Vec3 p_S = marker.on_skin ? Vec3(marker.p_S + skin_[m]) : marker.p_S;
     p_W[m] = X_WS.p + X_WS.q * p_S + noise;
     const bool from_everywhere = traits_.view_rad >= std::numbers::pi;
-    if (lost_s_[m] > 0.0 || (!from_everywhere && seen < edge)) p_W[m].setConstant(kMissing);
+    const bool blocked = blocked_s_ > 0.0 && marker.segment != Segment::brace;
+    if (blocked || lost_s_[m] > 0.0 || (!from_everywhere && seen < edge))
+      p_W[m].setConstant(kMissing);
   }
 }
 

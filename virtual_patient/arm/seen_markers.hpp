@@ -26,6 +26,7 @@ class SeenMarkers {
   Random skin_random_, camera_random_, loss_random_;
   std::array<Vec3, kArmMarkers> skin_;        ///< on the bone [m]
   std::array<double, kArmMarkers> lost_s_{};  ///< still lost for this long
+  double blocked_s_ = 0.0;                    ///< the same of all but the brace
 };
 
 }  // namespace isograsp::virtual_patient

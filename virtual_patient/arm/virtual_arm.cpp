@@ -15,6 +15,7 @@
 #include "virtual_patient/arm/movement_plan.hpp"
 #include "virtual_patient/arm/reach.hpp"
 #include "virtual_patient/arm/seen_markers.hpp"
+#include "virtual_patient/traits.hpp"
 #include "virtual_patient/visual_memory.hpp"
 
 namespace isograsp::virtual_patient {
@@ -84,8 +85,8 @@ struct VirtualArm::Mind {
     return {X_WT.p - X_WO.p, rotation_vector(X_WT.q * X_WO.q.conjugate())};
   }
 
-  Mind(const ArmTraits& traits, std::uint64_t seed, Hand whose)
-      : person(drawn(traits, seed)),
+  Mind(const ArmTraits& today, std::uint64_t seed, Hand whose)
+      : person(today),
         hand(whose),
         placing(seed, 201),
         body(person, placing, whose),
@@ -303,8 +304,11 @@ Joints VirtualArm::Mind::unsteady_posture(double t_s, double dt_s) noexcept {
   return q;
 }
 
-VirtualArm::VirtualArm(const ArmTraits& traits, std::uint64_t seed, Hand hand)
-    : mind_(std::make_unique<Mind>(traits, seed, hand)) {}
+VirtualArm::VirtualArm(const ArmTraits& traits, std::uint64_t seed, Hand hand,
+                       std::optional<std::uint64_t> day)
+    : mind_(day ? std::make_unique<Mind>(arm_on_day(drawn(traits, seed), day_seed(seed, *day)),
+                                         day_seed(seed, *day), hand)
+                : std::make_unique<Mind>(drawn(traits, seed), seed, hand)) {}
 
 VirtualArm::~VirtualArm() = default;
 

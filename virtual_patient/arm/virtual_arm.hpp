@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An arm in software: it carries an object with markers, sees object and reference on the screen
 // after a visual delay, and brings the one to the other. Knows nothing of the task but the screen
-// (Stimulus). Same traits, seed and hand: same markers, bit for bit.
+// (Stimulus). Same traits, seed, hand and day: same markers, bit for bit.
 //
 // Left arms: the markers are what cameras see, the reflection x -> -x of those of the right arm of
 // the same person; the object is the same object for both, so that one rig serves both. The
@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "hand/finger.hpp"
 #include "hand/marker_source.hpp"
@@ -21,8 +22,10 @@ namespace isograsp::virtual_patient {
 
 class VirtualArm final : public MarkerSource {
  public:
-  /// One person of these traits: drawn(traits, seed), with markers placed anew.
-  VirtualArm(const ArmTraits& traits, std::uint64_t seed, Hand hand = Hand::right);
+  /// One person of these traits: drawn(traits, seed). On a day (arm_on_day()) it is the same person
+  /// in another form, with markers placed anew and other noise.
+  VirtualArm(const ArmTraits& traits, std::uint64_t seed, Hand hand = Hand::right,
+             std::optional<std::uint64_t> day = {});
   ~VirtualArm() override;
 
   /// B1-3, EL, F1-2, W, D1-2, O1-6, T1.

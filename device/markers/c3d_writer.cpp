@@ -130,6 +130,8 @@ ParameterSection parameters_of(const C3dRecording& recording, std::size_t data_b
   }
   section.group("ANALOG");
   section.word("USED", 0);
+  section.number("GEN_SCALE", 1.0F);
+  section.number("RATE", 0.0F);  // as the head says: no samples of a frame
   section.group("FORCE_PLATFORM");
   section.word("USED", 0);
   section.group("TRIAL");

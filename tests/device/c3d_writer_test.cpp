@@ -189,10 +189,10 @@ TEST(C3dWriter, TheParametersAreThoseThatReadersAskFor) {
   std::vector<std::string> names;
   for (const auto& [name, value] : parameters) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{
-                       "ANALOG:USED", "FORCE_PLATFORM:USED", "POINT:DATA_START",
-                       "POINT:DESCRIPTIONS", "POINT:FRAMES", "POINT:LABELS", "POINT:LONG_FRAMES",
-                       "POINT:RATE", "POINT:SCALE", "POINT:UNITS", "POINT:USED",
-                       "TRIAL:ACTUAL_END_FIELD", "TRIAL:ACTUAL_START_FIELD"}));
+                       "ANALOG:GEN_SCALE", "ANALOG:RATE", "ANALOG:USED", "FORCE_PLATFORM:USED",
+                       "POINT:DATA_START", "POINT:DESCRIPTIONS", "POINT:FRAMES", "POINT:LABELS",
+                       "POINT:LONG_FRAMES", "POINT:RATE", "POINT:SCALE", "POINT:UNITS",
+                       "POINT:USED", "TRIAL:ACTUAL_END_FIELD", "TRIAL:ACTUAL_START_FIELD"}));
   using Value = std::pair<int, std::string>;
   const auto bytes = [](std::initializer_list<int> all) {
     std::string text;

@@ -74,14 +74,16 @@ struct Column {
 [[nodiscard]] std::vector<std::string> names_of(std::span<const Column> columns);
 
 /// Axes by their short name, in words.
-inline constexpr std::array<std::pair<std::string_view, Words>, 5> kColumnAxes{
+inline constexpr std::array<std::pair<std::string_view, Words>, 7> kColumnAxes{
     {{"contact",
       "of each finger's contact: z into the object (pressing is +z), x its tangent, y = "
       "z cross x; right-handed"_text},
      {"world", "the patient's screen: x right, y up, z out of the screen; right-handed"_text},
      {"platform", "of the device; the wrench is about its origin; right-handed"_text},
      {"hand", "of the hand, left hands mirrored: flexion (closing), radial, distal"_text},
-     {"sensor", "of each finger's sensor as its maker defines them"_text}}};
+     {"sensor", "of each finger's sensor as its maker defines them"_text},
+     {"cameras", "of the cameras; with a left arm the world is reflected, x to -x"_text},
+     {"link", "of the further segment as it lay in the first row of the link"_text}}};
 
 /// The unit that a name ends with: "N" of "thumb_fx_N"; empty: a number without one.
 [[nodiscard]] std::string_view unit_of(std::string_view column) noexcept;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/column.hpp"
+#include "exports/export_trial.hpp"
 #include "tasks/facts/column_facts.hpp"
 
 namespace isograsp::exports {
@@ -19,14 +20,16 @@ struct Said {
 
 }  // namespace
 
-std::string bids_channels_sidecar(const Language& language) {
+std::string bids_channels_sidecar(bool tracked, const Language& language) {
   const Said say{language};
   Json json;
-  for (const auto& [axes, description] : kColumnAxes)
-    json["reference_frame"]["Levels"][std::string(axes)] = {{"RotationRule", "right-hand"},
-                                                            {"Description", say(description)}};
+  Json& levels = json["reference_frame"]["Levels"];
+  for (const auto& [axes, description] : kColumnAxes) {
+    if (!tracked && are_of_cameras(axes)) continue;
+    levels[std::string(axes)] = {{"RotationRule", "right-hand"}, {"Description", say(description)}};
+  }
   // Data of a left hand are mirrored, so no rotation rule holds.
-  json["reference_frame"]["Levels"]["hand"].erase("RotationRule");
+  levels["hand"].erase("RotationRule");
   json["group"] = {{"Description", say("Columns that are recorded together"_text)}};
   return json.dump(2) + "\n";
 }
@@ -93,9 +96,11 @@ std::string bids_readme(const Language& language) {
          say("Pseudonymous: codes, no dates; days count from the first session of each person.\n"
              "A run is a trial; run-NN is its number in the session. Forces and torques are MISC\n"
              "channels in N and N*m; POS, ORNT and VEL are those of the virtual object and its\n"
-             "target, which the forces move. Measures, health of the device, zero and the texts "
-             "of\n"
-             "task and scene stand in derivatives/isograsp."_text) +
+             "target, which the forces move; of an arm seen by cameras (tracksys-cameras) those "
+             "of its\n"
+             "segments and markers, and JNTANG is how far each link has turned. Measures, health "
+             "of the\n"
+             "device, zero and the texts of task and scene stand in derivatives/isograsp."_text) +
          "\n";
 }
 

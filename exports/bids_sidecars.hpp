@@ -10,7 +10,8 @@
 
 namespace isograsp::exports {
 
-[[nodiscard]] std::string bids_channels_sidecar(const Language& language);
+/// `tracked`: of what cameras saw, else of forces.
+[[nodiscard]] std::string bids_channels_sidecar(bool tracked, const Language& language);
 [[nodiscard]] std::string bids_participants_sidecar(const Language& language);
 [[nodiscard]] std::string bids_sessions_sidecar(const Language& language);
 [[nodiscard]] std::string bids_scans_sidecar(const Language& language);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A dataset in the layout of Motion-BIDS (Brain Imaging Data Structure 1.9, datatype "motion"): a
-// run for each trial. Forces are MISC channels, the virtual object POS, ORNT and VEL.
+// run for each trial. Forces are MISC channels, the virtual object POS, ORNT and VEL; what cameras
+// saw of an arm is POS and ORNT, its links JNTANG.
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -38,13 +40,14 @@ std::string session_of(const ExportPlace& place) {
 std::string folder_of(const ExportPlace& place) {
   return subject_of(place) + "/" + label("ses", place.session);
 }
-/// motion/sub-01_ses-02_task-gripforce_tracksys-isograsp_run-03, below the session's folder
+/// motion/sub-01_ses-02_task-gripforce_tracksys-isograsp_run-03, below the session's folder; of
+/// what cameras saw tracksys-cameras
 std::string stem_of(const ExportPlace& place) {
   std::string task;
   for (const char letter : place.task_kind)
     if (letter != '_') task += letter;
-  return "motion/" + session_of(place) + "_task-" + task + "_tracksys-isograsp_" +
-         label("run", place.trial);
+  return "motion/" + session_of(place) + "_task-" + task + "_tracksys-" +
+         (place.tracked ? "cameras" : "isograsp") + "_" + label("run", place.trial);
 }
 
 std::string or_missing(const std::string& text) {
@@ -57,8 +60,10 @@ std::string cell_of(const ExportValue& value) {
 }
 
 /// Type of a channel as the specification names them.
-std::string type_of(std::string_view name, const tasks::ColumnFacts& facts) {
+std::string type_of(std::string_view name, std::string_view group,
+                    const tasks::ColumnFacts& facts) {
   if (name == columns::t_s) return "LATENCY";
+  if (group == tasks::kLinkGroup) return "JNTANG";
   if (facts.component.starts_with("quat_")) return "ORNT";
   if (facts.component.empty()) return "MISC";
   if (facts.unit == "m") return "POS";
@@ -67,19 +72,29 @@ std::string type_of(std::string_view name, const tasks::ColumnFacts& facts) {
   return "MISC";
 }
 
-std::string channels_table(const ExportTrial& trial, Json& counts, const Language& language) {
+/// What motion.json says of the channels.
+struct ChannelCounts {
+  Json by_type = Json::object();
+  std::set<std::string> tracked_points;
+};
+
+std::string channels_table(const ExportTrial& trial, ChannelCounts& counts,
+                           const Language& language) {
   std::string table =
       "name\tcomponent\ttype\ttracked_point\tunits\treference_frame\tgroup\tdescription\n";
   for (const auto& group : trial.trial.groups)
     for (const auto& name : group.columns) {
-      const auto facts = tasks::describe_column(name);
-      const std::string type = type_of(name, facts);
+      const auto facts = tasks::describe_column(name, group.name);
+      const std::string type = type_of(name, group.name, facts);
       const std::string unit = facts.unit == "N m" ? "N*m" : facts.unit;
       for (const auto& field : {name, or_missing(facts.component), type, or_missing(facts.body),
                                 or_missing(unit), or_missing(facts.axes), group.name})
         table += tsv_cell(field) + "\t";
       table += translated(facts.description, language) + "\n";
-      counts[type + "ChannelCount"] = counts.value(type + "ChannelCount", 0) + 1;
+      const std::string count = type + "ChannelCount";
+      counts.by_type[count] = counts.by_type.value(count, 0) + 1;
+      if (type == "POS" || type == "ORNT" || type == "VEL")
+        counts.tracked_points.insert(facts.body);
     }
   return table;
 }
@@ -109,24 +124,26 @@ double duration_s(const ExportTrial& trial) {
   return times.back() - times.front() + 1.0 / trial.session.rate_Hz;
 }
 
-std::string motion_sidecar(const ExportTrial& trial, const Json& counts, const Language& language) {
+std::string motion_sidecar(const ExportTrial& trial, const ChannelCounts& counts,
+                           const Language& language) {
   Json json{{"TaskName", trial.place.task_kind},
             {"TaskDescription", translated("%1, version %2"_text(Known{trial.trial.task_name},
                                                                  trial.trial.task_version),
                                            language)},
             {"Instructions", translated(Known{trial.instruction}, language)},
             {"SamplingFrequency", trial.session.rate_Hz},
-            {"TrackingSystemName", "IsoGrasp"},
+            {"TrackingSystemName", trial.place.tracked ? "Cameras" : "IsoGrasp"},
             {"ManufacturersModelName", trial.session.device_description},
             {"SoftwareVersions", trial.session.software_version},
             {"RecordingDuration", duration_s(trial)},
             {"MissingValues", kNotAvailable}};
-  json.update(counts);
+  json.update(counts.by_type);
   int motion = 0;
-  for (const char* type : {"POSChannelCount", "ORNTChannelCount", "VELChannelCount"})
-    motion += counts.value(type, 0);
+  for (const char* type :
+       {"POSChannelCount", "ORNTChannelCount", "VELChannelCount", "JNTANGChannelCount"})
+    motion += counts.by_type.value(type, 0);
   json["MotionChannelCount"] = motion;
-  json["TrackedPointsCount"] = motion > 0 ? 2 : 0;  // object and target
+  json["TrackedPointsCount"] = counts.tracked_points.size();
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -172,11 +189,11 @@ class BidsExport final : public ExportWriter {
     if (place.patient != at_.patient || place.session != at_.session)
       if (const auto done = next_session(trial); !done) return done;
     const fs::path stem = folder_ / folder_of(place) / stem_of(place);
-    Json counts = Json::object();
+    ChannelCounts counts;
     const std::string channels = channels_table(trial, counts, language_);
     for (const auto& [ending, text] :
          {std::pair<const char*, std::string>{"_channels.tsv", channels},
-          {"_channels.json", bids_channels_sidecar(language_)},
+          {"_channels.json", bids_channels_sidecar(place.tracked, language_)},
           {"_events.tsv", bids_events(trial)},
           {"_events.json", bids_events_sidecar(language_)},
           {"_motion.json", motion_sidecar(trial, counts, language_)},

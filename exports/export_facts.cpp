@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -72,13 +73,25 @@ Json columns_of(const ExportTrial& trial, const Language& language) {
   Json columns = Json::array();
   for (const auto& group : trial.trial.groups)
     for (const auto& column : group.columns) {
-      const auto facts = tasks::describe_column(column);
+      const auto facts = tasks::describe_column(column, group.name);
       Json one{{"name", column}, {"unit", facts.unit}, {"group", group.name}};
       if (!facts.axes.empty()) one["axes"] = facts.axes;
       one["description"] = translated(facts.description, language);
       columns.push_back(std::move(one));
     }
   return columns;
+}
+
+}  // namespace
+
+namespace {
+
+/// Of an arm that cameras saw there are no forces to tell of; what it was given stands by name.
+void put_references(std::vector<ExportFact>& facts, const storage::References& references) {
+  std::erase_if(facts, [](const ExportFact& fact) { return unit_of(fact.name) == "N"; });
+  for (const auto& [name, value] : references)
+    if (std::ranges::none_of(facts, [&name = name](const auto& fact) { return fact.name == name; }))
+      facts.push_back({name, value});
 }
 
 }  // namespace
@@ -92,22 +105,25 @@ std::vector<ExportFact> patient_facts(const ExportTrial& trial) {
 
 std::vector<ExportFact> session_facts(const ExportTrial& trial) {
   const storage::SessionRecord& session = trial.session;
-  return {{"number", std::int64_t{trial.place.session}},
-          {"days_from_first_session", known(trial.session_day)},
-          {"hand", std::string(name_of(session.hand))},
-          {"device", session.device_description},
-          {"device_scheme", session.device_uri},
-          {"simulated", session.simulated},
-          {"recorded", session.recorded},
-          {"protocol", session.protocol_name},
-          {"rate_Hz", session.rate_Hz},
-          {"device_delay_s", session.device_delay_s},
-          {"display_delay_s", known(session.display_delay_s)},
-          {"software_version", session.software_version},
-          {"cpu_features", session.cpu_features},
-          {"seed", session.seed},
-          {"screening", session.allowed},
-          {"ceiling_N", known(storage::value_of(session.references, platform::kCeiling_N))}};
+  std::vector<ExportFact> facts{
+      {"number", std::int64_t{trial.place.session}},
+      {"days_from_first_session", known(trial.session_day)},
+      {"hand", std::string(name_of(session.hand))},
+      {"device", session.device_description},
+      {"device_scheme", session.device_uri},
+      {"simulated", session.simulated},
+      {"recorded", session.recorded},
+      {"protocol", session.protocol_name},
+      {"rate_Hz", session.rate_Hz},
+      {"device_delay_s", session.device_delay_s},
+      {"display_delay_s", known(session.display_delay_s)},
+      {"software_version", session.software_version},
+      {"cpu_features", session.cpu_features},
+      {"seed", session.seed},
+      {"screening", session.allowed},
+      {"ceiling_N", known(storage::value_of(session.references, platform::kCeiling_N))}};
+  if (trial.place.tracked) put_references(facts, session.references);
+  return facts;
 }
 
 std::vector<ExportFact> trial_facts(const ExportTrial& exported) {
@@ -141,7 +157,12 @@ std::vector<ExportFact> trial_facts(const ExportTrial& exported) {
            {"visual_gain_deg_per_N", known(reference(platform::kVisualGain_deg_per_N))},
            {"viewing_distance_m", known(trial.viewing_distance_m)}})
     facts.push_back(std::move(fact));
+  if (exported.place.tracked) put_references(facts, trial.references);
   return facts;
+}
+
+bool are_of_cameras(std::string_view axes) noexcept {
+  return axes == "cameras" || axes == "link";
 }
 
 std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite,
@@ -157,7 +178,8 @@ std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite,
             {"infinite_values_left_empty", infinite},
             {"instrument_zero", nullptr}};
   for (const auto& [axes, description] : kColumnAxes)
-    json["axes"][std::string(axes)] = translated(description, language);
+    if (trial.place.tracked || !are_of_cameras(axes))
+      json["axes"][std::string(axes)] = translated(description, language);
   if (trial.zero)
     json["instrument_zero"] = {{"session_time_s", trial.zero->session_time_s},
                                {"units", "N N N Nm Nm Nm"},

@@ -74,6 +74,14 @@ std::string sampled(std::span<const double> values) {
   return text;
 }
 
+/// Group and name of each column of the signals, in order.
+std::vector<std::pair<std::string, std::string>> columns_by_group(const ExportTrial& trial) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& group : trial.trial.groups)
+    for (const auto& column : group.columns) all.emplace_back(group.name, column);
+  return all;
+}
+
 class FhirExport final : public ExportWriter {
  public:
   FhirExport(fs::path folder, const Language& language)
@@ -238,8 +246,9 @@ class FhirExport final : public ExportWriter {
                                          "Every column of a trial, one component each."));
     constexpr double kMsPerSecond = 1000.0;
     if (trial.signals.rows() == 0) return json;
-    for (const auto& name : trial.signals.names()) {
-      const auto facts = tasks::describe_column(name);
+    std::size_t next = 0;
+    for (const auto& [group, name] : columns_by_group(trial)) {
+      const auto facts = tasks::describe_column(name, group);
       const std::string axes = facts.axes.empty() ? "" : " Axes: " + facts.axes + ".";
       // No factor and an origin of 0: the values stand there themselves, to the last bit.
       json["component"].push_back({{"code", coded("signal:" + name, "signal", facts.description,
@@ -248,7 +257,7 @@ class FhirExport final : public ExportWriter {
                                     {{"origin", quantity(0.0, facts.unit)},
                                      {"period", kMsPerSecond / trial.session.rate_Hz},
                                      {"dimensions", 1},
-                                     {"data", sampled(trial.signals.column(name))}}}});
+                                     {"data", sampled(trial.signals.column(next++))}}}});
     }
     return json;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One HDF5 file for a whole export: /patients/CODE/session-NN/trial-NN.
 #include <cstdio>
+#include <utility>
 
 #include "core/column.hpp"
 #include "exports/export_writer.hpp"
@@ -30,7 +31,7 @@ void write_signals(Hdf5Node& group, const ExportTrial& trial, const Language& la
     std::vector<std::string> descriptions;
     for (const auto& name : stored.columns) {
       columns.push_back(trial.signals.column(next++));
-      const auto facts = tasks::describe_column(name);
+      const auto facts = tasks::describe_column(name, stored.name);
       units.push_back(facts.unit);
       axes.push_back(facts.axes);
       descriptions.push_back(translated(facts.description, language));
@@ -123,6 +124,7 @@ class Hdf5Export final : public ExportWriter {
       session_.set(session_facts(trial));
       session_number_ = place.session;
     }
+    if (place.tracked && !std::exchange(cameras_explained_, true)) explain_axes(true);
     auto group = session_.make_group(numbered("trial", place.trial));
     group.set(trial_facts(trial));
     auto signals = group.make_group("signals");
@@ -136,12 +138,18 @@ class Hdf5Export final : public ExportWriter {
     group.write_text("timing", trial.trial.timing_json);
   }
 
+  /// In the head of the file; those of cameras with the first trial that has them.
+  void explain_axes(bool of_cameras) {
+    for (const auto& [axes, description] : kColumnAxes)
+      if (are_of_cameras(axes) == of_cameras)
+        file_.set("axes_" + std::string(axes), translated(description, language_));
+  }
+
   void begin() {
     file_ = Hdf5Node::create_file(folder_ / kFile);
     file_.set("format", std::string("isograsp-hdf5-1"));
     file_.set("written_by", std::string("IsoGrasp " ISOGRASP_VERSION));
-    for (const auto& [axes, description] : kColumnAxes)
-      file_.set("axes_" + std::string(axes), translated(description, language_));
+    explain_axes(false);
     patients_ = file_.make_group("patients");
   }
 
@@ -154,6 +162,7 @@ class Hdf5Export final : public ExportWriter {
   Hdf5Node session_;
   int patient_number_ = 0;
   int session_number_ = 0;
+  bool cameras_explained_ = false;
 };
 
 }  // namespace

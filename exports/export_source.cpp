@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "core/date.hpp"
+#include "exports/link_angles.hpp"
 #include "hand/anatomical_axes.hpp"
+#include "tasks/facts/column_facts.hpp"
 #include "tasks/task_spec.hpp"
 
 namespace isograsp::exports {
@@ -24,12 +26,12 @@ std::optional<int> days(const std::string& first, const std::string& second) {
   return days_between(*from, *to);
 }
 
-storage::SessionRecord without_identity(const storage::SessionRecord& session) {
+storage::SessionRecord without_identity(const storage::SessionRecord& session, bool tracked) {
   storage::SessionRecord safe = session;
   safe.started_utc.clear();
   safe.ended_utc.clear();
   // The name of a recording's file may name a person, so it is not exported.
-  if (safe.recorded) safe.device_description = "Recorded forces";
+  if (safe.recorded) safe.device_description = tracked ? "Recorded markers" : "Recorded forces";
   safe.device_uri = session.device_uri.substr(0, session.device_uri.find(':'));
   safe.provenance.clear();
   safe.protocol_text.clear();
@@ -46,8 +48,14 @@ storage::PreparationRecord without_time(storage::PreparationRecord record) {
 
 ExportPlace place_of(int patient, int session, const storage::TrialRecord& trial) {
   const auto task = tasks::parse_task(trial.task_text, trial.task_name);
-  return {patient, session, trial.number, std::string(task ? task->kind->name : "unknown"),
-          !trial.scene_text.empty()};
+  return {patient,
+          session,
+          trial.number,
+          std::string(task ? task->kind->name : "unknown"),
+          !trial.scene_text.empty(),
+          std::ranges::any_of(trial.groups, [](const storage::SignalGroup& group) {
+            return group.name == tasks::kSegmentGroup || group.name == tasks::kMarkerGroup;
+          })};
 }
 
 /// The forces in the axes of the hand as a group of their own behind the stored ones.
@@ -137,7 +145,7 @@ Result<ExportTrial> load_trial(storage::SessionStore& store, const ExportSource&
   exported.dominant = source.profile->dominant;
   exported.onset_day = days(source.first_started_utc, source.profile->onset_date);
   exported.session_day = days(source.first_started_utc, source.session->started_utc);
-  exported.session = without_identity(*source.session);
+  exported.session = without_identity(*source.session, source.place.tracked);
   exported.trial = *source.trial;
   if (const auto task = tasks::parse_task(source.trial->task_text, source.trial->task_name))
     exported.instruction = task->instruction;
@@ -146,6 +154,7 @@ Result<ExportTrial> load_trial(storage::SessionStore& store, const ExportSource&
   if (!signals) return signals.error();
   exported.signals = *std::move(signals);
   add_forces_of_the_hand(exported);
+  add_link_angles(exported);
 
   const auto preparations = store.preparations(source.session->id);
   if (!preparations) return preparations.error();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct ExportPlace {
   int trial = 0;          ///< 1, 2, … of the session
   std::string task_kind;  ///< KindFacts::name; "unknown": its task file cannot be read
   bool has_scene = false;
+  bool tracked = false;  ///< its signals have segments or markers that cameras saw
 };
 
 struct ExportTrial {
@@ -44,7 +46,8 @@ struct ExportTrial {
   std::optional<storage::PreparationRecord> rest;  ///< likewise; both have wrenches of the fingers
   std::vector<Measure> measures;
   std::vector<storage::EventRecord> events;  ///< without notes
-  Signals signals;                           ///< as stored, and the forces in the axes of the hand
+  /// As stored, then the forces in the axes of the hand and how far the links of an arm turned.
+  Signals signals;
 };
 
 /// Mean or SD (`row`) of such a preparation.
@@ -63,6 +66,9 @@ struct ExportFact {
 [[nodiscard]] std::vector<ExportFact> patient_facts(const ExportTrial& trial);
 [[nodiscard]] std::vector<ExportFact> session_facts(const ExportTrial& trial);
 [[nodiscard]] std::vector<ExportFact> trial_facts(const ExportTrial& trial);
+
+/// Which of kColumnAxes are explained only where something was seen by cameras.
+[[nodiscard]] bool are_of_cameras(std::string_view axes) noexcept;
 
 /// All of it but signals and texts as one JSON document (`isograsp-trial-2`).
 /// Descriptions are in `language`. `infinite`: values that the format beside it had to leave empty.

@@ -22,6 +22,9 @@ inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 [[nodiscard]] inline bool is_missing(const Vec3& p) noexcept {
   return !(p.allFinite());
 }
+[[nodiscard]] inline bool is_missing(const Quat& q) noexcept {
+  return !(q.coeffs().allFinite());
+}
 [[nodiscard]] inline bool is_missing(const Pose& pose) noexcept {
   return is_missing(pose.p);
 }

@@ -24,24 +24,15 @@ constexpr double kLongestGap_s = 0.1;
 constexpr double kTenth = 0.1;
 constexpr double k63 = 1.0 - 1.0 / std::numbers::e;
 
-Valued none(Text reason) {
-  return {std::nullopt, std::move(reason)};
-}
-
-/// Valid rows of a movement.
-struct Rows {
-  std::vector<double> t_s;
-  std::vector<Quat> q;
-};
-
 /// Why the rows cannot be measured; empty: they can.
-Text objection_to(const Rows& rows, const PoseTarget& target) {
-  if (rows.t_s.empty() || rows.t_s.front() - target.cue_s > kLongestStandIn_s + kMarkerTimeSlack_s)
+Text objection_to(std::span<const double> t_s, const std::vector<std::size_t>& rows,
+                  const PoseTarget& target) {
+  if (rows.empty() || t_s[rows.front()] - target.cue_s > kLongestStandIn_s + kMarkerTimeSlack_s)
     return "no valid sample at the cue"_text;
-  if (*target.matched_s - rows.t_s.back() > kLongestStandIn_s + kMarkerTimeSlack_s)
+  if (*target.matched_s - t_s[rows.back()] > kLongestStandIn_s + kMarkerTimeSlack_s)
     return "no valid sample at the match"_text;
-  for (std::size_t k = 1; k < rows.t_s.size(); ++k)
-    if (rows.t_s[k] - rows.t_s[k - 1] > kLongestGap_s + kMarkerTimeSlack_s) return "gap"_text;
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    if (t_s[rows[k]] - t_s[rows[k - 1]] > kLongestGap_s + kMarkerTimeSlack_s) return "gap"_text;
   return {};
 }
 
@@ -52,7 +43,7 @@ Valued crossing(std::span<const double> t_s, const std::vector<double>& curve, d
       return {
           t_s[k] + (t_s[k + 1] - t_s[k]) * (level - curve[k]) / (curve[k + 1] - curve[k]) - cue_s,
           {}};
-  return none("not crossed"_text);
+  return no_value("not crossed"_text);
 }
 
 /// |(roll, pitch, yaw)| of each row; empty: pitch comes too near to 90 degrees.
@@ -79,7 +70,7 @@ void measure_angle(LinkMovement& movement, const std::vector<Quat>& q, double cu
   const double theta = whole.norm();
   movement.rotation.value = theta;
   if (theta < kLeastRotation_rad) {
-    movement.t10 = movement.t63 = none("too little rotation"_text);
+    movement.t10 = movement.t63 = no_value("too little rotation"_text);
     return;
   }
   for (const Vec3& part : phi) {
@@ -94,13 +85,13 @@ void measure_rpy(LinkMovement& movement, const std::vector<Quat>& q, const RigLi
                  double cue_s) {
   const auto norms = angle_norms(q, link);
   if (norms.empty()) {
-    movement.rotation_rpy = movement.t10_rpy = movement.t63_rpy = none("gimbal lock"_text);
+    movement.rotation_rpy = movement.t10_rpy = movement.t63_rpy = no_value("gimbal lock"_text);
     return;
   }
   const double change = norms.back() - norms.front();
   movement.rotation_rpy.value = change;
   if (std::abs(change) < kLeastRotation_rad) {
-    movement.t10_rpy = movement.t63_rpy = none("too little rotation"_text);
+    movement.t10_rpy = movement.t63_rpy = no_value("too little rotation"_text);
     return;
   }
   for (const double n : norms) movement.rpy.push_back((n - norms.front()) / change);
@@ -111,38 +102,48 @@ void measure_rpy(LinkMovement& movement, const std::vector<Quat>& q, const RigLi
 /// Of a link, its curve where the forearm passes 63 %.
 Valued share(const LinkMovement& link, const std::vector<double>& curve, const Valued& undefined,
              const Valued& forearm_t63, double cue_s) {
-  if (!forearm_t63.value) return none(forearm_t63.reason);
-  if (curve.empty()) return none(undefined.reason);
+  if (!forearm_t63.value) return no_value(forearm_t63.reason);
+  if (curve.empty()) return no_value(undefined.reason);
   return {curve_at(link.t_s, curve, cue_s + *forearm_t63.value), {}};
 }
 
 }  // namespace
 
+MovementRows movement_rows(std::span<const double> t_s,
+                           const std::function<bool(std::size_t)>& valid,
+                           const PoseTarget& target) {
+  MovementRows all;
+  if (!target.matched_s) {
+    all.reason = "not reached"_text;
+    return all;
+  }
+  const auto first = std::lower_bound(t_s.begin(), t_s.end(), target.cue_s - kMarkerTimeSlack_s);
+  for (auto k = static_cast<std::size_t>(first - t_s.begin());
+       k < t_s.size() && t_s[k] <= *target.matched_s + kMarkerTimeSlack_s; ++k)
+    if (valid(k)) all.rows.push_back(k);
+  all.reason = objection_to(t_s, all.rows, target);
+  return all;
+}
+
 LinkMovement measure_link(std::span<const double> t_s, std::span<const Pose> X_L,
                           const RigLink& link, const PoseTarget& target) {
   LinkMovement movement;
-  Rows rows;
-  if (target.matched_s) {
-    const auto first = std::lower_bound(t_s.begin(), t_s.end(), target.cue_s - kMarkerTimeSlack_s);
-    for (auto k = static_cast<std::size_t>(first - t_s.begin());
-         k < t_s.size() && t_s[k] <= *target.matched_s + kMarkerTimeSlack_s; ++k) {
-      if (is_missing(X_L[k])) continue;
-      rows.t_s.push_back(t_s[k]);
-      rows.q.push_back(X_L[k].q);
-    }
-    movement.reason = objection_to(rows, target);
-  } else {
-    movement.reason = "not reached"_text;
-  }
+  const MovementRows valid = movement_rows(
+      t_s, [&X_L](std::size_t row) { return !is_missing(X_L[row]); }, target);
+  movement.reason = valid.reason;
   if (!movement.reason.empty()) {
     for (Valued* value : {&movement.rotation, &movement.rotation_rpy, &movement.t10, &movement.t63,
                           &movement.t10_rpy, &movement.t63_rpy})
-      *value = none(movement.reason);
+      *value = no_value(movement.reason);
     return movement;
   }
-  movement.t_s = rows.t_s;
-  measure_angle(movement, rows.q, target.cue_s);
-  measure_rpy(movement, rows.q, link, target.cue_s);
+  std::vector<Quat> q;
+  for (const std::size_t row : valid.rows) {
+    movement.t_s.push_back(t_s[row]);
+    q.push_back(X_L[row].q);
+  }
+  measure_angle(movement, q, target.cue_s);
+  measure_rpy(movement, q, link, target.cue_s);
   return movement;
 }
 
@@ -155,12 +156,17 @@ double curve_at(std::span<const double> t_s, std::span<const double> curve,
   return curve[k - 1] + (curve[k] - curve[k - 1]) * (when_s - t_s[k - 1]) / (t_s[k] - t_s[k - 1]);
 }
 
-Result<MovementScores> score_movements(const Rig& rig, const PoseSeries& series,
-                                       std::vector<PoseTarget> targets) {
+Result<RigScore> score_of(const Rig& rig) {
   if (!rig.score)
     return refused("does not say what is scored"_text,
                    "add [score] with forearm, sync and object"_text)
         .about("score");
+  return *rig.score;
+}
+
+Result<MovementScores> score_movements(const Rig& rig, const PoseSeries& series,
+                                       std::vector<PoseTarget> targets) {
+  if (const auto score = score_of(rig); !score) return score.error();
   MovementScores scores;
   scores.links.resize(targets.size());
   for (const RigLink& link : rig.links) {
@@ -173,22 +179,28 @@ Result<MovementScores> score_movements(const Rig& rig, const PoseSeries& series,
   return scores;
 }
 
+MovementMeasure movement_measure(std::size_t movement, std::string name, std::string channel,
+                                 const Valued& valued, std::string unit) {
+  Measure measure;
+  measure.name = std::move(name);
+  measure.channel = std::move(channel);
+  measure.value = valued.value;
+  measure.unit = std::move(unit);
+  measure.reason = english(valued.reason);
+  return {movement, std::move(measure)};
+}
+
 std::vector<MovementMeasure> movement_measures(const Rig& rig, const MovementScores& scores) {
   std::vector<MovementMeasure> measures;
   for (std::size_t m = 0; m < scores.targets.size(); ++m) {
     const PoseTarget& target = scores.targets[m];
     const auto add = [&measures, m](const char* name, const std::string& channel,
                                     const Valued& valued, const char* unit) {
-      Measure measure;
-      measure.name = name;
-      measure.channel = channel;
-      measure.value = valued.value;
-      measure.unit = unit;
-      measure.reason = english(valued.reason);
-      measures.push_back({m, std::move(measure)});
+      measures.push_back(movement_measure(m, name, channel, valued, unit));
     };
     add("duration", "task",
-        target.matched_s ? Valued{*target.matched_s - target.cue_s, {}} : none("not reached"_text),
+        target.matched_s ? Valued{*target.matched_s - target.cue_s, {}}
+                         : no_value("not reached"_text),
         "s");
     const LinkMovement& forearm = scores.links[m][*rig.link(rig.score->forearm)];
     for (std::size_t l = 0; l < rig.links.size(); ++l) {

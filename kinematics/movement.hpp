@@ -3,9 +3,11 @@
 // and which share it had. Times in s, angles in rad. Formulas and sources: docs/markers.md.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/measure.hpp"
@@ -27,6 +29,21 @@ struct Valued {
   std::optional<double> value;
   Text reason;
 };
+
+[[nodiscard]] inline Valued no_value(Text reason) {
+  return {std::nullopt, std::move(reason)};
+}
+
+/// The rows from the cue to the match of which `valid` says that they have a value, and why they
+/// cannot be measured (empty: they can): the target was not reached, the first is more than 50 ms
+/// behind the cue or the last before the match, or more than 0.1 s lie between two.
+struct MovementRows {
+  std::vector<std::size_t> rows;
+  Text reason;
+};
+[[nodiscard]] MovementRows movement_rows(std::span<const double> t_s,
+                                         const std::function<bool(std::size_t)>& valid,
+                                         const PoseTarget& target);
 
 /// One link in one movement: what its rows give, and the curves that bands are made of.
 struct LinkMovement {
@@ -54,6 +71,8 @@ struct MovementScores {
   std::vector<PoseTarget> targets;
   std::vector<std::vector<LinkMovement>> links;  ///< [movement][link of the rig]
 };
+/// What a rig says is scored; an error if it has no [score].
+[[nodiscard]] Result<RigScore> score_of(const Rig& rig);
 /// Errors: the rig has no [score], or frames of its links are not in the series.
 [[nodiscard]] Result<MovementScores> score_movements(const Rig& rig, const PoseSeries& series,
                                                      std::vector<PoseTarget> targets);
@@ -62,6 +81,9 @@ struct MovementMeasure {
   std::size_t movement = 0;
   Measure measure;
 };
+[[nodiscard]] MovementMeasure movement_measure(std::size_t movement, std::string name,
+                                               std::string channel, const Valued& valued,
+                                               std::string unit);
 /// duration, rotation, rotation_rpy, t10, t63, t10_rpy, t63_rpy, share_angle, share_rpy, share_axis
 /// of every movement; the channel is the link, that of the duration is "task".
 /// @pre scores are of this rig

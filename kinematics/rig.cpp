@@ -185,13 +185,20 @@ class RigReader {
   void read_score() {
     if (!root_.has("score")) return;
     TomlReader table = root_.table("score");
-    const RigScore score{table.text("forearm"), table.text("sync"), table.text("object")};
+    RigScore score{table.text("forearm"), table.text("sync"), table.text("object")};
     for (const auto& [key, name] : {std::pair("forearm", score.forearm), {"sync", score.sync}})
       if (!rig_.link(name))
         table.fail(key, "'%1' is no link"_text(name), "name a link of this file"_text);
     if (!rig_.frame(score.object))
       table.fail("object", "'%1' is no frame"_text(score.object), "name a frame of this file"_text);
-    rig_.score = score;
+    for (const auto& [key, frame] :
+         {std::pair("trunk", &score.trunk), {"brace", &score.brace}, {"elbow", &score.elbow}}) {
+      if (!table.has(key)) continue;
+      *frame = table.text(key);
+      if (!rig_.frame(**frame))
+        table.fail(key, "'%1' is no frame"_text(**frame), "name a frame of this file"_text);
+    }
+    rig_.score = std::move(score);
   }
 
   void read_alias() {

@@ -72,11 +72,15 @@ struct RigLink {
   std::optional<Quat> zero;  ///< the attitude whose angles are 0
 };
 
-/// What measures of a movement are taken from: names of links, and of the object's frame.
+/// What measures of a movement are taken from: names of links, and of frames.
 struct RigScore {
   std::string forearm;
   std::string sync;
   std::string object;
+  // Frames that tell how somebody helps out with the rest of the body; nothing: not measured.
+  std::optional<std::string> trunk = {};
+  std::optional<std::string> brace = {};
+  std::optional<std::string> elbow = {};
 };
 
 /// Camera axes to the right and up, for drawing: "x", "-z".

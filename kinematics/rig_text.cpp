@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A rig as TOML, in the order of docs/markers.md.
+#include <utility>
+
 #include "core/csv.hpp"
 #include "kinematics/read_attitude.hpp"
 #include "kinematics/rig.hpp"
@@ -68,10 +70,15 @@ std::string rig_text(const Rig& rig) {
             std::string(kAngleSequenceNames[static_cast<std::size_t>(link.sequence)]) + "\"\n";
     if (link.zero) text += "zero_quaternion_wxyz = " + toml_numbers(*link.zero) + "\n";
   }
-  if (rig.score)
+  if (rig.score) {
     text += "\n[score]\nforearm = " + toml_text(rig.score->forearm) +
             "\nsync = " + toml_text(rig.score->sync) +
             "\nobject = " + toml_text(rig.score->object) + "\n";
+    for (const auto& [key, frame] : {std::pair("trunk", &rig.score->trunk),
+                                     {"brace", &rig.score->brace},
+                                     {"elbow", &rig.score->elbow}})
+      if (*frame) text += std::string(key) + " = " + toml_text(**frame) + "\n";
+  }
   if (!rig.alias.empty()) text += "\n[alias]\n";
   for (const RigAlias& alias : rig.alias)
     text += toml_text(alias.label) + " = " + toml_text(alias.marker) + "\n";

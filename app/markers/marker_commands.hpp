@@ -23,6 +23,8 @@ void add_marker_rig(Subcommand markers);
 void add_marker_task(Subcommand markers);
 /// score, rom (app/markers/marker_scores.cpp).
 void add_marker_scores(Subcommand markers);
+/// quality, drinking (app/markers/marker_quality.cpp).
+void add_marker_quality(Subcommand markers);
 /// box (app/markers/marker_box.cpp).
 void add_marker_box(Subcommand markers);
 

@@ -6,6 +6,7 @@
 #include "app/console.hpp"
 #include "app/markers/marker_commands.hpp"
 #include "core/files.hpp"
+#include "device/markers/c3d_writer.hpp"
 #include "device/markers/marker_csv.hpp"
 #include "device/markers/marker_reader.hpp"
 #include "device/markers/natnet_log.hpp"
@@ -23,10 +24,16 @@ struct PoseOptions {
   std::string out;
   std::string protocol;
   std::optional<Hand> hand;
+  bool integers = false;
 };
 
 Result<void> run_convert_markers(const PoseOptions& options) {
   if (auto different = check_different(options.in, options.out); !different) return different;
+  if (options.out.ends_with(".c3d"))
+    return convert_to_c3d(options.in, options.out,
+                          options.integers ? C3dNumbers::integers : C3dNumbers::floats);
+  if (options.integers)
+    return refused("is of a C3D file"_text, "let --out end with .c3d"_text).about("--integer");
   const auto reader = open_markers(options.in);
   if (!reader) return reader.error();
   auto writer = MarkerCsvWriter::create(options.out, (*reader)->markers());
@@ -107,18 +114,21 @@ Result<void> run_links(const PoseOptions& options) {
 
 void add_marker_poses(Subcommand markers) {
   const auto add = [&markers](const char* name, const char* help,
-                              Result<void> (*work)(const PoseOptions&)) {
+                              Result<void> (*work)(const PoseOptions&),
+                              const char* out = "Table to write (CSV)") {
     auto options = std::make_shared<PoseOptions>();
     Subcommand command = markers.subcommand(name, help);
-    command.option("--out", options->out, "Table to write (CSV)").required().type("FILE");
+    command.option("--out", options->out, out).required().type("FILE");
     command.runs([options, work] { return work(*options); });
     return std::pair(command, options);
   };
   constexpr const char* kMarkers = "Recording: CSV of this program, C3D, TRC or Qualisys TSV";
   {
-    auto [command, options] =
-        add("convert", "A recording of markers as a table", run_convert_markers);
+    auto [command, options] = add("convert", "A recording of markers as a table, or as a C3D file",
+                                  run_convert_markers, "Table to write (CSV), or FILE.c3d");
     command.option("IN", options->in, kMarkers).required();
+    command.flag("--integer", options->integers,
+                 "C3D: integers of 16 bits in place of floats, half as large");
   }
   {
     auto [command, options] =

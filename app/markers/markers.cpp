@@ -51,6 +51,7 @@ void add_markers(CommandLine& line) {
   add_marker_rig(markers);
   add_marker_task(markers);
   add_marker_scores(markers);
+  add_marker_quality(markers);
   add_marker_box(markers);
   markers.footer(
       "Example:\n  isograsp markers poses --rig rig.toml --in trial.c3d --out poses.csv");

@@ -14,14 +14,11 @@ namespace isograsp::tasks {
 /// left away as in a speed, so that letting go counts like gripping.
 [[nodiscard]] statistics::UniformSamples rate_of(const statistics::UniformSamples& force);
 
-/// Spectral arc length, version 1, dimensionless; closer to 0 is smoother. Spectrum of the speed
-/// padded to 2^(ceil(log2 N) + 4), up to 10 Hz, between the first and last line of at least 0.05 of
-/// the largest; frequency scaled to 0 … 1 over that range. (Balasubramanian et al. 2015)
-/// @pre speed is never negative, so that line 0 is the largest
+/// Spectral arc length, version 1 (spectral_arc_length(), kinematics/smoothness.hpp).
+/// @pre speed is never negative
 [[nodiscard]] statistics::Computed sparc(const statistics::UniformSamples& speed);
 
-/// Log dimensionless jerk, version 1; closer to 0 is smoother:
-/// -ln(T^3 / v_max^2 sum(second difference of speed / dt^2)^2 dt), T = N dt.
+/// Log dimensionless jerk, version 1 (log_dimensionless_jerk()).
 [[nodiscard]] statistics::Computed ldlj(const statistics::UniformSamples& speed);
 
 }  // namespace isograsp::tasks

@@ -12,6 +12,7 @@
 #include "core/csv.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
+#include "tests/support/bids_validator.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/every.hpp"
 
@@ -20,8 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+using test::codes_of;
 using test::isograsp;
 using test::TemporaryFolder;
+using test::validate_bids;
 
 const std::string kValidators = ISOGRASP_SOURCE_DIR "/build/validators/";
 const std::string kSupport = ISOGRASP_SOURCE_DIR "/tests/support/";
@@ -131,17 +134,6 @@ TEST_F(Export, H5dumpShowsTheTree) {
         "attribute  /patients/T-01/session-01/hand\n",
         "/patients/T-01/session-01/trial-02/measures", "/trial-01/resting_force/mean/units\n"})
     EXPECT_NE(tree.out.find(line), std::string::npos) << line << " in\n" << tree.out;
-}
-
-test::CommandResult validate_bids(const std::string& folder) {
-  const std::string validator = kValidators + "bids-validator/bin/bids-validator";
-  EXPECT_TRUE(fs::exists(validator)) << "install it: scripts/setup --test";
-  return test::run("node --no-warnings " + validator + " --json " + folder);
-}
-std::string codes_of(const Json& issues) {
-  std::string codes;
-  for (const auto& issue : issues) codes += issue["key"].get<std::string>() + " ";
-  return codes;
 }
 
 TEST_F(Export, TheValidatorOfBidsFindsNoError) {

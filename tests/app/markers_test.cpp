@@ -2,6 +2,8 @@
 // isograsp markers: from recordings to measures through the command line.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -55,6 +57,75 @@ TEST(Markers, GoFromARecordingToPosesLinksEventsAndMeasures) {
                 .status,
             0);
   EXPECT_NE(read_file(folder.path("e.csv")).find("unscrew,11.21,,17.21,,,"), std::string::npos);
+}
+
+TEST(Markers, QualityStandsBesideTheScore) {
+  const std::string files = "quality --rig " + data("kurillo15.toml") + " --poses " +
+                            data("session_a_poses.csv") + " --events " +
+                            data("session_a_events.csv");
+  const auto all = answer(files + " --range EF:1:-1.5:1.5 --range DO:3:-1:1");
+  std::map<std::string, int> with_value;
+  test::AtLeast measures(30);
+  for (const auto& one : test::every(all["measures"])) {
+    ++measures;
+    EXPECT_NE(one["value"].is_null(), !one.contains("reason")) << one.dump();
+    if (!one["value"].is_null()) ++with_value[one["name"].get<std::string>()];
+  }
+  for (const char* name :
+       {"sparc", "ldlj", "peak_speed", "coupling_slope", "lead", "range_margin", "movement_time"})
+    EXPECT_GT(with_value[name], 0) << name;
+  EXPECT_EQ(with_value["trunk_displacement"], 0) << "this rig has none";
+  test::AtLeast notes(1);
+  for (const auto& one : all["notes"])
+    if (one["note"] == "trunk not measured") ++notes;
+  EXPECT_EQ(isograsp("markers " + files + " --range EF:1:-1.5").status, 2);
+  EXPECT_EQ(isograsp("markers " + files + " --range leg:1:-1:1").status, 2);
+}
+
+TEST(Markers, TheDrinkingTaskIsMeasuredFromNamedMarkers) {
+  const TemporaryFolder folder;
+  std::string csv = "t_s,H_x_m,H_y_m,H_z_m,G_x_m,G_y_m,G_z_m,N_x_m,N_y_m,N_z_m\n";
+  const auto gone = [](double t_s, double from_s) {
+    const double s = std::clamp(t_s - from_s, 0.0, 1.0);
+    return s * s * (3.0 - 2.0 * s);
+  };
+  for (int k = 0; k <= 700; ++k) {
+    const double t_s = k * 0.01;
+    const double carried = 0.35 * (gone(t_s, 1.8) - gone(t_s, 4.0));
+    const double hand = 0.3 * (gone(t_s, 0.5) - gone(t_s, 5.3)) + carried;
+    csv += std::to_string(t_s) + "," + std::to_string(hand) + ",0.1,0.1," +
+           std::to_string(0.3 + carried) + ",0.1,0.1,0.7,0.1,0.1\n";
+  }
+  const std::string words =
+      "drinking --in " + folder.write("d.csv", csv) + " --hand-marker H --glass G";
+  const auto all = answer(words + " --face N");
+  ASSERT_EQ(all["phases"].size(), 5U) << all.dump();
+  EXPECT_EQ(all["phases"][2]["phase"], "drinking");
+  EXPECT_EQ(all["measures"][0]["name"], "total_movement_time");
+  constexpr double kFeet_s = 0.2;
+  EXPECT_WITHIN(all["measures"][0]["value"].get<double>(), 5.8, kFeet_s);
+  EXPECT_EQ(isograsp("markers " + words + " --face nose").status, 2);
+  EXPECT_EQ(isograsp("markers " + words).status, 2) << "the face is needed";
+}
+
+TEST(Markers, ARecordingBecomesAC3dFileAndATableAgain) {
+  const TemporaryFolder folder;
+  const std::string in = data("session_a_markers.csv");
+  for (const char* numbers : {"", " --integer"}) {
+    ASSERT_EQ(isograsp("markers convert " + in + " --out " + folder.path("a.c3d") + numbers).status,
+              0);
+    ASSERT_EQ(isograsp("markers convert " + folder.path("a.c3d") + " --out " + folder.path("b.csv"))
+                  .status,
+              0);
+    const std::string commented = read_file(in);
+    const std::string before = commented.substr(commented.find('\n') + 1);
+    const std::string after = read_file(folder.path("b.csv"));
+    EXPECT_EQ(std::count(after.begin(), after.end(), '\n'),
+              std::count(before.begin(), before.end(), '\n'));
+    EXPECT_EQ(after.substr(0, after.find('\n')), before.substr(0, before.find('\n')));
+  }
+  EXPECT_EQ(isograsp("markers convert " + in + " --integer --out " + folder.path("c.csv")).status,
+            2);
 }
 
 TEST(Markers, ALeftArmIsMarkedInItsPoses) {

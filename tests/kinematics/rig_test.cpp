@@ -64,6 +64,19 @@ TEST(Rig, IsWrittenAsItWasRead) {
             rig_text(must(parse_rig(rig_text(golden_rig("kurillo15.toml")), "c.toml"))));
 }
 
+TEST(Rig, NamesTheRestOfTheBodyIfItIsSeen) {
+  const Rig plain = must(parse_rig(kBody, "a.toml"));
+  EXPECT_FALSE(plain.score->trunk || plain.score->brace || plain.score->elbow);
+  std::string text = kBody;
+  text.replace(text.find("[view]"), 0, "trunk = \"body\"\nelbow = \"tip\"\nbrace = \"body\"\n");
+  const Rig rig = must(parse_rig(text, "a.toml"));
+  EXPECT_EQ(rig.score->trunk, "body");
+  EXPECT_EQ(rig.score->brace, "body");
+  EXPECT_EQ(rig.score->elbow, "tip");
+  EXPECT_EQ(must(parse_rig(rig_text(rig), "b.toml")).score->elbow, "tip");
+  EXPECT_EQ(rig_text(must(parse_rig(rig_text(rig), "b.toml"))), rig_text(rig));
+}
+
 TEST(Rig, WhatIsWrongIsNamedWithItsLineAndARemedy) {
   const auto without = [](const std::string& part, const std::string& instead) {
     std::string text = kBody;
@@ -90,6 +103,7 @@ TEST(Rig, WhatIsWrongIsNamedWithItsLineAndARemedy) {
       {without("child = \"hand\"", "child = \"world\""), "'world' is no frame"},
       {without("[2, 0, 0, 0]", "[0, 0, 0, 0]"), "is no attitude"},
       {without("sync = \"wrist\"", "sync = \"body\""), "'body' is no link"},
+      {without("[view]", "elbow = \"arm\"\n[view]"), "elbow: 'arm' is no frame"},
       {without("up = \"y\"", "up = \"z\""), "points to the right"},
       {without("method = \"point\"\n", "method = \"dot\"\n"), "'dot' is not known"},
       {kBody + "more = 1\n", "unknown key"}};

@@ -13,6 +13,7 @@
 #include "core/files.hpp"
 #include "core/random.hpp"
 #include "kinematics/calibration.hpp"
+#include "kinematics/movement.hpp"
 #include "kinematics/rig.hpp"
 #include "kinematics/tables/word_table.hpp"
 #include "tests/support/must.hpp"
@@ -40,6 +41,14 @@ inline std::vector<Fields> golden_table(const std::string& path) {
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+/// By movement, name and channel, for comparing with tables of reference values.
+inline std::map<std::string, Measure> by_movement(const std::vector<MovementMeasure>& measures) {
+  std::map<std::string, Measure> all;
+  for (const auto& [movement, measure] : measures)
+    all[std::to_string(movement) + " " + measure.name + " " + measure.channel] = measure;
+  return all;
 }
 
 /// NaN where the field is empty.
